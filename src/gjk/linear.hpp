@@ -1,0 +1,87 @@
+#pragma once
+// Vectors, and the few products that GJK is made of. Sums run in index order, without fused
+// multiply-add (the target gjkscope::gjk switches contraction off), so that every compiler and
+// build type takes the same decisions.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <array>
+
+#include "gjk/scalar.hpp"
+
+namespace gjk {
+
+/// A point or direction in dimension D.
+template <class S, int D>
+using Vec = Eigen::Matrix<S, D, 1>;
+
+template <class S, int D>
+[[nodiscard]] S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
+  S sum = a[0] * b[0];
+  for (int i = 1; i < D; ++i) sum = sum + S(a[i] * b[i]);
+  return sum;
+}
+
+/// Sum of the coordinates' magnitudes.
+template <class S, int D>
+[[nodiscard]] S norm_1(const Vec<S, D>& a) {
+  S sum(0);
+  for (int i = 0; i < D; ++i) sum = sum + (a[i] < S(0) ? S(-a[i]) : a[i]);
+  return sum;
+}
+
+/// Largest of the coordinates' magnitudes.
+template <class S, int D>
+[[nodiscard]] S norm_max(const Vec<S, D>& a) {
+  S largest(0);
+  for (int i = 0; i < D; ++i) {
+    const S magnitude = a[i] < S(0) ? S(-a[i]) : a[i];
+    if (largest < magnitude) largest = magnitude;
+  }
+  return largest;
+}
+
+template <class S, int D>
+[[nodiscard]] bool is_zero(const Vec<S, D>& a) {
+  for (int i = 0; i < D; ++i) {
+    if (a[i] != S(0)) return false;
+  }
+  return true;
+}
+
+template <class S, int D>
+[[nodiscard]] bool is_finite(const Vec<S, D>& a) {
+  for (int i = 0; i < D; ++i) {
+    if (!ScalarTraits<S>::is_finite(a[i])) return false;
+  }
+  return true;
+}
+
+/// D! times the signed volume of the simplex (O, columns[0], ..., columns[D-1]). In the plane:
+/// cross(a, b).
+template <class S, int D>
+[[nodiscard]] S determinant(const std::array<Vec<S, D>, D>& columns) {
+  Eigen::Matrix<S, D, D> matrix;
+  for (int i = 0; i < D; ++i) matrix.col(i) = columns[i];
+  return matrix.determinant();
+}
+
+/// A vector perpendicular to all `edges`, computed without a division. In the plane it is the cross
+/// product of the edge with z, the plane's normal (Catto 2010, slide "An accurate search
+/// direction"). Its length is that of the edge (in 3D, twice the area that the edges span); its
+/// sign is arbitrary.
+template <class S, int D>
+[[nodiscard]] Vec<S, D> perpendicular(const std::array<Vec<S, D>, D - 1>& edges) {
+  static_assert(D == 2 || D == 3,
+                "the cross product of D-1 vectors is written out for the plane and for space");
+  if constexpr (D == 2) {
+    return Vec<S, 2>(edges[0][1], -edges[0][0]);
+  } else {
+    const Vec<S, 3>& a = edges[0];
+    const Vec<S, 3>& b = edges[1];
+    return Vec<S, 3>(S(a[1] * b[2]) - S(a[2] * b[1]), S(a[2] * b[0]) - S(a[0] * b[2]),
+                     S(a[0] * b[1]) - S(a[1] * b[0]));
+  }
+}
+
+}  // namespace gjk

@@ -1,0 +1,74 @@
+#pragma once
+// Phases "stop" and "add".
+
+#include "gjk/state.hpp"
+
+namespace gjk::detail {
+
+/// The stop tests, in order; the first that holds names the reason. What each compares (left,
+/// right):
+///   origin_inside     vertices of the culled simplex, vertices of a full one    left = right
+///   (Catto 2010, case 2) zero_direction    |d|_1, 0 left = right (case 3a) repeated_support  index
+///   of the simplex vertex that is the support point or -1, 0   left >= right (case 1) no_progress
+///   dot(d, support), largest dot(d, simplex vertex)           left <= right
+///                     or, when P came no nearer, |best P|^2 and |P|^2           left <= right
+///   within_tolerance  (1 - tolerance)^2 upper^2, lower^2                        left <= right
+///   iteration_cap     cap, iteration                                            left <= right
+template <class S, int D, class Rec>
+void run_stop_tests(State<S, D>& state, const Options& options, Rec& record) {
+  const auto test = [&](StopReason reason, bool enabled, bool holds, const S& left,
+                        const S& right) {
+    const bool tried = enabled && state.stop == StopReason::running;
+    if constexpr (Rec::kOn) {
+      record.stop_tests.push_back({reason, enabled, tried, tried && holds, left, right});
+    }
+    if (tried && holds) state.stop = reason;
+  };
+  const Simplex<S, D>& simplex = state.simplex;
+  const bool came_nearer = state.previous != Phase::cull || simplex.count == D + 1;
+  const bool has_direction = came_nearer && state.previous != Phase::cull;
+  const bool has_support = state.previous == Phase::support;
+
+  int repeated = -1;
+  S reach(0);
+  if (has_support) {
+    for (int i = 0; i < simplex.count; ++i) {
+      if (simplex.vertices[i].pair == state.support.pair) repeated = i;
+      const S value = dot(state.d, simplex.vertices[i].w);
+      if (i == 0 || reach < value) reach = value;
+    }
+  }
+  const S keep = S(1) - S(options.tolerance);
+
+  test(StopReason::origin_inside, true, simplex.count == D + 1, S(simplex.count), S(D + 1));
+  test(StopReason::zero_direction, has_direction, is_zero(state.d), norm_1(state.d), S(0));
+  test(StopReason::repeated_support, has_support && options.stop_on_repeated_support, repeated >= 0,
+       S(repeated), S(0));
+  if (has_support) {
+    test(StopReason::no_progress, options.stop_on_no_progress, !(reach < state.support_value),
+         state.support_value, reach);
+  } else {
+    test(StopReason::no_progress, !came_nearer, true, state.best_sq, state.p_sq);
+  }
+  const S wanted = keep * keep * state.best_sq;
+  test(StopReason::within_tolerance, has_support && S(0) < S(options.tolerance),
+       !(state.plane_distance_sq < wanted), wanted, state.plane_distance_sq);
+  test(StopReason::iteration_cap, has_support, options.iteration_cap <= state.iteration,
+       S(options.iteration_cap), S(state.iteration));
+
+  state.previous = Phase::stop;
+  if (state.stop == StopReason::running) state.phase = Phase::add;
+}
+
+template <class S, int D>
+void add_support(State<S, D>& state) {
+  state.simplex.vertices[state.simplex.count] = state.support;
+  state.simplex.weights[state.simplex.count] = S(0);
+  ++state.simplex.count;
+  state.region = state.simplex.all();
+  ++state.iteration;
+  state.previous = Phase::add;
+  state.phase = Phase::closest;
+}
+
+}  // namespace gjk::detail

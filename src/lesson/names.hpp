@@ -1,0 +1,143 @@
+#pragma once
+// The names by which files, the command line and captions call the values of enumerations. One
+// table each; parsing, printing and error messages read the same one.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+
+namespace gjkscope {
+
+template <class E>
+struct Named;  // specialised below: static constexpr table of (name, value)
+
+template <>
+struct Named<ScalarKind> {
+  static constexpr std::array<std::pair<std::string_view, ScalarKind>, 4> table = {
+      {{"half", ScalarKind::half},
+       {"float", ScalarKind::single},
+       {"double", ScalarKind::double_},
+       {"exact", ScalarKind::exact}}};
+};
+template <>
+struct Named<Granularity> {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 5> table = {
+      {{"iteration", Granularity::iteration},
+       {"phase", Granularity::phase},
+       {"test", Granularity::test},
+       {"path", Granularity::path},
+       {"pairs", Granularity::pairs}}};
+};
+template <>
+struct Named<ViewKind> {
+  static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> table = {
+      {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
+};
+template <>
+struct Named<PanelBlock> {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 10> table = {
+      {{"pseudocode", PanelBlock::pseudocode},
+       {"tests", PanelBlock::tests},
+       {"regions", PanelBlock::regions},
+       {"weights", PanelBlock::weights},
+       {"linear-system", PanelBlock::linear_system},
+       {"simplex", PanelBlock::simplex},
+       {"scan", PanelBlock::scan},
+       {"bounds", PanelBlock::bounds},
+       {"pairs", PanelBlock::pairs},
+       {"direction-rules", PanelBlock::direction_rules}}};
+};
+template <>
+struct Named<Listing> {
+  static constexpr std::array<std::pair<std::string_view, Listing>, 4> table = {
+      {{"segment", Listing::segment},
+       {"triangle", Listing::triangle},
+       {"gjk-point", Listing::gjk_point},
+       {"gjk", Listing::gjk}}};
+};
+template <>
+struct Named<gjk::Phase> {
+  static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> table = {
+      {{"closest", gjk::Phase::closest},
+       {"cull", gjk::Phase::cull},
+       {"direction", gjk::Phase::direction},
+       {"support", gjk::Phase::support},
+       {"stop", gjk::Phase::stop},
+       {"add", gjk::Phase::add}}};
+};
+template <>
+struct Named<gjk::StopReason> {
+  static constexpr std::array<std::pair<std::string_view, gjk::StopReason>, 8> table = {
+      {{"running", gjk::StopReason::running},
+       {"repeated-support", gjk::StopReason::repeated_support},
+       {"origin-inside", gjk::StopReason::origin_inside},
+       {"zero-direction", gjk::StopReason::zero_direction},
+       {"no-progress", gjk::StopReason::no_progress},
+       {"within-tolerance", gjk::StopReason::within_tolerance},
+       {"iteration-cap", gjk::StopReason::iteration_cap},
+       {"failed", gjk::StopReason::failed}}};
+};
+template <>
+struct Named<gjk::Verdict> {
+  static constexpr std::array<std::pair<std::string_view, gjk::Verdict>, 5> table = {
+      {{"separated", gjk::Verdict::separated},
+       {"touching", gjk::Verdict::touching},
+       {"overlapping", gjk::Verdict::overlapping},
+       {"undecided", gjk::Verdict::undecided},
+       {"none", gjk::Verdict::none}}};
+};
+template <>
+struct Named<gjk::Error> {
+  static constexpr std::array<std::pair<std::string_view, gjk::Error>, 9> table = {
+      {{"none", gjk::Error::none},
+       {"x-has-no-vertices", gjk::Error::x_has_no_vertices},
+       {"y-has-no-vertices", gjk::Error::y_has_no_vertices},
+       {"x-not-finite", gjk::Error::x_not_finite},
+       {"y-not-finite", gjk::Error::y_not_finite},
+       {"overflow", gjk::Error::overflow},
+       {"underflow", gjk::Error::underflow},
+       {"bad-start", gjk::Error::bad_start},
+       {"bad-options", gjk::Error::bad_options}}};
+};
+template <>
+struct Named<gjk::DirectionRule> {
+  static constexpr std::array<std::pair<std::string_view, gjk::DirectionRule>, 2> table = {
+      {{"perpendicular", gjk::DirectionRule::perpendicular},
+       {"towards-origin", gjk::DirectionRule::towards_origin}}};
+};
+template <>
+struct Named<gjk::RegionOrder> {
+  static constexpr std::array<std::pair<std::string_view, gjk::RegionOrder>, 2> table = {
+      {{"vertices-first", gjk::RegionOrder::vertices_first},
+       {"edges-first", gjk::RegionOrder::edges_first}}};
+};
+
+template <class E>
+[[nodiscard]] constexpr std::string_view name_of(E value) {
+  for (const auto& [name, candidate] : Named<E>::table) {
+    if (candidate == value) return name;
+  }
+  return "?";
+}
+
+template <class E>
+[[nodiscard]] constexpr std::optional<E> value_of(std::string_view name) {
+  for (const auto& [candidate, value] : Named<E>::table) {
+    if (candidate == name) return value;
+  }
+  return std::nullopt;
+}
+
+template <class E>
+[[nodiscard]] std::vector<std::string> names_of() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : Named<E>::table) names.emplace_back(name);
+  return names;
+}
+
+}  // namespace gjkscope

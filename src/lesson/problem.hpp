@@ -1,0 +1,27 @@
+#pragma once
+// What is wrong with a file, where, and what was expected.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+struct Problem {
+  std::string file;
+  int line = 1;          ///< From 1.
+  int column = 1;        ///< From 1.
+  std::string what;      ///< "unknown key 'vertice'"
+  std::string expected;  ///< "one of: names, vertices, translate, rotate"; may be empty.
+  std::string nearest;   ///< "vertices": the nearest known name; may be empty.
+};
+
+/// "file:line:column: what; expected ...; did you mean 'nearest'?"
+[[nodiscard]] std::string to_string(const Problem& problem);
+
+/// The known name with the smallest edit distance, if that is small enough to be a slip of the
+/// fingers; else empty.
+[[nodiscard]] std::string nearest_name(std::string_view name,
+                                       const std::vector<std::string>& known);
+
+}  // namespace gjkscope

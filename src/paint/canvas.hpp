@@ -1,0 +1,42 @@
+#pragma once
+// Pictures to pixels, without a display: the ImGui draw list through OSMesa.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "picture/picture.hpp"
+#include "picture/theme.hpp"
+
+namespace gjkscope {
+
+/// 8-bit RGBA, rows from top to bottom, opaque.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Draws at `supersampling` times the size asked for. One canvas a process at a time: Dear ImGui
+/// has one context.
+class Canvas {
+ public:
+  /// Throws std::runtime_error saying what was tried.
+  Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling = 2);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// The picture at full supersampled size; `shrink` brings it to size (so that another thread can
+  /// do it).
+  [[nodiscard]] Image paint(const Picture& picture);
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+/// Averages squares of `factor` x `factor` pixels.
+[[nodiscard]] Image shrink(const Image& image, int factor);
+
+}  // namespace gjkscope

@@ -1,0 +1,74 @@
+#pragma once
+// A frame as data. Marks say what is there and what part it plays; a theme says what that looks
+// like; a painter turns both into pixels or vectors.
+//
+// All coordinates and sizes are frame pixels: origin top left, y down, at the size of the picture.
+// A painter that supersamples scales them.
+
+#include <Eigen/Core>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "picture/type.hpp"
+
+namespace gjkscope {
+
+using Point = Eigen::Vector2d;
+
+struct Rect {
+  Point min = Point::Zero();
+  Point max = Point::Zero();
+  [[nodiscard]] Point size() const { return max - min; }
+  [[nodiscard]] Point center() const { return 0.5 * (min + max); }
+};
+
+/// A convex polygon, filled and outlined as its role says. Counter-clockwise or clockwise.
+struct Polygon {
+  std::vector<Point> points;
+};
+struct Polyline {
+  std::vector<Point> points;
+  bool closed = false;
+};
+/// The head is at `to`; its size does not depend on the length.
+struct Arrow {
+  Point from;
+  Point to;
+};
+struct Disk {
+  Point center;
+  double radius = 0.0;
+};
+/// An upright cross: the origin, a position.
+struct Cross {
+  Point center;
+  double radius = 0.0;
+};
+struct Box {
+  Rect rect;
+  double corner = 0.0;  ///< Corner radius.
+};
+enum class Align { left, center, right };
+/// One line of text; `at` is on the base line.
+struct Text {
+  Point at;
+  std::string text;  ///< UTF-8
+  TextStyle style;
+  Align align = Align::left;
+};
+
+struct Mark {
+  std::string role;  ///< "simplex.edge"; a theme without it falls back to "simplex".
+  std::variant<Polygon, Polyline, Arrow, Disk, Cross, Box, Text> shape;
+  int clip = -1;  ///< Index into Picture::clips, or -1.
+};
+
+struct Picture {
+  double width = 0.0;
+  double height = 0.0;
+  std::vector<Rect> clips;
+  std::vector<Mark> marks;  ///< Painted in this order.
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,44 @@
+#pragma once
+// Themes: what each role looks like. Files in assets/themes; format in assets/themes/README.md.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+struct Color {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+};
+
+struct Style {
+  std::optional<Color> fill;  ///< Also the colour of text.
+  std::optional<Color> stroke;
+  double width = 1.0;        ///< Of the stroke, frame pixels.
+  std::vector<double> dash;  ///< On, off, ... in frame pixels; empty: solid.
+};
+
+class Theme {
+ public:
+  /// Throws std::runtime_error with file:line:column for a malformed theme or an unknown name
+  /// (naming those there are).
+  [[nodiscard]] static Theme load(const std::filesystem::path& folder, std::string_view name);
+  [[nodiscard]] static std::vector<std::string> names(const std::filesystem::path& folder);
+
+  [[nodiscard]] Color background() const { return background_; }
+  /// The style of `role`, or of its nearest ancestor ("a.b.c", "a.b", "a"). Throws
+  /// std::out_of_range when there is none: every role that pictures use must be in every theme
+  /// (tested).
+  [[nodiscard]] const Style& style(std::string_view role) const;
+
+ private:
+  Color background_;
+  std::map<std::string, Style, std::less<>> styles_;
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,74 @@
+#pragma once
+// Type: which faces and sizes there are, and how wide a text will be. No GL; widths come from the
+// font files.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+enum class Face { regular, medium, semibold, bold, mono, mono_bold };
+inline constexpr int kFaceCount = 6;
+
+struct TextStyle {
+  Face face = Face::regular;
+  double size = 14.0;  ///< Em size in frame pixels.
+  friend bool operator==(const TextStyle&, const TextStyle&) = default;
+};
+
+/// The type scale of a frame.
+namespace type {
+inline constexpr TextStyle kTitle{Face::bold, 24};
+inline constexpr TextStyle kProse{Face::regular, 15};
+inline constexpr TextStyle kPosition{Face::medium, 16};
+inline constexpr TextStyle kViewTitle{Face::semibold, 15};
+inline constexpr TextStyle kVertex{Face::semibold, 17};
+inline constexpr TextStyle kSmallVertex{Face::semibold, 14};
+inline constexpr TextStyle kRegion{Face::semibold, 14};
+inline constexpr TextStyle kCaption{Face::medium, 20};
+inline constexpr TextStyle kDetail{Face::regular, 19};
+inline constexpr TextStyle kHeading{Face::semibold, 14};
+inline constexpr TextStyle kBody{Face::regular, 14};
+inline constexpr TextStyle kStrong{Face::semibold, 15};
+inline constexpr TextStyle kCode{Face::mono, 14};
+inline constexpr TextStyle kCodeBold{Face::mono_bold, 14};
+inline constexpr TextStyle kTick{Face::regular, 12};
+inline constexpr TextStyle kTickBold{Face::semibold, 12};
+/// Every style above: what a painter prepares.
+[[nodiscard]] std::vector<TextStyle> all_styles();
+}  // namespace type
+
+/// The font files of the six faces, from assets/fonts.toml.
+class Fonts {
+ public:
+  /// Reads `config` (assets/fonts.toml). Throws std::runtime_error naming the missing file and the
+  /// Debian package that has it.
+  explicit Fonts(const std::filesystem::path& config);
+  ~Fonts();
+  Fonts(const Fonts&) = delete;
+  Fonts& operator=(const Fonts&) = delete;
+
+  /// Width in frame pixels, kerning left out (painters leave it out, too).
+  [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
+  /// Height of a capital letter above the base line.
+  [[nodiscard]] double cap_height(const TextStyle& style) const;
+  /// Distance from base line to base line.
+  [[nodiscard]] double line_height(const TextStyle& style) const;
+
+  /// The characters that every face can draw, in ascending order; what a painter prepares. Tested
+  /// face by face.
+  [[nodiscard]] static const std::vector<char32_t>& characters();
+  /// The first character of a text that is not among them, or 0.
+  [[nodiscard]] static char32_t first_missing(std::string_view utf8);
+
+  [[nodiscard]] const std::vector<unsigned char>& file(Face face) const;
+
+ private:
+  struct Loaded;
+  std::unique_ptr<Loaded> loaded_;
+};
+
+}  // namespace gjkscope
