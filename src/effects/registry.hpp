@@ -1,0 +1,21 @@
+#pragma once
+// The effects there are, by name.
+
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+struct EffectInfo {
+  std::string_view name;
+  std::string_view
+      needs;  ///< Names of the effects that it pulls, separated by commas; empty: the trace alone.
+  std::string_view summary;  ///< One line for `gjkscope explain`.
+  std::string_view
+      used_by;  ///< "view": a lesson's views call for it by name; "panel": a panel block does.
+};
+
+/// In the order in which `explain` lists them.
+[[nodiscard]] const std::vector<EffectInfo>& registered_effects();
+
+}  // namespace gjkscope

@@ -1,0 +1,57 @@
+#pragma once
+// A lesson, run: one traced GJK run for each position of X, and the frames that the lesson's
+// granularity makes of them.
+
+#include <string>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+#include "lesson/problem.hpp"
+
+namespace gjkscope {
+
+/// A trace in any scalar, widened to double. Exact for half, float and double; rounded to nearest
+/// for exact runs.
+using WideTrace = gjk::Trace<double, 2>;
+
+/// One GJK run: where X stood, and what happened.
+struct PositionedRun {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< Translation of X.
+  std::vector<Eigen::Vector2d> x_world;
+  std::vector<Eigen::Vector2d> y_world;
+  WideTrace trace;
+};
+
+/// What one frame shows.
+struct Frame {
+  int run = 0;    ///< Index into LessonRun::runs.
+  int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
+  int detail =
+      -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
+           ///< Granularity::pairs: number of pairs made so far; one more than there are: the hull.
+};
+
+struct LessonRun {
+  Lesson lesson;
+  std::vector<PositionedRun> runs;
+  std::vector<Frame> frames;
+
+  [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
+  /// The state that a frame shows: after its step, or the initial one.
+  [[nodiscard]] const gjk::State<double, 2>& state(const Frame& frame) const;
+  /// The step of a frame; only where frame.step >= 0.
+  [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
+
+  /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
+  /// that of Y's: "K".
+  [[nodiscard]] std::string pair_name(gjk::VertexPair pair) const;
+  [[nodiscard]] bool point_query() const { return lesson.x.vertices.size() == 1; }
+};
+
+[[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+/// Where the outcome differs from Lesson::expect; places are those of the keys in the lesson's
+/// file.
+[[nodiscard]] std::vector<Problem> check_expectation(const LessonRun& run);
+
+}  // namespace gjkscope
