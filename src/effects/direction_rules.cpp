@@ -1,0 +1,30 @@
+#include "effects/direction_rules.hpp"
+
+#include "lesson/scalar.hpp"
+#include "lesson/widen.hpp"
+
+namespace gjkscope {
+
+EffectKey DirectionRules::key(const LessonRun&, const Frame& frame) {
+  return {frame.run, frame.step, -1};
+}
+
+DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run,
+                                              const Frame& frame) {
+  const gjk::State<double, 2>& state = run.state(frame);
+  Value built;
+  if (state.simplex.count != 2) return built;
+  with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    const gjk::Simplex<S, 2> simplex = narrowed<S>(state.simplex);
+    const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
+    for (const gjk::DirectionRule rule :
+         {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
+      const gjk::DirectionNote<S, 2> note =
+          gjk::detail::search_direction(simplex, narrowed<S>(state.p), rule);
+      built.push_back({rule, widened(note.d), widened(gjk::dot(note.d, edge))});
+    }
+  });
+  return built;
+}
+
+}  // namespace gjkscope

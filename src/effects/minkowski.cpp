@@ -1,0 +1,19 @@
+#include "effects/minkowski.hpp"
+
+namespace gjkscope {
+
+EffectKey MinkowskiCloud::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+MinkowskiCloud::Value MinkowskiCloud::compute(EffectGraph&, const LessonRun& run,
+                                              const Frame& frame) {
+  return minkowski_cloud(run.run(frame).x_world, run.run(frame).y_world);
+}
+
+EffectKey MinkowskiHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+MinkowskiHull::Value MinkowskiHull::compute(EffectGraph& graph, const LessonRun&,
+                                            const Frame& frame) {
+  return minkowski_hull(graph.get<MinkowskiCloud>(frame));
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,32 @@
+#include "effects/registry.hpp"
+
+#include "effects/barycentric.hpp"
+#include "effects/direction_rules.hpp"
+#include "effects/history.hpp"
+#include "effects/minkowski.hpp"
+#include "effects/voronoi.hpp"
+
+namespace gjkscope {
+namespace {
+
+template <class E>
+EffectInfo info(std::string_view used_by, std::string_view summary) {
+  return {E::kName, E::kNeeds, summary, used_by};
+}
+
+}  // namespace
+
+const std::vector<EffectInfo>& registered_effects() {
+  static const std::vector<EffectInfo> effects = {
+      info<VoronoiRegions>("view", "Voronoi regions of the current simplex"),
+      info<BarycentricWeights>("panel", "barycentric coordinates of the query point, signed"),
+      info<BarycentricParts>("view", "the lengths or areas that the coordinates measure"),
+      info<MinkowskiCloud>("view", "every difference y - x"),
+      info<MinkowskiHull>("view", "convex hull of the differences"),
+      info<History>("view", "simplices and closest points of earlier iterations"),
+      info<DirectionRules>("panel", "both ways to build the search direction"),
+  };
+  return effects;
+}
+
+}  // namespace gjkscope

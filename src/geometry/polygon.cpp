@@ -1,0 +1,100 @@
+#include "geometry/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+std::vector<int> convex_hull(std::span<const Vector2d> points) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto before = [&](int a, int b) {
+    return points[a].x() < points[b].x() ||
+           (points[a].x() == points[b].x() && points[a].y() < points[b].y());
+  };
+  std::stable_sort(order.begin(), order.end(), before);
+  order.erase(
+      std::unique(order.begin(), order.end(), [&](int a, int b) { return points[a] == points[b]; }),
+      order.end());
+  if (order.size() < 3) return order;
+
+  std::vector<int> hull;
+  const auto extend = [&](int next, std::size_t floor) {
+    while (hull.size() >= floor + 2) {
+      const Vector2d& a = points[hull[hull.size() - 2]];
+      const Vector2d& b = points[hull.back()];
+      if (cross(b - a, points[next] - b) > 0.0) break;
+      hull.pop_back();
+    }
+    hull.push_back(next);
+  };
+  for (const int index : order) extend(index, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (auto it = order.rbegin() + 1; it != order.rend(); ++it) extend(*it, lower);
+  hull.pop_back();
+  return hull;
+}
+
+double signed_area(std::span<const Vector2d> polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+  }
+  return 0.5 * twice;
+}
+
+bool is_convex(std::span<const Vector2d> polygon) {
+  const std::size_t n = polygon.size();
+  if (n < 4) return true;
+  double turn = 0.0;
+  bool left = false;
+  bool right = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2d in = polygon[(i + 1) % n] - polygon[i];
+    const Vector2d out = polygon[(i + 2) % n] - polygon[(i + 1) % n];
+    const double c = cross(in, out);
+    left = left || c > 0.0;
+    right = right || c < 0.0;
+    turn += std::atan2(c, in.dot(out));
+  }
+  return !(left && right) && std::abs(turn) < 7.0;  // once around is 2 pi, twice 4 pi
+}
+
+std::vector<Vector2d> clip(std::span<const Vector2d> polygon, const HalfPlane& half_plane) {
+  std::vector<Vector2d> out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d& a = polygon[i];
+    const Vector2d& b = polygon[(i + 1) % polygon.size()];
+    const double side_a = half_plane.normal.dot(a - half_plane.point);
+    const double side_b = half_plane.normal.dot(b - half_plane.point);
+    if (side_a <= 0.0) out.push_back(a);
+    if ((side_a < 0.0 && side_b > 0.0) || (side_a > 0.0 && side_b < 0.0)) {
+      out.push_back(a + (b - a) * (side_a / (side_a - side_b)));
+    }
+  }
+  if (out.size() < 3) out.clear();
+  return out;
+}
+
+Vector2d centroid(std::span<const Vector2d> points) {
+  Vector2d sum = Vector2d::Zero();
+  for (const Vector2d& point : points) sum += point;
+  return points.empty() ? sum : Vector2d(sum / static_cast<double>(points.size()));
+}
+
+double segment_distance(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
+  const Vector2d edge = b - a;
+  const double length_sq = edge.squaredNorm();
+  const double t = length_sq > 0.0 ? std::clamp((point - a).dot(edge) / length_sq, 0.0, 1.0) : 0.0;
+  return (point - a - t * edge).norm();
+}
+
+}  // namespace gjkscope

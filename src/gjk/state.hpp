@@ -76,6 +76,7 @@ struct StopTest {
 /// How a search direction came about.
 template <class S, int D>
 struct DirectionNote {
+  Vec<S, D> d = Vec<S, D>::Zero();
   bool from_normal = false;              ///< Normal of the simplex, not O - P.
   Vec<S, D> normal = Vec<S, D>::Zero();  ///< The normal before its sign was fixed.
   S side = S(0);                         ///< dot(normal, O - A): its sign decides the flip.

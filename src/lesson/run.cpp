@@ -1,0 +1,207 @@
+#include "lesson/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lesson/load.hpp"
+#include "lesson/names.hpp"
+#include "lesson/scalar.hpp"
+#include "lesson/widen.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+template <class S>
+std::vector<gjk::Vec<S, 2>> vertices_of(const LessonShape& shape) {
+  std::vector<gjk::Vec<S, 2>> out;
+  for (const Vector2d& vertex : shape.vertices) out.push_back(narrowed<S>(vertex));
+  return out;
+}
+
+template <class S>
+gjk::Pose<S, 2> pose_of(const LessonShape& shape, const Vector2d& translate) {
+  gjk::Pose<S, 2> pose;
+  pose.translation = narrowed<S>(translate);
+  if (shape.rotate_degrees != 0.0) {
+    const double angle = shape.rotate_degrees * std::numbers::pi / 180.0;
+    const S c(std::cos(angle));
+    const S s(std::sin(angle));
+    pose.rotation << c, S(-s), s, c;
+  }
+  return pose;
+}
+
+template <class S>
+std::vector<Vector2d> world_vertices(const gjk::Shape<S, 2>& shape) {
+  std::vector<Vector2d> out;
+  for (const gjk::Vec<S, 2>& vertex : shape.vertices) {
+    out.push_back(widened<S>(gjk::Vec<S, 2>(shape.pose.rotated(vertex) + shape.pose.translation)));
+  }
+  return out;
+}
+
+template <class S>
+PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
+  const std::vector<gjk::Vec<S, 2>> x = vertices_of<S>(lesson.x);
+  const std::vector<gjk::Vec<S, 2>> y = vertices_of<S>(lesson.y);
+  const gjk::Query<S, 2> query{{x, pose_of<S>(lesson.x, position)},
+                               {y, pose_of<S>(lesson.y, lesson.y.translate)}};
+  return {position, world_vertices(query.x), world_vertices(query.y),
+          widened(gjk::trace(query, lesson.options))};
+}
+
+PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
+  return with_scalar(lesson.scalar,
+                     [&]<class S>(std::type_identity<S>) { return run_at<S>(lesson, position); });
+}
+
+std::vector<Vector2d> positions_of(const Lesson& lesson) {
+  if (!lesson.path_of_x) return {lesson.x.translate};
+  const std::vector<Vector2d>& corners = lesson.path_of_x->points;
+  const int frames = lesson.path_of_x->frames;
+  if (frames == 0 || corners.size() < 2) return corners;
+  double length = 0.0;
+  for (std::size_t i = 1; i < corners.size(); ++i) length += (corners[i] - corners[i - 1]).norm();
+  std::vector<Vector2d> out;
+  for (int i = 0; i < frames; ++i) {
+    double along = length * i / (frames - 1);
+    std::size_t k = 1;
+    while (k + 1 < corners.size() && along > (corners[k] - corners[k - 1]).norm()) {
+      along -= (corners[k] - corners[k - 1]).norm();
+      ++k;
+    }
+    const double edge = (corners[k] - corners[k - 1]).norm();
+    const double t = edge > 0.0 ? std::min(along / edge, 1.0) : 0.0;
+    out.push_back(corners[k - 1] + t * (corners[k] - corners[k - 1]));
+  }
+  return out;
+}
+
+/// Index of the last step to show: the first of the phase asked for, else the last of all.
+int last_step(const Lesson& lesson, const WideTrace& trace) {
+  if (lesson.until) {
+    for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+      if (trace.steps[i].phase == *lesson.until) return i;
+    }
+  }
+  return static_cast<int>(trace.steps.size()) - 1;
+}
+
+void add_frames(LessonRun& run, int index) {
+  const Lesson& lesson = run.lesson;
+  const WideTrace& trace = run.runs[index].trace;
+  const int last = last_step(lesson, trace);
+  switch (lesson.granularity) {
+    case Granularity::phase:
+      for (int i = -1; i <= last; ++i) run.frames.push_back({index, i, -1});
+      return;
+    case Granularity::iteration:
+      run.frames.push_back({index, -1, -1});
+      for (int i = 0; i <= last; ++i) {
+        const bool ends = i == last || trace.steps[i + 1].iteration != trace.steps[i].iteration;
+        if (ends) run.frames.push_back({index, i, -1});
+      }
+      return;
+    case Granularity::test: {
+      if (trace.steps.empty()) return;
+      const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
+      for (int i = -1; i < tests; ++i) run.frames.push_back({index, 0, i});
+      return;
+    }
+    case Granularity::path:
+      run.frames.push_back({index, lesson.until ? last : 0, -1});
+      return;
+    case Granularity::pairs: {
+      const int pairs = static_cast<int>(lesson.x.vertices.size() * lesson.y.vertices.size());
+      for (int i = 0; i <= pairs + 1; ++i) run.frames.push_back({index, last, i});
+      return;
+    }
+  }
+}
+
+/// Half a unit in the last digit of the shortest decimal that reads back as `value`: the precision
+/// it was written with.
+double written_precision(double value) {
+  const std::string digits = fmt::format("{:e}", value);  // shortest round trip, d.ddde+xx
+  const std::size_t e = digits.find('e');
+  const std::size_t dot = digits.find('.');
+  const int decimals = dot == std::string::npos ? 0 : static_cast<int>(e - dot) - 1;
+  return 0.5 * std::pow(10.0, std::stoi(digits.substr(e + 1)) - decimals);
+}
+
+}  // namespace
+
+const gjk::State<double, 2>& LessonRun::state(const Frame& frame) const {
+  return frame.step < 0 ? run(frame).trace.initial : step(frame).after;
+}
+
+const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
+  return run(frame).trace.steps[frame.step];
+}
+
+std::string LessonRun::pair_name(gjk::VertexPair pair) const {
+  const std::string& y = lesson.y.vertex_names[pair.y];
+  return point_query() ? y : y + "−" + lesson.x.vertex_names[pair.x];
+}
+
+LessonRun run_lesson(Lesson lesson) {
+  LessonRun run;
+  run.lesson = std::move(lesson);
+  for (const Vector2d& position : positions_of(run.lesson))
+    run.runs.push_back(run_at(run.lesson, position));
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) add_frames(run, i);
+  return run;
+}
+
+std::vector<Problem> check_expectation(const LessonRun& run) {
+  std::vector<Problem> problems;
+  const Lesson& lesson = run.lesson;
+  const gjk::Trace<double, 2>& trace = run.runs.back().trace;
+  const auto differ = [&](std::string_view key, std::string what, std::string expected) {
+    const Place place = place_of(lesson.path, key);
+    problems.push_back(
+        {lesson.path, place.line, place.column, std::move(what), std::move(expected), ""});
+  };
+  for (const PositionedRun& positioned : run.runs) {
+    if (positioned.trace.result.error != gjk::Error::none) {
+      differ("shapes",
+             fmt::format("the run is refused: {}", name_of(positioned.trace.result.error)),
+             "shapes that GJK can answer for");
+      return problems;
+    }
+  }
+  const Expectation& expect = lesson.expect;
+  if (expect.stop && *expect.stop != trace.result.stop) {
+    differ("expect.stop", fmt::format("the run stops with '{}'", name_of(trace.result.stop)),
+           fmt::format("'{}'", name_of(*expect.stop)));
+  }
+  if (expect.supports) {
+    std::vector<std::string> supports;
+    for (const gjk::Step<double, 2>& step : trace.steps) {
+      if (step.phase == gjk::Phase::support)
+        supports.push_back(run.pair_name(step.after.support.pair));
+    }
+    for (std::size_t i = 0; i < std::max(supports.size(), expect.supports->size()); ++i) {
+      const std::string found = i < supports.size() ? supports[i] : "no support point";
+      std::string wanted = i < expect.supports->size() ? (*expect.supports)[i] : "none";
+      if (const std::size_t hyphen = wanted.find('-'); hyphen != std::string::npos)
+        wanted.replace(hyphen, 1, "−");
+      if (found != wanted) {
+        differ("expect.supports", fmt::format("support {} of the run is {}", i + 1, found), wanted);
+        break;
+      }
+    }
+  }
+  if (expect.distance && !(std::abs(*expect.distance - trace.result.distance) <=
+                           written_precision(*expect.distance) * 1.0001)) {
+    differ("expect.distance", fmt::format("the distance is {}", trace.result.distance),
+           fmt::format("{}", *expect.distance));
+  }
+  return problems;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,25 @@
+#pragma once
+#include "effects/graph.hpp"
+#include "geometry/minkowski.hpp"
+
+namespace gjkscope {
+
+/// Every difference y - x (Catto 2010, slides "Example point cloud").
+struct MinkowskiCloud {
+  static constexpr std::string_view kName = "minkowski-cloud";
+  static constexpr std::string_view kNeeds = "";
+  using Value = std::vector<CloudPoint>;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+/// Indices into the cloud of its hull's corners (Catto 2010, slide "The final polygon").
+struct MinkowskiHull {
+  static constexpr std::string_view kName = "minkowski-hull";
+  static constexpr std::string_view kNeeds = "minkowski-cloud";
+  using Value = std::vector<int>;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope

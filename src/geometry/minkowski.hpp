@@ -1,0 +1,26 @@
+#pragma once
+// The Minkowski difference, point by point. GJK never builds it; lessons do, to show what GJK walks
+// on.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "gjk/query.hpp"
+
+namespace gjkscope {
+
+struct CloudPoint {
+  Eigen::Vector2d z;  ///< y - x
+  gjk::VertexPair pair;
+};
+
+/// All differences y_j - x_i: for each vertex of X in turn, every vertex of Y
+/// (Catto 2010, slide "Building the Minkowski difference").
+[[nodiscard]] std::vector<CloudPoint> minkowski_cloud(std::span<const Eigen::Vector2d> x,
+                                                      std::span<const Eigen::Vector2d> y);
+
+/// Indices into the cloud of its hull's corners, counter-clockwise.
+[[nodiscard]] std::vector<int> minkowski_hull(std::span<const CloudPoint> cloud);
+
+}  // namespace gjkscope

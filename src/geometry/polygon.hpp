@@ -1,0 +1,39 @@
+#pragma once
+// Plane geometry that pictures and effects need: hulls, areas, half-planes.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace gjkscope {
+
+/// The closed half-plane of points q with dot(normal, q - point) <= 0.
+struct HalfPlane {
+  Eigen::Vector2d point;
+  Eigen::Vector2d normal;
+};
+
+/// Indices of the hull's corners, counter-clockwise from the lowest leftmost point; points on hull
+/// edges are left out. One index for coinciding points, two for collinear ones. (Andrew 1979,
+/// monotone chain.)
+[[nodiscard]] std::vector<int> convex_hull(std::span<const Eigen::Vector2d> points);
+
+/// Positive for counter-clockwise polygons.
+[[nodiscard]] double signed_area(std::span<const Eigen::Vector2d> polygon);
+
+/// True for a polygon that turns in one direction only (collinear corners allowed) and once around.
+[[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> polygon);
+
+/// The part of a convex polygon that lies in a half-plane; empty when there is none. (Sutherland
+/// and Hodgman 1974.)
+[[nodiscard]] std::vector<Eigen::Vector2d> clip(std::span<const Eigen::Vector2d> polygon,
+                                                const HalfPlane& half_plane);
+
+/// Mean of the points.
+[[nodiscard]] Eigen::Vector2d centroid(std::span<const Eigen::Vector2d> points);
+
+/// Distance of `point` from the segment from `a` to `b`.
+[[nodiscard]] double segment_distance(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
+                                      const Eigen::Vector2d& b);
+
+}  // namespace gjkscope
