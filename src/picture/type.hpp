@@ -41,6 +41,13 @@ inline constexpr TextStyle kTickBold{Face::semibold, 12};
 [[nodiscard]] std::vector<TextStyle> all_styles();
 }  // namespace type
 
+[[nodiscard]] constexpr bool is_monospaced(Face face) {
+  return face == Face::mono || face == Face::mono_bold;
+}
+
+/// The characters of a text. What is not UTF-8 gives U+FFFD, one for each byte.
+[[nodiscard]] std::u32string code_points(std::string_view utf8);
+
 /// The font files of the six faces, from assets/fonts.toml.
 class Fonts {
  public:
@@ -51,7 +58,8 @@ class Fonts {
   Fonts(const Fonts&) = delete;
   Fonts& operator=(const Fonts&) = delete;
 
-  /// Width in frame pixels, kerning left out (painters leave it out, too).
+  /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular: each
+  /// is as wide as the widest, in every face.
   [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
@@ -64,7 +72,16 @@ class Fonts {
   /// The first character of a text that is not among them, or 0.
   [[nodiscard]] static char32_t first_missing(std::string_view utf8);
 
+  /// The bytes of a face's font file, and of the one that draws what the first lacks.
   [[nodiscard]] const std::vector<unsigned char>& file(Face face) const;
+  [[nodiscard]] const std::vector<unsigned char>& fallback_file(Face face) const;
+  /// From ascent to descent, in ems: the unit in which Dear ImGui wants the size of a font.
+  [[nodiscard]] double height_in_em(Face face) const;
+  [[nodiscard]] double fallback_height_in_em(Face face) const;
+  /// Width of every figure, and in the two monospaced faces of every character, in ems.
+  [[nodiscard]] double digit_width_in_em(Face face) const;
+  /// Whether neither the face nor its fallback has a glyph for `character`.
+  [[nodiscard]] bool lacks(Face face, char32_t character) const;
 
  private:
   struct Loaded;
