@@ -5,6 +5,7 @@
 // Lengths appear once, in the result, as ScalarTraits<S>::Real.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 
 namespace gjk {
@@ -30,8 +31,11 @@ struct ScalarTraits {
   /// What a run that failed answers where a length would stand.
   [[nodiscard]] static Real no_length() { return std::numeric_limits<S>::quiet_NaN(); }
 
-  /// u: the largest relative error of one rounded operation. Zero for exact types.
-  [[nodiscard]] static S unit_roundoff() { return std::numeric_limits<S>::epsilon() / S(2); }
+  /// u: the largest relative error of one rounded operation. Zero for exact types. Made from the
+  /// digits because Eigen 3.4 gives half a wrong epsilon (2^-13 for 2^-10).
+  [[nodiscard]] static S unit_roundoff() {
+    return S(std::ldexp(1.0, -std::numeric_limits<S>::digits));
+  }
 
   /// Half of it is the largest error that a product can pick up by underflow. Zero for exact types.
   [[nodiscard]] static S smallest() { return std::numeric_limits<S>::denorm_min(); }

@@ -1,0 +1,276 @@
+// Phases "closest" and "cull".
+
+#include "gjk/closest_point.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "check.hpp"
+#include "random_pairs.hpp"
+
+namespace {
+
+using gjk::Face;
+using gjk::Vec;
+
+template <class S, int D>
+gjk::State<S, D> state_of(const std::vector<Vec<S, D>>& points) {
+  gjk::State<S, D> state;
+  for (const Vec<S, D>& point : points) {
+    gjk::SupportPoint<S, D>& vertex = state.simplex.vertices[state.simplex.count];
+    vertex.w = point;
+    vertex.pair = {state.simplex.count, 0};
+    ++state.simplex.count;
+  }
+  return state;
+}
+
+struct Closest {
+  Vec<double, 2> p;
+  Face region = 0;
+  bool no_region_held = false;
+  std::vector<gjk::RegionTest<double>> tests;
+};
+Closest closest(const std::vector<Vec<double, 2>>& points,
+                gjk::RegionOrder order = gjk::RegionOrder::vertices_first) {
+  gjk::State<double, 2> state = state_of<double, 2>(points);
+  gjk::Options options;
+  options.region_order = order;
+  gjk::Record<double, 2> record;
+  gjk::detail::find_closest_point(state, options, record);
+  return {state.p, state.region, record.no_region_held, record.region_tests};
+}
+
+/// By definition: the least |p| over the vertices, the edges' feet and, inside, 0.
+double brute_force_sq(const std::vector<Vec<double, 2>>& points) {
+  double best = 1e300;
+  bool left = false;
+  bool right = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec<double, 2>& a = points[i];
+    const Vec<double, 2>& b = points[(i + 1) % points.size()];
+    const Vec<double, 2> edge = b - a;
+    const double length_sq = edge.squaredNorm();
+    double t = length_sq > 0 ? -a.dot(edge) / length_sq : 0.0;
+    t = std::clamp(t, 0.0, 1.0);
+    best = std::min(best, (a + edge * t).squaredNorm());
+    const double side = a[0] * b[1] - a[1] * b[0];
+    left = left || side > 0;
+    right = right || side < 0;
+  }
+  return points.size() == 3 && left != right ? 0.0 : best;
+}
+
+TEST(segment_regions, "the three regions of a segment: A, B and between") {
+  CHECK_EQ(0b01, static_cast<int>(closest({{1, 1}, {3, 1}}).region));
+  CHECK_EQ(0b10, static_cast<int>(closest({{-3, 1}, {-1, 1}}).region));
+  const Closest between = closest({{-1, 1}, {3, 1}});
+  CHECK_EQ(0b11, static_cast<int>(between.region));
+  CHECK_EQ(0.0, between.p[0]);
+  CHECK_EQ(1.0, between.p[1]);
+}
+
+TEST(triangle_regions, "all seven regions of a triangle occur, and give their closest point") {
+  struct Expected {
+    double x, y;  // where O stands, seen from the triangle (0,0) (4,0) (0,4)
+    int region;
+    double p_x, p_y;
+  };
+  const Expected cases[] = {
+      {-1, -1, 0b001, 0, 0}, {6, -1, 0b010, 4, 0}, {-1, 6, 0b100, 0, 4}, {2, -1, 0b011, 2, 0},
+      {3, 3, 0b110, 2, 2},   {-1, 2, 0b101, 0, 2}, {1, 1, 0b111, 1, 1},
+  };
+  for (const Expected& expected : cases) {
+    const check::Context context("O at", expected.x, expected.y);
+    const Vec<double, 2> o(expected.x, expected.y);
+    const Closest found =
+        closest({Vec<double, 2>(0, 0) - o, Vec<double, 2>(4, 0) - o, Vec<double, 2>(0, 4) - o});
+    CHECK_EQ(expected.region, static_cast<int>(found.region));
+    CHECK_EQ(expected.p_x, found.p[0] + o[0]);
+    CHECK_EQ(expected.p_y, found.p[1] + o[1]);
+  }
+}
+
+TEST(vertex_order, "closest point on a triangle is the same for all six vertex orders") {
+  constexpr std::uint64_t kSeed = 1;
+  random_pairs::Source random(kSeed);
+  std::array<int, 8> regions = {};
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    std::vector<Vec<double, 2>> points;
+    for (int k = 0; k < 3; ++k) {
+      points.push_back(i % 2 == 0 ? Vec<double, 2>(random.among(-4, 4), random.among(-4, 4))
+                                  : Vec<double, 2>(random.between(-1, 1), random.between(-1, 1)));
+    }
+    const double expected_sq = brute_force_sq(points);
+    std::array<int, 3> order = {0, 1, 2};
+    ++regions[closest(points).region];
+    do {
+      const Closest found = closest({points[order[0]], points[order[1]], points[order[2]]});
+      CHECK_NEAR(expected_sq, found.p.squaredNorm(), 1e-14 * (1 + expected_sq));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  for (int region = 1; region < 8; ++region) {
+    const check::Context context("region", region);
+    CHECK(regions[region] > 300);
+  }
+}
+
+TEST(degenerate, "triangles without area give the closest point of what is left of them") {
+  const std::vector<std::vector<Vec<double, 2>>> triangles = {
+      {{1, 2}, {1, 2}, {1, 2}},     // one point
+      {{1, 2}, {1, 2}, {3, 2}},     // two points, closest at the double one
+      {{-1, 2}, {3, 2}, {3, 2}},    // two points, closest between
+      {{-3, 1}, {-1, 1}, {2, 1}},   // collinear, closest between B and C
+      {{-3, 1}, {2, 1}, {-1, 1}},   // the same, other order
+      {{1, 1}, {2, 2}, {3, 3}},     // collinear with O, closest at A
+      {{-1, -1}, {0, 0}, {3, 3}},   // O is a vertex
+      {{-2, -2}, {-1, -1}, {3, 3}}  // O on the edge BC
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const double expected_sq = brute_force_sq(triangles[i]);
+    std::array<int, 3> order = {0, 1, 2};
+    do {
+      const check::Context context("triangle", i, "order", order[0], order[1], order[2]);
+      const Closest found =
+          closest({triangles[i][order[0]], triangles[i][order[1]], triangles[i][order[2]]});
+      CHECK_EQ(expected_sq, found.p.squaredNorm());
+      CHECK(gjk::vertex_count(found.region) < 3);
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+}
+
+TEST(one_holds, "the region taken is the last one tested, and the only one that holds") {
+  const Closest found = closest({{1, -1}, {1, 2}, {5, 0}});
+  CHECK_EQ(0b011, static_cast<int>(found.region));
+  CHECK_EQ(std::size_t{4}, found.tests.size());  // A, B, C, AB
+  for (std::size_t i = 0; i < found.tests.size(); ++i) {
+    CHECK_EQ(i + 1 == found.tests.size(), found.tests[i].holds);
+    bool all = true;
+    for (const gjk::RegionTerm<double>& term : found.tests[i].terms) {
+      CHECK_EQ(term.wants_positive == (term.numerator > 0), term.holds);
+      all = all && term.holds;
+    }
+    CHECK_EQ(all, found.tests[i].holds);
+  }
+  CHECK(!found.no_region_held);
+}
+
+TEST(slides_order, "segments test B before A, triangles A B C AB BC CA ABC") {
+  const Closest segment = closest({{-1, 1}, {1, 1}});
+  CHECK_EQ(std::size_t{3}, segment.tests.size());
+  CHECK_EQ(0b10, static_cast<int>(segment.tests[0].region));
+  CHECK_EQ(0b01, static_cast<int>(segment.tests[1].region));
+  const Closest triangle = closest({{-1, -1}, {2, -1}, {-1, 2}});
+  const int expected[] = {0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
+  CHECK_EQ(std::size_t{7}, triangle.tests.size());
+  for (std::size_t i = 0; i < 7; ++i) {
+    CHECK_EQ(expected[i], static_cast<int>(triangle.tests[i].region));
+  }
+}
+
+TEST(edges_first, "edges_first tests edges before vertices and comes to the same answer") {
+  const auto order = gjk::RegionOrder::edges_first;
+  const Closest found = closest({{-1, -1}, {2, -1}, {-1, 2}}, order);
+  CHECK_EQ(2, gjk::vertex_count(found.tests[0].region));
+  CHECK_EQ(0b111, static_cast<int>(found.region));
+  constexpr std::uint64_t kSeed = 2;
+  random_pairs::Source random(kSeed);
+  for (int i = 0; i < 5000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    std::vector<Vec<double, 2>> points;
+    for (int k = 0; k < 3; ++k) points.emplace_back(random.among(-4, 4), random.among(-4, 4));
+    CHECK_NEAR(closest(points).p.squaredNorm(), closest(points, order).p.squaredNorm(), 1e-14);
+  }
+}
+
+TEST(rounding, "when rounding leaves every test false the nearest face is taken, and it is noted") {
+  // Slivers in half precision: the areas round away.
+  constexpr std::uint64_t kSeed = 3;
+  random_pairs::Source random(kSeed);
+  int happened = 0;
+  for (int i = 0; i < 200000; ++i) {
+    gjk::State<Eigen::half, 2> state = state_of<Eigen::half, 2>({});
+    state.simplex.count = 3;
+    double farthest = 0;
+    for (int k = 0; k < 3; ++k) {
+      Vec<Eigen::half, 2>& w = state.simplex.vertices[k].w;
+      w = Vec<Eigen::half, 2>(Eigen::half(random.between(-4, 4)),
+                              Eigen::half(random.between(-0.01, 0.01)));
+      farthest = std::max(farthest, std::hypot(double(w[0]), double(w[1])));
+    }
+    gjk::Record<Eigen::half, 2> record;
+    gjk::detail::find_closest_point(state, {}, record);
+    const check::Context context("seed", kSeed, "triangle", i);
+    CHECK(state.region != 0);
+    CHECK(gjk::is_finite(state.p));
+    CHECK(std::hypot(double(state.p[0]), double(state.p[1])) <= 1.01 * farthest);
+    if (record.no_region_held) ++happened;
+  }
+  CHECK(happened > 0);
+}
+
+TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point is the least") {
+  constexpr std::uint64_t kSeed = 4;
+  random_pairs::Source random(kSeed);
+  std::set<int> regions;
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("seed", kSeed, "tetrahedron", i);
+    const Vec<double, 3> centre(random.between(-1, 1), random.between(-1, 1),
+                                random.between(-1, 1));
+    std::vector<Vec<double, 3>> points;
+    for (int k = 0; k < 4; ++k) {
+      points.push_back(centre + Vec<double, 3>(random.between(-1, 1), random.between(-1, 1),
+                                               random.between(-1, 1)));
+    }
+    gjk::State<double, 3> state = state_of<double, 3>(points);
+    gjk::NoRecord none;
+    gjk::detail::find_closest_point(state, {}, none);
+    regions.insert(state.region);
+    // P is the closest point of the hull exactly when no vertex lies nearer to O along P.
+    for (const Vec<double, 3>& point : points) {
+      CHECK(state.p.dot(point) >= state.p.squaredNorm() - 1e-9);
+    }
+  }
+  CHECK_EQ(std::size_t{15}, regions.size());
+}
+
+TEST(culling, "cull keeps the vertices of P's face in order, and drops the others") {
+  gjk::State<double, 2> state = state_of<double, 2>({{1, -1}, {5, 0}, {1, 2}});
+  gjk::Record<double, 2> record;
+  gjk::detail::find_closest_point(state, {}, record);
+  gjk::detail::cull(state, {}, record);
+  CHECK_EQ(2, state.simplex.count);
+  CHECK_EQ(0, state.simplex.vertices[0].pair.x);
+  CHECK_EQ(2, state.simplex.vertices[1].pair.x);
+  CHECK_EQ(1.0, state.simplex.weights[0] + state.simplex.weights[1]);
+  CHECK_EQ(std::size_t{1}, record.dropped.size());
+  CHECK_EQ(1, record.dropped[0].pair.x);
+  CHECK_EQ(gjk::Phase::direction, state.phase);
+  CHECK_EQ(1.0, state.best_sq);
+}
+
+TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P that came no nearer") {
+  gjk::State<double, 2> state = state_of<double, 2>({{-1, -1}, {2, -1}, {-1, 2}});
+  gjk::NoRecord none;
+  gjk::detail::find_closest_point(state, {}, none);
+  gjk::detail::cull(state, {}, none);
+  CHECK_EQ(gjk::Phase::stop, state.phase);
+  CHECK(gjk::is_zero(state.p));
+
+  gjk::State<double, 2> stale = state_of<double, 2>({{3, 4}});
+  stale.best.count = 1;
+  stale.best_sq = 25;
+  gjk::detail::find_closest_point(stale, {}, none);
+  gjk::detail::cull(stale, {}, none);
+  CHECK_EQ(gjk::Phase::stop, stale.phase);
+}
+
+TEST(overflow, "a weight or a length that overflows is an error, not a point") {
+  gjk::State<float, 2> state = state_of<float, 2>({{1e30f, 1e30f}, {-1e30f, 1e30f}});
+  gjk::NoRecord none;
+  gjk::detail::find_closest_point(state, {}, none);
+  CHECK_EQ(gjk::Error::overflow, state.error);
+}
+
+}  // namespace

@@ -1,0 +1,22 @@
+#include "check.hpp"
+
+int main(int argc, char** argv) {
+  check::Session& session = check::session();
+  session.arguments.assign(argv + 1, argv + argc);
+  int failed = 0;
+  for (const check::Test& test : session.tests) {
+    session.failures = 0;
+    try {
+      test.run();
+    } catch (const std::exception& error) {
+      check::fail(__FILE__, __LINE__, std::string("unexpected exception: ") + error.what());
+    }
+    std::printf("%s  %s\n", session.failures == 0 ? "ok    " : "FAILED", test.claim);
+    if (session.failures > check::kPrintedFailures) {
+      std::printf("  %d checks failed in all\n", session.failures);
+    }
+    failed += session.failures == 0 ? 0 : 1;
+  }
+  std::printf("%zu tests, %d failed\n", session.tests.size(), failed);
+  return failed == 0 ? 0 : 1;
+}
