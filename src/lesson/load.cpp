@@ -1,0 +1,541 @@
+#include "lesson/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <tuple>
+
+#include "lesson/names.hpp"
+#include "lesson/prose.hpp"
+#include "lesson/schema.hpp"
+#include "lesson/toml_reader.hpp"
+
+namespace gjkscope {
+
+namespace {
+
+using detail::Field;
+using detail::in_quotes;
+using detail::Problems;
+using detail::Reader;
+using detail::Table;
+
+/// Reads the tables of one file, in an order in which each finds what it refers to.
+class LessonReader {
+ public:
+  LessonReader(Problems& problems, const std::vector<std::string>& known_effects)
+      : problems_(problems), reader_(problems), known_effects_(known_effects) {}
+
+  Lesson read(const toml::table& file);
+
+ private:
+  void read_head(const Table& file);
+  void read_shape(const Field& field, std::string_view key, LessonShape& shape);
+  void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
+                         LessonShape& shape);
+  bool claim_vertex_name(const Field& field, const std::string& name);
+  void read_query(const Table& query);
+  void read_start(const Field& start);
+  void read_path(const Table& path);
+  void read_steps(const Table& steps, bool has_path);
+  void read_views(const Field& views);
+  void read_panel(const Table& panel);
+  void read_expect(const Table& expect);
+
+  std::optional<gjk::VertexPair> simplex_vertex(const Field& field);
+  std::optional<int> vertex_index(const Field& field, const LessonShape& shape,
+                                  std::string_view shape_key, std::string_view name);
+
+  Problems& problems_;
+  Reader reader_;
+  const std::vector<std::string>& known_effects_;
+  Lesson lesson_;
+  double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
+  int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
+  std::map<std::string, int> line_of_vertex_name_;
+};
+
+Lesson LessonReader::read(const toml::table& root) {
+  const Table file(root, "", problems_);
+  read_head(file);
+
+  const std::optional<Table> query = reader_.table(file["query"], "query");
+  if (query)
+    lesson_.scalar =
+        reader_.choice<ScalarKind>((*query)["scalar"], "scalar").value_or(lesson_.scalar);
+  if (lesson_.scalar == ScalarKind::half) largest_ = limits::kLargestHalf;
+
+  if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
+    read_shape((*shapes)["X"], "X", lesson_.x);
+    read_shape((*shapes)["Y"], "Y", lesson_.y);
+  }
+  if (query) read_query(*query);
+  const Field path_field = file["path"];
+  if (const auto path = reader_.table(path_field, "path")) read_path(*path);
+  if (const auto steps = reader_.table(file["steps"], "steps")) {
+    read_steps(*steps, static_cast<bool>(path_field));
+  }
+  read_views(file["views"]);
+  if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
+  if (const auto expect = reader_.table(file["expect"], "expect")) read_expect(*expect);
+  return lesson_;
+}
+
+void LessonReader::read_head(const Table& file) {
+  using namespace limits;
+  lesson_.title = reader_.text(file["title"], kTitleLength).value_or("");
+  lesson_.chapter = reader_.whole_number(file["chapter"], 1, kLastChapter).value_or(1);
+  lesson_.order = reader_.whole_number(file["order"], 1, kLastOrder).value_or(1);
+  lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
+
+  const Field prose = file["prose"];
+  lesson_.prose = reader_.text(prose, kProseLength).value_or("");
+  std::vector<std::string> known;
+  for (const PlaceholderInfo& placeholder : kPlaceholders) known.emplace_back(placeholder.name);
+  for (const ProsePart& part : prose_parts(lesson_.prose)) {
+    if (part.kind == ProsePart::Kind::stray_brace) {
+      problems_.add(prose.place(), fmt::format("{} holds a single '{}'", prose.label, part.text),
+                    "a placeholder like {distance}, or a doubled brace");
+    } else if (part.kind == ProsePart::Kind::placeholder && !is_placeholder(part.text)) {
+      problems_.add(prose.place(), "unknown placeholder " + in_quotes(part.text),
+                    fmt::format("one of: {}", fmt::join(known, ", ")),
+                    nearest_name(part.text, known));
+    }
+  }
+}
+
+void LessonReader::read_shape(const Field& field, std::string_view key, LessonShape& shape) {
+  using namespace limits;
+  shape.name = key;
+  const std::optional<Table> table = reader_.table(field, "shapes.X");
+  if (!table) return;
+  shape.name = reader_.text((*table)["name"], kShapeNameLength).value_or(shape.name);
+  shape.translate = reader_.point((*table)["translate"], largest_).value_or(shape.translate);
+  shape.rotate_degrees = reader_.number((*table)["rotate"], -360.0, 360.0).value_or(0.0);
+
+  const Field vertices = (*table)["vertices"];
+  const std::vector<Field> corners = reader_.entries(vertices, "point [x, y]");
+  if (!vertices || !vertices.node->is_array()) return;
+  if (corners.empty() || corners.size() > kVertices) {
+    problems_.add(vertices.place(), fmt::format("'vertices' has {} entries", corners.size()),
+                  fmt::format("1 to {} (a limit of drawing, not of GJK)", kVertices));
+    return;
+  }
+  bool all_read = true;
+  for (const Field& corner : corners) {
+    const std::optional<Eigen::Vector2d> vertex = reader_.point(corner, largest_);
+    all_read = all_read && vertex;
+    shape.vertices.push_back(vertex.value_or(Eigen::Vector2d::Zero()));
+  }
+  read_vertex_names((*table)["names"], vertices, key, shape);
+  if (all_read && shape.vertex_names.size() == shape.vertices.size()) ++shapes_read_;
+}
+
+/// Leaves the names empty where any of them is wrong: then nothing can be looked up by name.
+void LessonReader::read_vertex_names(const Field& names, const Field& vertices,
+                                     std::string_view key, LessonShape& shape) {
+  const std::size_t count = shape.vertices.size();
+  std::vector<std::string> read;
+  if (!names) {
+    const std::string stem = key == "X" ? "x" : "y";
+    for (std::size_t i = 1; i <= count; ++i) {
+      const std::string name = count == 1 ? shape.name : stem + std::to_string(i);
+      if (claim_vertex_name(vertices, name)) read.push_back(name);
+    }
+  }
+  const std::vector<Field> entries = reader_.entries(
+      names, fmt::format("vertex name of 1 to {} characters", limits::kVertexNameLength));
+  if (names && names.node->is_array() && entries.size() != count) {
+    problems_.add(names.place(), fmt::format("{} names for {} vertices", entries.size(), count),
+                  fmt::format("{} names", count));
+  }
+  for (const Field& entry : entries) {
+    const std::optional<std::string> name = reader_.text(entry, limits::kVertexNameLength);
+    if (!name) continue;
+    if (name->find_first_of(" ,-") != std::string::npos ||
+        name->find("\u2212") != std::string::npos) {
+      problems_.add(entry.place(),
+                    fmt::format("vertex name {} cannot be told from a pair", in_quotes(*name)),
+                    "no blank, comma, hyphen or minus in it");
+    } else if (claim_vertex_name(entry, *name)) {
+      read.push_back(*name);
+    }
+  }
+  if (read.size() == count) shape.vertex_names = std::move(read);
+}
+
+/// False where the name is taken.
+bool LessonReader::claim_vertex_name(const Field& field, const std::string& name) {
+  const auto [first, added] = line_of_vertex_name_.emplace(name, field.place().line);
+  if (!added) {
+    problems_.add(
+        field.place(), fmt::format("vertex name {} is used twice", in_quotes(name)),
+        fmt::format("names unique over both shapes (line {} has it, too)", first->second));
+  }
+  return added;
+}
+
+std::optional<int> LessonReader::vertex_index(const Field& field, const LessonShape& shape,
+                                              std::string_view shape_key, std::string_view name) {
+  const auto& names = shape.vertex_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  constexpr std::size_t kListed = 12;
+  const std::string expected =
+      names.size() <= kListed
+          ? fmt::format("vertices of {}: {}", shape_key, fmt::join(names, ", "))
+          : fmt::format("one of the {} vertices of {}", names.size(), shape_key);
+  problems_.add(field.place(), fmt::format("{} has no vertex {}", shape_key, in_quotes(name)),
+                expected, nearest_name(name, names));
+  return std::nullopt;
+}
+
+/// A vertex of the Minkowski difference: "K" in a point query, else "K-C" with Y's vertex first.
+std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) {
+  constexpr int kLongest = 2 * limits::kVertexNameLength + 1;
+  const std::optional<std::string> text =
+      reader_.text(field, std::max(kLongest, limits::kShapeNameLength));
+  if (!text || shapes_read_ < 2) return std::nullopt;  // without names there is nothing to look up
+  if (lesson_.x.vertices.size() == 1) {
+    const std::optional<int> y = vertex_index(field, lesson_.y, "Y", *text);
+    return y ? std::optional(gjk::VertexPair{0, *y}) : std::nullopt;
+  }
+  const std::size_t hyphen = text->find('-');
+  if (hyphen == std::string::npos) {
+    problems_.add(field.place(), in_quotes(*text) + " is not a pair of vertices",
+                  "\"K-C\": a vertex of Y, a hyphen, a vertex of X");
+    return std::nullopt;
+  }
+  const std::optional<int> y =
+      vertex_index(field, lesson_.y, "Y", std::string_view(*text).substr(0, hyphen));
+  const std::optional<int> x =
+      vertex_index(field, lesson_.x, "X", std::string_view(*text).substr(hyphen + 1));
+  if (!x || !y) return std::nullopt;
+  return gjk::VertexPair{*x, *y};
+}
+
+void LessonReader::read_query(const Table& query) {
+  gjk::Options& options = lesson_.options;
+  options.direction_rule = reader_.choice<gjk::DirectionRule>(query["direction"], "direction rule")
+                               .value_or(options.direction_rule);
+  options.region_order = reader_.choice<gjk::RegionOrder>(query["regions"], "region order")
+                             .value_or(options.region_order);
+  if (const Field stop = query["stop"]; stop && stop.node->is_array()) {
+    const std::vector<std::string> known = {"repeated-support", "no-progress"};
+    options.stop_on_repeated_support = false;
+    options.stop_on_no_progress = false;
+    for (const Field& entry :
+         reader_.entries(stop, "one of: repeated-support, no-progress (the others always apply)")) {
+      const std::optional<std::string> name = reader_.name(entry, "stop test", known);
+      if (name == known[0]) options.stop_on_repeated_support = true;
+      if (name == known[1]) options.stop_on_no_progress = true;
+    }
+  } else {
+    (void)reader_.entries(stop, "");
+  }
+  options.tolerance =
+      reader_.number(query["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(options.tolerance);
+  options.iteration_cap =
+      reader_.whole_number(query["cap"], 1, limits::kCap).value_or(options.iteration_cap);
+  read_start(query["start"]);
+}
+
+void LessonReader::read_start(const Field& start) {
+  if (!start) return;
+  gjk::Options& options = lesson_.options;
+  if (start.node->is_string()) {
+    const std::vector<std::string> known = {"centre-to-centre"};
+    if (reader_.name(start, "start", known)) options.start_rule = gjk::StartRule::centre_to_centre;
+    return;
+  }
+  const std::vector<Field> entries = reader_.entries(start, "name of a simplex vertex");
+  if (!start.node->is_array()) return;
+  if (entries.empty() || entries.size() > limits::kSimplexVertices) {
+    problems_.add(start, fmt::format("'start' has {} entries", entries.size()));
+    return;
+  }
+  options.start_count = 0;
+  for (const Field& entry : entries) {
+    const std::optional<gjk::VertexPair> pair = simplex_vertex(entry);
+    if (!pair) continue;
+    const auto end = options.start.begin() + options.start_count;
+    if (std::find(options.start.begin(), end, *pair) != end) {
+      problems_.add(entry.place(), entry.label + " repeats a vertex", "each vertex once");
+      continue;
+    }
+    options.start[options.start_count++] = *pair;
+  }
+}
+
+void LessonReader::read_path(const Table& path) {
+  using namespace limits;
+  LessonPath read;
+  const Field points = path["points"];
+  const std::vector<Field> corners = reader_.entries(points, "point [x, y]");
+  if (points && points.node->is_array() && (corners.size() < 2 || corners.size() > kPositions)) {
+    problems_.add(points.place(), fmt::format("'points' has {} entries", corners.size()),
+                  fmt::format("2 to {}", kPositions));
+    return;
+  }
+  for (const Field& corner : corners) {
+    if (const auto point = reader_.point(corner, largest_)) read.points.push_back(*point);
+  }
+  const Field frames = path["frames"];
+  read.frames = reader_.whole_number(frames, 2, kPositions).value_or(0);
+
+  const std::size_t positions = read.frames > 0 ? read.frames : read.points.size();
+  const std::size_t vertices = lesson_.x.vertices.size() + lesson_.y.vertices.size();
+  if (points && positions * vertices > kScannedVertices) {
+    problems_.add(
+        (frames ? frames : points).place(),
+        fmt::format("{} positions of shapes with {} vertices in all", positions, vertices),
+        fmt::format("a product of at most {}", kScannedVertices));
+  }
+  lesson_.path_of_x = std::move(read);
+}
+
+void LessonReader::read_steps(const Table& steps, bool has_path) {
+  const Field granularity = steps["granularity"];
+  const auto chosen = reader_.choice<Granularity>(granularity, "granularity");
+  lesson_.granularity = chosen.value_or(lesson_.granularity);
+  if (chosen == Granularity::path && !has_path) {
+    problems_.add(granularity.place(), "granularity 'path' without a path", "a table [path]");
+  }
+  if (chosen == Granularity::pairs && shapes_read_ == 2) {
+    const std::size_t largest = std::max(lesson_.x.vertices.size(), lesson_.y.vertices.size());
+    if (largest > limits::kPairVertices) {
+      problems_.add(granularity.place(),
+                    fmt::format("granularity 'pairs' with a shape of {} vertices", largest),
+                    fmt::format("at most {} vertices in each shape", limits::kPairVertices));
+    }
+  }
+  const Field until = steps["until"];
+  lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
+  if (until && (chosen == Granularity::path || chosen == Granularity::pairs)) {
+    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
+                  "granularity iteration, phase or test, or no 'until'");
+  }
+}
+
+void LessonReader::read_views(const Field& views) {
+  const std::vector<Field> entries = reader_.entries(views, "table [[views]]");
+  if (views && views.node->is_array() && (entries.empty() || entries.size() > 2)) {
+    problems_.add(views, fmt::format("{} views", entries.size()));
+  }
+  std::string effects_expected = fmt::format("one of: {}", fmt::join(known_effects_, ", "));
+  for (const Field& entry : entries) {
+    const std::optional<Table> table = reader_.table(entry, "views");
+    if (!table) continue;
+    LessonView view;
+    view.kind = reader_.choice<ViewKind>((*table)["show"], "view").value_or(view.kind);
+    view.title = reader_.text((*table)["title"], limits::kViewTitleLength).value_or("");
+    if (const auto camera = reader_.table((*table)["camera"], "views.camera")) {
+      Camera read;
+      read.center = reader_.point((*camera)["center"], limits::kLargest).value_or(read.center);
+      read.height =
+          reader_.number((*camera)["height"], limits::kSmallestCameraHeight, limits::kLargest)
+              .value_or(read.height);
+      view.camera = read;
+    }
+    for (const Field& effect : reader_.entries((*table)["effects"], effects_expected)) {
+      const std::optional<std::string> name = reader_.name(effect, "effect", known_effects_);
+      if (!name) continue;
+      if (std::find(view.effects.begin(), view.effects.end(), *name) != view.effects.end()) {
+        problems_.add(effect.place(), "effect " + in_quotes(*name) + " is named twice",
+                      "each effect once");
+        continue;
+      }
+      view.effects.push_back(*name);
+    }
+    lesson_.views.push_back(std::move(view));
+  }
+}
+
+void LessonReader::read_panel(const Table& panel) {
+  const Field blocks = panel["blocks"];
+  const std::string expected = fmt::format("one of: {}", fmt::join(names_of<PanelBlock>(), ", "));
+  for (const Field& entry : reader_.entries(blocks, expected)) {
+    const std::optional<PanelBlock> block = reader_.choice<PanelBlock>(entry, "panel block");
+    if (!block) continue;
+    if (std::find(lesson_.panel.begin(), lesson_.panel.end(), *block) != lesson_.panel.end()) {
+      problems_.add(entry.place(), fmt::format("block '{}' is named twice", name_of(*block)),
+                    "each block once");
+      continue;
+    }
+    lesson_.panel.push_back(*block);
+  }
+  const Field listing = panel["listing"];
+  lesson_.listing = reader_.choice<Listing>(listing, "listing").value_or(Listing::none);
+  const bool shows_code = std::find(lesson_.panel.begin(), lesson_.panel.end(),
+                                    PanelBlock::pseudocode) != lesson_.panel.end();
+  if (shows_code && !listing) {
+    problems_.add(blocks.place(), "block 'pseudocode' without a 'listing'",
+                  fmt::format("listing = one of: {}", fmt::join(names_of<Listing>(), ", ")));
+  }
+  if (listing && !shows_code) {
+    problems_.add(listing.place(), "'listing' without the block 'pseudocode'",
+                  "\"pseudocode\" among the blocks");
+  }
+}
+
+void LessonReader::read_expect(const Table& expect) {
+  std::vector<std::string> outcomes = names_of<gjk::StopReason>();
+  std::erase(outcomes, name_of(gjk::StopReason::running));
+  if (const auto stop = reader_.name(expect["stop"], "stop reason", outcomes)) {
+    lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
+  }
+  lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);
+
+  const Field supports = expect["supports"];
+  if (!supports) return;
+  const std::vector<Field> entries = reader_.entries(supports, "name of a simplex vertex");
+  if (entries.size() > limits::kCap) {
+    problems_.add(supports.place(), fmt::format("'supports' has {} entries", entries.size()),
+                  fmt::format("at most {}, one for each iteration", limits::kCap));
+    return;
+  }
+  lesson_.expect.supports.emplace();
+  for (const Field& entry : entries) {
+    if (simplex_vertex(entry)) lesson_.expect.supports->push_back(entry.node->as_string()->get());
+  }
+}
+
+struct FileText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+
+FileText read_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
+  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {std::nullopt, "the file cannot be opened"};
+  // One byte more than allowed tells that there is more, however large the file.
+  std::string text(limits::kFileBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) return {std::nullopt, "the file cannot be read"};
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return {std::move(text), {}};
+}
+
+/// The parsed file; nothing, and one problem, where it is not TOML.
+std::optional<toml::table> parse_toml(std::string_view text, Problems& problems) {
+  if (text.size() > limits::kFileBytes) {
+    problems.add({}, "the file is too large",
+                 fmt::format("at most {} bytes", static_cast<int>(limits::kFileBytes)));
+    return std::nullopt;
+  }
+  if (const std::optional<Place> place = detail::too_deep_key(text)) {
+    problems.add(*place, "a key of too many parts", fmt::format("at most {}", detail::kDeepestKey));
+    return std::nullopt;
+  }
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    constexpr std::size_t kLongest = 200;  // the parser quotes what it stumbled on, however long
+    const auto& begin = error.source().begin;
+    const std::string what = std::string(error.description()).substr(0, kLongest);
+    problems.add(detail::place_at(begin), "not TOML: " + what);
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
+                          const std::vector<std::string>& known_effects) {
+  Problems problems(name.string());
+  const std::optional<toml::table> file = parse_toml(text, problems);
+  if (!file) return {std::nullopt, problems.sorted()};
+  Lesson lesson = LessonReader(problems, known_effects).read(*file);
+  if (!problems.empty()) return {std::nullopt, problems.sorted()};
+  lesson.id = name.stem().string();
+  lesson.path = name.string();
+  return {std::move(lesson), {}};
+}
+
+LoadedLesson load_lesson(const std::filesystem::path& file,
+                         const std::vector<std::string>& known_effects) {
+  const FileText read = read_file(file);
+  if (read.text) return parse_lesson(*read.text, file, known_effects);
+  Problems problems(file.string());
+  problems.add({}, read.problem, "a lesson file");
+  return {std::nullopt, problems.sorted()};
+}
+
+Place place_of(const std::filesystem::path& file, std::string_view dotted_key) {
+  const FileText read = read_file(file);
+  Problems problems(file.string());
+  const std::optional<toml::table> root = parse_toml(read.text.value_or(""), problems);
+  if (!root) return {};
+  Place place;
+  const toml::node* node = &*root;
+  while (!dotted_key.empty()) {
+    const std::size_t dot = std::min(dotted_key.find('.'), dotted_key.size());
+    const std::string_view part = dotted_key.substr(0, dot);
+    dotted_key.remove_prefix(std::min(dot + 1, dotted_key.size()));
+    if (const toml::table* table = node->as_table()) {
+      const auto found = table->find(part);
+      if (found == table->end()) break;
+      node = &found->second;
+      place = detail::place_at(found->first.source().begin);
+    } else if (const toml::array* array = node->as_array()) {
+      std::size_t index = 0;
+      const auto result = std::from_chars(part.data(), part.data() + part.size(), index);
+      if (result.ec != std::errc() || index >= array->size()) break;
+      node = array->get(index);
+      place = detail::place_at(node->source().begin);
+    } else {
+      break;
+    }
+  }
+  return place;
+}
+
+std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
+                                       const std::vector<std::string>& known_effects) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (auto entry = std::filesystem::directory_iterator(folder, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
+  }
+  if (error) {
+    Problems problems(folder.string());
+    problems.add({}, "the folder cannot be read: " + error.message(), "a folder of lesson files");
+    return {{std::nullopt, problems.sorted()}};
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<LoadedLesson> lessons;
+  for (const auto& file : files) lessons.push_back(load_lesson(file, known_effects));
+  const auto rank = [](const LoadedLesson& loaded) {
+    return loaded.lesson ? std::tuple(false, loaded.lesson->chapter, loaded.lesson->order)
+                         : std::tuple(true, 0, 0);
+  };
+  std::stable_sort(lessons.begin(), lessons.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return lessons;
+}
+
+std::vector<LessonText> texts_of(const Lesson& lesson) {
+  std::vector<LessonText> texts = {
+      {"title", lesson.title}, {"source", lesson.source}, {"prose", lesson.prose}};
+  for (const auto& [key, shape] : {std::pair("shapes.X", &lesson.x), {"shapes.Y", &lesson.y}}) {
+    texts.push_back({fmt::format("{}.name", key), shape->name});
+    for (std::size_t i = 0; i < shape->vertex_names.size(); ++i) {
+      texts.push_back({fmt::format("{}.names.{}", key, i), shape->vertex_names[i]});
+    }
+  }
+  for (std::size_t i = 0; i < lesson.views.size(); ++i) {
+    texts.push_back({fmt::format("views.{}.title", i), lesson.views[i].title});
+  }
+  return texts;
+}
+
+}  // namespace gjkscope

@@ -1,9 +1,14 @@
 #pragma once
 // Reads a lesson file. Nothing is half-loaded: the lesson is there only when the file has no
 // problem at all.
+//
+// The effects that views call for are registered above this folder (effects/registry.hpp), so their
+// names are handed in: `known_effects` holds those that a view may name.
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lesson/lesson.hpp"
@@ -14,24 +19,34 @@ namespace gjkscope {
 struct LoadedLesson {
   std::optional<Lesson> lesson;
   std::vector<Problem>
-      problems;  ///< All of the file, in order of line; empty exactly when `lesson` is there.
+      problems;  ///< All of the file, in order of place; empty exactly when `lesson` is there.
 };
 
-/// Reads and validates; does not run the lesson (see lesson/run.hpp for the expected outcome).
-[[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file);
+/// Reads and validates; does not run the lesson (see lesson/run.hpp for the expected outcome). A
+/// file that is not TOML has one problem, its first syntax error.
+[[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
+                                       const std::vector<std::string>& known_effects);
 
 /// The same from text; `name` stands for the file in problems and gives the lesson's id.
-[[nodiscard]] LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name);
+[[nodiscard]] LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
+                                        const std::vector<std::string>& known_effects);
 
-/// Where each top-level or dotted key of a lesson file stands ("expect.distance" -> line, column);
-/// for problems found only after loading. Unknown keys give 1, 1.
-struct Place {
-  int line = 1;
-  int column = 1;
-};
+/// Where a key of a lesson file stands; for problems found only after loading. Keys are dotted,
+/// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2".
+/// Where the file has no such key: its nearest parent that is there, at last 1, 1.
 [[nodiscard]] Place place_of(const std::filesystem::path& file, std::string_view dotted_key);
 
-/// Lesson files of a folder in teaching order (chapter, order, id), each with its loading result.
-[[nodiscard]] std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder);
+/// Lesson files (*.toml) of a folder in teaching order (chapter, order, id), then those that have
+/// problems, by name.
+[[nodiscard]] std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
+                                                     const std::vector<std::string>& known_effects);
+
+/// A text that frames show, and its key for `place_of`. The loader cannot know which characters the
+/// fonts can draw (picture/type.hpp, Fonts::first_missing): whoever knows both checks these.
+struct LessonText {
+  std::string key;
+  std::string text;
+};
+[[nodiscard]] std::vector<LessonText> texts_of(const Lesson& lesson);
 
 }  // namespace gjkscope

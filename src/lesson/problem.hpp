@@ -1,11 +1,19 @@
 #pragma once
 // What is wrong with a file, where, and what was expected.
 
+#include <compare>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gjkscope {
+
+/// A place in a file. Columns count characters, not bytes.
+struct Place {
+  int line = 1;    ///< From 1.
+  int column = 1;  ///< From 1.
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
 
 struct Problem {
   std::string file;
@@ -20,7 +28,7 @@ struct Problem {
 [[nodiscard]] std::string to_string(const Problem& problem);
 
 /// The known name with the smallest edit distance, if that is small enough to be a slip of the
-/// fingers; else empty.
+/// fingers (a third of the longer name); else empty. Letter case and `_` for `-` count nothing.
 [[nodiscard]] std::string nearest_name(std::string_view name,
                                        const std::vector<std::string>& known);
 

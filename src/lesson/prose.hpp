@@ -1,0 +1,61 @@
+#pragma once
+// Prose of a lesson: text with placeholders that each frame fills with its step's values. Braces
+// that are meant as such are doubled: "{{" gives "{".
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+struct PlaceholderInfo {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+/// All placeholders there are.
+inline constexpr std::array<PlaceholderInfo, 17> kPlaceholders = {{
+    {"distance", "distance between the shapes, as far as this step knows it"},
+    {"lower", "certified lower bound of the distance"},
+    {"upper", "certified upper bound of the distance"},
+    {"u", "barycentric weight of the simplex's first vertex"},
+    {"v", "barycentric weight of the second vertex"},
+    {"w", "barycentric weight of the third vertex"},
+    {"P", "closest point of the simplex to the origin, or to Q"},
+    {"Q", "query point"},
+    {"d", "search direction"},
+    {"region", "Voronoi region that holds the query point"},
+    {"simplex", "vertices of the simplex"},
+    {"support", "support point last found"},
+    {"iteration", "iteration of this step"},
+    {"iterations", "iterations of the whole run"},
+    {"stop", "why the run ended"},
+    {"x", "name of shape X"},
+    {"y", "name of shape Y"},
+}};
+
+/// What stands for a placeholder that has no value at a step.
+inline constexpr std::string_view kNoValue = "–";
+
+/// A piece of prose: text to show as it stands (`{{` already undoubled), the name of a placeholder,
+/// or a brace without its partner.
+struct ProsePart {
+  enum class Kind { text, placeholder, stray_brace };
+  Kind kind = Kind::text;
+  std::string text;
+};
+[[nodiscard]] std::vector<ProsePart> prose_parts(std::string_view prose);
+
+/// The placeholders of a text, known or not, in order, as often as they occur.
+[[nodiscard]] std::vector<std::string> placeholders(std::string_view prose);
+
+[[nodiscard]] bool is_placeholder(std::string_view name);
+
+/// The text with its placeholders filled in. A known one without a value becomes kNoValue; unknown
+/// ones and stray braces, which loading refuses, stay as they are.
+[[nodiscard]] std::string expand(std::string_view prose,
+                                 const std::map<std::string, std::string>& values);
+
+}  // namespace gjkscope

@@ -1,0 +1,117 @@
+#include "lesson/schema.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lesson/names.hpp"
+
+namespace gjkscope {
+
+namespace {
+
+template <class E>
+std::string one_of() {
+  return fmt::format("one of: {}", fmt::join(names_of<E>(), ", "));
+}
+
+std::string text_up_to(int length) { return fmt::format("text of 1 to {} characters", length); }
+
+std::vector<LessonKey> make_keys() {
+  using namespace limits;
+  const std::string required(kRequired);
+  const std::string point_list = "list of points [x, y]";
+  return {
+      {"", "title", text_up_to(kTitleLength), required, "heading of every frame"},
+      {"", "chapter", fmt::format("whole number from 1 to {}", kLastChapter), required,
+       "chapter that the lesson belongs to"},
+      {"", "order", fmt::format("whole number from 1 to {}", kLastOrder), required,
+       "place within the chapter"},
+      {"", "source", text_up_to(kSourceLength), "none", "where the matter is taught"},
+      {"", "prose", text_up_to(kProseLength), required,
+       "what to look for, with placeholders; two lines of a frame"},
+      {"", "shapes", "table [shapes]", required, "the two shapes"},
+      {"", "query", "table [query]", "its defaults", "how GJK runs"},
+      {"", "steps", "table [steps]", "its defaults", "which frames there are"},
+      {"", "path", "table [path]", "X stays where it is", "positions of X, one run each"},
+      {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
+      {"", "panel", "table [panel]", "no panel", "the side panel"},
+      {"", "expect", "table [expect]", required, "what the run must come to; it is checked"},
+
+      {"shapes", "X", "table [shapes.X]", required, "shape X; a point query has a single vertex"},
+      {"shapes", "Y", "table [shapes.Y]", required, "shape Y"},
+
+      {"shapes.X", "name", text_up_to(kShapeNameLength), "X or Y",
+       "name that frames show; what `Q` is in a point query"},
+      {"shapes.X", "names",
+       fmt::format("list of vertex names of 1 to {} characters, none a blank, comma or hyphen",
+                   kVertexNameLength),
+       "the shape's name for a single vertex, else x1, x2, ... or y1, y2, ...",
+       "names of the vertices, unique over both shapes"},
+      {"shapes.X", "vertices", point_list, required,
+       fmt::format("corners in drawing order, 1 to {} of them (a limit of drawing)", kVertices)},
+      {"shapes.X", "translate", "point [x, y]", "[0, 0]", "where the shape's own origin stands"},
+      {"shapes.X", "rotate", "number from -360 to 360", "0",
+       "degrees counter-clockwise, before `translate`"},
+
+      {"query", "scalar", one_of<ScalarKind>(), "double", "numbers that the run computes with"},
+      {"query", "direction", one_of<gjk::DirectionRule>(), "perpendicular",
+       "how the search direction is built"},
+      {"query", "regions", one_of<gjk::RegionOrder>(), "vertices-first",
+       "order of the region tests"},
+      {"query", "stop", "list of: repeated-support, no-progress", "both",
+       "stop tests that may be left out; origin inside, zero direction and the cap always apply"},
+      {"query", "tolerance", "number of at least 0 and below 1", "0",
+       "stop when lower >= (1 - tolerance) * upper; 0 leaves this test out"},
+      {"query", "cap", fmt::format("whole number from 1 to {}", kCap),
+       std::to_string(gjk::kDefaultIterationCap), "iterations after which the run gives up"},
+      {"query", "start",
+       fmt::format("list of 1 to {} simplex vertices, or \"centre-to-centre\"", kSimplexVertices),
+       "the first vertices of X and Y",
+       "first simplex: names of vertices of Y in a point query, else pairs like \"K-C\", Y's "
+       "vertex first"},
+
+      {"steps", "granularity", one_of<Granularity>(), "phase", "what one frame is"},
+      {"steps", "until", one_of<gjk::Phase>(), "the whole run",
+       "frames end with the first step of this phase"},
+
+      {"path", "points", point_list, required,
+       fmt::format("2 to {} corners of the path: translations of X", kPositions)},
+      {"path", "frames", fmt::format("whole number from 2 to {}", kPositions),
+       "the corners themselves", "positions at equal steps along the path"},
+
+      {"views", "show", one_of<ViewKind>(), required, "the two shapes, or Y - X"},
+      {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
+      {"views", "camera", "table { center = [x, y], height = h }", "fits what is drawn",
+       "the part of the world that is seen"},
+      {"views", "effects", "list of effects", "none",
+       "what is drawn beyond the shapes and the run"},
+
+      {"views.camera", "center", "point [x, y]", required, "middle of the view"},
+      {"views.camera", "height",
+       fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
+       "height of the view in world units"},
+
+      {"panel", "blocks", fmt::format("list of: {}", fmt::join(names_of<PanelBlock>(), ", ")),
+       "none", "blocks from top to bottom"},
+      {"panel", "listing", one_of<Listing>(), "none",
+       "what the block `pseudocode` shows; needed with that block and only then"},
+
+      {"expect", "stop",
+       "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "
+       "iteration-cap, failed",
+       required, "why the run ends; the last run of a path"},
+      {"expect", "supports", "list of simplex vertices", "not checked",
+       "support points in the order found, as in `query.start`"},
+      {"expect", "distance", "number of at least 0", "not checked",
+       "distance, to the digits written"},
+  };
+}
+
+}  // namespace
+
+const std::vector<LessonKey>& lesson_keys() {
+  static const std::vector<LessonKey> keys = make_keys();
+  return keys;
+}
+
+}  // namespace gjkscope

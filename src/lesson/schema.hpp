@@ -1,0 +1,50 @@
+#pragma once
+// The keys of a lesson file, one table: the loader reads from it which keys there are, which are
+// required and what a message says was expected; lessons/README.md shows it.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gjkscope {
+
+/// One key. Tables are called as in the file: "" is the file itself, "shapes.X" stands for both
+/// shapes, "views" for each of its entries, "views.camera" for the camera of a view.
+struct LessonKey {
+  std::string table;
+  std::string key;
+  std::string type;       ///< What a message says was expected.
+  std::string otherwise;  ///< What holds when the key is missing; kRequired: it must be there.
+  std::string meaning;
+};
+
+inline constexpr std::string_view kRequired = "required";
+
+/// All keys, in the order in which README.md lists them.
+[[nodiscard]] const std::vector<LessonKey>& lesson_keys();
+
+/// Limits of what a lesson may hold: what a frame can show, and what a run should have to compute.
+namespace limits {
+inline constexpr int kFileBytes = 1 << 20;
+inline constexpr int kTitleLength = 80;
+inline constexpr int kSourceLength = 120;
+inline constexpr int kProseLength = 300;  ///< Two lines of a frame.
+inline constexpr int kViewTitleLength = 60;
+inline constexpr int kShapeNameLength = 12;
+inline constexpr int kVertexNameLength = 3;
+inline constexpr int kLastChapter = 7;
+inline constexpr int kLastOrder = 99;
+inline constexpr int kVertices = 10000;  ///< Of one shape: a limit of drawing, not of GJK.
+inline constexpr int kPairVertices = 8;  ///< Of one shape where frames step through the pairs.
+inline constexpr int kPositions = 500;   ///< On a path.
+inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.
+inline constexpr int kCap = 1000;
+inline constexpr int kSimplexVertices = 3;
+/// Coordinates: doubles of this size still differ by less than a frame shows of a world as large;
+/// their products stay far from overflow in single precision, too.
+inline constexpr double kLargest = 1e18;
+inline constexpr double kLargestHalf = 65504.0;  ///< The largest finite half.
+inline constexpr double kSmallestCameraHeight = 1e-18;
+}  // namespace limits
+
+}  // namespace gjkscope
