@@ -28,15 +28,20 @@ class Canvas {
   Canvas& operator=(const Canvas&) = delete;
 
   /// The picture at full supersampled size; `shrink` brings it to size (so that another thread can
-  /// do it).
+  /// do it). Throws std::runtime_error when nothing of a picture with marks came out.
   [[nodiscard]] Image paint(const Picture& picture);
+  /// The same into an image whose memory is used again.
+  void paint(const Picture& picture, Image& image);
+
+  /// Makes the canvas that of another theme.
+  void set_theme(const Theme& theme);
 
  private:
   struct Context;
   std::unique_ptr<Context> context_;
 };
 
-/// Averages squares of `factor` x `factor` pixels.
+/// Averages squares of `factor` x `factor` pixels, rounded to nearest.
 [[nodiscard]] Image shrink(const Image& image, int factor);
 
 }  // namespace gjkscope

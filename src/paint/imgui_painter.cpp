@@ -1,0 +1,413 @@
+#include "paint/imgui_painter.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace gjkscope {
+namespace {
+
+using std::numbers::pi;
+
+// Indices of a draw list have 16 bits. The margin holds the largest single mark: a dashed line
+// across a frame has some hundred dashes of about 60 vertices.
+constexpr int kVertexLimit = 65535;
+constexpr int kVerticesPerList = 40000;
+
+// Head of an arrow: the length grows with the line's width only. A 2.5 pixel line gets a head 12
+// pixels long and 10 wide, which reads from the last row and still fits a 24 pixel arrow.
+constexpr double kHeadLength = 6.0;
+constexpr double kHeadLengthPerWidth = 2.4;
+constexpr double kHeadAspect = 0.84;
+
+// Circles are polygons whose sides stay this close to the circle, in pixels of the list.
+constexpr double kCircleError = 0.08;
+
+// Lines at most this wide (frame pixels) that run along an axis are moved to pixel boundaries:
+// rules and ticks stay crisp. Wider ones may move smoothly.
+constexpr double kHairline = 1.25;
+
+constexpr double kCoincident = 1e-3;
+
+using Points = std::vector<Point>;
+
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+Points without_repeats(const Points& points, bool closed) {
+  Points kept;
+  for (const Point& p : points) {
+    if (kept.empty() || (p - kept.back()).norm() > kCoincident) kept.push_back(p);
+  }
+  while (closed && kept.size() > 1 && (kept.front() - kept.back()).norm() <= kCoincident) {
+    kept.pop_back();
+  }
+  return kept;
+}
+
+Points arc(const Point& center, double radius, double from, double to, double pixels_per_unit) {
+  const double pixels = std::max(radius * pixels_per_unit, 0.5);
+  const double step = 2.0 * std::acos(1.0 - std::min(kCircleError / pixels, 0.5));
+  const int count = std::max(3, static_cast<int>(std::ceil((to - from) / step)));
+  Points points;
+  for (int i = 0; i <= count; ++i) {
+    const double angle = from + (to - from) * i / count;
+    points.emplace_back(center.x() + radius * std::cos(angle),
+                        center.y() + radius * std::sin(angle));
+  }
+  return points;
+}
+
+Points circle(const Point& center, double radius, double pixels_per_unit) {
+  Points points = arc(center, radius, 0.0, 2.0 * pi, pixels_per_unit);
+  points.pop_back();
+  return points;
+}
+
+Points rounded_box(const Rect& rect, double corner, double pixels_per_unit) {
+  const double radius = std::clamp(corner, 0.0, std::max(0.0, 0.5 * rect.size().minCoeff()));
+  const Point& a = rect.min;
+  const Point& b = rect.max;
+  if (radius < kCoincident) return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+  Points points;
+  const Point centers[] = {{b.x() - radius, b.y() - radius},
+                           {a.x() + radius, b.y() - radius},
+                           {a.x() + radius, a.y() + radius},
+                           {b.x() - radius, a.y() + radius}};
+  for (int i = 0; i < 4; ++i) {
+    const Points quarter =
+        arc(centers[i], radius, 0.5 * pi * i, 0.5 * pi * (i + 1), pixels_per_unit);
+    points.insert(points.end(), quarter.begin(), quarter.end());
+  }
+  return points;
+}
+
+/// The pieces of a line that its dash pattern leaves, from its first point on.
+std::vector<Points> dashes(const Points& points, bool closed, std::span<const double> pattern) {
+  std::vector<Points> pieces;
+  std::size_t phase = 0;
+  double left = pattern[0];
+  bool on = true;
+  const std::size_t count = points.size();
+  Points piece = {points[0]};
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    const Point from = points[i];
+    const Point to = points[(i + 1) % count];
+    const double length = (to - from).norm();
+    double at = 0.0;
+    while (length - at > left) {
+      at += left;
+      const Point corner = from + (to - from) * (at / length);
+      if (on) {
+        piece.push_back(corner);
+        pieces.push_back(std::move(piece));
+      }
+      piece = {corner};
+      on = !on;
+      phase = (phase + 1) % pattern.size();
+      left = pattern[phase];
+    }
+    left -= length - at;
+    if (on) piece.push_back(to);
+  }
+  if (on && piece.size() > 1) pieces.push_back(std::move(piece));
+  return pieces;
+}
+
+class MarkPainter {
+ public:
+  MarkPainter(ImDrawList& list, const AtlasFonts& fonts, const Placement& placement)
+      : list_(list), fonts_(fonts), placement_(placement) {}
+
+  void operator()(const Polygon& polygon) const {
+    const Points points = without_repeats(polygon.points, true);
+    fill(points);
+    stroke(points, true);
+  }
+
+  void operator()(const Polyline& polyline) const {
+    Points points = without_repeats(polyline.points, polyline.closed);
+    if (points.size() == 2) align_to_pixels(points[0], points[1]);
+    stroke(points, polyline.closed && points.size() > 2);
+  }
+
+  void operator()(const Arrow& arrow) const {
+    const Point along = arrow.to - arrow.from;
+    const double length = along.norm();
+    if (length <= kCoincident) return;
+    const Point unit = along / length;
+    const Point side(-unit.y(), unit.x());
+    const double head = kHeadLength + kHeadLengthPerWidth * style_->width;
+    const Point base = arrow.to - head * unit;
+    // The shaft ends inside the head: at the tip it would show beside it.
+    if (length > 0.8 * head) stroke({arrow.from, arrow.to - 0.8 * head * unit}, false);
+    const Point half = 0.5 * kHeadAspect * head * side;
+    fill_convex({arrow.to, base + half, base - half}, line_color());
+  }
+
+  void operator()(const Disk& disk) const {
+    const Points points = circle(disk.center, disk.radius, placement_.scale);
+    fill(points);
+    stroke(points, true);
+  }
+
+  void operator()(const Cross& mark) const {
+    const Point x(mark.radius, 0.0);
+    const Point y(0.0, mark.radius);
+    stroke({mark.center - x, mark.center + x}, false);
+    stroke({mark.center - y, mark.center + y}, false);
+  }
+
+  void operator()(const Box& box) const {
+    // The outline lies inside, so that a box on whole pixels has a crisp one.
+    Rect rect = box.rect;
+    double corner = box.corner;
+    if (style_->stroke) {
+      const Point inset = Point::Constant(0.5 * style_->width);
+      rect = {rect.min + inset, rect.max - inset};
+      corner -= inset.x();
+    }
+    if ((rect.size().array() <= 0.0).any()) return;
+    const Points points = rounded_box(rect, corner, placement_.scale);
+    fill(points);
+    stroke(points, true);
+  }
+
+  void operator()(const Text& text) const {
+    if (!style_->fill) return;
+    const ImFont& font = fonts_.font(text.style);
+    const std::u32string characters = code_points(text.text);
+    double width = 0.0;
+    for (const char32_t c : characters) width += glyph(font, c).AdvanceX;
+
+    const double share = text.align == Align::left ? 0.0 : text.align == Align::center ? 0.5 : 1.0;
+    // Whole frame pixels in height: base lines of a row agree and strokes stay sharp. Whole list
+    // pixels across: the same word looks the same wherever it stands.
+    const double scale = placement_.scale;
+    const double x = std::round(placement_.origin.x() + text.at.x() * scale - share * width);
+    const double y = std::round(placement_.origin.y() + std::round(text.at.y()) * scale) -
+                     std::round(font.Ascent);
+    const ImU32 ink = color(*style_->fill);
+
+    list_.PushTextureID(font.ContainerAtlas->TexID);
+    double pen = x;
+    for (const char32_t c : characters) {
+      const ImFontGlyph& g = glyph(font, c);
+      if (g.Visible) {
+        list_.PrimReserve(6, 4);
+        list_.PrimRectUV(at(pen + g.X0, y + g.Y0), at(pen + g.X1, y + g.Y1), ImVec2(g.U0, g.V0),
+                         ImVec2(g.U1, g.V1), ink);
+      }
+      pen += g.AdvanceX;
+    }
+    list_.PopTextureID();
+  }
+
+  void set_style(const Style& style) { style_ = &style; }
+
+ private:
+  static ImVec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+  static ImU32 color(const Color& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+
+  static const ImFontGlyph& glyph(const ImFont& font, char32_t c) {
+    constexpr ImWchar kReplacement = 0xFFFD;
+    const ImFontGlyph* found =
+        c <= 0xFFFF ? font.FindGlyphNoFallback(static_cast<ImWchar>(c)) : nullptr;
+    return *(found ? found : font.FindGlyph(kReplacement));
+  }
+
+  [[nodiscard]] std::optional<Color> line_color() const {
+    return style_->stroke ? style_->stroke : style_->fill;
+  }
+
+  [[nodiscard]] std::vector<ImVec2> to_list(const Points& points) const {
+    std::vector<ImVec2> result;
+    result.reserve(points.size());
+    for (const Point& p : points) {
+      const Point q = placement_.origin + placement_.scale * p;
+      result.push_back(at(q.x(), q.y()));
+    }
+    return result;
+  }
+
+  void align_to_pixels(Point& a, Point& b) const {
+    const double width = style_->width;
+    if (width > kHairline || !style_->dash.empty()) return;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (a[axis] == b[axis]) {
+        a[axis] = b[axis] = std::round(a[axis] - 0.5 * width) + 0.5 * width;
+      }
+    }
+  }
+
+  void fill(const Points& points) const {
+    if (style_->fill) fill_convex(points, style_->fill);
+  }
+
+  void fill_convex(Points points, const std::optional<Color>& paint) const {
+    if (!paint || paint->a == 0 || points.size() < 3) return;
+    double area = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      area += cross(points[i] - points[0], points[i + 1] - points[0]);
+    }
+    // A draw list smooths the outer side of an outline that turns this way.
+    if (area < 0.0) std::reverse(points.begin(), points.end());
+    const std::vector<ImVec2> outline = to_list(points);
+    list_.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), color(*paint));
+  }
+
+  void stroke(const Points& points, bool closed) const {
+    // Outlines need a stroke of their own; what is only a line may name its colour either way.
+    const std::optional<Color> paint = closed ? style_->stroke : line_color();
+    if (!paint || paint->a == 0 || style_->width <= 0.0 || points.empty()) return;
+    if (points.size() == 1) {
+      dot(points[0], *paint);
+    } else if (style_->dash.empty()) {
+      solid(points, closed, *paint);
+    } else {
+      for (const Points& piece : dashes(points, closed, style_->dash)) {
+        solid(without_repeats(piece, false), false, *paint);
+      }
+    }
+  }
+
+  void dot(const Point& center, const Color& paint) const {
+    fill_convex(circle(center, 0.5 * style_->width, placement_.scale), paint);
+  }
+
+  /// Round joins and ends, as in `stroke-linejoin="round"`.
+  void solid(const Points& points, bool closed, const Color& paint) const {
+    if (points.size() == 1) return dot(points[0], paint);
+    if (turns_gently(points, closed) || paint.a < 255) {
+      const std::vector<ImVec2> line = to_list(points);
+      list_.AddPolyline(line.data(), static_cast<int>(line.size()), color(paint),
+                        closed ? ImDrawFlags_Closed : ImDrawFlags_None,
+                        static_cast<float>(style_->width * placement_.scale));
+      if (closed || paint.a < 255) return;
+      dot(points.front(), paint);
+      dot(points.back(), paint);
+      return;
+    }
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
+      const Point& from = points[i];
+      const Point& to = points[(i + 1) % points.size()];
+      const Point unit = (to - from).normalized();
+      const Point half = 0.5 * style_->width * Point(-unit.y(), unit.x());
+      fill_convex({from + half, from - half, to - half, to + half}, paint);
+    }
+    for (const Point& joint : points) dot(joint, paint);
+  }
+
+  /// Whether the mitred joins of a draw list can stand for round ones: no turn beyond 30 degrees.
+  [[nodiscard]] static bool turns_gently(const Points& points, bool closed) {
+    constexpr double kCosine = 0.866;
+    const std::size_t count = points.size();
+    for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < count; ++i) {
+      const Point in = (points[i] - points[(i + count - 1) % count]).normalized();
+      const Point out = (points[(i + 1) % count] - points[i]).normalized();
+      if (in.dot(out) < kCosine) return false;
+    }
+    return true;
+  }
+
+  ImDrawList& list_;
+  const AtlasFonts& fonts_;
+  Placement placement_;
+  const Style* style_ = nullptr;
+};
+
+std::vector<unsigned short> glyph_ranges(bool (*chosen)(char32_t)) {
+  std::vector<unsigned short> ranges;
+  for (const char32_t c : Fonts::characters()) {
+    if (!chosen(c)) continue;
+    if (!ranges.empty() && ranges.back() + 1u == c) {
+      ranges.back() = static_cast<unsigned short>(c);
+    } else {
+      ranges.insert(ranges.end(), 2, static_cast<unsigned short>(c));
+    }
+  }
+  ranges.push_back(0);
+  return ranges;
+}
+
+bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+AtlasFonts::AtlasFonts(ImFontAtlas& atlas, const Fonts& fonts, double scale) : scale_(scale) {
+  ranges_.push_back(
+      {glyph_ranges(is_digit), glyph_ranges([](char32_t c) { return !is_digit(c); })});
+  const auto& [digits, others] = ranges_.front();
+
+  for (const TextStyle& style : type::all_styles()) {
+    const auto known = std::find_if(fonts_.begin(), fonts_.end(),
+                                    [&](const auto& entry) { return entry.first == style; });
+    if (known != fonts_.end()) continue;
+
+    const double em = style.size * scale;
+    const auto digit = static_cast<float>(fonts.digit_width_in_em(style.face) * em);
+    const auto add = [&](const std::vector<unsigned char>& file, double height_in_em,
+                         const GlyphRanges& ranges, bool tabular, bool merge) {
+      ImFontConfig config;
+      // The atlas reads the file and does not write to it.
+      config.FontData = const_cast<unsigned char*>(file.data());
+      config.FontDataSize = static_cast<int>(file.size());
+      config.FontDataOwnedByAtlas = false;
+      config.SizePixels = static_cast<float>(height_in_em * em);
+      config.OversampleH = 2;
+      config.OversampleV = 1;
+      config.GlyphRanges = ranges.data();
+      config.MergeMode = merge;
+      if (tabular) config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = digit;
+      return atlas.AddFont(&config);
+    };
+    const bool fixed = is_monospaced(style.face);
+    const double height = fonts.height_in_em(style.face);
+    ImFont* font = add(fonts.file(style.face), height, others, fixed, false);
+    add(fonts.file(style.face), height, digits, true, true);
+    add(fonts.fallback_file(style.face), fonts.fallback_height_in_em(style.face), others, fixed,
+        true);
+    fonts_.emplace_back(style, font);
+  }
+}
+
+const ImFont& AtlasFonts::font(const TextStyle& style) const {
+  for (const auto& [known, font] : fonts_) {
+    if (known == style) return *font;
+  }
+  throw std::out_of_range(
+      fmt::format("a text style of size {} is not in type::all_styles()", style.size));
+}
+
+std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t first,
+                        const Theme& theme, const AtlasFonts& fonts, const Placement& placement) {
+  MarkPainter painter(list, fonts, placement);
+  const auto corner = [&](const Point& p) {
+    const Point q = placement.origin + placement.scale * p;
+    return ImVec2(static_cast<float>(std::round(q.x())), static_cast<float>(std::round(q.y())));
+  };
+  std::size_t i = first;
+  for (; i < picture.marks.size() && list.VtxBuffer.Size < kVerticesPerList; ++i) {
+    const Mark& mark = picture.marks[i];
+    painter.set_style(theme.style(mark.role));
+    const bool clipped = mark.clip >= 0;
+    if (clipped) {
+      const Rect& rect = picture.clips.at(static_cast<std::size_t>(mark.clip));
+      list.PushClipRect(corner(rect.min), corner(rect.max), true);
+    }
+    std::visit(painter, mark.shape);
+    if (clipped) list.PopClipRect();
+  }
+  if (list.VtxBuffer.Size > kVertexLimit) {
+    throw std::length_error(
+        fmt::format(R"(a mark "{}" is too large for a draw list)", picture.marks[i - 1].role));
+  }
+  return i;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,200 @@
+#include "picture/theme.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+namespace gjkscope {
+namespace {
+
+[[noreturn]] void fail(const toml::source_region& source, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}:{}:{}: {}", source.path ? *source.path : "theme",
+                                       source.begin.line, source.begin.column, what));
+}
+
+Color parse_hex(std::string_view text, const toml::source_region& source) {
+  const std::string_view digits = text.substr(1);
+  std::uint32_t value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  const bool whole = error == std::errc{} && end == digits.data() + digits.size();
+  if (!whole || (digits.size() != 6 && digits.size() != 8)) {
+    fail(source, fmt::format(R"("{}" is no colour; expected "#rrggbb" or "#rrggbbaa")", text));
+  }
+  if (digits.size() == 6) value = (value << 8) | 0xFF;
+  return {static_cast<std::uint8_t>(value >> 24), static_cast<std::uint8_t>(value >> 16),
+          static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+}
+
+/// Resolves the files of a theme, its base first: of two entries with one name the later wins.
+class Reader {
+ public:
+  explicit Reader(const std::vector<toml::table>& files) {
+    for (const toml::table& file : files) read_palette(file);
+    for (const toml::table& file : files) read_roles(file);
+    const auto background = styles_.find("background");
+    if (background == styles_.end() || !background->second.fill) {
+      fail(files.back().source(), "expected a role \"background\" with a fill");
+    }
+    background_ = *background->second.fill;
+  }
+
+  [[nodiscard]] Color background() const { return background_; }
+  [[nodiscard]] std::map<std::string, Style, std::less<>> styles() && { return std::move(styles_); }
+
+ private:
+  void read_palette(const toml::table& file) {
+    for (const auto& [key, node] : sub_table(file, "palette")) {
+      const auto text = node.value<std::string>();
+      if (!text || text->empty() || text->front() != '#') {
+        fail(node.source(), "expected a colour \"#rrggbb\" or \"#rrggbbaa\"");
+      }
+      palette_.insert_or_assign(std::string(key.str()), parse_hex(*text, node.source()));
+    }
+  }
+
+  void read_roles(const toml::table& file) {
+    for (const auto& [key, node] : sub_table(file, "roles")) {
+      const toml::table* entry = node.as_table();
+      if (!entry) fail(node.source(), "expected a role's style, as in { fill = \"ink\" }");
+      styles_.insert_or_assign(std::string(key.str()), style(*entry));
+    }
+  }
+
+  /// Empty when there is none.
+  static const toml::table& sub_table(const toml::table& file, std::string_view key) {
+    static const toml::table kNone;
+    const toml::node* node = file.get(key);
+    if (!node) return kNone;
+    if (!node->is_table()) fail(node->source(), fmt::format("expected a table [{}]", key));
+    return *node->as_table();
+  }
+
+  [[nodiscard]] Style style(const toml::table& entry) const {
+    Style style;
+    for (const auto& [key, node] : entry) {
+      if (key == "fill") {
+        style.fill = color(node);
+      } else if (key == "stroke") {
+        style.stroke = color(node);
+      } else if (key == "width") {
+        style.width = length(node);
+      } else if (key == "dash") {
+        style.dash = dash(node);
+      } else {
+        fail(key.source(),
+             fmt::format(R"(unknown key "{}"; expected fill, stroke, width or dash)", key.str()));
+      }
+    }
+    return style;
+  }
+
+  [[nodiscard]] Color color(const toml::node& node) const {
+    const auto text = node.value<std::string>();
+    if (!text || text->empty()) fail(node.source(), "expected a colour, by name or as \"#rrggbb\"");
+    if (text->front() == '#') return parse_hex(*text, node.source());
+    const auto found = palette_.find(*text);
+    if (found == palette_.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& [name, value] : palette_) names.push_back(name);
+      fail(node.source(), fmt::format(R"(no colour "{}" in the palette; it has {})", *text,
+                                      fmt::join(names, ", ")));
+    }
+    return found->second;
+  }
+
+  static double length(const toml::node& node) {
+    const auto value = node.value<double>();
+    if (!value || !(*value >= 0.0 && *value <= 100.0)) {
+      fail(node.source(), "expected a length in pixels, from 0 to 100");
+    }
+    return *value;
+  }
+
+  static std::vector<double> dash(const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (!array || array->empty() || array->size() % 2 != 0) {
+      fail(node.source(), "expected dash = [on, off, ...]: an even number of lengths");
+    }
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      lengths.push_back(length(*array->get(i)));
+      if (i % 2 == 1 && lengths.back() <= 0.0) {
+        fail(array->get(i)->source(), "the gap of a dash must be above 0");
+      }
+    }
+    return lengths;
+  }
+
+  std::map<std::string, Color, std::less<>> palette_;
+  std::map<std::string, Style, std::less<>> styles_;
+  Color background_;
+};
+
+toml::table parse(const std::filesystem::path& file) {
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    fail(error.source(), std::string(error.description()));
+  }
+  for (const auto& [key, node] : table) {
+    if (key != "base" && key != "palette" && key != "roles") {
+      fail(key.source(),
+           fmt::format(R"(unknown key "{}"; expected base, palette or roles)", key.str()));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Theme Theme::load(const std::filesystem::path& folder, std::string_view name) {
+  const std::vector<std::string> known = names(folder);
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw std::runtime_error(fmt::format(R"(no theme "{}" in {}; it has {})", name, folder.string(),
+                                         fmt::join(known, ", ")));
+  }
+  const auto file = [&](std::string_view theme) { return folder / fmt::format("{}.toml", theme); };
+  std::vector<toml::table> files = {parse(file(name))};
+  if (const toml::node* base = files.front().get("base")) {
+    const std::string base_name = base->value_or(std::string());
+    if (base_name == name || std::find(known.begin(), known.end(), base_name) == known.end()) {
+      fail(base->source(), "expected the name of another theme");
+    }
+    files.insert(files.begin(), parse(file(base_name)));
+    if (const toml::node* further = files.front().get("base")) {
+      fail(further->source(), "the base of a theme has no base itself");
+    }
+  }
+  Reader reader(files);
+  Theme theme;
+  theme.background_ = reader.background();
+  theme.styles_ = std::move(reader).styles();
+  return theme;
+}
+
+std::vector<std::string> Theme::names(const std::filesystem::path& folder) {
+  std::vector<std::string> list;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".toml") list.push_back(entry.path().stem().string());
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+const Style& Theme::style(std::string_view role) const {
+  for (std::string_view name = role;;) {
+    if (const auto found = styles_.find(name); found != styles_.end()) return found->second;
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos) break;
+    name = name.substr(0, dot);
+  }
+  throw std::out_of_range(fmt::format(R"(the theme has no style for the role "{}")", role));
+}
+
+}  // namespace gjkscope

@@ -1,12 +1,14 @@
 #include "picture/type.hpp"
 
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <toml++/toml.h>
 #include <unordered_map>
 
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -78,22 +80,22 @@ constexpr CharacterRange kCharacterRanges[] = {
     {0xFFFD, 0xFFFD},  // In place of what is missing
 };
 
-std::string at(const toml::source_region& source) {
-  return (source.path ? *source.path : std::string("?")) + ":" + std::to_string(source.begin.line) +
-         ":" + std::to_string(source.begin.column) + ": ";
+std::runtime_error problem(const toml::source_region& source, std::string_view what) {
+  return std::runtime_error(fmt::format("{}:{}:{}: {}", source.path ? *source.path : "fonts",
+                                        source.begin.line, source.begin.column, what));
 }
 
 std::vector<std::string> string_list(const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   const toml::array* array = node ? node->as_array() : nullptr;
   if (!array || array->empty()) {
-    throw std::runtime_error(at((node ? *node : table).source()) + "expected " + std::string(key) +
-                             " = [\"...\"], a list of at least one string");
+    throw problem((node ? *node : table).source(),
+                  fmt::format(R"(expected {} = ["..."], a list of at least one string)", key));
   }
   std::vector<std::string> list;
   for (const toml::node& element : *array) {
     const auto text = element.value<std::string>();
-    if (!text) throw std::runtime_error(at(element.source()) + "expected a string");
+    if (!text) throw problem(element.source(), "expected a string");
     list.push_back(*text);
   }
   return list;
@@ -123,26 +125,25 @@ FontFile read_first(const std::vector<std::string>& candidates, std::string_view
     std::ifstream stream(candidate, std::ios::binary);
     FontFile file;
     file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    const int offset =
-        file.bytes.empty() ? -1 : stbtt_GetFontOffsetForIndex(file.bytes.data(), 0);
+    const int offset = file.bytes.empty() ? -1 : stbtt_GetFontOffsetForIndex(file.bytes.data(), 0);
     if (offset >= 0 && stbtt_InitFont(&file.info, file.bytes.data(), offset)) {
       file.em = 1.0 / stbtt_ScaleForMappingEmToPixels(&file.info, 1.0f);
       file.height = 1.0 / (stbtt_ScaleForPixelHeight(&file.info, 1.0f) * file.em);
       return file;
     }
-    tried += "\n  " + candidate + (file.bytes.empty() ? ": cannot be read" : ": is not a font");
+    tried += fmt::format("\n  {}: {}", candidate,
+                         file.bytes.empty() ? "cannot be read" : "is not a font");
   }
-  std::string install;
-  for (const std::string& package : packages) install += " " + package;
-  throw std::runtime_error("no font file for the face \"" + std::string(face) + "\"; tried:" +
-                           tried + "\nDebian has it: apt-get install" + install);
+  throw std::runtime_error(
+      fmt::format("no font file for the face \"{}\"; tried:{}\nDebian has it: apt-get install {}",
+                  face, tried, fmt::join(packages, " ")));
 }
 
 }  // namespace
 
 std::vector<TextStyle> type::all_styles() {
-  return {kTitle,  kProse,   kPosition, kViewTitle, kVertex, kSmallVertex, kRegion,   kCaption,
-          kDetail, kHeading, kBody,     kStrong,    kCode,   kCodeBold,    kTick,     kTickBold};
+  return {kTitle,  kProse,   kPosition, kViewTitle, kVertex, kSmallVertex, kRegion, kCaption,
+          kDetail, kHeading, kBody,     kStrong,    kCode,   kCodeBold,    kTick,   kTickBold};
 }
 
 std::u32string code_points(std::string_view utf8) {
@@ -178,7 +179,7 @@ struct Fonts::Loaded {
   struct FaceFiles {
     FontFile main;
     FontFile fallback;
-    double digit = 0.0;  // Width of a figure, in ems.
+    double digit = 0.0;                             // Width of a figure, in ems.
     std::unordered_map<char32_t, double> advances;  // In ems, for Fonts::characters().
   };
   std::array<FaceFiles, kFaceCount> faces;
@@ -193,12 +194,12 @@ Fonts::Fonts(const std::filesystem::path& config) : loaded_(std::make_unique<Loa
   try {
     table = toml::parse_file(config.string());
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(at(error.source()) + std::string(error.description()));
+    throw problem(error.source(), error.description());
   }
   for (int f = 0; f < kFaceCount; ++f) {
     const toml::table* entry = table[kFaceNames[f]].as_table();
     if (!entry) {
-      throw std::runtime_error(config.string() + ":1:1: expected a table [" + kFaceNames[f] + "]");
+      throw problem(table.source(), fmt::format("expected a table [{}]", kFaceNames[f]));
     }
     const std::vector<std::string> packages = string_list(*entry, "packages");
     Loaded::FaceFiles& face = loaded_->faces[f];

@@ -58,8 +58,8 @@ class Fonts {
   Fonts(const Fonts&) = delete;
   Fonts& operator=(const Fonts&) = delete;
 
-  /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular: each
-  /// is as wide as the widest, in every face.
+  /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular:
+  /// each is as wide as the widest, in every face.
   [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
