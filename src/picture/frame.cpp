@@ -1,0 +1,207 @@
+#include "picture/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "lesson/names.hpp"
+#include "picture/caption.hpp"
+#include "picture/panel.hpp"
+#include "picture/stage.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr double kMargin = 32.0;
+constexpr double kCardGap = 12.0;
+constexpr double kProseLine = 20.0;
+constexpr double kTimelineHeight = 52.0;
+constexpr double kCaptionLine = 27.0;
+constexpr int kCaptionLines = 3;
+constexpr double kWidePanel = 424.0;    // beside one view
+constexpr double kNarrowPanel = 368.0;  // beside two
+
+/// Breaks a text at spaces so that no line is wider than `width`.
+std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style, const std::string& text, double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    std::size_t end = text.find_first_of(" \n", begin);
+    if (end == std::string::npos) end = text.size();
+    const std::string word = text.substr(begin, end - begin);
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && fonts.width(style, longer) > width) {
+      lines.push_back(line);
+      line = word;
+    } else {
+      line = longer;
+    }
+    begin = end + 1;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/// Where everything is; the same for all frames of a lesson.
+struct Layout {
+  std::vector<Rect> views;
+  std::optional<Rect> panel;
+  double prose_y = 0.0;
+  double caption_y = 0.0;
+  Rect timeline;
+};
+
+Layout layout_of(const LessonRun& run, int prose_lines, double width, double height) {
+  Layout layout;
+  layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0}, {width - kMargin, height - kMargin + 8.0}};
+  const double bottom = layout.timeline.min.y() - 26.0 - kCaptionLines * kCaptionLine;
+  layout.caption_y = bottom + 33.0;
+  layout.prose_y = 70.0;
+  const double top = 64.0 + kProseLine * prose_lines;
+  const int views = static_cast<int>(run.lesson.views.size());
+  double right = width - kMargin;
+  if (!run.lesson.panel.empty()) {
+    const double panel = views == 1 ? kWidePanel : kNarrowPanel;
+    layout.panel = Rect{{right - panel, top}, {right, bottom}};
+    right -= panel + kCardGap;
+  }
+  const double each = (right - kMargin - kCardGap * (views - 1)) / views;
+  for (int i = 0; i < views; ++i) {
+    const double x = kMargin + i * (each + kCardGap);
+    layout.views.push_back({{x, top}, {x + each, bottom}});
+  }
+  return layout;
+}
+
+std::string position_of(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[index];
+  const int count = static_cast<int>(run.frames.size());
+  const Granularity granularity = run.lesson.granularity;
+  if (granularity == Granularity::phase || granularity == Granularity::iteration) {
+    if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
+    const gjk::Step<double, 2>& step = run.step(frame);
+    return fmt::format("iteration {} of {} · {}", step.iteration, run.run(frame).trace.result.iterations, name_of(step.phase));
+  }
+  if (granularity == Granularity::pairs && index > 0 && index + 1 < count) return fmt::format("difference {} of {}", index, count - 2);
+  if (granularity == Granularity::path) return fmt::format("position {} of {}", index + 1, count);
+  return fmt::format("{} of {}", index + 1, count);
+}
+
+std::string default_title(const LessonRun& run, const LessonView& view) {
+  if (!view.title.empty()) return view.title;
+  if (view.kind == ViewKind::world) return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
+  return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
+}
+
+/// One view of the lesson over all its frames: its scenes, and the labels' memory.
+struct View {
+  StageMap map;
+  std::vector<Scene> scenes;
+  LabelPlacer placer;
+  Rect title_box;
+};
+
+}  // namespace
+
+std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts, double width, double height) {
+  const double text_width = width - 2.0 * kMargin;
+  std::vector<FrameText> texts;
+  std::size_t prose_lines = 0;
+  for (const Frame& frame : run.frames) {
+    texts.push_back(frame_text(run, frame));
+    prose_lines = std::max(prose_lines, wrapped(fonts, type::kProse, texts.back().prose, text_width).size());
+  }
+  const Layout layout = layout_of(run, static_cast<int>(prose_lines), width, height);
+
+  std::vector<View> views;
+  for (std::size_t i = 0; i < run.lesson.views.size(); ++i) {
+    const LessonView& view = run.lesson.views[i];
+    const Rect& card = layout.views[i];
+    const double title_width = fonts.width(type::kViewTitle, default_title(run, view));
+    const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
+    const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
+    View built{StageMap(card, camera_of(run, view, card)), {}, LabelPlacer(fonts, inner), title};
+    for (const Frame& frame : run.frames) built.scenes.push_back(stage_scene(run, effects, frame, view, built.map));
+    // Labels of things that stay get a place that suits every frame.
+    Obstacles all;
+    for (const Scene& scene : built.scenes) {
+      all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(), scene.obstacles.segments.end());
+      all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(), scene.obstacles.circles.end());
+    }
+    built.placer.begin_frame(std::move(all));
+    built.placer.reserve(title);
+    std::set<std::string> placed;
+    for (const Scene& scene : built.scenes) {
+      for (const LabelRequest& label : scene.fixed_labels) {
+        if (placed.insert(label.id).second) (void)built.placer.place(label, true);
+      }
+    }
+    views.push_back(std::move(built));
+  }
+
+  std::vector<FramePicture> pictures;
+  for (std::size_t index = 0; index < run.frames.size(); ++index) {
+    const Frame& frame = run.frames[index];
+    const FrameText& text = texts[index];
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    const auto add = [&](std::string role, decltype(Mark::shape) shape) { picture.marks.push_back({std::move(role), std::move(shape)}); };
+    const auto write = [&](std::string role, const Point& at, const std::string& words, const TextStyle& style, Align align = Align::left) {
+      add(std::move(role), Text{at, words, style, align});
+    };
+
+    write("title", {kMargin, 44.0}, run.lesson.title, type::kTitle);
+    write("position", {width - kMargin, 44.0}, position_of(run, static_cast<int>(index)), type::kPosition, Align::right);
+    double y = layout.prose_y;
+    for (const std::string& line : wrapped(fonts, type::kProse, text.prose, text_width)) {
+      write("prose", {kMargin, y}, line, type::kProse);
+      y += kProseLine;
+    }
+
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      View& view = views[i];
+      const Rect& card = layout.views[i];
+      add("card", Box{card, 10.0});
+      const int clip = static_cast<int>(picture.clips.size());
+      picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
+      Scene& scene = view.scenes[index];
+      for (Mark& mark : scene.marks) {
+        mark.clip = clip;
+        picture.marks.push_back(std::move(mark));
+      }
+      view.placer.begin_frame(scene.obstacles);
+      view.placer.reserve(view.title_box);
+      std::set<std::string> drawn;
+      for (const LabelRequest& label : scene.fixed_labels) {
+        if (drawn.insert(label.id).second) picture.marks.push_back(view.placer.place(label, true));
+      }
+      for (const LabelRequest& label : scene.moving_labels) picture.marks.push_back(view.placer.place(label, false));
+      for (const AreaLabelRequest& label : scene.area_labels) {
+        for (Mark& mark : view.placer.place_inside(label)) picture.marks.push_back(std::move(mark));
+      }
+      add("card.frame", Box{card, 10.0});
+      write("view-title", card.min + Point(14.0, 26.0), default_title(run, run.lesson.views[i]), type::kViewTitle);
+    }
+    if (layout.panel) {
+      add("card", Box{*layout.panel, 10.0});
+      for (Mark& mark : panel_marks(run, effects, frame, fonts, *layout.panel)) picture.marks.push_back(std::move(mark));
+    }
+
+    y = layout.caption_y;
+    for (const std::string& line : wrapped(fonts, type::kCaption, text.caption, text_width)) {
+      write("caption", {kMargin, y}, line, type::kCaption);
+      y += kCaptionLine;
+    }
+    for (const std::string& line : wrapped(fonts, type::kDetail, text.detail, text_width)) {
+      write("detail", {kMargin, y}, line, type::kDetail);
+      y += kCaptionLine;
+    }
+    for (Mark& mark : timeline_marks(run, static_cast<int>(index), fonts, layout.timeline)) picture.marks.push_back(std::move(mark));
+    pictures.push_back({std::move(picture), text});
+  }
+  return pictures;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,172 @@
+#include "picture/labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "geometry/polygon.hpp"
+
+namespace gjkscope {
+namespace {
+
+// Costs of a place, in arbitrary units that only compare: leaving the stage is worse than covering a label, that worse
+// than covering a mark, that worse than an unexpected side; moving must be worth at least one covered line.
+constexpr double kOutside = 1000.0;
+constexpr double kOverLabel = 400.0;
+constexpr double kOverCircle = 120.0;
+constexpr double kOverSegment = 100.0;
+constexpr double kWrongSide = 12.0;
+constexpr double kFarther = 5.0;
+constexpr double kMove = 40.0;
+constexpr double kClearance = 2.0;  // pixels between a label and what it must not touch
+constexpr int kDirections = 24;
+
+Rect box_around(const Point& center, const Point& size) { return {center - 0.5 * size, center + 0.5 * size}; }
+
+Rect grown(const Rect& box, double by) { return {box.min - Point(by, by), box.max + Point(by, by)}; }
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() && b.min.y() < a.max.y();
+}
+
+bool contains(const Rect& outer, const Rect& inner) {
+  return outer.min.x() <= inner.min.x() && outer.min.y() <= inner.min.y() && inner.max.x() <= outer.max.x() &&
+         inner.max.y() <= outer.max.y();
+}
+
+/// Clips the segment's parameter range against the box, side by side (Liang and Barsky 1984).
+bool hits(const Rect& box, const Obstacles::Segment& segment) {
+  double enter = 0.0;
+  double leave = 1.0;
+  const Point d = segment.b - segment.a;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = box.min[axis] - segment.a[axis];
+    const double high = box.max[axis] - segment.a[axis];
+    if (d[axis] == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / d[axis], high / d[axis]));
+    leave = std::min(leave, std::max(low / d[axis], high / d[axis]));
+  }
+  return enter <= leave;
+}
+
+bool hits(const Rect& box, const Obstacles::Circle& circle) {
+  const Point nearest = circle.center.cwiseMax(box.min).cwiseMin(box.max);
+  return (nearest - circle.center).norm() < circle.radius;
+}
+
+bool inside(std::span<const Point> polygon, const Rect& box) {
+  const double orientation = signed_area(polygon);
+  const Point corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point edge = polygon[(i + 1) % polygon.size()] - a;
+    for (const Point& corner : corners) {
+      const Point to = corner - a;
+      if ((edge.x() * to.y() - edge.y() * to.x()) * orientation < 0.0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void LabelPlacer::begin_frame(Obstacles obstacles) {
+  obstacles_ = std::move(obstacles);
+  taken_.clear();
+}
+
+Point LabelPlacer::size_of(const std::string& text, const TextStyle& style) const {
+  return {fonts_.width(style, text), fonts_.cap_height(style) + 0.22 * style.size};
+}
+
+double LabelPlacer::cost_of(const Rect& box) const {
+  const Rect clear = grown(box, kClearance);
+  double cost = contains(bounds_, clear) ? 0.0 : kOutside;
+  for (const Rect& label : taken_) cost += overlap(clear, label) ? kOverLabel : 0.0;
+  for (const Obstacles::Circle& circle : obstacles_.circles) cost += hits(clear, circle) ? kOverCircle : 0.0;
+  for (const Obstacles::Segment& segment : obstacles_.segments) cost += hits(clear, segment) ? kOverSegment : 0.0;
+  return cost;
+}
+
+Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::string& role, const TextStyle& style) const {
+  const double base = box.max.y() - 0.22 * style.size * 0.5;
+  return {role, Text{{box.center().x(), base}, text, style, Align::center}};
+}
+
+Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
+  const Point size = size_of(request.text, request.style);
+  const auto known = offsets_.find(request.id);
+  if (fixed && known != offsets_.end()) {
+    const Rect box = box_around(request.anchor + known->second, size);
+    taken_.push_back(box);
+    return mark_at(box, request.text, request.role, request.style);
+  }
+  double best_cost = std::numeric_limits<double>::infinity();
+  Point best = Point::Zero();
+  const auto consider = [&](const Point& offset, double extra) {
+    const double cost = extra + cost_of(box_around(request.anchor + offset, size));
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = offset;
+    }
+  };
+  const bool moves = known != offsets_.end();
+  if (moves) consider(known->second, 0.0);
+  const double start = request.towards.norm() > 0.0 ? std::atan2(request.towards.y(), request.towards.x())
+                                                    : -0.25 * std::numbers::pi;
+  for (int ring = 0; ring < 4; ++ring) {
+    for (int k = 0; k < kDirections; ++k) {
+      const double turn = 2.0 * std::numbers::pi * k / kDirections;
+      const Point d(std::cos(start + turn), std::sin(start + turn));
+      // The box touches the free circle with the side or corner that faces the anchor.
+      const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
+      const Point offset = d * (request.gap + 7.0 * ring) + 0.5 * face.cwiseProduct(size);
+      consider(offset, kWrongSide * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
+    }
+  }
+  offsets_[request.id] = best;
+  const Rect box = box_around(request.anchor + best, size);
+  taken_.push_back(box);
+  return mark_at(box, request.text, request.role, request.style);
+}
+
+std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
+  const Point size = size_of(request.text, request.style);
+  Rect extent{request.polygon[0], request.polygon[0]};
+  for (const Point& point : request.polygon) {
+    extent.min = extent.min.cwiseMin(point);
+    extent.max = extent.max.cwiseMax(point);
+  }
+  const Point middle = centroid(request.polygon);
+  std::optional<Point> best;
+  double best_cost = kOverCircle;  // rather no label than one over a mark
+  const auto consider = [&](const Point& center, double extra) {
+    const Rect box = box_around(center, size);
+    if (!inside(request.polygon, grown(box, 3.0 * kClearance))) return;
+    const double cost = extra + cost_of(box);
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = center;
+    }
+  };
+  const auto known = offsets_.find(request.id);
+  if (known != offsets_.end()) consider(known->second, 0.0);
+  constexpr double kStep = 10.0;
+  for (double y = extent.min.y() + kStep; y < extent.max.y(); y += kStep) {
+    for (double x = extent.min.x() + kStep; x < extent.max.x(); x += kStep) {
+      consider({x, y}, 0.05 * (Point(x, y) - middle).norm() + (known != offsets_.end() ? kMove : 0.0));
+    }
+  }
+  if (!best) return {};
+  offsets_[request.id] = *best;
+  const Rect box = box_around(*best, size);
+  taken_.push_back(box);
+  return {mark_at(box, request.text, request.role, request.style)};
+}
+
+}  // namespace gjkscope

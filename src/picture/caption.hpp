@@ -1,0 +1,11 @@
+#pragma once
+// The words of a frame, generated from the values of its step.
+
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+
+/// Caption, detail, filled-in prose and values of one frame.
+[[nodiscard]] FrameText frame_text(const LessonRun& run, const Frame& frame);
+
+}  // namespace gjkscope

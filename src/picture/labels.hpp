@@ -1,0 +1,73 @@
+#pragma once
+// Where labels go: beside what they name, off lines and disks and off each other, and where they were a frame ago.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "picture/picture.hpp"
+
+namespace gjkscope {
+
+/// What labels must not cover.
+struct Obstacles {
+  struct Segment {
+    Point a;
+    Point b;
+  };
+  struct Circle {
+    Point center;
+    double radius = 0.0;
+  };
+  std::vector<Segment> segments;
+  std::vector<Circle> circles;
+};
+
+/// A label beside a point.
+struct LabelRequest {
+  std::string id;  ///< The same thing has the same id in every frame.
+  std::string text;
+  std::string role;
+  TextStyle style;
+  Point anchor = Point::Zero();
+  double gap = 0.0;               ///< Free space around the anchor: the radius of what is drawn there, and a little.
+  Point towards = Point::Zero();  ///< Preferred side; zero: any.
+};
+
+/// A label somewhere inside a convex polygon.
+struct AreaLabelRequest {
+  std::string id;
+  std::string text;
+  std::string role;
+  TextStyle style;
+  std::vector<Point> polygon;
+};
+
+class LabelPlacer {
+ public:
+  /// Labels stay inside `bounds`.
+  LabelPlacer(const Fonts& fonts, const Rect& bounds) : fonts_(fonts), bounds_(bounds) {}
+
+  /// Starts a frame: labels of earlier frames are no obstacles any more, but are remembered.
+  void begin_frame(Obstacles obstacles);
+  /// Reserves room that labels must not take.
+  void reserve(const Rect& box) { taken_.push_back(box); }
+
+  /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
+  [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
+  /// No mark when the polygon has no room.
+  [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request);
+
+ private:
+  [[nodiscard]] double cost_of(const Rect& box) const;
+  [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role, const TextStyle& style) const;
+  [[nodiscard]] Point size_of(const std::string& text, const TextStyle& style) const;
+
+  const Fonts& fonts_;
+  Rect bounds_;
+  Obstacles obstacles_;
+  std::vector<Rect> taken_;
+  std::map<std::string, Point> offsets_;  ///< Centre of each label, relative to its anchor, in the last frame it was in.
+};
+
+}  // namespace gjkscope

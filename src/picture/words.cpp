@@ -1,0 +1,115 @@
+#include "picture/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gjkscope {
+namespace {
+
+constexpr std::string_view kMinus = "−";
+
+std::string with_minus(std::string digits) {
+  for (std::size_t at = digits.find('-'); at != std::string::npos; at = digits.find('-', at)) {
+    digits.replace(at, 1, kMinus);
+    at += kMinus.size();
+  }
+  return digits;
+}
+
+bool is_all_zero(const std::string& digits) { return digits.find_first_of("123456789") == std::string::npos; }
+
+std::string float_digits(double value, int digits) {
+  if (value == 0.0) return "0";
+  return with_minus(fmt::format("{:.{}g}", value, digits));
+}
+
+}  // namespace
+
+std::string fixed(double value, int decimals) {
+  std::string digits = fmt::format("{:.{}f}", value, decimals);
+  if (digits.front() == '-' && is_all_zero(digits)) digits.erase(0, 1);
+  return with_minus(digits);
+}
+
+std::string signed_fixed(double value, int decimals) {
+  std::string digits = fixed(value, decimals);
+  const bool positive = value > 0.0 && !is_all_zero(digits);
+  return positive ? "+" + digits : digits;
+}
+
+std::string Numbers::operator()(double value) const {
+  if (scalar_ == ScalarKind::single) return float_digits(value, 8);
+  if (scalar_ == ScalarKind::half) return float_digits(value, 4);
+  const double size = std::abs(value);
+  if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return with_minus(fmt::format("{:.3e}", value));
+  return fixed(value, 4);
+}
+
+std::string Numbers::point(const Eigen::Vector2d& value) const {
+  if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
+    return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
+  }
+  return fmt::format("({}, {})", fixed(value.x(), 2), fixed(value.y(), 2));
+}
+
+std::string Numbers::weight(double value) const {
+  const bool digits_matter = scalar_ == ScalarKind::single || scalar_ == ScalarKind::half;
+  return digits_matter ? (*this)(value) : fixed(value, 3);
+}
+
+SimplexWords::SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex)
+    : run_(run), simplex_(simplex) {
+  cyclic_ = run.point_query() && simplex.count == static_cast<int>(run.lesson.y.vertices.size());
+  for (int i = 0; i < simplex.count; ++i) cyclic_ = cyclic_ && simplex.vertices[i].pair.y == i;
+}
+
+std::string SimplexWords::vertex(int i) const { return run_.pair_name(simplex_.vertices[i].pair); }
+
+std::vector<int> SimplexWords::order(gjk::Face face) const {
+  std::vector<int> out;
+  for (int i = 0; i < simplex_.count; ++i) {
+    if (gjk::contains(face, i)) out.push_back(i);
+  }
+  if (cyclic_ && face == 0b101) return {2, 0};
+  if (!cyclic_) std::sort(out.begin(), out.end(), [&](int a, int b) { return vertex(a) < vertex(b); });
+  return out;
+}
+
+std::string SimplexWords::face(gjk::Face face) const {
+  std::string out;
+  for (const int i : order(face)) {
+    if (!run_.point_query() && !out.empty()) out += ", ";
+    out += vertex(i);
+  }
+  return out;
+}
+
+std::string SimplexWords::kind_and_face(gjk::Face face) const {
+  constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
+  return fmt::format("{} {}", kKinds[gjk::vertex_count(face)], this->face(face));
+}
+
+std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
+  if (!run_.point_query()) return "weight of " + this->vertex(vertex);
+  const std::vector<int> named = order(face);
+  const auto position = std::find(named.begin(), named.end(), vertex) - named.begin();
+  std::string out(1, "uvw"[position]);
+  if (simplex_.count > 2) out += this->face(face);
+  return out;
+}
+
+std::string SimplexWords::combination(gjk::Face face, const Numbers& numbers) const {
+  std::string out;
+  for (const int i : order(face)) {
+    if (!out.empty()) out += " + ";
+    if (gjk::vertex_count(face) > 1) out += numbers.weight(simplex_.weights[i]) + " ";
+    out += run_.point_query() ? vertex(i) : fmt::format("({})", vertex(i));
+  }
+  return out;
+}
+
+std::string query_name(const LessonRun& run) { return run.point_query() ? run.lesson.x.vertex_names[0] : "O"; }
+
+}  // namespace gjkscope

@@ -1,0 +1,55 @@
+#pragma once
+// How numbers, points and simplices are written, in captions and panels alike.
+
+#include <string>
+
+#include "lesson/run.hpp"
+
+namespace gjkscope {
+
+/// "−0.331", with a true minus sign; zero has no sign.
+[[nodiscard]] std::string fixed(double value, int decimals);
+/// The same, positive numbers with a plus sign.
+[[nodiscard]] std::string signed_fixed(double value, int decimals);
+
+/// Numbers of one lesson: four decimals in double and exact lessons, all digits that tell values apart in half (5) and
+/// float (9, trailing zeros dropped) ones. Very large and very small numbers in scientific notation.
+class Numbers {
+ public:
+  explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar) {}
+  [[nodiscard]] std::string operator()(double value) const;
+  [[nodiscard]] std::string point(const Eigen::Vector2d& value) const;
+  /// A barycentric weight: three decimals where the scalar is not the point.
+  [[nodiscard]] std::string weight(double value) const;
+
+ private:
+  ScalarKind scalar_;
+};
+
+/// How one simplex of a run is called.
+class SimplexWords {
+ public:
+  SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex);
+
+  [[nodiscard]] std::string vertex(int i) const;
+  /// The vertices of a face in the order of its name: a triangle's third edge is CA, not AC.
+  [[nodiscard]] std::vector<int> order(gjk::Face face) const;
+  /// "CE", or "N−C, L−D" where vertices are pairs.
+  [[nodiscard]] std::string face(gjk::Face face) const;
+  /// "vertex E", "edge CE", "triangle CDE"
+  [[nodiscard]] std::string kind_and_face(gjk::Face face) const;
+  /// "u", "vAB", "wABC": the slides' name of a vertex's barycentric coordinate in a face; for pairs "weight of K−C".
+  [[nodiscard]] std::string coordinate(gjk::Face face, int vertex) const;
+  /// "0.312 B + 0.688 C"
+  [[nodiscard]] std::string combination(gjk::Face face, const Numbers& numbers) const;
+
+ private:
+  const LessonRun& run_;
+  const gjk::Simplex<double, 2>& simplex_;
+  bool cyclic_ = false;
+};
+
+/// The query point: "Q", or "O" between polygons.
+[[nodiscard]] std::string query_name(const LessonRun& run);
+
+}  // namespace gjkscope
