@@ -169,7 +169,9 @@ struct Canvas::Context {
       list._ResetForNewFrame();
       list.PushTextureID(ImGui::GetIO().Fonts->TexID);
       list.PushClipRectFullScreen();
-      next = paint_marks(list, picture, next, theme, *fonts_in_atlas, {Point::Zero(), scale});
+      // Texture 0 is incomplete, and then fixed-function GL draws plain colour.
+      const Placement placement{Point::Zero(), scale, nullptr};
+      next = paint_marks(list, picture, next, theme, *fonts_in_atlas, placement);
     } while (next < picture.marks.size());
     return count;
   }

@@ -119,6 +119,28 @@ std::vector<Points> dashes(const Points& points, bool closed, std::span<const do
   return pieces;
 }
 
+/// The part of a convex polygon inside another one, which turns clockwise as seen on the frame: cut
+/// by one side after the other (Sutherland and Hodgman, "Reentrant polygon clipping", 1974).
+Points intersect(Points polygon, const Points& inside) {
+  for (std::size_t i = 0; i < inside.size() && !polygon.empty(); ++i) {
+    const Point& a = inside[i];
+    const Point side = inside[(i + 1) % inside.size()] - a;
+    Points kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Point& from = polygon[k];
+      const Point& to = polygon[(k + 1) % polygon.size()];
+      const double from_depth = cross(side, from - a);
+      const double to_depth = cross(side, to - a);
+      if (from_depth >= 0.0) kept.push_back(from);
+      if ((from_depth < 0.0) != (to_depth < 0.0)) {
+        kept.push_back(from + (to - from) * (from_depth / (from_depth - to_depth)));
+      }
+    }
+    polygon = std::move(kept);
+  }
+  return polygon;
+}
+
 class MarkPainter {
  public:
   MarkPainter(ImDrawList& list, const AtlasFonts& fonts, const Placement& placement)
@@ -126,7 +148,7 @@ class MarkPainter {
 
   void operator()(const Polygon& polygon) const {
     const Points points = without_repeats(polygon.points, true);
-    fill(points);
+    fill(clip_outline_.empty() ? points : without_repeats(intersect(points, clip_outline_), true));
     stroke(points, true);
   }
 
@@ -209,6 +231,12 @@ class MarkPainter {
   }
 
   void set_style(const Style& style) { style_ = &style; }
+
+  /// What polygons are cut to; a draw list itself cuts to upright rectangles only.
+  void set_rounded_clip(const Rect& clip, double corner) {
+    clip_outline_ = rounded_box(clip, corner, placement_.scale);
+  }
+  void no_rounded_clip() { clip_outline_.clear(); }
 
  private:
   static ImVec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
@@ -319,6 +347,7 @@ class MarkPainter {
   const AtlasFonts& fonts_;
   Placement placement_;
   const Style* style_ = nullptr;
+  Points clip_outline_;
 };
 
 std::vector<unsigned short> glyph_ranges(bool (*chosen)(char32_t)) {
@@ -391,6 +420,7 @@ std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t fi
     const Point q = placement.origin + placement.scale * p;
     return ImVec2(static_cast<float>(std::round(q.x())), static_cast<float>(std::round(q.y())));
   };
+  list.PushTextureID(placement.shape_texture);
   std::size_t i = first;
   for (; i < picture.marks.size() && list.VtxBuffer.Size < kVerticesPerList; ++i) {
     const Mark& mark = picture.marks[i];
@@ -399,10 +429,13 @@ std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t fi
     if (clipped) {
       const Rect& rect = picture.clips.at(static_cast<std::size_t>(mark.clip));
       list.PushClipRect(corner(rect.min), corner(rect.max), true);
+      if (picture.clip_corner > 0.0) painter.set_rounded_clip(rect, picture.clip_corner);
     }
     std::visit(painter, mark.shape);
     if (clipped) list.PopClipRect();
+    painter.no_rounded_clip();
   }
+  list.PopTextureID();
   if (list.VtxBuffer.Size > kVertexLimit) {
     throw std::length_error(
         fmt::format(R"(a mark "{}" is too large for a draw list)", picture.marks[i - 1].role));

@@ -40,6 +40,10 @@ class AtlasFonts {
 struct Placement {
   Point origin = Point::Zero();
   double scale = 1.0;  ///< Pixels of the list per frame pixel; that of the fonts.
+  /// Bound while shapes are drawn. Their texture coordinates are those of the font atlas's white
+  /// pixel, so the atlas serves. A back end that draws plain colour without a texture may say so
+  /// here: sampling the atlas for every pixel of a fill is most of the work of a software renderer.
+  void* shape_texture = nullptr;
 };
 
 /// Appends the marks from index `first` on, and returns the index of the first one left out: the

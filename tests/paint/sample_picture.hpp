@@ -170,6 +170,7 @@ inline Picture picture() {
   Picture picture;
   picture.width = 1280;
   picture.height = 720;
+  picture.clip_corner = 9;
   header(picture);
   world(picture);
   difference(picture);
