@@ -1,0 +1,130 @@
+#include "cli/contact_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace gjkscope {
+namespace {
+
+constexpr int kSidecarVersion = 1;
+
+std::string described(const FrameText& text) {
+  return text.detail.empty() ? text.caption : text.caption + " " + text.detail;
+}
+
+std::string figure(const ExportedLesson& lesson, const ExportedFrame& frame) {
+  return fmt::format(
+      R"(<figure id="{id}-{step}"><a href="{file}"><img src="{file}" width="{width}" height="{height}" loading="lazy" alt="{alt}"></a>)"
+      R"(<figcaption><span class="step">{step}</span> {caption}<span class="detail">{detail}</span></figcaption></figure>)"
+      "\n",
+      fmt::arg("id", escape_html(lesson.id)), fmt::arg("step", frame.step),
+      fmt::arg("file", escape_html(frame.file)), fmt::arg("width", lesson.width),
+      fmt::arg("height", lesson.height), fmt::arg("alt", escape_html(described(frame.text))),
+      fmt::arg("caption", escape_html(frame.text.caption)),
+      fmt::arg("detail", escape_html(frame.text.detail)));
+}
+
+std::string section(const ExportedLesson& lesson) {
+  const std::string prose = lesson.frames.empty() ? "" : lesson.frames.front().text.prose;
+  std::string html = fmt::format(
+      R"(<section id="{id}"><h2><a href="#{id}">{title}</a></h2>)"
+      R"(<p class="meta">chapter {chapter}{source} · {count} frames · <code>{id}</code></p>)"
+      R"(<p class="prose">{prose}</p><div class="frames">)"
+      "\n",
+      fmt::arg("id", escape_html(lesson.id)), fmt::arg("title", escape_html(lesson.title)),
+      fmt::arg("chapter", lesson.chapter),
+      fmt::arg("source", lesson.source.empty() ? "" : " · " + escape_html(lesson.source)),
+      fmt::arg("count", lesson.frames.size()), fmt::arg("prose", escape_html(prose)));
+  for (const ExportedFrame& frame : lesson.frames) html += figure(lesson, frame);
+  return html + "</div></section>\n";
+}
+
+std::string contents(const std::vector<ExportedLesson>& lessons) {
+  std::string html;
+  int chapter = 0;
+  for (const ExportedLesson& lesson : lessons) {
+    if (lesson.chapter != chapter) {
+      if (chapter != 0) html += "</ul>\n";
+      chapter = lesson.chapter;
+      html += fmt::format("<h2>Chapter {}</h2>\n<ul>\n", chapter);
+    }
+    html += fmt::format(R"(<li><a href="#{}">{}</a> <span>{}</span></li>)"
+                        "\n",
+                        escape_html(lesson.id), escape_html(lesson.title), lesson.frames.size());
+  }
+  return chapter == 0 ? html : html + "</ul>\n";
+}
+
+std::string with(std::string page, std::string_view mark, const std::string& content) {
+  const std::size_t at = page.find(mark);
+  return at == std::string::npos ? page : page.replace(at, mark.size(), content);
+}
+
+}  // namespace
+
+std::string escape_html(const std::string& text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+std::string sidecar(const ExportedLesson& lesson) {
+  using Json = nlohmann::ordered_json;
+  Json frames = Json::array();
+  for (const ExportedFrame& frame : lesson.frames) {
+    Json values = Json::object();
+    for (const auto& [name, value] : frame.text.values) values[name] = value;
+    frames.push_back({{"step", frame.step},
+                      {"file", frame.file},
+                      {"phase", frame.text.phase},
+                      {"iteration", frame.text.iteration},
+                      {"caption", frame.text.caption},
+                      {"detail", frame.text.detail},
+                      {"prose", frame.text.prose},
+                      {"values", std::move(values)}});
+  }
+  const Json json = {{"version", kSidecarVersion}, {"lesson", lesson.id},
+                     {"title", lesson.title},      {"chapter", lesson.chapter},
+                     {"source", lesson.source},    {"theme", lesson.theme},
+                     {"width", lesson.width},      {"height", lesson.height},
+                     {"steps", lesson.steps},      {"frames", std::move(frames)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string contact_sheet(const std::vector<ExportedLesson>& lessons, const std::string& page) {
+  std::size_t frame_count = 0;
+  std::string sections;
+  for (const ExportedLesson& lesson : lessons) {
+    frame_count += lesson.frames.size();
+    sections += section(lesson);
+  }
+  const std::string summary = fmt::format("{} {}, {} frames", lessons.size(),
+                                          lessons.size() == 1 ? "lesson" : "lessons", frame_count);
+  // The lessons last: their words may hold anything, a mark of the template too.
+  return with(with(with(page, "<!-- summary -->", summary), "<!-- contents -->", contents(lessons)),
+              "<!-- lessons -->", sections);
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,41 @@
+#pragma once
+// What goes with the frames of a lesson: the sidecar file, and the page that shows all of them.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+
+struct ExportedFrame {
+  int step = 1;      ///< From 1.
+  std::string file;  ///< Name within the folder.
+  FrameText text;
+};
+
+struct ExportedLesson {
+  std::string id;
+  std::string title;
+  int chapter = 1;
+  std::string source;
+  std::string theme;
+  int width = 0;
+  int height = 0;
+  int steps = 0;  ///< Of the lesson; `frames` may be some of them.
+  std::vector<ExportedFrame> frames;
+};
+
+/// `<lesson>.json`: the words and values of each frame, as JSON, format version 1.
+[[nodiscard]] std::string sidecar(const ExportedLesson& lesson);
+
+/// `index.html`: one page that works offline from the folder of the frames. `page` is the template
+/// (assets/contact-sheet.html).
+[[nodiscard]] std::string contact_sheet(const std::vector<ExportedLesson>& lessons,
+                                        const std::string& page);
+
+/// Text as HTML shows it, in elements and in quoted attributes.
+[[nodiscard]] std::string escape_html(const std::string& text);
+
+}  // namespace gjkscope

@@ -1,0 +1,98 @@
+#include "cli/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace gjkscope {
+namespace {
+
+constexpr std::string_view kPrefix = ".gjkscope-";
+constexpr std::string_view kSuffix = ".part";
+
+// The writer's process id is in the name: another one's files are its own business while it lives.
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  return path.parent_path() /
+         fmt::format("{}{}-{}{}", kPrefix, ::getpid(), path.filename().string(), kSuffix);
+}
+
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& path)
+      : final_(path),
+        name_(temporary_name(path)),
+        descriptor_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) fail();
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!kept_) ::unlink(name_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+  }
+
+  void keep() {
+    // Network file systems report a full disk only here.
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0 || ::rename(name_.c_str(), final_.c_str()) != 0) fail();
+    kept_ = true;
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw std::runtime_error(
+        fmt::format("cannot write {}: {}", final_.string(), std::strerror(errno)));
+  }
+
+  const std::filesystem::path& final_;
+  std::filesystem::path name_;
+  int descriptor_;
+  bool kept_ = false;
+};
+
+bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+}  // namespace
+
+void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  TemporaryFile file(path);
+  file.write(bytes);
+  file.keep();
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+  write_whole(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+void remove_leftovers(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) continue;
+    int process = 0;
+    const char* const digits = name.data() + kPrefix.size();
+    const auto [end, error] = std::from_chars(digits, name.data() + name.size(), process);
+    if (error != std::errc{} || *end != '-' || process <= 0) continue;
+    if (process != ::getpid() && is_alive(process)) continue;
+    std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace gjkscope
