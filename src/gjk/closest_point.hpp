@@ -2,7 +2,9 @@
 // Phases "closest" and "cull": the closest point P of a simplex to O by ordered region tests, and
 // what it leaves over.
 
-#include "gjk/state.hpp"
+#include <algorithm>
+
+#include "gjk/support.hpp"
 
 namespace gjk::detail {
 
@@ -112,7 +114,7 @@ void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coo
   }
 }
 
-/// When rounding left every test false: the nearest point over all faces whose coordinates are
+/// When rounding left no test to believe: the nearest point over all faces whose coordinates are
 /// positive. Vertices always qualify, so there is one.
 template <class S, int D>
 [[nodiscard]] Face nearest_face(Simplex<S, D> simplex, CoordinateTable<S, D>& table) {
@@ -127,13 +129,25 @@ template <class S, int D>
     if (!inside) continue;
     set_weights(simplex, face, coordinates);
     const Vec<S, D> point = weighted_point(simplex, face);
-    const S point_sq = vertex_count(face) == D + 1 ? S(0) : dot(point, point);
+    const S point_sq = dot(point, point);
     if (best == 0 || point_sq < best_sq) {
       best = face;
       best_sq = point_sq;
     }
   }
   return best;
+}
+
+/// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
+/// is so thin that its volumes, and their signs, may be rounding errors.
+template <class S, int D>
+[[nodiscard]] bool weights_reach_origin(Simplex<S, D> simplex,
+                                        const Barycentric<S, D>& coordinates) {
+  set_weights(simplex, simplex.all(), coordinates);
+  S size(0);
+  for (int i = 0; i < simplex.count; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
+  const S rounding = S(kRoundings<D>) * ScalarTraits<S>::unit_roundoff() * size;
+  return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
 }
 
 template <class S, int D, class Rec>
@@ -145,9 +159,10 @@ void find_closest_point(State<S, D>& state, const Options& options, Rec& record)
   for (int i = 0; i < order.count && state.region == 0; ++i) {
     if (region_holds(simplex, table, order.regions[i], record)) state.region = order.regions[i];
   }
-  if (state.region == 0) {
+  const bool full = vertex_count(state.region) == D + 1;
+  if (state.region == 0 || (full && !weights_reach_origin(simplex, table[state.region]))) {
     state.region = nearest_face(simplex, table);
-    if constexpr (Rec::kOn) record.no_region_held = true;
+    if constexpr (Rec::kOn) record.no_region_held = !full || state.region != simplex.all();
   }
   set_weights(simplex, state.region, table[state.region]);
   // Inside a full simplex P is O itself; the weighted sum would only say so up to rounding.

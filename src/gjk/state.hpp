@@ -90,7 +90,8 @@ struct Record {
   static constexpr bool kOn = true;
   std::vector<RegionTest<S>> region_tests;
   bool no_region_held =
-      false;  ///< Rounding left every test false; the nearest candidate was taken.
+      false;  ///< Rounding left every test false, or the last one true for a simplex too thin to
+              ///< believe it; the nearest candidate was taken.
   std::vector<SupportPoint<S, D>> dropped;
   DirectionNote<S, D> direction;
   std::vector<ScanEntry<S>> scan_x;

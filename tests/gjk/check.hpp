@@ -94,8 +94,8 @@ void near(const char* file, int line, const char* text, const E& expected, const
   static void name();                                      \
   static const check::Registration name##_is(claim, name); \
   static void name()
-#define CHECK(condition) \
-  ((condition) ? void() : check::fail(__FILE__, __LINE__, "not true: " #condition))
+#define CHECK(...) \
+  ((__VA_ARGS__) ? void() : check::fail(__FILE__, __LINE__, "not true: " #__VA_ARGS__))
 #define CHECK_EQ(expected, actual) check::equal(__FILE__, __LINE__, #actual, expected, actual)
 #define CHECK_NEAR(expected, actual, tolerance) \
   check::near(__FILE__, __LINE__, #actual, expected, actual, tolerance)

@@ -108,8 +108,8 @@ Shares run(long pairs) {
   for (long i = 0; i < pairs; ++i) {
     const auto family = static_cast<Family>(i % kFamilyCount);
     const random_pairs::Pair<S> pair = random.pair<S>(family);
-    const gjk::Options options = random_options(random, static_cast<int>(pair.x.size()),
-                                                static_cast<int>(pair.y.size()));
+    const gjk::Options options =
+        random_options(random, static_cast<int>(pair.x.size()), static_cast<int>(pair.y.size()));
     gjk::Result<S, 2> answer;
     if (const char* what = difference(pair.query(), options, answer)) {
       const check::Context context("seed", kSeed, "pair", i, "family",

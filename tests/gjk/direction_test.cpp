@@ -75,7 +75,8 @@ TEST(slides_good, "the perpendicular direction of the same segment is orthogonal
 
 gjk::State<double, 2> at(const std::vector<Vec<double, 2>>& points, const Vec<double, 2>& p) {
   gjk::State<double, 2> state;
-  for (const Vec<double, 2>& point : points) state.simplex.vertices[state.simplex.count++].w = point;
+  for (const Vec<double, 2>& point : points)
+    state.simplex.vertices[state.simplex.count++].w = point;
   state.p = p;
   state.phase = Phase::direction;
   return state;

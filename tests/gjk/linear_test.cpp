@@ -51,7 +51,8 @@ TEST(volumes, "the determinant is positive for counter-clockwise vectors") {
   CHECK_EQ(24.0, (gjk::determinant<double, 3>({p, q, r})));
 }
 
-TEST(perpendiculars, "perpendicular is orthogonal to every edge, exactly, and as long as they are") {
+TEST(perpendiculars,
+     "perpendicular is orthogonal to every edge, exactly, and as long as they are") {
   const Vec<float, 2> edge(-0.00015449524f, -111.1f);
   const Vec<float, 2> normal = gjk::perpendicular<float, 2>({edge});
   CHECK_EQ(0.0f, gjk::dot(normal, edge));

@@ -1,7 +1,8 @@
 // What the core relies on in a scalar type.
 
-#include "check.hpp"
 #include "gjk/scalar.hpp"
+
+#include "check.hpp"
 
 namespace {
 
@@ -19,9 +20,9 @@ void check_roots() {
     const auto wide = static_cast<long double>(square);
     CHECK(static_cast<long double>(below) * static_cast<long double>(below) <= wide);
     CHECK(static_cast<long double>(above) * static_cast<long double>(above) >= wide);
-    CHECK_NEAR(static_cast<long double>(below), static_cast<long double>(above),
-               static_cast<long double>(above) * 32 *
-                   static_cast<long double>(Traits::unit_roundoff()));
+    CHECK_NEAR(
+        static_cast<long double>(below), static_cast<long double>(above),
+        static_cast<long double>(above) * 32 * static_cast<long double>(Traits::unit_roundoff()));
   }
 }
 

@@ -12,8 +12,7 @@ using gjk::Vec;
 TEST(scan_first, "the scan takes the first vertex with the largest dot product") {
   const std::vector<Vec<double, 2>> vertices = {{1, 0}, {3, 1}, {3, -1}, {0, 0}};
   std::vector<gjk::ScanEntry<double>> entries;
-  const int best =
-      gjk::detail::scan<true, double, 2>(vertices, Vec<double, 2>(2, 0), &entries);
+  const int best = gjk::detail::scan<true, double, 2>(vertices, Vec<double, 2>(2, 0), &entries);
   CHECK_EQ(1, best);
   CHECK_EQ(std::size_t{4}, entries.size());
   const double values[] = {2, 6, 6, 0};

@@ -1,0 +1,179 @@
+// Bad input gives a named error and NaN where a length would stand: never a plausible number.
+
+#include <limits>
+
+#include "check.hpp"
+#include "gjk/gjk.hpp"
+
+namespace {
+
+using gjk::Error;
+using gjk::Vec;
+
+template <class S>
+struct Case {
+  std::vector<Vec<S, 2>> x = {{S(0), S(0)}};
+  std::vector<Vec<S, 2>> y = {{S(2), S(1)}, {S(2), S(-1)}, {S(4), S(0)}};
+  gjk::Pose<S, 2> x_pose;
+  gjk::Pose<S, 2> y_pose;
+  gjk::Options options;
+  [[nodiscard]] gjk::Query<S, 2> query() const { return {{x, x_pose}, {y, y_pose}}; }
+};
+
+template <class S>
+void check_refused(Error expected, const Case<S>& bad) {
+  const gjk::Result<S, 2> result = gjk::distance(bad.query(), bad.options);
+  CHECK_EQ(expected, result.error);
+  CHECK_EQ(gjk::StopReason::failed, result.stop);
+  CHECK_EQ(gjk::Verdict::none, result.verdict);
+  CHECK(result.distance != result.distance);
+  CHECK(result.lower != result.lower);
+  CHECK(result.upper != result.upper);
+  CHECK_EQ(0, result.iterations);
+  const gjk::Trace<S, 2> trace = gjk::trace(bad.query(), bad.options);
+  CHECK_EQ(expected, trace.result.error);
+  CHECK_EQ(gjk::StopReason::failed, trace.result.stop);
+  CHECK(trace.result.distance != trace.result.distance);
+}
+
+template <class S>
+void check_accepted(const Case<S>& good) {
+  const gjk::Result<S, 2> result = gjk::distance(good.query(), good.options);
+  CHECK_EQ(Error::none, result.error);
+  CHECK(result.distance == result.distance);
+}
+
+TEST(empty, "a shape without vertices") {
+  Case<double> bad;
+  bad.x.clear();
+  check_refused(Error::x_has_no_vertices, bad);
+  Case<double> other;
+  other.y.clear();
+  check_refused(Error::y_has_no_vertices, other);
+}
+
+template <class S>
+void check_not_finite() {
+  for (const S poison : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity(),
+                         S(-std::numeric_limits<S>::infinity())}) {
+    for (int coordinate = 0; coordinate < 2; ++coordinate) {
+      Case<S> bad;
+      bad.x[0][coordinate] = poison;
+      check_refused(Error::x_not_finite, bad);
+      Case<S> last;
+      last.y[2][coordinate] = poison;
+      check_refused(Error::y_not_finite, last);
+      Case<S> moved;
+      moved.x_pose.translation[coordinate] = poison;
+      check_refused(Error::x_not_finite, moved);
+      Case<S> turned;
+      turned.y_pose.rotation(1, coordinate) = poison;
+      check_refused(Error::y_not_finite, turned);
+    }
+  }
+}
+
+TEST(not_finite, "NaN or infinity in a vertex or a pose, in every scalar") {
+  check_not_finite<Eigen::half>();
+  check_not_finite<float>();
+  check_not_finite<double>();
+  check_not_finite<long double>();
+}
+
+template <class S>
+void check_scale(S scale, Error expected) {
+  Case<S> scaled;
+  for (Vec<S, 2>& vertex : scaled.y) vertex *= scale;
+  if (expected == Error::none) {
+    check_accepted(scaled);
+  } else {
+    check_refused(expected, scaled);
+  }
+  for (gjk::Vec<S, 2>& vertex : scaled.y) vertex = -vertex;
+  if (expected != Error::none) check_refused(expected, scaled);
+}
+
+TEST(overflow, "coordinates whose products overflow are refused, those just below are not") {
+  check_scale(1e30f, Error::overflow);
+  check_scale(1e19f, Error::overflow);
+  check_scale(1e17f, Error::none);
+  check_scale(1e200, Error::overflow);
+  check_scale(4e307, Error::overflow);
+  check_scale(1e150, Error::none);
+  check_scale(Eigen::half(100.0f), Error::overflow);
+  check_scale(Eigen::half(5.0f), Error::none);
+}
+
+TEST(overflow_pose, "an offset that overflows is refused; a huge common translation is not") {
+  Case<float> bad;
+  bad.x_pose.translation = Vec<float, 2>(3e38f, 0);
+  bad.y_pose.translation = Vec<float, 2>(-3e38f, 0);
+  check_refused(Error::overflow, bad);
+  Case<float> common;
+  common.x_pose.translation = common.y_pose.translation = Vec<float, 2>(1e9f, 1e9f);
+  check_accepted(common);
+  Case<float> rotation;
+  rotation.x[0] = Vec<float, 2>(1, 1);
+  rotation.x_pose.rotation *= 1e30f;
+  check_refused(Error::overflow, rotation);
+}
+
+TEST(underflow, "coordinates whose products vanish are refused, those just above are not") {
+  check_scale(1e-30f, Error::underflow);
+  check_scale(1e-10f, Error::none);
+  check_scale(1e-200, Error::underflow);
+  check_scale(1e-140, Error::none);
+}
+
+TEST(all_zero, "shapes that are all one point at the origin are answered: they touch") {
+  Case<float> same;
+  same.y = {{0, 0}, {0, 0}};
+  check_accepted(same);
+  CHECK_EQ(0.0f, gjk::distance(same.query()).distance);
+  CHECK_EQ(gjk::StopReason::zero_direction, gjk::distance(same.query()).stop);
+}
+
+TEST(start, "start pairs that name no vertex, or too few or too many of them") {
+  for (const int count : {0, -1, 4, 5, 1000000}) {
+    const check::Context context("count", count);
+    Case<double> bad;
+    bad.options.start_count = count;
+    check_refused(Error::bad_start, bad);
+  }
+  for (const gjk::VertexPair pair : {gjk::VertexPair{1, 0}, gjk::VertexPair{0, 3},
+                                     gjk::VertexPair{-1, 0}, gjk::VertexPair{0, -1}}) {
+    const check::Context context("pair", pair.x, pair.y);
+    Case<double> bad;
+    bad.options.start_count = 2;
+    bad.options.start[1] = pair;
+    check_refused(Error::bad_start, bad);
+    bad.options.start_rule = gjk::StartRule::centre_to_centre;  // does not read them
+    check_accepted(bad);
+  }
+}
+
+TEST(options, "a cap below 1, or a tolerance outside [0, 1)") {
+  for (const int cap : {0, -1}) {
+    Case<double> bad;
+    bad.options.iteration_cap = cap;
+    check_refused(Error::bad_options, bad);
+  }
+  for (const double tolerance : {-0.1, 1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const check::Context context("tolerance", tolerance);
+    Case<double> bad;
+    bad.options.tolerance = tolerance;
+    check_refused(Error::bad_options, bad);
+  }
+}
+
+TEST(first, "of several faults the first is named: vertices before numbers before options") {
+  Case<double> bad;
+  bad.y.clear();
+  bad.x[0][0] = std::numeric_limits<double>::quiet_NaN();
+  bad.options.iteration_cap = 0;
+  check_refused(Error::y_has_no_vertices, bad);
+  bad.y = {{1, 1}};
+  check_refused(Error::x_not_finite, bad);
+}
+
+}  // namespace

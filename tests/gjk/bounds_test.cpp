@@ -1,0 +1,213 @@
+// The certificate: lower <= exact distance <= upper, and verdicts that are true, against exact
+// integer arithmetic on grids. (tests/geometry does the same for any coordinates, in rationals.)
+
+#include <cmath>
+
+#include "check.hpp"
+#include "gjk/gjk.hpp"
+#include "random_pairs.hpp"
+
+namespace {
+
+using gjk::Vec;
+using gjk::Verdict;
+__extension__ typedef __int128 Int128;
+
+struct Point {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+std::int64_t cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+std::int64_t dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
+
+/// Squared distance as a fraction, and how the shapes stand.
+struct Exact {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+  Verdict verdict = Verdict::none;
+};
+
+/// O against the points of Z, by definition. O is outside when all points lie within less than half
+/// a turn counter-clockwise of one of them; on the boundary when some line through O has all of
+/// them on one side.
+Exact exact_distance(const std::vector<Point>& z) {
+  bool outside = false;
+  bool boundary = true;
+  for (const Point& a : z) boundary = boundary && a.x == 0 && a.y == 0;
+  for (const Point& a : z) {
+    if (a.x == 0 && a.y == 0) continue;
+    bool all_ahead = true;
+    bool all_left = true;
+    for (const Point& b : z) {
+      const std::int64_t side = cross(a, b);
+      all_left = all_left && side >= 0;
+      all_ahead = all_ahead && (side > 0 || (side == 0 && dot(a, b) > 0));
+    }
+    outside = outside || all_ahead;
+    boundary = boundary || all_left;
+  }
+  Exact best;
+  best.verdict = outside ? Verdict::separated : boundary ? Verdict::touching : Verdict::overlapping;
+  if (!outside) return best;
+  best.numerator = -1;
+  const auto offer = [&](std::int64_t numerator, std::int64_t denominator) {
+    if (best.numerator < 0 ||
+        Int128(numerator) * best.denominator < Int128(best.numerator) * denominator) {
+      best.numerator = numerator;
+      best.denominator = denominator;
+    }
+  };
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    offer(dot(z[i], z[i]), 1);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Point edge{z[j].x - z[i].x, z[j].y - z[i].y};
+      const bool foot_inside = -dot(z[i], edge) > 0 && dot(z[j], edge) > 0;
+      if (foot_inside) offer(cross(z[i], z[j]) * cross(z[i], z[j]), dot(edge, edge));
+    }
+  }
+  return best;
+}
+
+/// The sign of bound^2 - numerator / denominator, exactly: a double is m 2^e with m below 2^53, and
+/// on grids as small as these both sides stay below 2^127 once they are of equal magnitude.
+int compare_square(double bound, const Exact& exact) {
+  if (exact.numerator == 0) return bound > 0 ? 1 : 0;
+  const double about =
+      static_cast<double>(exact.numerator) / static_cast<double>(exact.denominator);
+  if (bound * bound < about / 2) return -1;
+  if (bound * bound > about * 2) return 1;
+  int exponent = 0;
+  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(bound, &exponent), 53));
+  exponent -= 53;
+  Int128 left = Int128(mantissa) * mantissa;
+  left *= exact.denominator;
+  const Int128 right = Int128(exact.numerator) << (-2 * exponent);
+  return left < right ? -1 : left > right ? 1 : 0;
+}
+
+template <class S>
+Point difference(const Vec<S, 2>& x, const Vec<S, 2>& y) {
+  return {std::int64_t(y[0]) - std::int64_t(x[0]), std::int64_t(y[1]) - std::int64_t(x[1])};
+}
+
+struct Counts {
+  std::array<long, 5> exact = {};
+  long undecided = 0;
+  long touching_found = 0;
+};
+
+/// Grid polygons of different densities, each in double and float, with both direction rules.
+template <class S>
+void check_grid(int size, int pairs, std::uint64_t seed, const gjk::Options& options,
+                Counts& counts) {
+  random_pairs::Source random(seed);
+  for (int i = 0; i < pairs; ++i) {
+    std::vector<Vec<S, 2>> x = random.grid_points<S>(random.among(1, 5), size);
+    std::vector<Vec<S, 2>> y = random.grid_points<S>(random.among(1, 5), size);
+    const int shift = random.among(0, 2 * size);
+    for (Vec<S, 2>& vertex : y) vertex[0] += static_cast<S>(shift);
+    std::vector<Point> z;
+    for (const Vec<S, 2>& a : x) {
+      for (const Vec<S, 2>& b : y) z.push_back(difference(a, b));
+    }
+    const Exact exact = exact_distance(z);
+    const gjk::Result<S, 2> result = gjk::distance(gjk::Query<S, 2>{{x}, {y}}, options);
+    ++counts.exact[static_cast<int>(exact.verdict)];
+    const check::Context context("seed", seed, "grid", size, "pair", i, "bytes", sizeof(S));
+    CHECK(compare_square(static_cast<double>(result.lower), exact) <= 0);
+    CHECK(compare_square(static_cast<double>(result.upper), exact) >= 0);
+    const double truth =
+        std::sqrt(static_cast<double>(exact.numerator) / static_cast<double>(exact.denominator));
+    const double u = static_cast<double>(gjk::ScalarTraits<S>::unit_roundoff());
+    CHECK_NEAR(truth, static_cast<double>(result.distance), 32 * u * size);
+    // "Overlapping" says distance 0: a touching that no support plane of the run showed included.
+    const bool apart = exact.verdict == Verdict::separated;
+    if (result.verdict == Verdict::undecided) {
+      ++counts.undecided;
+    } else {
+      CHECK_EQ(apart, result.verdict == Verdict::separated);
+    }
+    if (result.verdict == Verdict::touching) {
+      ++counts.touching_found;
+      CHECK_EQ(Verdict::touching, exact.verdict);
+    }
+  }
+}
+
+TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are true") {
+  Counts counts;
+  constexpr std::uint64_t kSeed = 9;
+  for (const int size : {2, 5, 20}) {
+    gjk::Options options;
+    check_grid<double>(size, 20000, kSeed, options, counts);
+    check_grid<float>(size, 20000, kSeed, options, counts);
+    options.region_order = gjk::RegionOrder::edges_first;
+    check_grid<float>(size, 5000, kSeed + 1, options, counts);
+    options.start_rule = gjk::StartRule::centre_to_centre;
+    check_grid<double>(size, 5000, kSeed + 2, options, counts);
+  }
+  const auto exact = [&](Verdict verdict) { return counts.exact[static_cast<int>(verdict)]; };
+  std::printf("  separated %ld, touching %ld (seen %ld), overlapping %ld; undecided %ld\n",
+              exact(Verdict::separated), exact(Verdict::touching), counts.touching_found,
+              exact(Verdict::overlapping), counts.undecided);
+  CHECK(exact(Verdict::separated) > 50000);
+  CHECK(exact(Verdict::overlapping) > 20000);
+  CHECK(exact(Verdict::touching) > 5000);
+  CHECK(counts.touching_found > exact(Verdict::touching) / 2);
+  CHECK(counts.undecided < 1500);
+}
+
+TEST(cap, "bounds enclose the distance wherever the cap cuts the run short") {
+  Counts counts;
+  constexpr std::uint64_t kSeed = 10;
+  random_pairs::Source random(kSeed);
+  for (int cap = 1; cap <= 4; ++cap) {
+    for (int i = 0; i < 4000; ++i) {
+      const auto x = random.grid_points<double>(5, 20);
+      auto y = random.grid_points<double>(5, 20);
+      for (Vec<double, 2>& vertex : y) vertex[1] += 30;
+      std::vector<Point> z;
+      for (const Vec<double, 2>& a : x) {
+        for (const Vec<double, 2>& b : y) z.push_back(difference(a, b));
+      }
+      gjk::Options options;
+      options.iteration_cap = cap;
+      const gjk::Result<double, 2> result = gjk::distance(gjk::Query<double, 2>{{x}, {y}}, options);
+      const Exact exact = exact_distance(z);
+      const check::Context context("seed", kSeed, "cap", cap, "pair", i);
+      CHECK(compare_square(result.lower, exact) <= 0);
+      CHECK(compare_square(result.upper, exact) >= 0);
+    }
+  }
+}
+
+TEST(width, "without a cap the bounds are as close as rounding allows") {
+  constexpr std::uint64_t kSeed = 11;
+  random_pairs::Source random(kSeed);
+  for (int i = 0; i < 20000; ++i) {
+    const auto pair = random.pair<double>(random_pairs::Family::polygons);
+    const auto result = gjk::distance(pair.query());
+    if (result.verdict != Verdict::separated) continue;
+    const check::Context context("seed", kSeed, "pair", i);
+    CHECK_NEAR(result.lower, result.upper, 1e-13);
+  }
+}
+
+TEST(identical, "identical shapes overlap, surely: the upper bound is 0") {
+  const std::vector<Vec<double, 2>> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const auto result = gjk::distance(gjk::Query<double, 2>{{square}, {square}});
+  CHECK_EQ(0.0, result.distance);
+  CHECK_EQ(0.0, result.lower);
+  CHECK(result.upper < 1e-14);
+  CHECK_EQ(Verdict::overlapping, result.verdict);
+}
+
+TEST(surely, "a deep overlap is certain: lower = upper = 0") {
+  const std::vector<Vec<float, 2>> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const std::vector<Vec<float, 2>> point = {{0.25f, 0.5f}};
+  const auto result = gjk::distance(gjk::Query<float, 2>{{point}, {square}});
+  CHECK_EQ(0.0f, result.lower);
+  CHECK_EQ(0.0f, result.upper);
+}
+
+}  // namespace

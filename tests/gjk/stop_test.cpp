@@ -1,0 +1,190 @@
+// Phases "stop" and "add": every stop reason has a run that ends with it.
+
+#include "gjk/stop.hpp"
+
+#include "check.hpp"
+#include "gjk/gjk.hpp"
+
+namespace {
+
+using gjk::StopReason;
+using gjk::Vec;
+using gjk::Verdict;
+using Points = std::vector<Vec<double, 2>>;
+
+const Points kSquare = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+
+struct Run {
+  Points x;
+  Points y;
+  gjk::Options options;
+  gjk::Trace<double, 2> trace;
+  Run(Points x_points, Points y_points, const gjk::Options& run_options = {})
+      : x(std::move(x_points)), y(std::move(y_points)), options(run_options) {
+    trace = gjk::trace(gjk::Query<double, 2>{{x}, {y}}, options);
+  }
+  [[nodiscard]] const gjk::Result<double, 2>& result() const { return trace.result; }
+  /// The test that ended the run.
+  [[nodiscard]] gjk::StopTest<double> held() const {
+    for (const gjk::StopTest<double>& test : trace.steps.back().record.stop_tests) {
+      if (test.holds) return test;
+    }
+    return {};
+  }
+};
+
+TEST(repeated, "repeated support: the support point is already in the simplex") {
+  const Run run({{3, 0}}, kSquare);
+  CHECK_EQ(StopReason::repeated_support, run.result().stop);
+  CHECK_EQ(StopReason::repeated_support, run.held().reason);
+  CHECK_EQ(2.0, run.result().distance);
+  CHECK(run.held().left >= run.held().right);
+}
+
+TEST(inside, "origin inside: three vertices around O") {
+  const Run run({{0.25, 0.5}}, kSquare);
+  CHECK_EQ(StopReason::origin_inside, run.result().stop);
+  CHECK_EQ(0.0, run.result().distance);
+  CHECK_EQ(Verdict::overlapping, run.result().verdict);
+  CHECK_EQ(3, run.result().simplex.count);
+  CHECK_EQ(run.held().left, run.held().right);
+}
+
+TEST(zero, "zero direction: O lies on the simplex and d = O - P vanishes") {
+  const Run vertex({{-1, -1}}, kSquare);
+  CHECK_EQ(StopReason::zero_direction, vertex.result().stop);
+  CHECK_EQ(0.0, vertex.result().distance);
+  CHECK_EQ(1, vertex.result().iterations);
+  gjk::Options options;
+  options.direction_rule = gjk::DirectionRule::towards_origin;
+  const Run edge({{0, -1}}, kSquare, options);
+  CHECK_EQ(StopReason::zero_direction, edge.result().stop);
+  CHECK_EQ(0.0, edge.result().distance);
+}
+
+TEST(no_farther, "no progress: another vertex, but no farther along d") {
+  // The middle vertex of the long edge comes first, so the scan prefers it.
+  const Points y = {{0, 0}, {-2, 0}, {2, 0}, {0, 3}};
+  gjk::Options options;
+  options.start_count = 2;
+  options.start[0] = {0, 1};
+  options.start[1] = {0, 2};
+  const Run run({{0.5, -1}}, y, options);
+  CHECK_EQ(StopReason::no_progress, run.result().stop);
+  CHECK_EQ(1.0, run.result().distance);
+  CHECK(run.held().left <= run.held().right);
+}
+
+TEST(not_nearer, "no progress: P came no nearer") {
+  gjk::State<double, 2> state;
+  state.simplex.count = 1;
+  state.previous = gjk::Phase::cull;
+  state.phase = gjk::Phase::stop;
+  state.p_sq = 4;
+  state.best_sq = 4;
+  gjk::Record<double, 2> record;
+  gjk::detail::run_stop_tests(state, {}, record);
+  CHECK_EQ(StopReason::no_progress, state.stop);
+}
+
+TEST(on_diagonal,
+     "no progress: O on a segment inside Z is an overlap that no third vertex improves") {
+  const Run run({{0.25, 0.25}}, kSquare);
+  CHECK_EQ(StopReason::no_progress, run.result().stop);
+  CHECK_EQ(Verdict::overlapping, run.result().verdict);
+  CHECK_EQ(0.0, run.result().distance);
+}
+
+TEST(tolerance, "within tolerance: the bounds are as close as was asked for") {
+  Points circle;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = i * 0.006283185307179586;
+    circle.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  gjk::Options options;
+  options.tolerance = 0.01;
+  const Run run({{2.1, 1.3}}, circle, options);
+  CHECK_EQ(StopReason::within_tolerance, run.result().stop);
+  CHECK(run.result().lower > 0.98 * run.result().upper);
+  CHECK(run.result().iterations < Run({{2.1, 1.3}}, circle).result().iterations);
+  CHECK(run.held().left <= run.held().right);
+}
+
+TEST(cap, "iteration cap: given up, said so, and the bounds still hold") {
+  Points circle;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = i * 0.006283185307179586;
+    circle.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  for (int cap = 1; cap <= 4; ++cap) {
+    const check::Context context("cap", cap);
+    gjk::Options options;
+    options.iteration_cap = cap;
+    const Run run({{0.0, 3.0}}, circle, options);
+    CHECK_EQ(StopReason::iteration_cap, run.result().stop);
+    CHECK_EQ(cap, run.result().iterations);
+    CHECK(run.result().lower <= 2.0);
+    CHECK(run.result().upper >= 2.0);
+    CHECK(run.result().lower < run.result().upper);
+    CHECK_EQ(gjk::Phase::stop, run.trace.steps.back().phase);
+  }
+}
+
+TEST(cap_undecided, "a cap reached before the question was decided answers 'undecided'") {
+  gjk::Options options;
+  options.iteration_cap = 1;
+  const Run run({{0.25, 0.25}}, kSquare, options);
+  CHECK_EQ(StopReason::iteration_cap, run.result().stop);
+  CHECK_EQ(Verdict::undecided, run.result().verdict);
+  CHECK_EQ(0.0, run.result().lower);
+  CHECK(run.result().upper > 0.0);
+}
+
+TEST(failed, "failed: the query was refused") {
+  const Run run({}, kSquare);
+  CHECK_EQ(StopReason::failed, run.result().stop);
+  CHECK(run.trace.steps.empty());
+  CHECK_EQ(StopReason::failed, run.trace.initial.stop);
+}
+
+TEST(listed, "tests after the one that holds are listed, not tried; disabled ones are not tried") {
+  const Run run({{3, 0}}, kSquare);
+  for (const gjk::Step<double, 2>& step : run.trace.steps) {
+    if (step.phase != gjk::Phase::stop) continue;
+    CHECK_EQ(std::size_t{6}, step.record.stop_tests.size());
+    bool held = false;
+    for (const gjk::StopTest<double>& test : step.record.stop_tests) {
+      CHECK_EQ(test.enabled && !held, test.tried);
+      CHECK(!test.holds || test.tried);
+      held = held || test.holds;
+    }
+    CHECK_EQ(held, step.after.stop != StopReason::running);
+  }
+}
+
+TEST(switched_off, "a stop rule switched off does not end the run; the next one does") {
+  gjk::Options options;
+  options.stop_on_repeated_support = false;
+  CHECK_EQ(StopReason::no_progress, Run({{3, 0}}, kSquare, options).result().stop);
+  options.stop_on_no_progress = false;
+  options.iteration_cap = 7;
+  const Run run({{3, 0}}, kSquare, options);
+  CHECK_EQ(StopReason::iteration_cap, run.result().stop);
+  CHECK_EQ(7, run.result().iterations);
+  CHECK_EQ(2.0, run.result().distance);
+}
+
+TEST(adding, "add appends the support point and begins the next iteration") {
+  gjk::State<double, 2> state;
+  state.simplex.count = 1;
+  state.support.w = Vec<double, 2>(4, 5);
+  state.support.pair = {1, 2};
+  gjk::detail::add_support(state);
+  CHECK_EQ(2, state.simplex.count);
+  CHECK_EQ(2, state.iteration);
+  CHECK((state.simplex.vertices[1].pair == gjk::VertexPair{1, 2}));
+  CHECK_EQ(0.0, state.simplex.weights[1]);
+  CHECK_EQ(gjk::Phase::closest, state.phase);
+}
+
+}  // namespace
