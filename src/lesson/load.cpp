@@ -24,6 +24,11 @@ using detail::Problems;
 using detail::Reader;
 using detail::Table;
 
+bool has_vertex(const LessonShape& shape, const std::string& name) {
+  const auto& names = shape.vertex_names;
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// Reads the tables of one file, in an order in which each finds what it refers to.
 class LessonReader {
  public:
@@ -56,6 +61,7 @@ class LessonReader {
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
+  Field translate_of_x_;
   std::map<std::string, int> line_of_vertex_name_;
 };
 
@@ -75,6 +81,10 @@ Lesson LessonReader::read(const toml::table& root) {
   }
   if (query) read_query(*query);
   const Field path_field = file["path"];
+  if (path_field && translate_of_x_) {
+    problems_.add(translate_of_x_.place(), "'translate' of X besides a path",
+                  "one of the two: [path] says where X stands");
+  }
   if (const auto path = reader_.table(path_field, "path")) read_path(*path);
   if (const auto steps = reader_.table(file["steps"], "steps")) {
     read_steps(*steps, static_cast<bool>(path_field));
@@ -114,7 +124,9 @@ void LessonReader::read_shape(const Field& field, std::string_view key, LessonSh
   const std::optional<Table> table = reader_.table(field, "shapes.X");
   if (!table) return;
   shape.name = reader_.text((*table)["name"], kShapeNameLength).value_or(shape.name);
-  shape.translate = reader_.point((*table)["translate"], largest_).value_or(shape.translate);
+  const Field translate = (*table)["translate"];
+  shape.translate = reader_.point(translate, largest_).value_or(shape.translate);
+  if (key == "X") translate_of_x_ = translate;
   shape.rotate_degrees = reader_.number((*table)["rotate"], -360.0, 360.0).value_or(0.0);
 
   const Field vertices = (*table)["vertices"];
@@ -210,10 +222,15 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
                   "\"K-C\": a vertex of Y, a hyphen, a vertex of X");
     return std::nullopt;
   }
-  const std::optional<int> y =
-      vertex_index(field, lesson_.y, "Y", std::string_view(*text).substr(0, hyphen));
-  const std::optional<int> x =
-      vertex_index(field, lesson_.x, "X", std::string_view(*text).substr(hyphen + 1));
+  const std::string first = text->substr(0, hyphen);
+  const std::string second = text->substr(hyphen + 1);
+  if (has_vertex(lesson_.x, first) && has_vertex(lesson_.y, second)) {
+    problems_.add(field.place(), fmt::format("pair {} has the vertex of X first", in_quotes(*text)),
+                  fmt::format("\"{}-{}\": the difference is Y - X", second, first));
+    return std::nullopt;
+  }
+  const std::optional<int> y = vertex_index(field, lesson_.y, "Y", first);
+  const std::optional<int> x = vertex_index(field, lesson_.x, "X", second);
   if (!x || !y) return std::nullopt;
   return gjk::VertexPair{*x, *y};
 }
@@ -315,9 +332,9 @@ void LessonReader::read_steps(const Table& steps, bool has_path) {
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
-  if (until && (chosen == Granularity::path || chosen == Granularity::pairs)) {
-    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
-                  "granularity iteration, phase or test, or no 'until'");
+  if (until && chosen == Granularity::test) {
+    problems_.add(until.place(), "'until' with granularity 'test'",
+                  "no 'until': frames go through the first region tests");
   }
 }
 
@@ -385,6 +402,7 @@ void LessonReader::read_panel(const Table& panel) {
 void LessonReader::read_expect(const Table& expect) {
   std::vector<std::string> outcomes = names_of<gjk::StopReason>();
   std::erase(outcomes, name_of(gjk::StopReason::running));
+  std::erase(outcomes, name_of(gjk::StopReason::failed));  // a lesson needs shapes that GJK accepts
   if (const auto stop = reader_.name(expect["stop"], "stop reason", outcomes)) {
     lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
   }
@@ -535,6 +553,7 @@ std::vector<LessonText> texts_of(const Lesson& lesson) {
   for (std::size_t i = 0; i < lesson.views.size(); ++i) {
     texts.push_back({fmt::format("views.{}.title", i), lesson.views[i].title});
   }
+  std::erase_if(texts, [](const LessonText& text) { return text.text.empty(); });
   return texts;
 }
 

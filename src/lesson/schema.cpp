@@ -72,7 +72,8 @@ std::vector<LessonKey> make_keys() {
 
       {"steps", "granularity", one_of<Granularity>(), "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
-       "frames end with the first step of this phase"},
+       "frames end with the first step of this phase; along a path each shows it (else the closest "
+       "point)"},
 
       {"path", "points", point_list, required,
        fmt::format("2 to {} corners of the path: translations of X", kPositions)},
@@ -98,7 +99,7 @@ std::vector<LessonKey> make_keys() {
 
       {"expect", "stop",
        "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "
-       "iteration-cap, failed",
+       "iteration-cap",
        required, "why the run ends; the last run of a path"},
       {"expect", "supports", "list of simplex vertices", "not checked",
        "support points in the order found, as in `query.start`"},

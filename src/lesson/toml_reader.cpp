@@ -145,7 +145,7 @@ std::vector<Field> Reader::entries(const Field& field, std::string_view expected
     return entries;
   }
   for (const toml::node& node : *array) {
-    entries.push_back({&node, fmt::format("{}, entry {},", field.label, entries.size() + 1),
+    entries.push_back({&node, fmt::format("entry {} of {}", entries.size() + 1, field.label),
                        std::string(expected)});
   }
   return entries;
@@ -192,7 +192,7 @@ std::optional<double> Reader::number(const Field& field, double least, double mo
     return std::nullopt;
   }
   if (!(least <= *value && *value <= most)) {
-    problems_.add(field, fmt::format("{} is out of range", field.label));
+    problems_.add(field, fmt::format("{} is {}", field.label, *value));
     return std::nullopt;
   }
   return value;

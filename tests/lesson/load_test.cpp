@@ -1,0 +1,631 @@
+#include "lesson/load.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "lesson/schema.hpp"
+#include "lesson_texts.hpp"
+
+namespace gjkscope {
+namespace {
+
+LoadedLesson parse(std::string_view text) {
+  return parse_lesson(text, "lessons/two.toml", testing::effects_of_views());
+}
+
+std::string all_of(const std::vector<Problem>& problems) {
+  std::string out;
+  for (const Problem& problem : problems) out += to_string(problem) + "\n";
+  return out;
+}
+
+/// kFullLesson with one text replaced. A '¦' in the new text marks where the problem stands; it is
+/// taken out.
+struct Edited {
+  std::string text;
+  Place marked;
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "the lesson has no " << from;
+  if (at != std::string::npos) text.replace(at, from.size(), to);
+  return text;
+}
+
+Edited edited(const std::string& from, const std::string& to) {
+  const std::string mark = "¦";
+  Edited out{replaced(testing::kFullLesson, from, to), {}};
+  const std::size_t at = out.text.find(mark);
+  if (at == std::string::npos) return out;
+  out.text.erase(at, mark.size());
+  for (std::size_t i = 0; i < at; ++i) {
+    const auto byte = static_cast<unsigned char>(out.text[i]);
+    if (byte == '\n') {
+      out.marked = {out.marked.line + 1, 1};
+    } else if ((byte & 0xC0) != 0x80) {
+      ++out.marked.column;
+    }
+  }
+  return out;
+}
+
+// --- what is read ---------------------------------------------------------------------------
+
+TEST(Load, EveryKeyReachesTheLesson) {
+  const LoadedLesson loaded = parse(testing::kFullLesson);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  const Lesson& lesson = *loaded.lesson;
+  EXPECT_EQ(lesson.id, "two");
+  EXPECT_EQ(lesson.path, "lessons/two.toml");
+  EXPECT_EQ(lesson.title, "Two triangles");
+  EXPECT_EQ(lesson.chapter, 4);
+  EXPECT_EQ(lesson.order, 3);
+  EXPECT_EQ(lesson.source, "Own example");
+  EXPECT_EQ(lesson.prose, "The distance is {distance}; {{braces}} stay.");
+  EXPECT_EQ(lesson.x.name, "Left");
+  EXPECT_EQ(lesson.x.vertex_names, (std::vector<std::string>{"A", "B", "C"}));
+  ASSERT_EQ(lesson.x.vertices.size(), 3u);
+  EXPECT_EQ(lesson.x.vertices[2], Eigen::Vector2d(1.0, 0.1875));
+  EXPECT_EQ(lesson.x.rotate_degrees, 15.0);
+  EXPECT_EQ(lesson.y.translate, Eigen::Vector2d(0.5, 0.0));
+  EXPECT_EQ(lesson.y.rotate_degrees, -30.0);
+  EXPECT_EQ(lesson.scalar, ScalarKind::single);
+  const gjk::Options& options = lesson.options;
+  EXPECT_EQ(options.direction_rule, gjk::DirectionRule::towards_origin);
+  EXPECT_EQ(options.region_order, gjk::RegionOrder::edges_first);
+  EXPECT_FALSE(options.stop_on_repeated_support);
+  EXPECT_TRUE(options.stop_on_no_progress);
+  EXPECT_EQ(options.tolerance, 0.125);
+  EXPECT_EQ(options.iteration_cap, 20);
+  EXPECT_EQ(options.start_rule, gjk::StartRule::given);
+  ASSERT_EQ(options.start_count, 2);
+  EXPECT_EQ(options.start[0], (gjk::VertexPair{2, 2}));
+  EXPECT_EQ(options.start[1], (gjk::VertexPair{0, 0}));
+  EXPECT_EQ(lesson.granularity, Granularity::iteration);
+  EXPECT_EQ(lesson.until, gjk::Phase::stop);
+  ASSERT_TRUE(lesson.path_of_x);
+  EXPECT_EQ(lesson.path_of_x->points.size(), 2u);
+  EXPECT_EQ(lesson.path_of_x->frames, 13);
+  ASSERT_EQ(lesson.views.size(), 2u);
+  EXPECT_EQ(lesson.views[0].title, "World: X and Y");
+  ASSERT_TRUE(lesson.views[0].camera);
+  EXPECT_EQ(lesson.views[0].camera->center, Eigen::Vector2d(2, 1));
+  EXPECT_EQ(lesson.views[0].camera->height, 6.0);
+  EXPECT_EQ(lesson.views[0].effects, (std::vector<std::string>{"voronoi-regions", "history"}));
+  EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
+  EXPECT_EQ(lesson.panel, (std::vector<PanelBlock>{PanelBlock::pseudocode, PanelBlock::weights}));
+  EXPECT_EQ(lesson.listing, Listing::gjk);
+  EXPECT_EQ(lesson.expect.stop, gjk::StopReason::no_progress);
+  EXPECT_EQ(lesson.expect.supports, (std::vector<std::string>{"K-B"}));
+  EXPECT_EQ(lesson.expect.distance, 2.5);
+}
+
+TEST(Load, WhatIsMissingHasItsDefault) {
+  const LoadedLesson loaded = parse(R"(
+title = "Shortest"
+chapter = 1
+order = 1
+prose = "Nothing."
+shapes.X.vertices = [[0, 0]]
+shapes.Y.vertices = [[1, 0], [2, 0]]
+views = [{ show = "world" }]
+expect.stop = "repeated-support"
+)");
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  const Lesson& lesson = *loaded.lesson;
+  EXPECT_EQ(lesson.x.name, "X");
+  EXPECT_EQ(lesson.x.vertex_names, (std::vector<std::string>{"X"}));
+  EXPECT_EQ(lesson.y.vertex_names, (std::vector<std::string>{"y1", "y2"}));
+  EXPECT_EQ(lesson.scalar, ScalarKind::double_);
+  EXPECT_EQ(lesson.options.iteration_cap, gjk::kDefaultIterationCap);
+  EXPECT_TRUE(lesson.options.stop_on_repeated_support);
+  EXPECT_TRUE(lesson.options.stop_on_no_progress);
+  EXPECT_EQ(lesson.options.start_count, 1);
+  EXPECT_EQ(lesson.granularity, Granularity::phase);
+  EXPECT_FALSE(lesson.path_of_x);
+  EXPECT_FALSE(lesson.views[0].camera);
+  EXPECT_TRUE(lesson.panel.empty());
+  EXPECT_EQ(lesson.listing, Listing::none);
+  EXPECT_FALSE(lesson.expect.supports);
+}
+
+TEST(Load, NumbersKeepEveryBit) {
+  const struct {
+    std::string written;
+    double value;
+  } cases[] = {{"21119118e-9", 21119118e-9},
+               {"79.584320", 79.584320},
+               {"0.1", 0.1},
+               {"-0.0", -0.0},
+               {"5e-324", 5e-324},
+               {"1_000.5", 1000.5},
+               {"7", 7.0},
+               {"\"0x1.5a0574p-6\"", 0x1.5a0574p-6},
+               {"\"-0x1.fffffffffffffp+9\"", -0x1.fffffffffffffp+9},
+               {"\"+0x10\"", 16.0},
+               {"1e18", 1e18}};
+  for (const auto& [written, value] : cases) {
+    const LoadedLesson loaded =
+        parse(replaced(testing::kFullLesson, "[4, 0]", "[" + written + ", 0]"));
+    ASSERT_TRUE(loaded.lesson) << written << "\n" << all_of(loaded.problems);
+    EXPECT_EQ(loaded.lesson->y.vertices[0].x(), value) << written;
+    EXPECT_EQ(std::signbit(loaded.lesson->y.vertices[0].x()), std::signbit(value)) << written;
+  }
+}
+
+TEST(Load, APointQueryNamesVerticesOfY) {
+  std::string text = replaced(testing::kFullLesson, R"(names = ["A", "B", "C"])", "");
+  text = replaced(text, R"([[0.0, 1.0], [1, 1], [1, "0x1.8p-3"]])", "[[0, 0]]");
+  text = replaced(text, R"(["M-C", "K-A"])", R"(["M"])");
+  text = replaced(text, R"(["K-B"])", R"(["L", "M"])");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  EXPECT_EQ(loaded.lesson->x.vertex_names, (std::vector<std::string>{"Left"}));
+  EXPECT_EQ(loaded.lesson->options.start[0], (gjk::VertexPair{0, 2}));
+}
+
+TEST(Load, CentreToCentreIsAStart) {
+  const LoadedLesson loaded =
+      parse(replaced(testing::kFullLesson, R"(["M-C", "K-A"])", "\"centre-to-centre\""));
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  EXPECT_EQ(loaded.lesson->options.start_rule, gjk::StartRule::centre_to_centre);
+}
+
+TEST(Load, AnEmptyStopListLeavesBothTestsOut) {
+  const LoadedLesson loaded = parse(replaced(testing::kFullLesson, R"(["no-progress"])", "[]"));
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  EXPECT_FALSE(loaded.lesson->options.stop_on_repeated_support);
+  EXPECT_FALSE(loaded.lesson->options.stop_on_no_progress);
+}
+
+TEST(Load, LineEndsAndByteOrderMarksOfOtherSystemsAreRead) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : testing::kFullLesson)
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
+}
+
+// --- what is refused, and where ---------------------------------------------------------------
+
+struct Refused {
+  std::string from;
+  std::string to;  ///< '¦' marks the place of the problem.
+  std::string what;
+  std::string nearest = "";
+};
+
+const std::string kVerticesOfY =
+    "names = [\"K\", \"L\", \"M\"]\nvertices = [[4, 0], [6, 0], [5, 2]]";
+
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.to.substr(0, 80); }
+
+class LoadRefuses : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(LoadRefuses, AtItsPlaceAndNothingElse) {
+  const Refused& wanted = GetParam();
+  const Edited edit = edited(wanted.from, wanted.to);
+  const LoadedLesson loaded = parse(edit.text);
+  EXPECT_FALSE(loaded.lesson);
+  ASSERT_EQ(loaded.problems.size(), 1u) << wanted.to << "\n" << all_of(loaded.problems);
+  const Problem& problem = loaded.problems[0];
+  EXPECT_EQ(problem.file, "lessons/two.toml");
+  EXPECT_EQ((std::pair{problem.line, problem.column}),
+            (std::pair{edit.marked.line, edit.marked.column}))
+      << to_string(problem);
+  EXPECT_EQ(problem.what, wanted.what);
+  EXPECT_EQ(problem.nearest, wanted.nearest);
+}
+
+std::string times(const std::string& piece, int count) {
+  std::string out;
+  for (int i = 0; i < count; ++i) out += piece;
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, LoadRefuses,
+    ::testing::Values(
+        Refused{"cap = 20", "cap = 1e999¦",
+                "not TOML: Error while parsing floating-point: '1e999' could not be interpreted "
+                "as a value"},
+        Refused{"cap = 20", "cap = 20\ncap = ¦21",
+                "not TOML: Error while parsing key-value pair: cannot redefine existing integer "
+                "'cap'"},
+        Refused{"cap = 20", "cap = 20\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p¦.q = 1",
+                "a key of too many parts"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, LoadRefuses,
+    ::testing::Values(Refused{"source =", "¦sorce =", "unknown key 'sorce'", "source"},
+                      Refused{"rotate = 15", "¦rotat = 15", "unknown key 'rotat'", "rotate"},
+                      Refused{"tolerance", "¦tolerence", "unknown key 'tolerence'", "tolerance"},
+                      Refused{"until", "¦util", "unknown key 'util'", "until"},
+                      Refused{"frames = 13", "¦frame = 13", "unknown key 'frame'", "frames"},
+                      Refused{"{ center", "{ ¦zoom = 1, center", "unknown key 'zoom'"},
+                      Refused{"[steps]", "[¦stage]\n[steps]", "unknown key 'stage'"},
+                      Refused{"distance = 2.5", "¦\"dis\\ntance\" = 2.5", "unknown key 'dis?tance'",
+                              "distance"},
+                      Refused{"[shapes.Y]", "[shapes.¦Z]\n[shapes.Y]", "unknown key 'Z'"},
+                      Refused{"\nchapter = 4", "", "missing key 'chapter'"},
+                      Refused{"[shapes.Y]\nname = \"Right\"\n" + kVerticesOfY, "¦[shapes.Y]",
+                              "missing key 'vertices'"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, LoadRefuses,
+    ::testing::Values(
+        Refused{"\"Own example\"", "¦3", "'source' is a number"},
+        Refused{"chapter = 4", "chapter = ¦\"4\"", "'chapter' is text"},
+        Refused{"order = 3", "order = ¦3.0", "'order' is not a whole number"},
+        Refused{"order = 3", "order = ¦true", "'order' is true or false"},
+        Refused{"rotate = -30", "rotate = ¦1979-05-27", "'rotate' is a date or time"},
+        Refused{"rotate = -30", "rotate = ¦[1]", "'rotate' is a list"},
+        Refused{"\"float\"", "¦{}", "'scalar' is a table"},
+        Refused{"[1, 1], [1,", "¦1, [1,", "entry 2 of 'vertices' is a number"},
+        Refused{"[1, 1], [1,", "¦[1, 1, 0], [1,", "entry 2 of 'vertices' has 3 coordinates"},
+        Refused{"[1, 1], [1,", "[1, ¦\"1\"], [1,", "entry 2 of entry 2 of 'vertices' is text"},
+        Refused{"\"0x1.8p-3\"", "¦\"0x1.8p-3x\"", "entry 2 of entry 3 of 'vertices' is text"},
+        Refused{"\"0x1.8p-3\"", "¦\"0x-1\"", "entry 2 of entry 3 of 'vertices' is text"},
+        Refused{"\"0x1.8p-3\"", "¦\"0x1p9999\"", "entry 2 of entry 3 of 'vertices' is text"},
+        Refused{"[\"no-progress\"]", "¦\"no-progress\"", "'stop' is text"},
+        Refused{"[\"M-C\", \"K-A\"]", "¦1", "'start' is a number"},
+        Refused{"[\"K-B\"]", "[¦0]", "entry 1 of 'supports' is a number"},
+        Refused{"{ center = [2, 1], height = 6.0 }", "¦6.0", "'camera' is a number"},
+        Refused{"[\"voronoi-regions\", \"history\"]", "¦\"history\"", "'effects' is text"},
+        Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "¦\"weights\"",
+                "'blocks' is text"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Ranges, LoadRefuses,
+    ::testing::Values(
+        Refused{"chapter = 4", "chapter = ¦0", "'chapter' is 0"},
+        Refused{"chapter = 4", "chapter = ¦8", "'chapter' is 8"},
+        Refused{"order = 3", "order = ¦0", "'order' is 0"},
+        Refused{"cap = 20", "cap = ¦0", "'cap' is 0"},
+        Refused{"cap = 20", "cap = ¦1001", "'cap' is 1001"},
+        Refused{"cap = 20", "cap = ¦9223372036854775807", "'cap' is 9223372036854775807"},
+        Refused{"0.125", "¦1.0", "'tolerance' is 1"},
+        Refused{"0.125", "¦-0.25", "'tolerance' is -0.25"},
+        Refused{"0.125", "¦nan", "'tolerance' is not a finite number"},
+        Refused{"frames = 13", "frames = ¦1", "'frames' is 1"},
+        Refused{"frames = 13", "frames = ¦501", "'frames' is 501"},
+        Refused{"[[0, 0], [1, 1]]", "¦[[0, 0]]", "'points' has 1 entries"},
+        Refused{"[[0, 0], [1, 1]]", "¦[" + times("[0, 0],", 501) + "]", "'points' has 501 entries"},
+        Refused{"rotate = 15.0", "rotate = ¦inf", "'rotate' is not a finite number"},
+        Refused{"rotate = 15.0", "rotate = ¦361", "'rotate' is 361"},
+        Refused{"[0.5, 0.0]", "[¦-inf, 0.0]", "entry 1 of 'translate' is not a finite number"},
+        Refused{"[0.5, 0.0]", "[0, ¦1e19]", "entry 2 of 'translate' is 1e+19"},
+        Refused{"height = 6.0", "height = ¦0", "'height' is 0"},
+        Refused{"height = 6.0", "height = ¦-1", "'height' is -1"},
+        Refused{"distance = 2.5", "distance = ¦-2.5", "'distance' is -2.5"},
+        Refused{"\"Two triangles\"", "¦\"\"", "'title' is empty"},
+        Refused{"\"Two triangles\"", "¦\"" + times("ä", 81) + "\"", "'title' has 81 characters"},
+        Refused{"\"Own example\"", "¦\"" + times("x", 121) + "\"", "'source' has 121 characters"},
+        Refused{"\"The distance", "¦\"" + times("x", 300) + "The distance",
+                "'prose' has 344 characters"},
+        Refused{"\"Two triangles\"", "¦\"Two\\ntriangles\"",
+                "'title' holds a line break or a control character"},
+        Refused{"\"World: X and Y\"", "¦\"" + times("x", 61) + "\"", "'title' has 61 characters"},
+        Refused{"\"Left\"", "¦\"Robot on wheels\"", "'name' has 15 characters"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, LoadRefuses,
+    ::testing::Values(
+        Refused{"\"float\"", "¦\"flaot\"", "unknown scalar 'flaot'", "float"},
+        Refused{"\"towards-origin\"", "¦\"towards_orgin\"",
+                "unknown direction rule 'towards_orgin'", "towards-origin"},
+        Refused{"\"edges-first\"", "¦\"last\"", "unknown region order 'last'"},
+        Refused{"[\"no-progress\"]", "[¦\"iteration-cap\"]", "unknown stop test 'iteration-cap'"},
+        Refused{"\"iteration\"", "¦\"iterations\"", "unknown granularity 'iterations'",
+                "iteration"},
+        Refused{"until = \"stop\"", "until = ¦\"step\"", "unknown phase 'step'", "stop"},
+        Refused{"\"difference\"", "¦\"diference\"", "unknown view 'diference'", "difference"},
+        Refused{"\"history\"", "¦\"histroy\"", "unknown effect 'histroy'", "history"},
+        Refused{"\"weights\"", "¦\"weight\"", "unknown panel block 'weight'", "weights"},
+        Refused{"\"gjk\"", "¦\"GJK\"", "unknown listing 'GJK'", "gjk"},
+        Refused{"stop = \"no-progress\"", "stop = ¦\"running\"", "unknown stop reason 'running'"},
+        Refused{"[\"M-C\", \"K-A\"]", "¦\"center-to-center\"", "unknown start 'center-to-center'",
+                "centre-to-centre"},
+        Refused{"\"The distance", "¦\"The {distanc}", "unknown placeholder 'distanc'", "distance"},
+        Refused{"\"The distance", "¦\"The { distance", "'prose' holds a single '{'"},
+        Refused{"\"M-C\"", "¦\"M\"", "'M' is not a pair of vertices"},
+        Refused{"\"M-C\"", "¦\"m-C\"", "Y has no vertex 'm'", "M"},
+        Refused{"\"M-C\"", "¦\"M-K\"", "X has no vertex 'K'"},
+        Refused{"\"K-B\"", "¦\"B-K\"", "pair 'B-K' has the vertex of X first"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Together, LoadRefuses,
+    ::testing::Values(
+        Refused{"[[4, 0], [6, 0], [5, 2]]", "¦[]", "'vertices' has 0 entries"},
+        Refused{"[[4, 0], [6, 0], [5, 2]]", "¦[" + times("[0, 0],", 10001) + "]",
+                "'vertices' has 10001 entries"},
+        Refused{"[\"K\", \"L\", \"M\"]", "¦[\"K\", \"L\"]", "2 names for 3 vertices"},
+        Refused{"[\"K\", \"L\", \"M\"]", "[\"K\", \"L\", ¦\"K\"]", "vertex name 'K' is used twice"},
+        Refused{"[\"K\", \"L\", \"M\"]", "[\"K\", ¦\"B\", \"M\"]", "vertex name 'B' is used twice"},
+        Refused{"[\"K\", \"L\", \"M\"]", "[\"K\", ¦\"Long\", \"M\"]",
+                "entry 2 of 'names' has 4 characters"},
+        Refused{"[\"K\", \"L\", \"M\"]", "[\"K\", ¦\"\", \"M\"]", "entry 2 of 'names' is empty"},
+        Refused{"[\"K\", \"L\", \"M\"]", "[\"K\", ¦\"L-\", \"M\"]",
+                "vertex name 'L-' cannot be told from a pair"},
+        Refused{"\"K-A\"]", "¦\"M-C\"]", "entry 2 of 'start' repeats a vertex"},
+        Refused{"[\"M-C\", \"K-A\"]", "¦[]", "'start' has 0 entries"},
+        Refused{"[\"M-C\", \"K-A\"]", "¦[\"K-A\", \"K-B\", \"K-C\", \"L-A\"]",
+                "'start' has 4 entries"},
+        Refused{"granularity = \"iteration\"\nuntil = \"stop\"",
+                "granularity = \"test\"\nuntil = ¦\"stop\"", "'until' with granularity 'test'"},
+        Refused{"\"iteration\"\nuntil = \"stop\"\n\n[path]\npoints = [[0, 0], [1, 1]]\nframes = 13",
+                "¦\"path\"", "granularity 'path' without a path"},
+        Refused{"rotate = 15.0", "translate = ¦[1, 1]", "'translate' of X besides a path"},
+        Refused{"\"history\"", "\"history\", ¦\"history\"", "effect 'history' is named twice"},
+        Refused{"\"weights\"", "¦\"pseudocode\"", "block 'pseudocode' is named twice"},
+        Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "¦[\"pseudocode\"]",
+                "block 'pseudocode' without a 'listing'"},
+        Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "[]\nlisting = ¦\"gjk\"",
+                "'listing' without the block 'pseudocode'"},
+        Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]", "3 views"}));
+
+TEST(Load, PairsAreSteppedThroughForSmallShapesOnly) {
+  std::string text = replaced(testing::kFullLesson, "\"iteration\"", "\"pairs\"");
+  EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
+  text = replaced(text, kVerticesOfY, "vertices = [" + times("[5, 5],", 9) + "]");
+  text = replaced(text, "\"M-C\", \"K-A\"", "\"y9-C\"");
+  text = replaced(text, "\"K-B\"", "\"y1-B\"");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+  EXPECT_EQ(to_string(loaded.problems[0]),
+            "lessons/two.toml:29:15: granularity 'pairs' with a shape of 9 vertices; expected at "
+            "most 8 vertices in each shape");
+}
+
+TEST(Load, ManyVerticesAtManyPositionsAreTooMuch) {
+  std::string text =
+      replaced(testing::kFullLesson, kVerticesOfY, "vertices = [" + times("[5, 5],", 10000) + "]");
+  text = replaced(text, "start = [\"M-C\", \"K-A\"]", "");
+  text = replaced(text, "supports = [\"K-B\"]", "");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+  EXPECT_EQ(to_string(loaded.problems[0]),
+            "lessons/two.toml:34:10: 13 positions of shapes with 10003 vertices in all; expected a "
+            "product of at most 20000");
+}
+
+TEST(Load, HalfHasNoLargeCoordinates) {
+  std::string text = replaced(testing::kFullLesson, "\"float\"", "\"half\"");
+  text = replaced(text, "[6, 0]", "[-65504, 65505]");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+  EXPECT_EQ(to_string(loaded.problems[0]),
+            "lessons/two.toml:16:30: entry 2 of entry 2 of 'vertices' is 65505; expected number of "
+            "at most 65504 in size, or text like \"0x1.8p-3\"");
+}
+
+TEST(Load, AllProblemsOfAFileAtOnceInOrderOfPlace) {
+  std::string text = replaced(testing::kFullLesson, "chapter = 4", "chaptr = 4");
+  text = replaced(text, "{distance}", "{distanec}");
+  text = replaced(text, "\"C\"]", "\"A\"]");
+  text = replaced(text, "cap = 20", "cap = 0");
+  text = replaced(text, "frames = 13", "frames = 1");
+  text = replaced(text, "\"history\"", "\"hystory\"");
+  text = replaced(text, "\"gjk\"", "\"gjk-points\"");
+  text = replaced(text, "distance = 2.5", "distance = nan");
+  const LoadedLesson loaded = parse(text);
+  EXPECT_FALSE(loaded.lesson);
+  std::string places;
+  for (const Problem& p : loaded.problems) {
+    places += std::to_string(p.line) + ":" + std::to_string(p.column) + " " + p.nearest + "\n";
+  }
+  EXPECT_EQ(places,
+            "1:1 \n"  // missing key 'chapter'
+            "2:1 chapter\n"
+            "5:9 distance\n"
+            "9:20 \n"
+            "26:7 \n"
+            "35:10 \n"
+            "41:31 history\n"
+            "48:11 gjk-point\n"
+            "53:12 \n")
+      << all_of(loaded.problems);
+}
+
+TEST(Load, AFloodOfProblemsIsCut) {
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  const LoadedLesson loaded = parse(text);
+  ASSERT_EQ(loaded.problems.size(), 101u);
+  EXPECT_EQ(loaded.problems.back().what, "and 4907 more problems from here on");
+  EXPECT_EQ(loaded.problems.back().line, 94);
+}
+
+// --- files that are no lessons at all -----------------------------------------------------------
+
+TEST(Load, AnEmptyFileMissesEveryRequiredKey) {
+  const LoadedLesson loaded = parse("");
+  EXPECT_FALSE(loaded.lesson);
+  std::size_t required = 0;
+  for (const LessonKey& key : lesson_keys()) {
+    required += key.table.empty() && key.otherwise == kRequired;
+  }
+  EXPECT_EQ(loaded.problems.size(), required);
+}
+
+TEST(Load, GarbageIsNotToml) {
+  const std::string cases[] = {std::string("\x7f"
+                                           "ELF\x02\x01\x00\x00",
+                                           8),
+                               std::string(1000, '\0') + "x",
+                               "\xff\xfe[",
+                               "\xEF\xBB\xBF\xEF\xBB\xBF",
+                               std::string(5000, '"'),
+                               std::string(5000, '\''),
+                               std::string(5000, '\\'),
+                               "title = \"",
+                               "[",
+                               "[[",
+                               "[[views]",
+                               "= 1",
+                               "a = \"\\q\"",
+                               "a = [1,",
+                               "{",
+                               "\x01"};
+  for (const std::string& text : cases) {
+    const LoadedLesson loaded = parse(text);
+    EXPECT_FALSE(loaded.lesson);
+    ASSERT_FALSE(loaded.problems.empty());
+    EXPECT_GE(loaded.problems[0].line, 1);
+    EXPECT_GE(loaded.problems[0].column, 1);
+  }
+}
+
+TEST(Load, DeepNestingIsRefusedNotFollowed) {
+  const std::string dots = times("a.", 200000);
+  const std::string cases[] = {"a = " + std::string(500000, '['),
+                               "a = " + times("{a=", 150000),
+                               dots + "a = 1",
+                               "[" + dots + "a]",
+                               "[[" + dots + "a]]",
+                               "b = { " + dots + "a = 1 }",
+                               "b = [ '''''''', { " + dots + "a = 1 }]",
+                               "b = { c = \"\"\"x\"\"\"\"\", " + dots + "a = 1 }",
+                               "b = { c = \"\\\"\", " + dots + "a = 1 }",
+                               times("\"\".", 200000) + "a = 1",
+                               times("a . ", 200000) + "a = 1"};
+  for (const std::string& text : cases) {
+    const LoadedLesson loaded = parse(text);
+    EXPECT_FALSE(loaded.lesson);
+    ASSERT_EQ(loaded.problems.size(), 1u) << text.substr(0, 30);
+    EXPECT_EQ(loaded.problems[0].line, 1);
+    EXPECT_LT(loaded.problems[0].column, 1000);
+  }
+}
+
+TEST(Load, DotsInTextsNumbersAndCommentsAreNotDeep) {
+  std::string text =
+      replaced(testing::kFullLesson, "The distance", "a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s");
+  text = replaced(text, "[query]", "[query] # " + times("a.", 100));
+  text = replaced(text, "\"Own example\"", "'''" + times("a.", 40) + "'''");
+  EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
+}
+
+TEST(Load, LongLinesAreReadUpToTheLimitOfAFile) {
+  const LoadedLesson within = parse("title = \"" + std::string(1000000, 'x') + "\"");
+  EXPECT_FALSE(within.lesson);
+  EXPECT_NE(all_of(within.problems).find("1:9: 'title' has 1000000 characters"), std::string::npos);
+  const LoadedLesson key = parse(std::string(1000000, 'x') + " = 1");
+  EXPECT_LT(all_of(key.problems).size(), 5000u);  // messages quote no more than they must
+  const LoadedLesson beyond = parse("title = \"" + std::string(5000000, 'x') + "\"");
+  ASSERT_EQ(beyond.problems.size(), 1u);
+  EXPECT_EQ(to_string(beyond.problems[0]),
+            "lessons/two.toml:1:1: the file is too large; expected at most 1048576 bytes");
+}
+
+// --- files and folders --------------------------------------------------------------------------
+
+/// A folder for one test, empty at first and removed at the end.
+class LessonFolder : public ::testing::Test {
+ protected:
+  LessonFolder()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("gjkscope-lesson-test-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~LessonFolder() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(LessonFolder, FilesAreLoadedUnderTheirName) {
+  const auto file = write("my-lesson.toml", testing::kFullLesson);
+  const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  EXPECT_EQ(loaded.lesson->id, "my-lesson");
+  EXPECT_EQ(loaded.lesson->path, file.string());
+}
+
+TEST_F(LessonFolder, WhatIsNoFileIsAProblem) {
+  for (const auto& path : {folder_ / "none.toml", folder_, std::filesystem::path("/dev/zero"),
+                           std::filesystem::path("")}) {
+    const LoadedLesson loaded = load_lesson(path, {});
+    EXPECT_FALSE(loaded.lesson);
+    ASSERT_EQ(loaded.problems.size(), 1u);
+    EXPECT_EQ(loaded.problems[0].file, path.string());
+    EXPECT_EQ(loaded.problems[0].line, 1);
+  }
+}
+
+TEST_F(LessonFolder, LessonsComeInTeachingOrderBrokenOnesLast) {
+  const auto numbered = [](const std::string& chapter, const std::string& order) {
+    return replaced(replaced(testing::kFullLesson, "chapter = 4", "chapter = " + chapter),
+                    "order = 3", "order = " + order);
+  };
+  write("a.toml", numbered("2", "1"));
+  write("b.toml", numbered("1", "2"));
+  write("c.toml", numbered("1", "1"));
+  write("d.toml", "broken");
+  write("e.toml", numbered("1", "1"));
+  write("README.md", "no lesson");
+  std::string ids;
+  const std::vector<LoadedLesson> lessons = load_lessons(folder_, testing::effects_of_views());
+  for (const LoadedLesson& loaded : lessons) ids += loaded.lesson ? loaded.lesson->id : "-";
+  EXPECT_EQ(ids, "ceba-");
+  ASSERT_FALSE(lessons.back().problems.empty());
+  EXPECT_EQ(lessons.back().problems[0].file, (folder_ / "d.toml").string());
+}
+
+TEST_F(LessonFolder, AFolderThatIsNotThereIsAProblem) {
+  const std::vector<LoadedLesson> lessons = load_lessons(folder_ / "none", {});
+  ASSERT_EQ(lessons.size(), 1u);
+  EXPECT_FALSE(lessons[0].lesson);
+  EXPECT_EQ(lessons[0].problems.size(), 1u);
+}
+
+TEST_F(LessonFolder, PlacesOfKeys) {
+  const auto file = write("a.toml", testing::kFullLesson);
+  const struct {
+    const char* key;
+    Place place;
+  } cases[] = {{"title", {1, 1}},
+               {"prose", {5, 1}},
+               {"shapes", {7, 2}},
+               {"shapes.Y", {13, 9}},
+               {"shapes.Y.rotate", {18, 1}},
+               {"shapes.X.names.2", {9, 20}},
+               {"views.1", {43, 1}},
+               {"views.0.camera.height", {40, 29}},
+               {"views.0.effects.1", {41, 31}},
+               {"expect.distance", {53, 1}},
+               {"expect.nothing", {50, 2}},  // the nearest parent that is there
+               {"shapes.X.names.3", {9, 1}},
+               {"nothing.at.all", {1, 1}},
+               {"", {1, 1}}};
+  for (const auto& [key, place] : cases) {
+    const Place found = place_of(file, key);
+    EXPECT_EQ((std::pair{found.line, found.column}), (std::pair{place.line, place.column})) << key;
+  }
+  EXPECT_EQ(place_of(folder_ / "none.toml", "title"), Place{});
+}
+
+TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
+  const auto file = write("a.toml", testing::kFullLesson);
+  const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
+  ASSERT_TRUE(loaded.lesson);
+  std::string listed;
+  for (const LessonText& text : texts_of(*loaded.lesson)) {
+    const Place place = place_of(file, text.key);
+    listed +=
+        text.text + "@" + std::to_string(place.line) + ":" + std::to_string(place.column) + " ";
+  }
+  EXPECT_EQ(listed,
+            "Two triangles@1:1 Own example@4:1 The distance is {distance}; {{braces}} stay.@5:1 "
+            "Left@8:1 A@9:10 B@9:15 C@9:20 Right@14:1 K@15:10 L@15:15 M@15:20 "
+            "World: X and Y@39:1 ");
+}
+
+}  // namespace
+}  // namespace gjkscope

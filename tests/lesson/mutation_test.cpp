@@ -1,0 +1,261 @@
+// Lesson files with one or several slips in them: each must give a lesson that runs to its end, or
+// problems with places. The seeds are fixed, so that a failure can be repeated.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "lesson/load.hpp"
+#include "lesson/run.hpp"
+#include "lesson_texts.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr int kMutants = 3000;  // of all files together, at least
+constexpr unsigned kSeed = 20100311;
+
+using Random = std::mt19937;
+
+std::size_t below(Random& random, std::size_t end) {
+  return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+}
+
+struct Span {
+  std::size_t begin = 0;
+  std::size_t size = 0;
+};
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+}
+
+/// Runs of word characters: keys, names, numbers.
+std::vector<Span> words(const std::string& text) {
+  std::vector<Span> out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_word(text[i])) continue;
+    const std::size_t begin = i;
+    while (i < text.size() && is_word(text[i])) ++i;
+    out.push_back({begin, i - begin});
+  }
+  return out;
+}
+
+std::vector<Span> numbers(const std::string& text) {
+  std::vector<Span> out;
+  for (const Span& word : words(text)) {
+    const char first = text[word.begin];
+    const bool quoted = word.begin > 0 && text[word.begin - 1] == '"';
+    if (!quoted && (std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '-'))
+      out.push_back(word);
+  }
+  return out;
+}
+
+/// Words before an equals sign.
+std::vector<Span> keys(const std::string& text) {
+  std::vector<Span> out;
+  for (const Span& word : words(text)) {
+    const std::size_t next = text.find_first_not_of(' ', word.begin + word.size);
+    if (next != std::string::npos && text[next] == '=') out.push_back(word);
+  }
+  return out;
+}
+
+std::vector<Span> lines(const std::string& text) {
+  std::vector<Span> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    out.push_back({begin, end - begin});
+    begin = end;
+  }
+  return out;
+}
+
+enum class Slip {
+  flip_byte,
+  delete_bytes,
+  insert_bytes,
+  swap_words,
+  double_line,
+  delete_line,
+  swap_lines,
+  replace_number,
+  misspell_key,
+  truncate,
+};
+constexpr int kSlips = 10;
+
+void slip(std::string& text, Slip kind, Random& random) {
+  const auto pick = [&](const std::vector<Span>& spans) {
+    return spans[below(random, spans.size())];
+  };
+  const std::size_t at = below(random, text.size());
+  switch (kind) {
+    case Slip::flip_byte:
+      text[at] = static_cast<char>(text[at] ^ (1 << below(random, 8)));
+      return;
+    case Slip::delete_bytes:
+      text.erase(at, 1 + below(random, 4));
+      return;
+    case Slip::insert_bytes: {
+      const std::string pieces[] = {"\"",
+                                    "[",
+                                    "]",
+                                    "{",
+                                    "}",
+                                    "=",
+                                    ".",
+                                    "\n",
+                                    "#",
+                                    "'''",
+                                    "\\",
+                                    "-",
+                                    "0",
+                                    " ",
+                                    ",",
+                                    "\xff",
+                                    std::string(1, '\0'),
+                                    "é"};
+      text.insert(at, pieces[below(random, std::size(pieces))]);
+      return;
+    }
+    case Slip::swap_words: {
+      Span a = pick(words(text));
+      Span b = pick(words(text));
+      if (b.begin < a.begin) std::swap(a, b);
+      if (a.begin == b.begin) return;
+      const std::string first = text.substr(a.begin, a.size);
+      const std::string second = text.substr(b.begin, b.size);
+      text.replace(b.begin, b.size, first);
+      text.replace(a.begin, a.size, second);
+      return;
+    }
+    case Slip::double_line: {
+      const Span line = pick(lines(text));
+      text.insert(line.begin, text.substr(line.begin, line.size));
+      return;
+    }
+    case Slip::delete_line: {
+      const Span line = pick(lines(text));
+      text.erase(line.begin, line.size);
+      return;
+    }
+    case Slip::swap_lines: {
+      const Span line = pick(lines(text));
+      const std::string moved = text.substr(line.begin, line.size);
+      text.erase(line.begin, line.size);
+      if (text.empty()) return;
+      text.insert(pick(lines(text)).begin, moved);
+      return;
+    }
+    case Slip::replace_number: {
+      const std::vector<Span> all = numbers(text);
+      if (all.empty()) return;
+      const std::string values[] = {
+          "1e999", "nan",    "-inf",         "-0",  "-0.0", "\"2\"",
+          "1e18",  "1e-300", "65504",        "0",   "1",    "-1",
+          "2.5",   "500",    "\"0x1.8p-3\"", "1e5", "0.1",  "9223372036854775807"};
+      const Span number = pick(all);
+      text.replace(number.begin, number.size, values[below(random, std::size(values))]);
+      return;
+    }
+    case Slip::misspell_key: {
+      const std::vector<Span> all = keys(text);
+      if (all.empty()) return;
+      const Span key = pick(all);
+      text[key.begin + below(random, key.size)] = static_cast<char>('a' + below(random, 26));
+      return;
+    }
+    case Slip::truncate:
+      text.resize(at);
+      return;
+  }
+}
+
+std::vector<std::string> originals() {
+  std::vector<std::string> texts = {testing::kFullLesson, testing::readme_example()};
+  for (const auto& file : testing::shipped_lessons()) texts.push_back(testing::file_text(file));
+  return texts;
+}
+
+/// What frames say of a run must be there to be drawn.
+void expect_sound(const LessonRun& run) {
+  ASSERT_FALSE(run.runs.empty());
+  for (const PositionedRun& positioned : run.runs) {
+    ASSERT_NE(positioned.trace.result.stop, gjk::StopReason::running);
+  }
+  for (const Frame& frame : run.frames) {
+    ASSERT_GE(frame.run, 0);
+    ASSERT_LT(frame.run, static_cast<int>(run.runs.size()));
+    ASSERT_LT(frame.step, static_cast<int>(run.run(frame).trace.steps.size()));
+  }
+}
+
+TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
+  const std::vector<std::string> texts = originals();
+  const std::vector<std::string> effects = testing::effects_of_views();
+  const int of_each =
+      (kMutants + static_cast<int>(texts.size()) - 1) / static_cast<int>(texts.size());
+  int lessons = 0;
+  int not_toml = 0;
+  int refused = 0;
+  int unchanged = 0;
+  std::vector<int> refused_by_slip(kSlips);
+  for (std::size_t t = 0; t < texts.size(); ++t) {
+    for (int m = 0; m < of_each; ++m) {
+      Random random(kSeed + static_cast<unsigned>(t) * 100000 + static_cast<unsigned>(m));
+      std::string text = texts[t];
+      const auto first = static_cast<Slip>(m % kSlips);
+      slip(text, first, random);
+      while (below(random, 4) == 0 && !text.empty())
+        slip(text, static_cast<Slip>(below(random, kSlips)), random);
+      unchanged += text == texts[t];
+      SCOPED_TRACE(fmt::format("text {}, mutant {}:\n{}", t, m, text));
+
+      const auto begin = std::chrono::steady_clock::now();
+      const LoadedLesson loaded = parse_lesson(text, "mutant.toml", effects);
+      ASSERT_NE(loaded.lesson.has_value(), !loaded.problems.empty());
+      for (const Problem& problem : loaded.problems) {
+        ASSERT_EQ(problem.file, "mutant.toml");
+        ASSERT_GE(problem.line, 1);
+        ASSERT_GE(problem.column, 1);
+        ASSERT_LE(problem.line, std::count(text.begin(), text.end(), '\n') + 1);
+        ASSERT_FALSE(problem.what.empty());
+      }
+      if (loaded.lesson) {
+        ++lessons;
+        const LessonRun run = run_lesson(*loaded.lesson);
+        expect_sound(run);
+        if (HasFatalFailure()) return;
+        (void)check_expectation(run);
+      } else if (loaded.problems[0].what.starts_with("not TOML")) {
+        ++not_toml;
+      } else {
+        ++refused;
+        ++refused_by_slip[static_cast<std::size_t>(first)];
+      }
+      // A hang would be longer by far; this is no benchmark.
+      ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+    }
+  }
+  const int all = lessons + not_toml + refused;
+  RecordProperty("lessons", lessons);
+  RecordProperty("not_toml", not_toml);
+  RecordProperty("refused", refused);
+  fmt::print("{} mutants of {} files: {} lessons, {} not TOML, {} refused\n", all, texts.size(),
+             lessons, not_toml, refused);
+  EXPECT_GE(all, kMutants);
+  // Each kind of outcome, and each kind of slip, is met often.
+  EXPECT_GE(lessons, all / 10);
+  EXPECT_GE(not_toml, all / 10);
+  EXPECT_GE(refused, all / 10);
+  EXPECT_LE(unchanged, all / 50);
+  for (int s = 0; s < kSlips; ++s) EXPECT_GE(refused_by_slip[s], 10) << "slip " << s;
+}
+
+}  // namespace
+}  // namespace gjkscope
