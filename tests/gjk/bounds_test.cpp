@@ -158,7 +158,6 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
 }
 
 TEST(cap, "bounds enclose the distance wherever the cap cuts the run short") {
-  Counts counts;
   constexpr std::uint64_t kSeed = 10;
   random_pairs::Source random(kSeed);
   for (int cap = 1; cap <= 4; ++cap) {

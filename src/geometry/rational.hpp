@@ -1,0 +1,57 @@
+#pragma once
+// Exact rational numbers as a scalar of the core: no step of such a run rounds, and only the
+// lengths of its result do.
+//
+// Products and sums of mpq_class are expression templates: never keep one in an `auto` variable.
+
+#include <gmpxx.h>
+
+#include "gjk/scalar.hpp"
+
+namespace gjkscope {
+
+using Rational = mpq_class;
+
+/// The nearest double; ties to even. mpq_class::get_d truncates instead.
+[[nodiscard]] double to_double(const Rational& value);
+
+/// Square root of a non-negative rational, rounded to nearest, down, up. The three are equal
+/// exactly when the root is a double.
+[[nodiscard]] double root_nearest(const Rational& value);
+[[nodiscard]] double root_down(const Rational& value);
+[[nodiscard]] double root_up(const Rational& value);
+
+}  // namespace gjkscope
+
+template <>
+struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
+  using Real = mpq_class;
+  using NonInteger = mpq_class;
+  using Nested = mpq_class;
+  using Literal = mpq_class;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 6,
+    AddCost = 150,
+    MulCost = 100
+  };
+  static Real epsilon() { return 0; }
+  static Real dummy_precision() { return 0; }
+  static int digits10() { return 0; }
+};
+
+template <>
+struct gjk::ScalarTraits<mpq_class> {
+  using Real = double;
+  [[nodiscard]] static bool is_finite(const mpq_class&) { return true; }
+  [[nodiscard]] static Real root(const mpq_class& a) { return gjkscope::root_nearest(a); }
+  [[nodiscard]] static Real root_below(const mpq_class& a) { return gjkscope::root_down(a); }
+  [[nodiscard]] static Real root_above(const mpq_class& a) { return gjkscope::root_up(a); }
+  [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
+  [[nodiscard]] static mpq_class unit_roundoff() { return 0; }
+  [[nodiscard]] static mpq_class smallest() { return 0; }
+  [[nodiscard]] static bool loses_products(const mpq_class&) { return false; }
+};
