@@ -126,11 +126,13 @@ void add_frames(LessonRun& run, int index) {
 /// Half a unit in the last digit of the shortest decimal that reads back as `value`: the precision
 /// it was written with.
 double written_precision(double value) {
-  const std::string digits = fmt::format("{:e}", value);  // shortest round trip, d.ddde+xx
-  const std::size_t e = digits.find('e');
-  const std::size_t dot = digits.find('.');
+  const std::string text =
+      fmt::format("{}", value);  // the shortest that reads back: "12.5", "1e-07"
+  const std::size_t e = std::min(text.find('e'), text.size());
+  const std::size_t dot = text.find('.');
   const int decimals = dot == std::string::npos ? 0 : static_cast<int>(e - dot) - 1;
-  return 0.5 * std::pow(10.0, std::stoi(digits.substr(e + 1)) - decimals);
+  const int exponent = e < text.size() ? std::stoi(text.substr(e + 1)) : 0;
+  return 0.5 * std::pow(10.0, exponent - decimals);
 }
 
 }  // namespace

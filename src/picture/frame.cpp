@@ -22,7 +22,8 @@ constexpr double kWidePanel = 424.0;    // beside one view
 constexpr double kNarrowPanel = 368.0;  // beside two
 
 /// Breaks a text at spaces so that no line is wider than `width`.
-std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style, const std::string& text, double width) {
+std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style,
+                                 const std::string& text, double width) {
   std::vector<std::string> lines;
   std::string line;
   std::size_t begin = 0;
@@ -54,7 +55,8 @@ struct Layout {
 
 Layout layout_of(const LessonRun& run, int prose_lines, double width, double height) {
   Layout layout;
-  layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0}, {width - kMargin, height - kMargin + 8.0}};
+  layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0},
+                     {width - kMargin, height - kMargin + 8.0}};
   const double bottom = layout.timeline.min.y() - 26.0 - kCaptionLines * kCaptionLine;
   layout.caption_y = bottom + 33.0;
   layout.prose_y = 70.0;
@@ -81,17 +83,26 @@ std::string position_of(const LessonRun& run, int index) {
   if (granularity == Granularity::phase || granularity == Granularity::iteration) {
     if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
-    return fmt::format("iteration {} of {} · {}", step.iteration, run.run(frame).trace.result.iterations, name_of(step.phase));
+    return fmt::format("iteration {} of {} · {}", step.iteration,
+                       run.run(frame).trace.result.iterations, name_of(step.phase));
   }
-  if (granularity == Granularity::pairs && index > 0 && index + 1 < count) return fmt::format("difference {} of {}", index, count - 2);
+  if (granularity == Granularity::pairs && index > 0 && index + 1 < count)
+    return fmt::format("difference {} of {}", index, count - 2);
   if (granularity == Granularity::path) return fmt::format("position {} of {}", index + 1, count);
   return fmt::format("{} of {}", index + 1, count);
 }
 
 std::string default_title(const LessonRun& run, const LessonView& view) {
   if (!view.title.empty()) return view.title;
-  if (view.kind == ViewKind::world) return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
+  if (view.kind == ViewKind::world)
+    return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
+}
+
+/// A camera may leave vertices outside of the view; their labels stay away, too.
+bool shows(const Rect& card, const LabelRequest& label) {
+  return (label.anchor.array() >= card.min.array()).all() &&
+         (label.anchor.array() <= card.max.array()).all();
 }
 
 /// One view of the lesson over all its frames: its scenes, and the labels' memory.
@@ -104,13 +115,15 @@ struct View {
 
 }  // namespace
 
-std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts, double width, double height) {
+std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
+                                          const Fonts& fonts, double width, double height) {
   const double text_width = width - 2.0 * kMargin;
   std::vector<FrameText> texts;
   std::size_t prose_lines = 0;
   for (const Frame& frame : run.frames) {
     texts.push_back(frame_text(run, frame));
-    prose_lines = std::max(prose_lines, wrapped(fonts, type::kProse, texts.back().prose, text_width).size());
+    prose_lines =
+        std::max(prose_lines, wrapped(fonts, type::kProse, texts.back().prose, text_width).size());
   }
   const Layout layout = layout_of(run, static_cast<int>(prose_lines), width, height);
 
@@ -122,19 +135,23 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
     const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
     View built{StageMap(card, camera_of(run, view, card)), {}, LabelPlacer(fonts, inner), title};
-    for (const Frame& frame : run.frames) built.scenes.push_back(stage_scene(run, effects, frame, view, built.map));
+    for (const Frame& frame : run.frames)
+      built.scenes.push_back(stage_scene(run, effects, frame, view, built.map));
     // Labels of things that stay get a place that suits every frame.
     Obstacles all;
     for (const Scene& scene : built.scenes) {
-      all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(), scene.obstacles.segments.end());
-      all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(), scene.obstacles.circles.end());
+      all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(),
+                          scene.obstacles.segments.end());
+      all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(),
+                         scene.obstacles.circles.end());
     }
     built.placer.begin_frame(std::move(all));
     built.placer.reserve(title);
     std::set<std::string> placed;
     for (const Scene& scene : built.scenes) {
       for (const LabelRequest& label : scene.fixed_labels) {
-        if (placed.insert(label.id).second) (void)built.placer.place(label, true);
+        if (shows(card, label) && placed.insert(label.id).second)
+          (void)built.placer.place(label, true);
       }
     }
     views.push_back(std::move(built));
@@ -147,13 +164,17 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     Picture picture;
     picture.width = width;
     picture.height = height;
-    const auto add = [&](std::string role, decltype(Mark::shape) shape) { picture.marks.push_back({std::move(role), std::move(shape)}); };
-    const auto write = [&](std::string role, const Point& at, const std::string& words, const TextStyle& style, Align align = Align::left) {
+    const auto add = [&](std::string role, decltype(Mark::shape) shape) {
+      picture.marks.push_back({std::move(role), std::move(shape)});
+    };
+    const auto write = [&](std::string role, const Point& at, const std::string& words,
+                           const TextStyle& style, Align align = Align::left) {
       add(std::move(role), Text{at, words, style, align});
     };
 
     write("title", {kMargin, 44.0}, run.lesson.title, type::kTitle);
-    write("position", {width - kMargin, 44.0}, position_of(run, static_cast<int>(index)), type::kPosition, Align::right);
+    write("position", {width - kMargin, 44.0}, position_of(run, static_cast<int>(index)),
+          type::kPosition, Align::right);
     double y = layout.prose_y;
     for (const std::string& line : wrapped(fonts, type::kProse, text.prose, text_width)) {
       write("prose", {kMargin, y}, line, type::kProse);
@@ -175,18 +196,24 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
       view.placer.reserve(view.title_box);
       std::set<std::string> drawn;
       for (const LabelRequest& label : scene.fixed_labels) {
-        if (drawn.insert(label.id).second) picture.marks.push_back(view.placer.place(label, true));
+        if (shows(card, label) && drawn.insert(label.id).second)
+          picture.marks.push_back(view.placer.place(label, true));
       }
-      for (const LabelRequest& label : scene.moving_labels) picture.marks.push_back(view.placer.place(label, false));
+      for (const LabelRequest& label : scene.moving_labels) {
+        if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
+      }
       for (const AreaLabelRequest& label : scene.area_labels) {
         for (Mark& mark : view.placer.place_inside(label)) picture.marks.push_back(std::move(mark));
       }
-      add("card.frame", Box{card, 10.0});
-      write("view-title", card.min + Point(14.0, 26.0), default_title(run, run.lesson.views[i]), type::kViewTitle);
+      add("view-title.box",
+          Box{{view.title_box.min + Point(6.0, 7.0), view.title_box.max - Point(6.0, 3.0)}, 5.0});
+      write("view-title", card.min + Point(14.0, 26.0), default_title(run, run.lesson.views[i]),
+            type::kViewTitle);
     }
     if (layout.panel) {
       add("card", Box{*layout.panel, 10.0});
-      for (Mark& mark : panel_marks(run, effects, frame, fonts, *layout.panel)) picture.marks.push_back(std::move(mark));
+      for (Mark& mark : panel_marks(run, effects, frame, fonts, *layout.panel))
+        picture.marks.push_back(std::move(mark));
     }
 
     y = layout.caption_y;
@@ -198,7 +225,8 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
       write("detail", {kMargin, y}, line, type::kDetail);
       y += kCaptionLine;
     }
-    for (Mark& mark : timeline_marks(run, static_cast<int>(index), fonts, layout.timeline)) picture.marks.push_back(std::move(mark));
+    for (Mark& mark : timeline_marks(run, static_cast<int>(index), fonts, layout.timeline))
+      picture.marks.push_back(std::move(mark));
     pictures.push_back({std::move(picture), text});
   }
   return pictures;

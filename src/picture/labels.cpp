@@ -11,8 +11,9 @@
 namespace gjkscope {
 namespace {
 
-// Costs of a place, in arbitrary units that only compare: leaving the stage is worse than covering a label, that worse
-// than covering a mark, that worse than an unexpected side; moving must be worth at least one covered line.
+// Costs of a place, in arbitrary units that only compare: leaving the stage is worse than covering
+// a label, that worse than covering a mark, that worse than an unexpected side; moving must be
+// worth at least one covered line.
 constexpr double kOutside = 1000.0;
 constexpr double kOverLabel = 400.0;
 constexpr double kOverCircle = 120.0;
@@ -23,17 +24,22 @@ constexpr double kMove = 40.0;
 constexpr double kClearance = 2.0;  // pixels between a label and what it must not touch
 constexpr int kDirections = 24;
 
-Rect box_around(const Point& center, const Point& size) { return {center - 0.5 * size, center + 0.5 * size}; }
+Rect box_around(const Point& center, const Point& size) {
+  return {center - 0.5 * size, center + 0.5 * size};
+}
 
-Rect grown(const Rect& box, double by) { return {box.min - Point(by, by), box.max + Point(by, by)}; }
+Rect grown(const Rect& box, double by) {
+  return {box.min - Point(by, by), box.max + Point(by, by)};
+}
 
 bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() && b.min.y() < a.max.y();
+  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&
+         b.min.y() < a.max.y();
 }
 
 bool contains(const Rect& outer, const Rect& inner) {
-  return outer.min.x() <= inner.min.x() && outer.min.y() <= inner.min.y() && inner.max.x() <= outer.max.x() &&
-         inner.max.y() <= outer.max.y();
+  return outer.min.x() <= inner.min.x() && outer.min.y() <= inner.min.y() &&
+         inner.max.x() <= outer.max.x() && inner.max.y() <= outer.max.y();
 }
 
 /// Clips the segment's parameter range against the box, side by side (Liang and Barsky 1984).
@@ -61,7 +67,8 @@ bool hits(const Rect& box, const Obstacles::Circle& circle) {
 
 bool inside(std::span<const Point> polygon, const Rect& box) {
   const double orientation = signed_area(polygon);
-  const Point corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+  const Point corners[] = {
+      box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point a = polygon[i];
     const Point edge = polygon[(i + 1) % polygon.size()] - a;
@@ -88,12 +95,15 @@ double LabelPlacer::cost_of(const Rect& box) const {
   const Rect clear = grown(box, kClearance);
   double cost = contains(bounds_, clear) ? 0.0 : kOutside;
   for (const Rect& label : taken_) cost += overlap(clear, label) ? kOverLabel : 0.0;
-  for (const Obstacles::Circle& circle : obstacles_.circles) cost += hits(clear, circle) ? kOverCircle : 0.0;
-  for (const Obstacles::Segment& segment : obstacles_.segments) cost += hits(clear, segment) ? kOverSegment : 0.0;
+  for (const Obstacles::Circle& circle : obstacles_.circles)
+    cost += hits(clear, circle) ? kOverCircle : 0.0;
+  for (const Obstacles::Segment& segment : obstacles_.segments)
+    cost += hits(clear, segment) ? kOverSegment : 0.0;
   return cost;
 }
 
-Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::string& role, const TextStyle& style) const {
+Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::string& role,
+                          const TextStyle& style) const {
   const double base = box.max.y() - 0.22 * style.size * 0.5;
   return {role, Text{{box.center().x(), base}, text, style, Align::center}};
 }
@@ -117,8 +127,9 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   };
   const bool moves = known != offsets_.end();
   if (moves) consider(known->second, 0.0);
-  const double start = request.towards.norm() > 0.0 ? std::atan2(request.towards.y(), request.towards.x())
-                                                    : -0.25 * std::numbers::pi;
+  const double start = request.towards.norm() > 0.0
+                           ? std::atan2(request.towards.y(), request.towards.x())
+                           : -0.25 * std::numbers::pi;
   for (int ring = 0; ring < 4; ++ring) {
     for (int k = 0; k < kDirections; ++k) {
       const double turn = 2.0 * std::numbers::pi * k / kDirections;
@@ -126,7 +137,8 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
       // The box touches the free circle with the side or corner that faces the anchor.
       const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
       const Point offset = d * (request.gap + 7.0 * ring) + 0.5 * face.cwiseProduct(size);
-      consider(offset, kWrongSide * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
+      consider(offset,
+               kWrongSide * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
     }
   }
   offsets_[request.id] = best;
@@ -159,10 +171,16 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
   constexpr double kStep = 10.0;
   for (double y = extent.min.y() + kStep; y < extent.max.y(); y += kStep) {
     for (double x = extent.min.x() + kStep; x < extent.max.x(); x += kStep) {
-      consider({x, y}, 0.05 * (Point(x, y) - middle).norm() + (known != offsets_.end() ? kMove : 0.0));
+      consider({x, y},
+               0.05 * (Point(x, y) - middle).norm() + (known != offsets_.end() ? kMove : 0.0));
     }
   }
-  if (!best) return {};
+  if (!best) {
+    if (!request.beside) return {};
+    return {place({request.id + ":beside", request.text, request.role, request.style, middle, 14.0,
+                   Point::Zero()},
+                  false)};
+  }
   offsets_[request.id] = *best;
   const Rect box = box_around(*best, size);
   taken_.push_back(box);

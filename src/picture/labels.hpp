@@ -1,5 +1,6 @@
 #pragma once
-// Where labels go: beside what they name, off lines and disks and off each other, and where they were a frame ago.
+// Where labels go: beside what they name, off lines and disks and off each other, and where they
+// were a frame ago.
 
 #include <map>
 #include <string>
@@ -30,7 +31,8 @@ struct LabelRequest {
   std::string role;
   TextStyle style;
   Point anchor = Point::Zero();
-  double gap = 0.0;               ///< Free space around the anchor: the radius of what is drawn there, and a little.
+  double gap =
+      0.0;  ///< Free space around the anchor: the radius of what is drawn there, and a little.
   Point towards = Point::Zero();  ///< Preferred side; zero: any.
 };
 
@@ -41,6 +43,7 @@ struct AreaLabelRequest {
   std::string role;
   TextStyle style;
   std::vector<Point> polygon;
+  bool beside = false;  ///< Where the polygon has no room: beside its middle, rather than nowhere.
 };
 
 class LabelPlacer {
@@ -55,19 +58,21 @@ class LabelPlacer {
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
-  /// No mark when the polygon has no room.
+  /// No mark when the polygon has no room and the label may not stand beside it.
   [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request);
 
  private:
   [[nodiscard]] double cost_of(const Rect& box) const;
-  [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role, const TextStyle& style) const;
+  [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role,
+                             const TextStyle& style) const;
   [[nodiscard]] Point size_of(const std::string& text, const TextStyle& style) const;
 
   const Fonts& fonts_;
   Rect bounds_;
   Obstacles obstacles_;
   std::vector<Rect> taken_;
-  std::map<std::string, Point> offsets_;  ///< Centre of each label, relative to its anchor, in the last frame it was in.
+  std::map<std::string, Point>
+      offsets_;  ///< Centre of each label, relative to its anchor, in the last frame it was in.
 };
 
 }  // namespace gjkscope

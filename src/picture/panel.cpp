@@ -17,10 +17,10 @@ namespace {
 using Eigen::Vector2d;
 using fmt::format;
 
-constexpr double kPad = 16.0;       // card edge to text
-constexpr double kRow = 24.0;       // base line to base line
+constexpr double kPad = 16.0;  // card edge to text
+constexpr double kRow = 23.0;  // base line to base line
 constexpr double kTightRow = 20.0;
-constexpr double kBlockGap = 18.0;  // around the rule between blocks
+constexpr double kBlockGap = 15.0;  // around the rule between blocks
 
 constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
 
@@ -77,11 +77,16 @@ const std::vector<CodeLine>& code_of(Listing listing) {
       {"  add w to S", Phase::add, {}, false},
   };
   switch (listing) {
-    case Listing::none: return none;
-    case Listing::segment: return segment;
-    case Listing::triangle: return triangle;
-    case Listing::gjk_point: return gjk_point;
-    case Listing::gjk: return gjk;
+    case Listing::none:
+      return none;
+    case Listing::segment:
+      return segment;
+    case Listing::triangle:
+      return triangle;
+    case Listing::gjk_point:
+      return gjk_point;
+    case Listing::gjk:
+      return gjk;
   }
   return none;
 }
@@ -89,7 +94,8 @@ const std::vector<CodeLine>& code_of(Listing listing) {
 /// Writes blocks downwards from the top of a card.
 class PanelBuilder {
  public:
-  PanelBuilder(const LessonRun& run, EffectGraph& effects, const Frame& frame, const Fonts& fonts, const Rect& card)
+  PanelBuilder(const LessonRun& run, EffectGraph& effects, const Frame& frame, const Fonts& fonts,
+               const Rect& card)
       : run_(run),
         effects_(effects),
         frame_(frame),
@@ -112,10 +118,14 @@ class PanelBuilder {
   }
 
  private:
-  // Writing --------------------------------------------------------------------------------------------------------
+  // Writing
+  // --------------------------------------------------------------------------------------------------------
 
-  void add(std::string role, decltype(Mark::shape) shape) { marks_.push_back({std::move(role), std::move(shape)}); }
-  void write(std::string role, double x, std::string text, const TextStyle& style, Align align = Align::left) {
+  void add(std::string role, decltype(Mark::shape) shape) {
+    marks_.push_back({std::move(role), std::move(shape)});
+  }
+  void write(std::string role, double x, std::string text, const TextStyle& style,
+             Align align = Align::left) {
     add(std::move(role), Text{{x, y_}, std::move(text), style, align});
   }
   void heading(std::string text) {
@@ -125,7 +135,7 @@ class PanelBuilder {
   void rule() {
     y_ += kBlockGap - kRow + 2.0;
     add("card.rule", Polyline{{{left_, y_}, {right_, y_}}});
-    y_ += kBlockGap + 8.0;
+    y_ += kBlockGap + 9.0;
   }
   /// A box behind the current row.
   void highlight(const std::string& role = "highlight") {
@@ -135,15 +145,20 @@ class PanelBuilder {
   /// A bar from zero, on a track from `low` to `high`.
   void bar(double x0, double x1, double low, double high, double value, const std::string& role) {
     const double middle = y_ - 0.5 * fonts_.cap_height(type::kBody);
-    const auto at = [&](double v) { return x0 + (std::clamp(v, low, high) - low) / (high - low) * (x1 - x0); };
+    const auto at = [&](double v) {
+      return x0 + (std::clamp(v, low, high) - low) / (high - low) * (x1 - x0);
+    };
     add("weight.track", Box{{{x0, middle - 6.0}, {x1, middle + 6.0}}, 3.0});
     if (std::abs(at(value) - at(0.0)) >= 1.0) {
-      add(role, Box{{{std::min(at(0.0), at(value)), middle - 6.0}, {std::max(at(0.0), at(value)), middle + 6.0}}, 2.0});
+      add(role, Box{{{std::min(at(0.0), at(value)), middle - 6.0},
+                     {std::max(at(0.0), at(value)), middle + 6.0}},
+                    2.0});
     }
     if (low < 0.0) add("weight.axis", Polyline{{{at(0.0), middle - 9.0}, {at(0.0), middle + 9.0}}});
   }
 
-  // The step -------------------------------------------------------------------------------------------------------
+  // The step
+  // -------------------------------------------------------------------------------------------------------
 
   std::optional<Phase> phase() const {
     return frame_.step < 0 ? std::nullopt : std::optional(run_.step(frame_).phase);
@@ -153,7 +168,9 @@ class PanelBuilder {
     static const std::vector<gjk::RegionTest<double>> none;
     return phase() == Phase::closest ? run_.step(frame_).record.region_tests : none;
   }
-  int tests_reached() const { return gradual() ? frame_.detail : static_cast<int>(region_tests().size()) - 1; }
+  int tests_reached() const {
+    return gradual() ? frame_.detail : static_cast<int>(region_tests().size()) - 1;
+  }
   bool stop_follows_support() const {
     return phase() == Phase::stop && frame_.step > 0 &&
            run_.run(frame_).trace.steps[frame_.step - 1].phase == Phase::support;
@@ -162,20 +179,31 @@ class PanelBuilder {
 
   void block(PanelBlock kind) {
     switch (kind) {
-      case PanelBlock::pseudocode: return pseudocode();
-      case PanelBlock::tests: return tests();
-      case PanelBlock::regions: return regions();
-      case PanelBlock::weights: return weights();
-      case PanelBlock::linear_system: return linear_system();
-      case PanelBlock::simplex: return simplex();
-      case PanelBlock::scan: return scan();
-      case PanelBlock::bounds: return bounds();
-      case PanelBlock::pairs: return pairs();
-      case PanelBlock::direction_rules: return direction_rules();
+      case PanelBlock::pseudocode:
+        return pseudocode();
+      case PanelBlock::tests:
+        return tests();
+      case PanelBlock::regions:
+        return regions();
+      case PanelBlock::weights:
+        return weights();
+      case PanelBlock::linear_system:
+        return linear_system();
+      case PanelBlock::simplex:
+        return simplex();
+      case PanelBlock::scan:
+        return scan();
+      case PanelBlock::bounds:
+        return bounds();
+      case PanelBlock::pairs:
+        return pairs();
+      case PanelBlock::direction_rules:
+        return direction_rules();
     }
   }
 
-  // Pseudocode -----------------------------------------------------------------------------------------------------
+  // Pseudocode
+  // -----------------------------------------------------------------------------------------------------
 
   enum class LineState { idle, current, past, crossed };
 
@@ -198,18 +226,22 @@ class PanelBuilder {
     return LineState::idle;
   }
 
-  /// What this line computed, at this step; nothing for lines that are not current or were not reached.
+  /// What this line computed, at this step; nothing for lines that are not current or were not
+  /// reached.
   std::string line_value(const CodeLine& line, LineState line_state) const {
     const bool point_query = run_.point_query();
     if (run_.lesson.listing == Listing::segment && line_state != LineState::idle) {
       if (line.region && !line.takes) {
         for (const auto& test : region_tests()) {
-          if (test.region == *line.region && gjk::vertex_count(test.region) == 1) return test_values(test);
+          if (test.region == *line.region && gjk::vertex_count(test.region) == 1)
+            return test_values(test);
         }
       }
       if (line.phase) {
         const auto& value = effects_.get<BarycentricWeights>(frame_);
-        if (value.weights.size() == 2) return format("{}, {}", numbers_.weight(value.weights[0]), numbers_.weight(value.weights[1]));
+        if (value.weights.size() == 2)
+          return format("{}, {}", numbers_.weight(value.weights[0]),
+                        numbers_.weight(value.weights[1]));
       }
       return {};
     }
@@ -222,29 +254,38 @@ class PanelBuilder {
     if (line_state != LineState::current || !point_query) return {};
     if (!phase()) return words_.face(state_.simplex.all());
     switch (*phase()) {
-      case Phase::closest: return numbers_.point(state_.p + run_.run(frame_).x_world[0]);
+      case Phase::closest:
+        return numbers_.point(state_.p + run_.run(frame_).x_world[0]);
       case Phase::cull: {
         std::string dropped;
-        for (const auto& vertex : run_.step(frame_).record.dropped) dropped += run_.pair_name(vertex.pair);
+        for (const auto& vertex : run_.step(frame_).record.dropped)
+          dropped += run_.pair_name(vertex.pair);
         return dropped.empty() ? "none" : dropped;
       }
-      case Phase::direction: return numbers_.point(state_.d);
-      case Phase::support: return run_.pair_name(state_.support.pair);
-      case Phase::stop: return state_.stop == gjk::StopReason::running ? "no" : "yes";
-      case Phase::add: return words_.face(state_.simplex.all());
+      case Phase::direction:
+        return numbers_.point(state_.d);
+      case Phase::support:
+        return run_.pair_name(state_.support.pair);
+      case Phase::stop:
+        return state_.stop == gjk::StopReason::running ? "no" : "yes";
+      case Phase::add:
+        return words_.face(state_.simplex.all());
     }
     return {};
   }
 
   std::string test_values(const gjk::RegionTest<double>& test) const {
     std::string out;
-    // An edge test also repeats that the projections lie within the edge; the area's sign is what is new.
-    for (const gjk::RegionTerm<double>& term : test.terms) {
-      if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2) continue;
+    // An edge test also repeats that the projections lie within the edge; the area's sign is what
+    // is new.
+    for (const gjk::RegionTerm<double>& term : words_.terms(test)) {
+      if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2)
+        continue;
       const double value = term.denominator > 0.0 ? term.numerator / term.denominator : 0.0;
       if (gjk::vertex_count(test.region) == 3) continue;
       if (!out.empty()) out += " ";
-      out += run_.lesson.scalar == ScalarKind::double_ ? signed_fixed(value, 3) : numbers_.weight(value);
+      out += run_.lesson.scalar == ScalarKind::double_ ? signed_fixed(value, 3)
+                                                       : numbers_.weight(value);
     }
     return out;
   }
@@ -256,18 +297,24 @@ class PanelBuilder {
       const LineState now = line_state(line, i);
       const bool current = now == LineState::current;
       if (current) highlight();
-      const std::string role = current ? "code.current" : now == LineState::crossed ? "code.muted" : "code";
+      const std::string role = current                     ? "code.current"
+                               : now == LineState::crossed ? "code.muted"
+                                                           : "code";
       const std::size_t indent = line.text.find_first_not_of(' ');
       write(role, left_ + 10.0 * static_cast<double>(indent), std::string(line.text.substr(indent)),
             current ? type::kCodeBold : type::kCode);
       const std::string value = line_value(line, now);
-      if (!value.empty()) write(current ? "code.value" : "code.muted", right_, value, current ? type::kCodeBold : type::kCode, Align::right);
-      if (now == LineState::crossed && value.empty()) write("fail", right_, "✗", type::kCode, Align::right);
+      if (!value.empty())
+        write(current ? "code.value" : "code.muted", right_, value,
+              current ? type::kCodeBold : type::kCode, Align::right);
+      if (now == LineState::crossed && value.empty())
+        write("fail", right_, "✗", type::kCode, Align::right);
       y_ += kRow;
     }
   }
 
-  // Region tests ---------------------------------------------------------------------------------------------------
+  // Region tests
+  // ---------------------------------------------------------------------------------------------------
 
   std::string condition(const gjk::detail::RegionList& order, int index) const {
     const gjk::Face face = order.regions[index];
@@ -286,7 +333,8 @@ class PanelBuilder {
 
   void tests() {
     heading("First true test wins");
-    const gjk::detail::RegionList order = gjk::detail::regions_in_order(state_.simplex.count, run_.lesson.options.region_order);
+    const gjk::detail::RegionList order =
+        gjk::detail::regions_in_order(state_.simplex.count, run_.lesson.options.region_order);
     const auto& tried = region_tests();
     for (int i = 0; i < order.count; ++i) {
       const bool reached = i <= tests_reached() && i < static_cast<int>(tried.size());
@@ -296,7 +344,14 @@ class PanelBuilder {
       const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
       const TextStyle code = current ? type::kCodeBold : type::kCode;
       const std::string role = !reached ? "untried" : current ? "code.current" : "code";
-      write(!reached ? "untried" : holds ? "pass" : "fail", left_, !reached ? "·" : holds ? "✓" : "✗", type::kStrong);
+      write(!reached ? "untried"
+            : holds  ? "pass"
+                     : "fail",
+            left_,
+            !reached ? "·"
+            : holds  ? "✓"
+                     : "✗",
+            type::kStrong);
       write(!reached ? "untried" : "body", left_ + 24.0, words_.face(order.regions[i]), name_style);
       write(role, left_ + 78.0, condition(order, i), code);
       if (reached) write(role, right_, test_values(tried[i]), code, Align::right);
@@ -308,16 +363,22 @@ class PanelBuilder {
     heading("Closest feature");
     const int count = state_.simplex.count;
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
-    const gjk::detail::RegionList order = gjk::detail::regions_in_order(count, gjk::RegionOrder::vertices_first);
+    gjk::detail::RegionList order =
+        gjk::detail::regions_in_order(count, gjk::RegionOrder::vertices_first);
+    if (count == 2)
+      std::swap(order.regions[0], order.regions[1]);  // A before B: this is no order of tests
     for (int i = 0; i < order.count; ++i) {
       const gjk::Face face = order.regions[i];
       const bool current = phase() && face == state_.region;
       if (current) highlight("highlight.pass");
       write(current ? "pass" : "untried", left_, current ? "●" : "○", type::kBody);
-      write(current ? "body" : "body.muted", left_ + 24.0, std::string(kKinds[gjk::vertex_count(face)]), current ? type::kStrong : type::kBody);
-      write(current ? "body" : "body.muted", left_ + 104.0, words_.face(face), current ? type::kStrong : type::kBody);
+      write(current ? "body" : "body.muted", left_ + 24.0,
+            std::string(kKinds[gjk::vertex_count(face)]), current ? type::kStrong : type::kBody);
+      write(current ? "body" : "body.muted", left_ + 104.0, words_.face(face),
+            current ? type::kStrong : type::kBody);
       if (current) {
-        const std::string p = gjk::vertex_count(face) == 3 ? "P = Q" : "P = " + words_.combination(face, numbers_);
+        const std::string p =
+            gjk::vertex_count(face) == 3 ? "P = Q" : "P = " + words_.combination(face, numbers_);
         write("code.current", right_, p, type::kCodeBold, Align::right);
       }
       y_ += kRow + 2.0;
@@ -325,20 +386,22 @@ class PanelBuilder {
     y_ += 4.0;
     if (phase()) {
       write("heading", left_, "distance", type::kHeading);
-      write("code.current", right_, numbers_(std::sqrt(state_.p_sq)), type::kCodeBold, Align::right);
+      write("code.current", right_, numbers_(std::sqrt(state_.p_sq)), type::kCodeBold,
+            Align::right);
       y_ += kRow;
     }
   }
 
-  // Weights --------------------------------------------------------------------------------------------------------
+  // Weights
+  // --------------------------------------------------------------------------------------------------------
 
   void weights() {
     const BarycentricWeights::Value& value = effects_.get<BarycentricWeights>(frame_);
     const int count = value.simplex.count;
     const bool point_query = run_.point_query();
-    heading(count == 3   ? "u = area(QBC) / area(ABC), signed"
-            : count == 2 ? "u, v: fractional lengths of AB, signed"
-                         : "Barycentric weights");
+    heading(count == 3   ? "Weights: fractional areas, signed"
+            : count == 2 ? "Weights: fractional lengths, signed"
+                         : "Weights");
     if (value.weights.empty()) {
       write("body.muted", left_, "the simplex is degenerate: no coordinates", type::kBody);
       y_ += kRow;
@@ -352,18 +415,39 @@ class PanelBuilder {
     for (int i = 0; i < count; ++i) {
       const double weight = value.weights[i];
       sum += weight;
-      write("strong", left_, point_query ? std::string(kLetters[i]) : run_.pair_name(value.simplex.vertices[i].pair), type::kStrong);
+      write("strong", left_,
+            point_query ? std::string(kLetters[i]) : run_.pair_name(value.simplex.vertices[i].pair),
+            type::kStrong);
       bar(x0, x1, kLow, kHigh, weight, weight < 0.0 ? "weight.negative" : "weight.bar");
-      write("code.current", right_, run_.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3) : numbers_.weight(weight),
+      write("code.current", right_,
+            run_.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
+                                                      : numbers_.weight(weight),
             type::kCodeBold, Align::right);
       y_ += 28.0;
     }
-    y_ -= 8.0;
+    y_ -= 6.0;
     for (const int tick : {-1, 0, 1, 2}) {
-      write("body.muted", x0 + (tick - kLow) / (kHigh - kLow) * (x1 - x0), fixed(tick, 0), type::kTick, Align::center);
+      write("body.muted", x0 + (tick - kLow) / (kHigh - kLow) * (x1 - x0), fixed(tick, 0),
+            type::kTick, Align::center);
     }
-    write("code", right_, format("sum {}", run_.lesson.scalar == ScalarKind::double_ ? fixed(sum, 3) : numbers_.weight(sum)), type::kCode, Align::right);
+    y_ += kRow + 2.0;
+    write("body.muted", left_, count == 3 ? "u + v + w" : "u + v", type::kBody);
+    write("code", right_,
+          run_.lesson.scalar == ScalarKind::double_ ? fixed(sum, 3) : numbers_.weight(sum),
+          type::kCode, Align::right);
     y_ += kRow;
+    if (!point_query) return;
+    const std::string& a = run_.lesson.y.vertex_names[0];
+    const std::string& b = run_.lesson.y.vertex_names[1];
+    const std::string q = query_name(run_);
+    const auto formula = [&](const std::string& text) {
+      write("code", left_, text, type::kCode);
+      y_ += kTightRow + 2.0;
+    };
+    if (count == 2) {
+      formula(format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+      formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+    }
   }
 
   void linear_system() {
@@ -372,7 +456,6 @@ class PanelBuilder {
     heading("The same as a linear system");
     const PositionedRun& positioned = run_.run(frame_);
     const Vector2d q = positioned.x_world[0];
-    const std::array<std::string_view, 3> rows = {"x", "y", "1"};
     constexpr double kColumn = 62.0;
     const double top = y_;
     for (int row = 0; row < 3; ++row) {
@@ -382,10 +465,10 @@ class PanelBuilder {
         write("code", x, row < 2 ? fixed(vertex[row], 2) : "1", type::kCode, Align::right);
         x += kColumn;
       }
-      write("code.current", left_ + 216.0, std::string(kLetters[row]), type::kCodeBold, Align::center);
+      write("code.current", left_ + 216.0, std::string(kLetters[row]), type::kCodeBold,
+            Align::center);
       write("code", left_ + 252.0, row == 1 ? "=" : "", type::kCode, Align::center);
       write("code", left_ + 334.0, row < 2 ? fixed(q[row], 2) : "1", type::kCode, Align::right);
-      write("body.muted", right_, row < 2 ? std::string(rows[row]) + " of A, B, C; Q" : "", type::kTick, Align::right);
       y_ += kRow;
     }
     const auto bracket = [&](double x, double open) {
@@ -401,13 +484,14 @@ class PanelBuilder {
     bracket(left_ + 344.0, -5.0);
   }
 
-  // Simplex, scan, bounds ------------------------------------------------------------------------------------------
+  // Simplex, scan, bounds
+  // ------------------------------------------------------------------------------------------
 
   bool weights_known() const { return phase() && *phase() != Phase::add; }
 
   void simplex() {
     write("heading", left_, "Simplex", type::kHeading);
-    const double x0 = left_ + 176.0;
+    const double x0 = left_ + 152.0;
     write("heading", x0, "weight", type::kHeading);
     y_ += kRow;
     const double name_at = left_ + 24.0;
@@ -418,16 +502,18 @@ class PanelBuilder {
       write("strong", name_at, words_.vertex(i), type::kStrong);
       const bool has_weight = weights_known();
       const double weight = state_.simplex.weights[i];
-      bar(x0, right_ - 78.0, 0.0, 1.0, has_weight ? weight : 0.0, "weight.bar");
-      write("code.current", right_, has_weight ? numbers_.weight(weight) : "–", type::kCode, Align::right);
-      y_ += kRow + 2.0;
+      const std::string number = has_weight ? numbers_.weight(weight) : "–";
+      const double number_width = std::max(62.0, fonts_.width(type::kCode, number));
+      bar(x0, right_ - number_width - 16.0, 0.0, 1.0, has_weight ? weight : 0.0, "weight.bar");
+      write("code.current", right_, number, type::kCode, Align::right);
+      y_ += kRow;
     }
     if (phase() == Phase::cull) {
       for (const auto& vertex : run_.step(frame_).record.dropped) {
         add("dropped", Disk{{left_ + 8.0, y_ - middle}, 5.0});
         write("body.muted", name_at, run_.pair_name(vertex.pair), type::kStrong);
         write("body.muted", x0, "dropped: weight 0", type::kBody);
-        y_ += kRow + 2.0;
+        y_ += kRow;
         ++rows;
       }
     }
@@ -436,15 +522,21 @@ class PanelBuilder {
       write("support.label", name_at, run_.pair_name(state_.support.pair), type::kStrong);
       const bool known = state_.stop == gjk::StopReason::repeated_support;
       const bool decided = phase() == Phase::stop;
-      write("support.label", x0, !decided ? "support point" : known ? "in S already: stop" : state_.stop == gjk::StopReason::running ? "new: goes on" : "support point", type::kBody);
-      y_ += kRow + 2.0;
+      write("support.label", x0,
+            !decided                                  ? "support point"
+            : known                                   ? "in S already: stop"
+            : state_.stop == gjk::StopReason::running ? "new: goes on"
+                                                      : "support point",
+            type::kBody);
+      y_ += kRow;
       ++rows;
     }
     // Blocks below keep their place while the simplex grows and shrinks.
-    for (; rows < 4; ++rows) y_ += kRow + 2.0;
+    for (; rows < 4; ++rows) y_ += kRow;
   }
 
-  void scan_of(const std::vector<gjk::ScanEntry<double>>& entries, const std::vector<std::string>& names, double x0, double x1,
+  void scan_of(const std::vector<gjk::ScanEntry<double>>& entries,
+               const std::vector<std::string>& names, double x0, double x1,
                const std::string& title) {
     write("heading", x0, title, type::kHeading);
     y_ += kRow;
@@ -456,8 +548,8 @@ class PanelBuilder {
     for (int i = 0; i < static_cast<int>(names.size()) && i < kShown; ++i) {
       const bool wins = !entries.empty() && entries[i].index == best;
       write(wins ? "support.label" : "body", x0, names[i], wins ? type::kStrong : type::kBody);
-      write(wins ? "support.label" : "code", x1, entries.empty() ? "–" : numbers_(entries[i].value), wins ? type::kCodeBold : type::kCode,
-            Align::right);
+      write(wins ? "support.label" : "code", x1, entries.empty() ? "–" : numbers_(entries[i].value),
+            wins ? type::kCodeBold : type::kCode, Align::right);
       y_ += kTightRow;
     }
     if (names.size() > kShown) {
@@ -473,23 +565,27 @@ class PanelBuilder {
     if (stop_follows_support()) record = &run_.run(frame_).trace.steps[frame_.step - 1].record;
     const double top = y_;
     if (run_.point_query()) {
-      scan_of(record ? record->scan_y : none, run_.lesson.y.vertex_names, left_, right_, "Support scan: dot(d, vertex)");
+      scan_of(record ? record->scan_y : none, run_.lesson.y.vertex_names, left_, right_,
+              "Support scan: dot(d, vertex)");
       return;
     }
     const double middle = 0.5 * (left_ + right_);
-    scan_of(record ? record->scan_y : none, run_.lesson.y.vertex_names, left_, middle - 14.0, "dot(d, Y)");
+    scan_of(record ? record->scan_y : none, run_.lesson.y.vertex_names, left_, middle - 14.0,
+            "dot(d, Y)");
     const double bottom = y_;
     y_ = top;
-    scan_of(record ? record->scan_x : none, run_.lesson.x.vertex_names, middle + 14.0, right_, "dot(−d, X)");
+    scan_of(record ? record->scan_x : none, run_.lesson.x.vertex_names, middle + 14.0, right_,
+            "dot(−d, X)");
     y_ = std::max(y_, bottom);
   }
 
   void bounds() {
     write("heading", left_, "Distance lies in", type::kHeading);
-    const bool known = state_.best.count > 0 && frame_.step >= 0;
-    const double low = std::sqrt(state_.plane_distance_sq);
-    const double high = known ? std::sqrt(state_.best_sq) : 0.0;
-    write("code.current", right_, known ? format("[{}, {}]", numbers_(low), numbers_(high)) : "–", type::kCode, Align::right);
+    const bool known = frame_.step >= 0;
+    const double low = lower_bound(state_);
+    const double high = known ? upper_bound(state_) : 0.0;
+    write("code.current", right_, known ? format("[{}, {}]", numbers_(low), numbers_(high)) : "–",
+          type::kCode, Align::right);
     y_ += 22.0;
     double first_high = 0.0;
     for (const gjk::Step<double, 2>& step : run_.run(frame_).trace.steps) {
@@ -500,7 +596,9 @@ class PanelBuilder {
     }
     add("bounds.track", Box{{{left_, y_ - 8.0}, {right_, y_}}, 4.0});
     if (known && first_high > 0.0) {
-      const auto at = [&](double v) { return left_ + std::min(v / first_high, 1.0) * (right_ - left_); };
+      const auto at = [&](double v) {
+        return left_ + std::min(v / first_high, 1.0) * (right_ - left_);
+      };
       double a = at(low);
       double b = at(high);
       if (b - a < 4.0) a = std::max(left_, 0.5 * (a + b) - 2.0), b = a + 4.0;
@@ -509,16 +607,19 @@ class PanelBuilder {
       const bool close = b - a < 110.0;
       const double line_at = close ? a - 6.0 : a;
       if (low > 0.0) {
-        write("body.muted", std::max(line_at, left_ + 80.0), "support line", type::kTick, Align::right);
+        write("body.muted", std::max(line_at, left_ + 80.0), "support line", type::kTick,
+              Align::right);
       }
-      write("body.muted", std::min(b, right_ - 12.0), "P", type::kTick, close && low > 0.0 ? Align::left : Align::center);
+      write("body.muted", std::min(b, right_ - 12.0), "P", type::kTick,
+            close && low > 0.0 ? Align::left : Align::center);
     } else {
       y_ += 18.0;
     }
     y_ += kRow;
   }
 
-  // Differences ----------------------------------------------------------------------------------------------------
+  // Differences
+  // ----------------------------------------------------------------------------------------------------
 
   void pairs() {
     const PositionedRun& positioned = run_.run(frame_);
@@ -534,7 +635,9 @@ class PanelBuilder {
       const std::string role = !made ? "untried" : current ? "code.current" : "code";
       const TextStyle style = current ? type::kCodeBold : type::kCode;
       write(role, left_, run_.pair_name(pair), style);
-      if (made) write(role, right_, numbers_.point(positioned.y_world[pair.y] - positioned.x_world[pair.x]), style, Align::right);
+      if (made)
+        write(role, right_, numbers_.point(positioned.y_world[pair.y] - positioned.x_world[pair.x]),
+              style, Align::right);
       y_ += kTightRow + 2.0;
       if ((i + 1) % per_x == 0) y_ += 8.0;
     }
@@ -546,27 +649,39 @@ class PanelBuilder {
 
   void direction_rules() {
     heading("Two ways to build d");
-    const bool built = state_.simplex.count == 2 && phase() && *phase() != Phase::closest && *phase() != Phase::cull;
+    const bool built = state_.simplex.count == 2 && phase() && *phase() != Phase::closest &&
+                       *phase() != Phase::cull;
     static const DirectionRules::Value none;
     const DirectionRules::Value& rules = built ? effects_.get<DirectionRules>(frame_) : none;
-    const std::string edge = state_.simplex.count == 2 ? words_.vertex(1) + " − " + words_.vertex(0) : "edge";
-    for (const gjk::DirectionRule rule : {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
+    const std::string edge =
+        state_.simplex.count == 2 ? words_.vertex(1) + " − " + words_.vertex(0) : "edge";
+    for (const gjk::DirectionRule rule :
+         {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
       const bool towards = rule == gjk::DirectionRule::towards_origin;
-      write("strong", left_, towards ? "d = Q − P" : format("d = cross({}, z)", edge), type::kStrong);
+      write("strong", left_, towards ? "d = Q − P" : format("d = cross({}, z)", edge),
+            type::kStrong);
       const bool used = run_.lesson.options.direction_rule == rule;
-      write("body.muted", right_, used ? "used by this run" : "for comparison", type::kTick, Align::right);
+      write("body.muted", right_, used ? "used by this run" : "for comparison", type::kTick,
+            Align::right);
       y_ += kRow;
-      const auto found = std::find_if(rules.begin(), rules.end(), [&](const auto& b) { return b.rule == rule; });
+      const auto found =
+          std::find_if(rules.begin(), rules.end(), [&](const auto& b) { return b.rule == rule; });
       const bool known = found != rules.end();
       write("code", left_ + 12.0, "d", type::kCode);
-      write("code.current", right_, known ? numbers_.point(found->d) : "–", type::kCode, Align::right);
+      write("code.current", right_, known ? numbers_.point(found->d) : "–", type::kCode,
+            Align::right);
       y_ += kTightRow;
       write("code", left_ + 12.0, format("dot(d, {})", edge), type::kCode);
-      write(known && found->dot_with_edge == 0.0 ? "pass" : known ? "fail" : "code", right_,
-            known ? numbers_(found->dot_with_edge) : "–", type::kCodeBold, Align::right);
+      write(known && found->dot_with_edge == 0.0 ? "pass"
+            : known                              ? "fail"
+                                                 : "code",
+            right_, known ? numbers_(found->dot_with_edge) : "–", type::kCodeBold, Align::right);
       y_ += kTightRow;
       write("body.muted", left_ + 12.0,
-            !known ? "" : found->dot_with_edge == 0.0 ? "exactly perpendicular" : "not perpendicular: round-off of P", type::kBody);
+            !known                        ? ""
+            : found->dot_with_edge == 0.0 ? "exactly perpendicular"
+                                          : "not perpendicular: round-off of P",
+            type::kBody);
       y_ += kRow + 6.0;
     }
   }
@@ -584,7 +699,8 @@ class PanelBuilder {
   std::vector<Mark> marks_;
 };
 
-// Timeline -----------------------------------------------------------------------------------------------------------
+// Timeline
+// -----------------------------------------------------------------------------------------------------------
 
 struct Tick {
   std::string label;
@@ -608,14 +724,18 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
     if (granularity == Granularity::path) {
       const SimplexWords words(run, run.state(frame).simplex);
       const gjk::Face face = run.state(frame).region;
-      group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face)).ticks.push_back({"", false});
+      group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face))
+          .ticks.push_back({"", false});
     } else if (granularity == Granularity::test) {
-      Group& position = group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "ordered tests");
+      Group& position =
+          group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "ordered tests");
       if (frame.detail < 0) {
         position.ticks.push_back({"weights", false});
       } else {
         const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[frame.detail];
-        position.ticks.push_back({"region " + SimplexWords(run, run.state(frame).simplex).face(test.region), test.holds});
+        position.ticks.push_back(
+            {"region " + SimplexWords(run, run.state(frame).simplex).face(test.region),
+             test.holds});
       }
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
@@ -624,15 +744,19 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
         group("hull").ticks.push_back({"Z", true});
       } else {
         const gjk::VertexPair pair{(frame.detail - 1) / per_x, (frame.detail - 1) % per_x};
-        group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x])).ticks.push_back({run.pair_name(pair), false});
+        group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]))
+            .ticks.push_back({run.pair_name(pair), false});
       }
     } else if (frame.step < 0) {
       group("start").ticks.push_back({"S", false});
     } else {
       const gjk::Step<double, 2>& step = run.step(frame);
-      const bool event = !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
-      constexpr std::array<std::string_view, 6> kShort = {"closest", "cull", "direction", "support", "stop?", "add"};
-      group(format("iteration {}", step.iteration)).ticks.push_back({std::string(kShort[static_cast<int>(step.phase)]), event});
+      const bool event =
+          !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
+      constexpr std::array<std::string_view, 6> kShort = {"closest", "cull",  "direction",
+                                                          "support", "stop?", "add"};
+      group(format("iteration {}", step.iteration))
+          .ticks.push_back({std::string(kShort[static_cast<int>(step.phase)]), event});
     }
   }
   return groups;
@@ -640,19 +764,21 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
 
 }  // namespace
 
-std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const Frame& frame, const Fonts& fonts,
-                              const Rect& card) {
+std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                              const Fonts& fonts, const Rect& card) {
   return PanelBuilder(run, effects, frame, fonts, card).build();
 }
 
-std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts& fonts, const Rect& area) {
+std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts& fonts,
+                                 const Rect& area) {
   std::vector<Mark> marks;
   const std::vector<Group> groups = timeline_groups(run);
   const int count = static_cast<int>(run.frames.size());
   constexpr double kGroupGap = 18.0;
   constexpr double kTickGap = 5.0;
   constexpr double kWidest = 116.0;
-  const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) + kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
+  const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) +
+                      kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
   const double width = std::min(kWidest, (area.size().x() - gaps) / count);
   double x = area.min.x();
   int index = 0;
@@ -663,9 +789,12 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     const double group_x = x;
     for (const Tick& tick : group.ticks) {
       const bool now = index == current;
-      const std::string role = now ? "timeline.current" : index < current ? "timeline.done" : "timeline.ahead";
+      const std::string role = now               ? "timeline.current"
+                               : index < current ? "timeline.done"
+                                                 : "timeline.ahead";
       marks.push_back({role, Box{{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}}, 4.0}});
-      if (tick.event) marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});
+      if (tick.event)
+        marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});
       x += width + kTickGap;
       ++index;
     }
@@ -675,8 +804,10 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     const TextStyle style = holds_current ? type::kTickBold : type::kTick;
     const double label_width = fonts.width(style, group.label);
     // Labels of narrow groups would run into each other; the current one always shows.
-    if (holds_current || (group_x > label_end && label_width <= group_end - group_x + kGroupGap - 6.0)) {
-      marks.push_back({holds_current ? "timeline.label.current" : "timeline.label", Text{{group_x, area.min.y() + 4.0}, group.label, style, Align::left}});
+    if (holds_current ||
+        (group_x > label_end && label_width <= group_end - group_x + kGroupGap - 6.0)) {
+      marks.push_back({holds_current ? "timeline.label.current" : "timeline.label",
+                       Text{{group_x, area.min.y() + 4.0}, group.label, style, Align::left}});
       label_end = group_x + label_width + 8.0;
     }
     if (!holds_current) continue;
@@ -688,8 +819,10 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       const bool fits = fonts.width(tick_style, tick.label) <= width + kTickGap;
       if (!tick.label.empty() && (now || fits)) {
         const double half = 0.5 * fonts.width(tick_style, tick.label);
-        const double center = std::clamp(tick_x + 0.5 * width, area.min.x() + half, area.max.x() - half);
-        marks.push_back({now ? "timeline.tick.current" : "timeline.label", Text{{center, bar_y + 32.0}, tick.label, tick_style, Align::center}});
+        const double center =
+            std::clamp(tick_x + 0.5 * width, area.min.x() + half, area.max.x() - half);
+        marks.push_back({now ? "timeline.tick.current" : "timeline.label",
+                         Text{{center, bar_y + 32.0}, tick.label, tick_style, Align::center}});
       }
       tick_x += width + kTickGap;
       ++k;

@@ -21,6 +21,7 @@ using Eigen::Vector2d;
 constexpr double kVertexRadius = 4.5;
 constexpr double kSimplexRadius = 6.5;
 constexpr double kPointRadius = 6.0;
+constexpr double kClosestRadius = 4.5;  // a simplex vertex under P stays visible as a ring
 constexpr double kCloudRadius = 3.0;
 constexpr double kOriginRadius = 9.0;
 constexpr double kRingRadius = 10.5;
@@ -35,8 +36,8 @@ bool calls_for(const LessonView& view, std::string_view effect) {
 /// Builds one scene: knows the frame's state, and where view coordinates are.
 class SceneBuilder {
  public:
-  SceneBuilder(const LessonRun& run, EffectGraph& effects, const Frame& frame, const LessonView& view,
-               const StageMap& map)
+  SceneBuilder(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+               const LessonView& view, const StageMap& map)
       : run_(run),
         effects_(effects),
         frame_(frame),
@@ -44,8 +45,10 @@ class SceneBuilder {
         map_(map),
         positioned_(run.run(frame)),
         state_(run.state(frame)),
-        // A point query's difference is the polygon seen from Q: drawn in the world it stands where the polygon is.
-        shift_(view.kind == ViewKind::world && run.point_query() ? positioned_.x_world[0] : Vector2d(0.0, 0.0)),
+        // A point query's difference is the polygon seen from Q: drawn in the world it stands where
+        // the polygon is.
+        shift_(view.kind == ViewKind::world && run.point_query() ? positioned_.x_world[0]
+                                                                 : Vector2d(0.0, 0.0)),
         shows_difference_(view.kind == ViewKind::difference || run.point_query()),
         phase_(frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase)) {}
 
@@ -73,17 +76,23 @@ class SceneBuilder {
   }
 
  private:
-  // Positions ------------------------------------------------------------------------------------------------------
+  // Positions
+  // ------------------------------------------------------------------------------------------------------
 
   Point at(const Vector2d& view_point) const { return map_(view_point); }
   Point at_difference(const Vector2d& z) const { return map_(z + shift_); }
   Point vertex_at(int i) const { return at_difference(state_.simplex.vertices[i].w); }
 
-  // Marks ----------------------------------------------------------------------------------------------------------
+  // Marks
+  // ----------------------------------------------------------------------------------------------------------
 
-  void add(std::string role, decltype(Mark::shape) shape) { scene_.marks.push_back({std::move(role), std::move(shape)}); }
+  void add(std::string role, decltype(Mark::shape) shape) {
+    scene_.marks.push_back({std::move(role), std::move(shape)});
+  }
 
-  void area(std::string role, const std::vector<Point>& points) { add(std::move(role), Polygon{points}); }
+  void area(std::string role, const std::vector<Point>& points) {
+    add(std::move(role), Polygon{points});
+  }
 
   void line(std::string role, const Point& a, const Point& b) {
     add(std::move(role), Polyline{{a, b}});
@@ -107,12 +116,15 @@ class SceneBuilder {
     scene_.obstacles.circles.push_back({to, 6.0});
   }
 
-  LabelRequest label(std::string id, std::string text, std::string role, const TextStyle& style, const Point& anchor,
-                     double radius, const Point& towards = Point::Zero()) const {
-    return {std::move(id), std::move(text), std::move(role), style, anchor, radius + kLabelGap, towards};
+  LabelRequest label(std::string id, std::string text, std::string role, const TextStyle& style,
+                     const Point& anchor, double radius,
+                     const Point& towards = Point::Zero()) const {
+    return {std::move(id), std::move(text),    std::move(role), style,
+            anchor,        radius + kLabelGap, towards};
   }
 
-  // Layers ---------------------------------------------------------------------------------------------------------
+  // Layers
+  // ---------------------------------------------------------------------------------------------------------
 
   bool tests_regions() const { return phase_ == gjk::Phase::closest || !phase_; }
 
@@ -151,7 +163,8 @@ class SceneBuilder {
       area(std::move(role), points);
       const bool interior = gjk::vertex_count(region.face) == 3;
       const std::string name = interior ? "interior" : "region " + words.face(region.face);
-      scene_.area_labels.push_back({"region:" + name, name, "region.label", type::kRegion, points});
+      scene_.area_labels.push_back(
+          {"region:" + name, name, "region.label", type::kRegion, points, false});
     }
     borders();
   }
@@ -168,31 +181,38 @@ class SceneBuilder {
         if (edge.norm() == 0.0) continue;
         Vector2d outwards = Vector2d(edge.y(), -edge.x()).normalized();
         const bool triangle = simplex.count == 3;
-        if (triangle && outwards.dot(simplex.vertices[3 - i - j].w + shift_ - a) > 0.0) outwards = -outwards;
+        if (triangle && outwards.dot(simplex.vertices[3 - i - j].w + shift_ - a) > 0.0)
+          outwards = -outwards;
         for (const Vector2d& end : {a, b}) {
-          line("region.border", at(triangle ? end : Vector2d(end - reach * outwards)), at(end + reach * outwards));
+          line("region.border", at(triangle ? end : Vector2d(end - reach * outwards)),
+               at(end + reach * outwards));
         }
       }
     }
   }
 
-  void shape(const LessonShape& shape, const std::vector<Vector2d>& world, const std::string& role) {
+  void shape(const LessonShape& shape, const std::vector<Vector2d>& world,
+             const std::string& role) {
     std::vector<Point> points;
     for (const Vector2d& vertex : world) points.push_back(at(vertex));
     const Point middle = centroid(points);
     if (points.size() == 2) {
       line(role, points[0], points[1]);
     } else if (points.size() > 2) {
-      if (is_convex(world)) area(role, points);
-      add(role + ".outline", Polyline{points, true});
+      if (is_convex(world)) {
+        area(role, points);
+      } else {
+        add(role, Polyline{points, true});
+      }
       outline(points);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       disk(role + ".vertex", points[i], kVertexRadius);
       Point away = points[i] - middle;
       if (points.size() == 1) away = Point::Zero();
-      scene_.fixed_labels.push_back(label("vertex:" + shape.vertex_names[i], shape.vertex_names[i], role + ".label",
-                                          type::kVertex, points[i], kSimplexRadius, away));
+      scene_.fixed_labels.push_back(label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
+                                          role + ".label", type::kVertex, points[i], kSimplexRadius,
+                                          away));
     }
   }
 
@@ -224,8 +244,7 @@ class SceneBuilder {
       const MinkowskiHull::Value& hull = effects_.get<MinkowskiHull>(frame_);
       std::vector<Point> points;
       for (const int index : hull) points.push_back(at(cloud[index].z));
-      if (points.size() > 2) area("hull", points);
-      add("hull.outline", Polyline{points, true});
+      area("hull", points);
       outline(points);
     }
     if (wants_cloud && pairs_made(all) > 0) {
@@ -238,8 +257,9 @@ class SceneBuilder {
         disk("cloud.point", point, kCloudRadius);
         if (names_all) {
           const std::string name = run_.pair_name(cloud[i].pair);
-          scene_.fixed_labels.push_back(label("cloud:" + name, name, "cloud.label", type::kSmallVertex, point,
-                                              kCloudRadius, point - middle));
+          scene_.fixed_labels.push_back(label("cloud:" + name, name, "cloud.label",
+                                              type::kSmallVertex, point, kCloudRadius,
+                                              point - middle));
         }
       }
     }
@@ -251,12 +271,14 @@ class SceneBuilder {
     const int made = frame_.detail;
     if (made > all) {
       if (view_.kind == ViewKind::difference) {
-        line("closest.line", at(Vector2d::Zero()), at(positioned_.trace.result.y - positioned_.trace.result.x));
-        disk("closest", at(positioned_.trace.result.y - positioned_.trace.result.x), kPointRadius);
+        line("closest.line", at(Vector2d::Zero()),
+             at(positioned_.trace.result.y - positioned_.trace.result.x));
+        disk("closest", at(positioned_.trace.result.y - positioned_.trace.result.x),
+             kClosestRadius);
       } else {
         line("closest.line", at(positioned_.trace.result.x), at(positioned_.trace.result.y));
-        disk("closest", at(positioned_.trace.result.x), kPointRadius);
-        disk("closest", at(positioned_.trace.result.y), kPointRadius);
+        disk("closest", at(positioned_.trace.result.x), kClosestRadius);
+        disk("closest", at(positioned_.trace.result.y), kClosestRadius);
       }
       return;
     }
@@ -279,14 +301,17 @@ class SceneBuilder {
     std::vector<Point> points;
     for (const PositionedRun& run : run_.runs) points.push_back(at(run.x_world[0]));
     add("path", Polyline{points});
-    for (const Point& point : points) add("path.point", Disk{point, 2.0});
+    for (std::size_t i = 1; i < points.size(); ++i)
+      scene_.obstacles.segments.push_back({points[i - 1], points[i]});
+    for (const Point& point : points) add("path.point", Disk{point, 3.0});
   }
 
   void history() {
     for (const History::Entry& entry : effects_.get<History>(frame_)) {
       if (!shows_difference_) continue;
       std::vector<Point> points;
-      for (int i = 0; i < entry.simplex.count; ++i) points.push_back(at_difference(entry.simplex.vertices[i].w));
+      for (int i = 0; i < entry.simplex.count; ++i)
+        points.push_back(at_difference(entry.simplex.vertices[i].w));
       if (points.size() > 1) {
         add("history.simplex", Polyline{points, points.size() > 2});
         outline(points);
@@ -294,15 +319,26 @@ class SceneBuilder {
       const Point p = at_difference(entry.p);
       add("history.closest", Disk{p, 3.5});
       scene_.obstacles.circles.push_back({p, 3.5});
-      scene_.moving_labels.push_back(label(fmt::format("history:{}", entry.iteration), fmt::format("P{}", subscript(entry.iteration)),
+      scene_.moving_labels.push_back(label(fmt::format("history:{}", entry.iteration),
+                                           fmt::format("P{}", subscript(entry.iteration)),
                                            "history.label", type::kSmallVertex, p, 3.5));
     }
   }
 
   static std::string subscript(int number) {
     std::string out;
-    for (const char digit : std::to_string(number)) out += std::string("₀₁₂₃₄₅₆₇₈₉").substr(3 * (digit - '0'), 3);
+    for (const char digit : std::to_string(number))
+      out += std::string("₀₁₂₃₄₅₆₇₈₉").substr(3 * (digit - '0'), 3);
     return out;
+  }
+
+  /// Granularity "test" shows an area only while its sign decides: when the region of its edge is
+  /// tested.
+  bool measures_tested_edge(const BarycentricParts::Part& part) const {
+    if (run_.lesson.granularity != Granularity::test || part.points.size() != 3) return true;
+    if (frame_.detail < 0) return false;
+    const gjk::Face tested = run_.step(frame_).record.region_tests[frame_.detail].region;
+    return gjk::vertex_count(tested) == 2 && !gjk::contains(tested, part.vertex);
   }
 
   /// Lengths and areas in proportion to the barycentric coordinates.
@@ -312,16 +348,18 @@ class SceneBuilder {
     constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
     int side = 1;
     for (const BarycentricParts::Part& part : effects_.get<BarycentricParts>(frame_)) {
+      if (!measures_tested_edge(part)) continue;
       std::vector<Point> points;
       for (const Vector2d& point : part.points) points.push_back(at_difference(point));
-      const std::string role = part.weight < 0.0 ? "area.negative" : std::string(kRoles[part.vertex]);
+      const std::string role =
+          part.weight < 0.0 ? "area.negative" : std::string(kRoles[part.vertex]);
       const std::string text =
           fmt::format("{} = {}", kLetters[part.vertex], Numbers(run_.lesson).weight(part.weight));
       if (points.size() == 3) {
         area(role, points);
-        add(role + ".outline", Polyline{points, true});
         outline(points);
-        scene_.area_labels.push_back({"part:" + std::to_string(part.vertex), text, "area.label", type::kSmallVertex, points});
+        scene_.area_labels.push_back({"part:" + std::to_string(part.vertex), text, "area.label",
+                                      type::kSmallVertex, points, true});
       } else {
         const Point along = points[1] - points[0];
         if (along.norm() < 1.0) continue;
@@ -329,14 +367,16 @@ class SceneBuilder {
         if (normal.y() < 0.0) normal = -normal;  // below the segment on screen, one row a weight
         const Point offset = normal * kLengthOffset * side;
         line(role + ".length", points[0] + offset, points[1] + offset);
-        scene_.moving_labels.push_back(label("part:" + std::to_string(part.vertex), text, "area.label", type::kSmallVertex,
+        scene_.moving_labels.push_back(label("part:" + std::to_string(part.vertex), text,
+                                             "area.label", type::kSmallVertex,
                                              0.5 * (points[0] + points[1]) + offset, 3.0, normal));
       }
       ++side;
     }
   }
 
-  // The run --------------------------------------------------------------------------------------------------------
+  // The run
+  // --------------------------------------------------------------------------------------------------------
 
   bool knows_closest_point() const {
     if (!phase_ || phase_ == gjk::Phase::add) return false;
@@ -345,7 +385,8 @@ class SceneBuilder {
   }
 
   bool shows_whole_simplex() const {
-    return run_.lesson.granularity == Granularity::phase || run_.lesson.granularity == Granularity::iteration;
+    return run_.lesson.granularity == Granularity::phase ||
+           run_.lesson.granularity == Granularity::iteration;
   }
 
   void simplex() {
@@ -357,8 +398,10 @@ class SceneBuilder {
       if (shows_whole_simplex() && points.size() == 3) area("simplex.fill", points);
       for (int i = 0; i < simplex.count; ++i) {
         for (int j = i + 1; j < simplex.count; ++j) {
-          const bool holds_p = gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
-          if (holds_p || shows_whole_simplex()) line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
+          const bool holds_p =
+              gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
+          if (holds_p || shows_whole_simplex())
+            line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
         }
       }
     }
@@ -367,7 +410,8 @@ class SceneBuilder {
       simplex_vertex(simplex.vertices[i], "simplex");
     }
     if (phase_ == gjk::Phase::cull) {
-      for (const gjk::SupportPoint<double, 2>& dropped : run_.step(frame_).record.dropped) dropped_vertex(dropped);
+      for (const gjk::SupportPoint<double, 2>& dropped : run_.step(frame_).record.dropped)
+        dropped_vertex(dropped);
     }
   }
 
@@ -382,7 +426,8 @@ class SceneBuilder {
     const std::string name = run_.pair_name(vertex.pair);
     const Point point = at_difference(vertex.w);
     Point middle = map_.area().center();
-    scene_.fixed_labels.push_back(label("cloud:" + name, name, role, type::kSmallVertex, point, kSimplexRadius, point - middle));
+    scene_.fixed_labels.push_back(label("cloud:" + name, name, role, type::kSmallVertex, point,
+                                        kSimplexRadius, point - middle));
   }
 
   void simplex_vertex(const gjk::SupportPoint<double, 2>& vertex, const std::string& role) {
@@ -400,8 +445,9 @@ class SceneBuilder {
     const Point p = at_difference(state_.p);
     const Point o = at_difference(Vector2d::Zero());
     line("closest.line", p, o);
-    disk("closest", p, kPointRadius);
-    scene_.moving_labels.push_back(label("P", "P", "closest.label", type::kVertex, p, kPointRadius, p - o));
+    disk("closest", p, kClosestRadius);
+    scene_.moving_labels.push_back(
+        label("P", "P", "closest.label", type::kVertex, p, kPointRadius, p - o));
   }
 
   void witness_points() {
@@ -413,15 +459,17 @@ class SceneBuilder {
       y += state_.simplex.weights[i] * state_.simplex.vertices[i].y;
     }
     line("closest.line", at(x), at(y));
-    disk("closest", at(x), kPointRadius - 1.0);
-    disk("closest", at(y), kPointRadius - 1.0);
+    disk("closest", at(x), kClosestRadius);
+    disk("closest", at(y), kClosestRadius);
   }
 
   bool has_direction() const {
     return phase_ == gjk::Phase::direction || phase_ == gjk::Phase::support ||
            (phase_ == gjk::Phase::stop && !stopped_early());
   }
-  bool has_support() const { return phase_ == gjk::Phase::support || (phase_ == gjk::Phase::stop && !stopped_early()); }
+  bool has_support() const {
+    return phase_ == gjk::Phase::support || (phase_ == gjk::Phase::stop && !stopped_early());
+  }
   /// True when the run went from cull or direction straight to the stop tests.
   bool stopped_early() const {
     if (frame_.step < 1) return true;
@@ -430,12 +478,14 @@ class SceneBuilder {
 
   Point direction_on_screen(const Vector2d& d) const { return Point(d.x(), -d.y()) / d.norm(); }
 
-  void search_arrow(const Point& from, const Vector2d& d, const std::string& text, const std::string& role) {
+  void search_arrow(const Point& from, const Vector2d& d, const std::string& text,
+                    const std::string& role) {
     if (!(d.norm() > 0.0)) return;
     const Point along = direction_on_screen(d);
     const Point tip = from + kArrowLength * along;
     arrow(role, from, tip);
-    scene_.moving_labels.push_back(label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
+    scene_.moving_labels.push_back(
+        label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
   }
 
   void search() {
@@ -462,13 +512,15 @@ class SceneBuilder {
     if (view_.kind == ViewKind::world && run_.point_query()) {
       const Point q = at(positioned_.x_world[0]);
       disk("query", q, kPointRadius);
-      scene_.moving_labels.push_back(label("Q", run_.lesson.x.vertex_names[0], "query.label", type::kVertex, q, kPointRadius));
+      scene_.moving_labels.push_back(
+          label("Q", run_.lesson.x.vertex_names[0], "query.label", type::kVertex, q, kPointRadius));
     }
     if (view_.kind == ViewKind::difference) {
       const Point o = at(Vector2d::Zero());
       add("origin", Cross{o, kOriginRadius});
       scene_.obstacles.circles.push_back({o, kOriginRadius});
-      scene_.fixed_labels.push_back(label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
+      scene_.fixed_labels.push_back(
+          label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
     }
   }
 
@@ -489,8 +541,8 @@ class SceneBuilder {
 
 std::vector<Vector2d> StageMap::visible() const {
   const Vector2d half = 0.5 * area_.size() / scale();
-  return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()), camera_.center + half,
-          camera_.center + Vector2d(-half.x(), half.y())};
+  return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
+          camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
 }
 
 Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
@@ -519,7 +571,8 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   constexpr double kBottom = 52.0;
   const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
   const Vector2d extent = high - low;
-  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300, extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
+  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,
+                          extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
   if (scale >= 1e300) scale = room.y();
   Camera camera;
   camera.height = area.size().y() / scale;
@@ -527,8 +580,8 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   return camera;
 }
 
-Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame, const LessonView& view,
-                  const StageMap& map) {
+Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                  const LessonView& view, const StageMap& map) {
   return SceneBuilder(run, effects, frame, view, map).build();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// A stage: one view of a lesson (the world, or the Minkowski difference) drawn into a rectangle of the frame.
+// A stage: one view of a lesson (the world, or the Minkowski difference) drawn into a rectangle of
+// the frame.
 
 #include "effects/graph.hpp"
 #include "picture/labels.hpp"
@@ -28,16 +29,18 @@ class StageMap {
 /// What is drawn on a stage at one frame, labels not yet placed.
 struct Scene {
   std::vector<Mark> marks;
-  std::vector<LabelRequest> fixed_labels;   ///< Of things that stay where they are: one place for the whole lesson.
+  std::vector<LabelRequest>
+      fixed_labels;  ///< Of things that stay where they are: one place for the whole lesson.
   std::vector<LabelRequest> moving_labels;
   std::vector<AreaLabelRequest> area_labels;
   Obstacles obstacles;
 };
 
-/// The camera of a view: the lesson's, or one that fits everything the view will show over all frames.
+/// The camera of a view: the lesson's, or one that fits everything the view will show over all
+/// frames.
 [[nodiscard]] Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area);
 
-[[nodiscard]] Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame, const LessonView& view,
-                                const StageMap& map);
+[[nodiscard]] Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                                const LessonView& view, const StageMap& map);
 
 }  // namespace gjkscope

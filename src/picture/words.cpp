@@ -18,7 +18,9 @@ std::string with_minus(std::string digits) {
   return digits;
 }
 
-bool is_all_zero(const std::string& digits) { return digits.find_first_of("123456789") == std::string::npos; }
+bool is_all_zero(const std::string& digits) {
+  return digits.find_first_of("123456789") == std::string::npos;
+}
 
 std::string float_digits(double value, int digits) {
   if (value == 0.0) return "0";
@@ -73,7 +75,8 @@ std::vector<int> SimplexWords::order(gjk::Face face) const {
     if (gjk::contains(face, i)) out.push_back(i);
   }
   if (cyclic_ && face == 0b101) return {2, 0};
-  if (!cyclic_) std::sort(out.begin(), out.end(), [&](int a, int b) { return vertex(a) < vertex(b); });
+  if (!cyclic_)
+    std::sort(out.begin(), out.end(), [&](int a, int b) { return vertex(a) < vertex(b); });
   return out;
 }
 
@@ -88,7 +91,11 @@ std::string SimplexWords::face(gjk::Face face) const {
 
 std::string SimplexWords::kind_and_face(gjk::Face face) const {
   constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
-  return fmt::format("{} {}", kKinds[gjk::vertex_count(face)], this->face(face));
+  const int size = gjk::vertex_count(face);
+  if (size == 2 && !run_.point_query()) {
+    return fmt::format("edge from {} to {}", vertex(order(face)[0]), vertex(order(face)[1]));
+  }
+  return fmt::format("{} {}", kKinds[size], this->face(face));
 }
 
 std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
@@ -100,16 +107,42 @@ std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
   return out;
 }
 
+std::vector<gjk::RegionTerm<double>> SimplexWords::terms(
+    const gjk::RegionTest<double>& test) const {
+  std::vector<gjk::RegionTerm<double>> out = test.terms;
+  const auto regions =
+      gjk::detail::regions_in_order(simplex_.count, gjk::RegionOrder::vertices_first).regions;
+  const auto place = [&](const gjk::RegionTerm<double>& term) {
+    return std::find(regions.begin(), regions.end(), term.face) - regions.begin();
+  };
+  std::stable_sort(out.begin(), out.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return out;
+}
+
 std::string SimplexWords::combination(gjk::Face face, const Numbers& numbers) const {
   std::string out;
   for (const int i : order(face)) {
     if (!out.empty()) out += " + ";
     if (gjk::vertex_count(face) > 1) out += numbers.weight(simplex_.weights[i]) + " ";
-    out += run_.point_query() ? vertex(i) : fmt::format("({})", vertex(i));
+    const bool plain = run_.point_query() || gjk::vertex_count(face) == 1;
+    out += plain ? vertex(i) : fmt::format("({})", vertex(i));
   }
   return out;
 }
 
-std::string query_name(const LessonRun& run) { return run.point_query() ? run.lesson.x.vertex_names[0] : "O"; }
+double upper_bound(const gjk::State<double, 2>& state) {
+  const bool found_nearer = state.previous == gjk::Phase::closest &&
+                            (state.best.count == 0 || state.p_sq < state.best_sq);
+  return std::sqrt(found_nearer ? state.p_sq : state.best_sq);
+}
+
+double lower_bound(const gjk::State<double, 2>& state) {
+  return std::sqrt(state.plane_distance_sq);
+}
+
+std::string query_name(const LessonRun& run) {
+  return run.point_query() ? run.lesson.x.vertex_names[0] : "O";
+}
 
 }  // namespace gjkscope

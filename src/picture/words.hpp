@@ -12,8 +12,9 @@ namespace gjkscope {
 /// The same, positive numbers with a plus sign.
 [[nodiscard]] std::string signed_fixed(double value, int decimals);
 
-/// Numbers of one lesson: four decimals in double and exact lessons, all digits that tell values apart in half (5) and
-/// float (9, trailing zeros dropped) ones. Very large and very small numbers in scientific notation.
+/// Numbers of one lesson: four decimals in double and exact lessons, all digits that tell values
+/// apart in half (5) and float (9, trailing zeros dropped) ones. Very large and very small numbers
+/// in scientific notation.
 class Numbers {
  public:
   explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar) {}
@@ -36,10 +37,14 @@ class SimplexWords {
   [[nodiscard]] std::vector<int> order(gjk::Face face) const;
   /// "CE", or "N−C, L−D" where vertices are pairs.
   [[nodiscard]] std::string face(gjk::Face face) const;
-  /// "vertex E", "edge CE", "triangle CDE"
+  /// "vertex E", "edge CE", "triangle CDE"; for pairs "edge from K−C to L−D".
   [[nodiscard]] std::string kind_and_face(gjk::Face face) const;
-  /// "u", "vAB", "wABC": the slides' name of a vertex's barycentric coordinate in a face; for pairs "weight of K−C".
+  /// "u", "vAB", "wABC": the slides' name of a vertex's barycentric coordinate in a face; for pairs
+  /// "weight of K−C".
   [[nodiscard]] std::string coordinate(gjk::Face face, int vertex) const;
+  /// The terms of a region test in the order in which the slides write them: edges AB, BC, CA.
+  [[nodiscard]] std::vector<gjk::RegionTerm<double>> terms(
+      const gjk::RegionTest<double>& test) const;
   /// "0.312 B + 0.688 C"
   [[nodiscard]] std::string combination(gjk::Face face, const Numbers& numbers) const;
 
@@ -48,6 +53,11 @@ class SimplexWords {
   const gjk::Simplex<double, 2>& simplex_;
   bool cyclic_ = false;
 };
+
+/// Upper bound of the distance as a step shows it: the closest-point phase has found P, cull makes
+/// it the best.
+[[nodiscard]] double upper_bound(const gjk::State<double, 2>& state);
+[[nodiscard]] double lower_bound(const gjk::State<double, 2>& state);
 
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);
