@@ -24,11 +24,12 @@
 
 namespace gjk {
 
-/// What the bounds prove.
+/// What the run came to. `separated` is proved. Distance 0 is proved when `upper` is 0, too; else
+/// it is what was computed, and `upper` says by how much rounding may deceive.
 enum class Verdict : std::uint8_t {
   separated,    ///< A plane separates the shapes: lower > 0.
-  touching,     ///< Distance 0, and a plane through O has all of Z on one side.
-  overlapping,  ///< Distance 0.
+  touching,     ///< Distance 0, and the run met a plane through O that has all of Z on one side.
+  overlapping,  ///< Distance 0, and the run met no such plane (it does not search for one).
   undecided,    ///< lower = 0 < distance: rounding, or the iteration cap, leaves the question open.
   none,         ///< The query was refused.
 };
