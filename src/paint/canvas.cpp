@@ -93,6 +93,11 @@ struct Canvas::Context {
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
     imgui.has_backend = ImGui_ImplOpenGL2_Init();
     if (!imgui.has_backend) throw std::runtime_error("Dear ImGui has no OpenGL 2 back end");
+    // One frame of Dear ImGui's own, without a window: it uploads the atlas, and gives draw lists
+    // the font and the flags that they share.
+    ImGui_ImplOpenGL2_NewFrame();
+    ImGui::NewFrame();
+    ImGui::EndFrame();
   }
 
   ~Context() {
@@ -120,9 +125,6 @@ struct Canvas::Context {
 
   void paint(const Picture& picture, Image& image) {
     target(image);
-    ImGui_ImplOpenGL2_NewFrame();
-    ImGui::NewFrame();
-
     const std::size_t list_count = build_lists(picture);
     std::vector<ImDrawList*> pointers;
     ImDrawData data;
@@ -140,10 +142,12 @@ struct Canvas::Context {
     const Color paper = theme.background();
     glViewport(0, 0, width, height);
     glClearColor(paper.r / 255.0f, paper.g / 255.0f, paper.b / 255.0f, 1.0f);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT);
+    // What is painted over the paper leaves it opaque.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     ImGui_ImplOpenGL2_RenderDrawData(&data);
     glFinish();
-    ImGui::EndFrame();
 
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {

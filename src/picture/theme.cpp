@@ -159,7 +159,8 @@ Theme Theme::load(const std::filesystem::path& folder, std::string_view name) {
                                          fmt::join(known, ", ")));
   }
   const auto file = [&](std::string_view theme) { return folder / fmt::format("{}.toml", theme); };
-  std::vector<toml::table> files = {parse(file(name))};
+  std::vector<toml::table> files;  // Moved, never copied: a copy forgets where it was read from.
+  files.push_back(parse(file(name)));
   if (const toml::node* base = files.front().get("base")) {
     const std::string base_name = base->value_or(std::string());
     if (base_name == name || std::find(known.begin(), known.end(), base_name) == known.end()) {

@@ -1,0 +1,220 @@
+#include "picture/theme.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace gjkscope {
+namespace {
+
+const std::filesystem::path kThemes =
+    std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "themes";
+
+constexpr const char* kTextRoles[] = {
+    "title",        "prose",           "position",      "view-title",     "caption",
+    "detail",       "heading",         "body",          "body.muted",     "strong",
+    "code",         "code.current",    "code.muted",    "code.value",     "pass",
+    "fail",         "untried",         "shape.x.label", "shape.y.label",  "query.label",
+    "origin.label", "region.label",    "simplex.label", "closest.label",  "support.label",
+    "hull.label",   "direction.label", "cloud.label",   "timeline.label", "timeline.label.current"};
+
+constexpr const char* kOtherRoles[] = {"background",
+                                       "card",
+                                       "card.rule",
+                                       "highlight",
+                                       "shape.x",
+                                       "shape.x.vertex",
+                                       "shape.y",
+                                       "shape.y.vertex",
+                                       "query",
+                                       "origin",
+                                       "region.vertex",
+                                       "region.edge",
+                                       "region.interior",
+                                       "region.active",
+                                       "region.border",
+                                       "simplex.edge",
+                                       "simplex.fill",
+                                       "simplex.vertex",
+                                       "closest",
+                                       "closest.line",
+                                       "support",
+                                       "support.plane",
+                                       "direction",
+                                       "cloud.point",
+                                       "cloud.current",
+                                       "hull",
+                                       "area.u",
+                                       "history.simplex",
+                                       "history.closest",
+                                       "area.v",
+                                       "area.w",
+                                       "area.negative",
+                                       "path",
+                                       "path.point",
+                                       "dropped",
+                                       "weight.track",
+                                       "weight.bar",
+                                       "weight.negative",
+                                       "weight.axis",
+                                       "bounds.track",
+                                       "bounds.bar",
+                                       "timeline.done",
+                                       "timeline.ahead",
+                                       "timeline.event",
+                                       "timeline.current",
+                                       "slab"};
+
+/// Relative luminance, WCAG 2.1.
+double luminance(const Color& color) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+double contrast(const Color& a, const Color& b) {
+  const double light = std::max(luminance(a), luminance(b));
+  const double dark = std::min(luminance(a), luminance(b));
+  return (light + 0.05) / (dark + 0.05);
+}
+
+Color over(const Color& top, const Color& bottom) {
+  const auto mix = [&](std::uint8_t t, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround((t * top.a + b * (255 - top.a)) / 255.0));
+  };
+  return {mix(top.r, bottom.r), mix(top.g, bottom.g), mix(top.b, bottom.b), 255};
+}
+
+/// A folder with one theme of the given text.
+class ThemeFile : public testing::Test {
+ protected:
+  std::string error_of(const std::string& text) {
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "gjkscope-themes";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "mine.toml") << text;
+    try {
+      static_cast<void>(Theme::load(folder, "mine"));
+      return "no error";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+  void expect_error(const std::string& text, const std::string& place, const std::string& what) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find("mine.toml:" + place + ": "), std::string::npos) << error;
+    EXPECT_NE(error.find(what), std::string::npos) << error;
+  }
+};
+
+TEST(Theme, FourThemesAreShipped) {
+  EXPECT_EQ(Theme::names(kThemes),
+            (std::vector<std::string>{"dark", "high-contrast", "light", "print"}));
+}
+
+TEST(Theme, EveryThemeHasEveryRole) {
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    for (const char* role : kTextRoles) {
+      ASSERT_NO_THROW(static_cast<void>(theme.style(role))) << name << ": " << role;
+      EXPECT_TRUE(theme.style(role).fill) << name << ": " << role << " is text without a colour";
+    }
+    for (const char* role : kOtherRoles) {
+      EXPECT_NO_THROW(static_cast<void>(theme.style(role))) << name << ": " << role;
+    }
+  }
+}
+
+TEST(Theme, TextStandsOutFromPaperAndCards) {
+  constexpr double kReadable = 4.5;  // WCAG 2.1, success criterion 1.4.3
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    const Color card = *theme.style("card").fill;
+    for (const char* role : kTextRoles) {
+      const Color ink = *theme.style(role).fill;
+      EXPECT_GE(contrast(ink, theme.background()), kReadable) << name << ": " << role;
+      EXPECT_GE(contrast(ink, card), kReadable) << name << ": " << role;
+    }
+    if (const auto marked = theme.style("highlight").fill) {
+      EXPECT_GE(contrast(*theme.style("code.current").fill, *marked), kReadable) << name;
+    }
+  }
+}
+
+TEST(Theme, LabelsOfRegionsAreReadableOnTheirRegions) {
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    const Color card = *theme.style("card").fill;
+    for (const char* role : {"region.vertex", "region.edge", "region.interior"}) {
+      const auto fill = theme.style(role).fill;
+      if (!fill) continue;
+      const Color ground = over(*fill, card);
+      EXPECT_GE(contrast(*theme.style("region.label").fill, ground), 4.5) << name << ": " << role;
+    }
+  }
+}
+
+TEST(Theme, TheTwoShapesDifferInDashWhereColourMayBeLost) {
+  for (const char* name : {"print", "high-contrast"}) {
+    const Theme theme = Theme::load(kThemes, name);
+    EXPECT_NE(theme.style("shape.x").dash, theme.style("shape.y").dash) << name;
+  }
+}
+
+TEST(Theme, PrintFillsNoAreas) {
+  const Theme theme = Theme::load(kThemes, "print");
+  for (const char* role : {"shape.x", "shape.y", "region.vertex", "region.edge", "region.interior",
+                           "region.active", "simplex.fill", "hull", "area.u", "area.v", "area.w"}) {
+    EXPECT_FALSE(theme.style(role).fill) << role;
+  }
+}
+
+TEST(Theme, ARoleLooksLikeItsNearestAncestor) {
+  const Theme theme = Theme::load(kThemes, "light");
+  EXPECT_EQ(&theme.style("simplex.vertex.first.of.all"), &theme.style("simplex.vertex"));
+  EXPECT_THROW(static_cast<void>(theme.style("nothing.like.it")), std::out_of_range);
+}
+
+TEST(Theme, AnUnknownThemeIsToldTheNamesThereAre) {
+  try {
+    static_cast<void>(Theme::load(kThemes, "sepia"));
+    FAIL() << "there is no theme sepia";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("dark, high-contrast, light, print"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(ThemeFile, AWellFormedOneLoads) {
+  EXPECT_EQ(
+      error_of("[palette]\nink = \"#102030\"\n[roles]\n\"background\" = { fill = \"#FFFFFF80\" }\n"
+               "\"a.b\" = { stroke = \"ink\", width = 2, dash = [0, 4] }\n"),
+      "no error");
+}
+
+TEST_F(ThemeFile, MistakesAreLocated) {
+  const std::string head = "[roles]\n\"background\" = { fill = \"#FFFFFF\" }\n";
+  expect_error("[colours]\n", "1:2", "unknown key \"colours\"");
+  expect_error(head + "\"a\" = { colour = \"#FFFFFF\" }\n", "3:9", "unknown key \"colour\"");
+  expect_error(head + "\"a\" = { fill = \"pink\" }\n", "3:16", "no colour \"pink\"");
+  expect_error(head + "\"a\" = { fill = \"#12345\" }\n", "3:16", "#rrggbb");
+  expect_error(head + "\"a\" = { fill = \"#12345G\" }\n", "3:16", "#rrggbb");
+  expect_error(head + "\"a\" = { fill = 3 }\n", "3:16", "expected a colour");
+  expect_error(head + "\"a\" = { width = -1 }\n", "3:17", "expected a length");
+  expect_error(head + "\"a\" = { dash = [3] }\n", "3:16", "even number");
+  expect_error(head + "\"a\" = { dash = [3, 0] }\n", "3:20", "above 0");
+  expect_error(head + "\"a\" = 7\n", "3:7", "expected a role's style");
+  expect_error(head + "\"a\" = { fill = \n", "3:16", "expected value");
+  expect_error("base = \"mine\"\n" + head, "1:8", "another theme");
+  expect_error("[roles]\n", "1:1", "background");
+}
+
+}  // namespace
+}  // namespace gjkscope
