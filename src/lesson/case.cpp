@@ -1,0 +1,306 @@
+#include "lesson/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+using nlohmann::json;
+
+/// Problems of one case beyond these are counted, not listed.
+constexpr std::size_t kListedProblems = 20;
+
+/// After so many values that are not JSON a text is read no further.
+constexpr int kMostBroken = 100;
+
+[[nodiscard]] bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+[[nodiscard]] std::size_t skip_space(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_space(text[at])) ++at;
+  return at;
+}
+
+/// One past the string that begins at `at`.
+[[nodiscard]] std::size_t skip_string(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at) {
+    if (text[at] == '\\') ++at;
+  }
+  return std::min(at + 1, text.size());
+}
+
+/// One past the value that begins at `at`, which need not be well-formed.
+[[nodiscard]] std::size_t skip_value(std::string_view text, std::size_t at) {
+  int depth = 0;
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == '"') {
+      at = skip_string(text, at);
+      if (depth == 0) return at;
+      continue;
+    }
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') {
+      if (--depth <= 0) return depth < 0 ? at : at + 1;
+    }
+    if (depth == 0 && (is_space(c) || c == ',')) return at;
+    ++at;
+  }
+  return at;
+}
+
+/// Where the value at `path` (keys and indices) begins in a well-formed text.
+[[nodiscard]] std::size_t find_value(std::string_view text, std::size_t at,
+                                     const std::vector<std::string>& path) {
+  at = skip_space(text, at);
+  for (const std::string& wanted : path) {
+    const bool object = at < text.size() && text[at] == '{';
+    std::optional<std::size_t> found;
+    int index = 0;
+    std::size_t next = skip_space(text, at + 1);
+    while (next < text.size() && text[next] != '}' && text[next] != ']') {
+      std::string key = std::to_string(index++);
+      if (object) {
+        const std::size_t end = skip_string(text, next);
+        key = std::string(text.substr(next + 1, end - next - 2));
+        next = skip_space(text, skip_space(text, end) + 1);  // the colon
+      }
+      if (key == wanted) found = next;  // of repeated keys the last one counts
+      next = skip_space(text, skip_value(text, next));
+      if (next < text.size() && text[next] == ',') next = skip_space(text, next + 1);
+    }
+    if (!found) return at;
+    at = *found;
+  }
+  return at;
+}
+
+class CaseReader {
+ public:
+  CaseReader(std::string_view text, std::string_view file) : text_(text), file_(file) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') line_starts_.push_back(i + 1);
+    }
+  }
+
+  std::vector<ReadCase> read() {
+    std::size_t at = skip_space(text_, text_.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
+    if (at == text_.size()) {
+      ReadCase& none = add();
+      report(none, at, "there is no case", kShape);
+    }
+    while (at < text_.size()) {
+      const std::size_t end = std::max(skip_value(text_, at), at + 1);
+      at = skip_space(text_, read_value(at, end));
+    }
+    return std::move(cases_);
+  }
+
+ private:
+  static constexpr std::string_view kShape =
+      R"({"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]})";
+
+  ReadCase& add() {
+    ReadCase& added = cases_.emplace_back();
+    added.name = cases_.size() == 1 ? file_ : fmt::format("{}#{}", file_, cases_.size());
+    return added;
+  }
+
+  void report(ReadCase& to, std::size_t at, std::string what, std::string_view expected) const {
+    if (to.problems.size() == kListedProblems) return;
+    Problem problem;
+    problem.file = file_;
+    at = std::min(at, text_.size());
+    const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - 1;
+    problem.line = 1 + static_cast<int>(line - line_starts_.begin());
+    problem.column = 1 + static_cast<int>(at - *line);
+    problem.what = std::move(what);
+    problem.expected = expected;
+    to.problems.push_back(std::move(problem));
+  }
+
+  /// Reads the value in [at, end); returns where to go on.
+  std::size_t read_value(std::size_t at, std::size_t end) {
+    const std::string_view part = text_.substr(at, end - at);
+    json value;
+    try {
+      value = json::parse(part);
+    } catch (const json::parse_error& error) {
+      const std::size_t place = at + (error.byte > 0 ? error.byte - 1 : 0);
+      report(add(), place, "this is not JSON: " + reason(error.what()), kShape);
+      return after_error(at, end);
+    } catch (const json::exception& error) {
+      // The only other one is a number too large, which the message quotes.
+      const std::string message = error.what();
+      const std::size_t open = message.find('\'');
+      const std::size_t close = message.rfind('\'');
+      const std::string number =
+          open < close ? message.substr(open + 1, close - open - 1) : std::string();
+      const std::size_t found = part.find(number);
+      report(add(), at + (found == std::string_view::npos ? 0 : found),
+             fmt::format("the number {} is too large for a double", number),
+             "magnitudes below 1.8e308");
+      return end;
+    }
+    if (value.is_array() && (value.empty() || !value[0].is_number())) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        read_case(value[i], find_value(text_, at, {std::to_string(i)}));
+      }
+      if (value.empty()) report(add(), at, "the array holds no case", kShape);
+    } else {
+      read_case(value, at);
+    }
+    return end;
+  }
+
+  /// A case with a bracket too few swallows what follows. When cases stand one a line, go on with
+  /// the next line that begins one.
+  [[nodiscard]] std::size_t after_error(std::size_t at, std::size_t end) {
+    if (text_[at] != '{' || ++broken_ == kMostBroken) return text_.size();
+    for (std::size_t line = text_.find('\n', at); line < end; line = text_.find('\n', line + 1)) {
+      if (line + 1 < end && text_[line + 1] == '{') return line + 1;
+    }
+    return end;
+  }
+
+  /// The library's message without its identifiers and position, which are told otherwise.
+  [[nodiscard]] static std::string reason(std::string_view message) {
+    const std::size_t colon = message.find(": ");
+    return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
+  }
+
+  void read_case(const json& value, std::size_t at) {
+    ReadCase& out = add();
+    if (!value.is_object()) {
+      report(out, at, fmt::format("a case is {}", article(value)), kShape);
+      return;
+    }
+    if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
+      out.name = name->get<std::string>();
+    }
+    if (const auto dimension = value.find("dimension"); dimension != value.end()) {
+      if (!dimension->is_number() || *dimension != 2) {
+        report(out, find_value(text_, at, {"dimension"}),
+               fmt::format("/dimension is {}", shown(*dimension)), "2: the plane");
+        return;
+      }
+    }
+    Case read;
+    read.a = read_points(value, "a", at, out);
+    read.b = read_points(value, "b", at, out);
+    if (out.problems.empty()) out.value = std::move(read);
+  }
+
+  std::vector<Vector2d> read_points(const json& value, const char* key, std::size_t at,
+                                    ReadCase& out) const {
+    std::vector<Vector2d> points;
+    const auto list = value.find(key);
+    if (list == value.end()) {
+      report(out, at, fmt::format("/{} is missing", key), kShape);
+      return points;
+    }
+    if (!list->is_array() || list->empty()) {
+      report(out, find_value(text_, at, {key}),
+             fmt::format("/{} is {}", key, list->is_array() ? "empty" : article(*list)),
+             "an array of at least one point, [[x, y], ...]");
+      return points;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const json& point = (*list)[i];
+      if (!point.is_array() || point.size() != 2) {
+        report(out, find_value(text_, at, {key, std::to_string(i)}),
+               point.is_array() ? fmt::format("/{}/{} has {} coordinates", key, i, point.size())
+                                : fmt::format("/{}/{} is {}", key, i, article(point)),
+               "two coordinates, [x, y]");
+        continue;
+      }
+      Vector2d read = Vector2d::Zero();
+      for (int k = 0; k < 2; ++k) {
+        const std::optional<double> number = coordinate(point[static_cast<std::size_t>(k)]);
+        if (number && std::isfinite(*number)) {
+          read[k] = *number;
+        } else {
+          report(
+              out, find_value(text_, at, {key, std::to_string(i), std::to_string(k)}),
+              fmt::format("/{}/{}/{} is {}", key, i, k, shown(point[static_cast<std::size_t>(k)])),
+              "a finite number, or a string that holds one");
+        }
+      }
+      points.push_back(read);
+    }
+    return points;
+  }
+
+  /// A number, or a string that holds a decimal or hexadecimal one and nothing else.
+  [[nodiscard]] static std::optional<double> coordinate(const json& value) {
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_string()) return std::nullopt;
+    const std::string& text = value.get_ref<const std::string&>();
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    const bool negative = begin != end && *begin == '-';
+    if (begin != end && (*begin == '-' || *begin == '+')) ++begin;
+    if (begin == end || *begin == '-') return std::nullopt;
+    const bool hex = end - begin > 2 && begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X');
+    if (hex) begin += 2;
+    double number = 0.0;
+    const auto [stop, error] = std::from_chars(
+        begin, end, number, hex ? std::chars_format::hex : std::chars_format::general);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return negative ? -number : number;
+  }
+
+  [[nodiscard]] static std::string article(const json& value) {
+    const std::string_view type = value.type_name();
+    if (type == "null") return "null";
+    return fmt::format("{} {}", type == "object" || type == "array" ? "an" : "a", type);
+  }
+
+  [[nodiscard]] static std::string shown(const json& value) {
+    constexpr std::size_t kLongest = 40;
+    if (value.is_structured()) return article(value);
+    std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+    return text;
+  }
+
+  std::string_view text_;
+  std::string file_;
+  std::vector<std::size_t> line_starts_ = {0};
+  std::vector<ReadCase> cases_;
+  int broken_ = 0;
+};
+
+LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char letter) {
+  LessonShape shape;
+  shape.name = std::move(name);
+  shape.vertices = points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    shape.vertex_names.push_back(fmt::format("{}{}", letter, i + 1));
+  }
+  return shape;
+}
+
+}  // namespace
+
+std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file) {
+  return CaseReader(text, file).read();
+}
+
+Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {
+  Lesson lesson;
+  lesson.id = name;
+  lesson.path = name;
+  lesson.title = name;
+  lesson.x = shape_of(value.a, "X", 'x');
+  lesson.y = shape_of(value.b, "Y", 'y');
+  lesson.scalar = scalar;
+  return lesson;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,42 @@
+#pragma once
+// Pasted shapes: the JSON that `gjkscope solve` and `gjkscope trace` read.
+//
+//   {"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]}
+//
+// `a` is X, `b` is Y: point sets whose convex hulls count, in any order. A coordinate is a number,
+// or a string that holds one ("0.1", "0x1.999999999999ap-4"); it means the nearest double. `name`
+// is optional; other keys are ignored. A text holds any number of cases, one after the other (one a
+// line, for example), or in arrays.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+#include "lesson/problem.hpp"
+
+namespace gjkscope {
+
+struct Case {
+  std::vector<Eigen::Vector2d> a;  ///< X; never empty.
+  std::vector<Eigen::Vector2d> b;  ///< Y; never empty.
+};
+
+/// One case of a text, as far as it could be read.
+struct ReadCase {
+  std::string
+      name;  ///< Its `name`, or the file's; "#2" is added to the second of a file and so on.
+  std::optional<Case> value;
+  std::vector<Problem> problems;  ///< Empty exactly when `value` is there.
+};
+
+/// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
+/// that cannot be read does not keep the others from being read.
+[[nodiscard]] std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file);
+
+/// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
+[[nodiscard]] Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar);
+
+}  // namespace gjkscope
