@@ -180,7 +180,8 @@ class Writer {
   void closest(FrameText& text) const {
     text.caption = region_reason();
     if (gjk::vertex_count(state_.region) == 3) {
-      text.detail = format("So P = {} and the distance is 0: the shapes overlap.", q_);
+      text.detail = run_.point_query() ? format("So P = {}, and the distance is 0.", q_)
+                                       : "So P = O and the distance is 0: the shapes overlap.";
       return;
     }
     text.detail = format("So {}, at distance {} from {}.", p_is(), distance(), q_);

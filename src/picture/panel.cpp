@@ -704,7 +704,8 @@ class PanelBuilder {
 
 struct Tick {
   std::string label;
-  bool event = false;  ///< A vertex dropped, containment, the end.
+  std::string short_label;  ///< Where the label is wider than the tick.
+  bool event = false;       ///< A vertex dropped, containment, the end.
 };
 struct Group {
   std::string label;
@@ -725,38 +726,43 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       const SimplexWords words(run, run.state(frame).simplex);
       const gjk::Face face = run.state(frame).region;
       group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face))
-          .ticks.push_back({"", false});
+          .ticks.push_back({});
     } else if (granularity == Granularity::test) {
       Group& position =
           group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "ordered tests");
       if (frame.detail < 0) {
-        position.ticks.push_back({"weights", false});
+        position.ticks.push_back({"weights", "", false});
       } else {
         const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[frame.detail];
         position.ticks.push_back(
             {"region " + SimplexWords(run, run.state(frame).simplex).face(test.region),
-             test.holds});
+             SimplexWords(run, run.state(frame).simplex).face(test.region), test.holds});
       }
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
-        group("start").ticks.push_back({"", false});
+        group("start").ticks.push_back({});
       } else if (frame.detail > all) {
-        group("hull").ticks.push_back({"Z", true});
+        group("hull").ticks.push_back({"Z", "", true});
       } else {
         const gjk::VertexPair pair{(frame.detail - 1) / per_x, (frame.detail - 1) % per_x};
         group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]))
-            .ticks.push_back({run.pair_name(pair), false});
+            .ticks.push_back({run.pair_name(pair), "", false});
       }
     } else if (frame.step < 0) {
-      group("start").ticks.push_back({"S", false});
+      group("start").ticks.push_back({"S", "", false});
     } else {
       const gjk::Step<double, 2>& step = run.step(frame);
       const bool event =
           !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
-      constexpr std::array<std::string_view, 6> kShort = {"closest", "cull",  "direction",
-                                                          "support", "stop?", "add"};
+      constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
+                                                                           {"cull", "−"},
+                                                                           {"direction", "d"},
+                                                                           {"support", "w"},
+                                                                           {"stop?", "?"},
+                                                                           {"add", "+"}}};
+      const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
       group(format("iteration {}", step.iteration))
-          .ticks.push_back({std::string(kShort[static_cast<int>(step.phase)]), event});
+          .ticks.push_back({std::string(label), std::string(short_label), event});
     }
   }
   return groups;
@@ -811,21 +817,30 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       label_end = group_x + label_width + 8.0;
     }
     if (!holds_current) continue;
-    double tick_x = group_x;
-    int k = first;
-    for (const Tick& tick : group.ticks) {
-      const bool now = k == current;
+    // The current tick's label first, whole; the others as far as there is room beside it.
+    std::vector<std::pair<double, double>> taken;
+    const auto place = [&](int k, const std::string& label, bool now) {
       const TextStyle tick_style = now ? type::kTickBold : type::kTick;
-      const bool fits = fonts.width(tick_style, tick.label) <= width + kTickGap;
-      if (!tick.label.empty() && (now || fits)) {
-        const double half = 0.5 * fonts.width(tick_style, tick.label);
-        const double center =
-            std::clamp(tick_x + 0.5 * width, area.min.x() + half, area.max.x() - half);
-        marks.push_back({now ? "timeline.tick.current" : "timeline.label",
-                         Text{{center, bar_y + 32.0}, tick.label, tick_style, Align::center}});
+      const double half = 0.5 * fonts.width(tick_style, label);
+      const double center = std::clamp(group_x + (k - first) * (width + kTickGap) + 0.5 * width,
+                                       area.min.x() + half, area.max.x() - half);
+      constexpr double kSpace = 6.0;
+      for (const auto& [low, high] : taken) {
+        if (center - half - kSpace < high && low < center + half + kSpace) return false;
       }
-      tick_x += width + kTickGap;
-      ++k;
+      if (!now && 2.0 * half > width + kTickGap) return false;
+      taken.emplace_back(center - half, center + half);
+      marks.push_back({now ? "timeline.tick.current" : "timeline.label",
+                       Text{{center, bar_y + 32.0}, label, tick_style, Align::center}});
+      return true;
+    };
+    const auto tick_at = [&](int k) -> const Tick& {
+      return group.ticks[static_cast<std::size_t>(k - first)];
+    };
+    place(current, tick_at(current).label, true);
+    for (int k = first; k < index; ++k) {
+      if (k != current && !place(k, tick_at(k).label, false))
+        place(k, tick_at(k).short_label, false);
     }
   }
   return marks;

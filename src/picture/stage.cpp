@@ -26,6 +26,8 @@ constexpr double kCloudRadius = 3.0;
 constexpr double kOriginRadius = 9.0;
 constexpr double kRingRadius = 10.5;
 constexpr double kArrowLength = 76.0;
+constexpr double kShortArrow = 26.0;
+constexpr double kPairArrow = 54.0;  // d and −d at the shapes, which may be close to each other
 constexpr double kLabelGap = 7.0;
 constexpr double kLengthOffset = 13.0;  // of a fractional length from its segment
 
@@ -64,8 +66,8 @@ class SceneBuilder {
       if (calls_for(view_, History::kName)) history();
       simplex();
       if (shows_difference_) {
-        closest_point();
         search();
+        closest_point();
       } else {
         witness_points();
         search_between_shapes();
@@ -300,9 +302,13 @@ class SceneBuilder {
   void path() {
     std::vector<Point> points;
     for (const PositionedRun& run : run_.runs) points.push_back(at(run.x_world[0]));
-    add("path", Polyline{points});
-    for (std::size_t i = 1; i < points.size(); ++i)
-      scene_.obstacles.segments.push_back({points[i - 1], points[i]});
+    // Without a number of frames the path is a set of places to be in, not a way between them.
+    if (run_.lesson.path_of_x->frames > 0) {
+      add("path", Polyline{points});
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        scene_.obstacles.segments.push_back({points[i - 1], points[i]});
+      }
+    }
     for (const Point& point : points) add("path.point", Disk{point, 3.0});
   }
 
@@ -478,12 +484,11 @@ class SceneBuilder {
 
   Point direction_on_screen(const Vector2d& d) const { return Point(d.x(), -d.y()) / d.norm(); }
 
-  void search_arrow(const Point& from, const Vector2d& d, const std::string& text,
-                    const std::string& role) {
+  void search_arrow(const Point& from, const Vector2d& d, double length, const std::string& text) {
     if (!(d.norm() > 0.0)) return;
     const Point along = direction_on_screen(d);
-    const Point tip = from + kArrowLength * along;
-    arrow(role, from, tip);
+    const Point tip = from + length * along;
+    arrow("direction", from, tip);
     scene_.moving_labels.push_back(
         label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
   }
@@ -497,14 +502,20 @@ class SceneBuilder {
       add("support.plane", Polyline{{w - reach * across, w + reach * across}});
       scene_.obstacles.segments.push_back({w - reach * across, w + reach * across});
     }
-    if (has_direction()) search_arrow(at_difference(state_.p), state_.d, "d", "direction");
+    if (has_direction()) {
+      // An arrow as long as the way to O would hide O under its head.
+      const double way = (at_difference(state_.p) - at_difference(Vector2d::Zero())).norm();
+      const double length =
+          way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
+      search_arrow(at_difference(state_.p), state_.d, length, "d");
+    }
     if (has_support()) simplex_vertex(state_.support, "support");
   }
 
   void search_between_shapes() {
     if (!has_support()) return;
-    search_arrow(at(state_.support.y), state_.d, "d", "direction");
-    search_arrow(at(state_.support.x), -state_.d, "−d", "direction");
+    search_arrow(at(state_.support.y), state_.d, kPairArrow, "d");
+    search_arrow(at(state_.support.x), -state_.d, kPairArrow, "−d");
     simplex_vertex(state_.support, "support");
   }
 
