@@ -1,5 +1,6 @@
 #include "lesson/load.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -150,7 +151,7 @@ TEST(Load, NumbersKeepEveryBit) {
                {"1e18", 1e18}};
   for (const auto& [written, value] : cases) {
     const LoadedLesson loaded =
-        parse(replaced(testing::kFullLesson, "[4, 0]", "[" + written + ", 0]"));
+        parse(replaced(testing::kFullLesson, "[4, 0]", fmt::format("[{}, 0]", written)));
     ASSERT_TRUE(loaded.lesson) << written << "\n" << all_of(loaded.problems);
     EXPECT_EQ(loaded.lesson->y.vertices[0].x(), value) << written;
     EXPECT_EQ(std::signbit(loaded.lesson->y.vertices[0].x()), std::signbit(value)) << written;
@@ -432,7 +433,7 @@ TEST(Load, AllProblemsOfAFileAtOnceInOrderOfPlace) {
 
 TEST(Load, AFloodOfProblemsIsCut) {
   std::string text;
-  for (int i = 0; i < 5000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 5000; ++i) text += fmt::format("k{} = 1\n", i);
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 101u);
   EXPECT_EQ(loaded.problems.back().what, "and 4907 more problems from here on");

@@ -4,17 +4,20 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <random>
 
 #include "lesson/load.hpp"
+#include "lesson/names.hpp"
 #include "lesson/run.hpp"
 #include "lesson_texts.hpp"
 
 namespace gjkscope {
 namespace {
 
-constexpr int kMutants = 3000;  // of all files together, at least
+constexpr int kMutants = 10000;  // of all files together, at least
 constexpr unsigned kSeed = 20100311;
 
 using Random = std::mt19937;
@@ -86,8 +89,9 @@ enum class Slip {
   replace_number,
   misspell_key,
   truncate,
+  other_name,
 };
-constexpr int kSlips = 10;
+constexpr int kSlips = 11;
 
 void slip(std::string& text, Slip kind, Random& random) {
   const auto pick = [&](const std::vector<Span>& spans) {
@@ -173,6 +177,25 @@ void slip(std::string& text, Slip kind, Random& random) {
     case Slip::truncate:
       text.resize(at);
       return;
+    case Slip::other_name: {
+      // Names of the same kind, so that the file is a lesson more often than not.
+      const std::vector<std::string> kinds[] = {
+          names_of<ScalarKind>(), names_of<Granularity>(),        names_of<gjk::Phase>(),
+          names_of<ViewKind>(),   names_of<gjk::DirectionRule>(), names_of<gjk::RegionOrder>(),
+          names_of<PanelBlock>(), names_of<gjk::StopReason>(),    testing::effects_of_views()};
+      std::vector<std::pair<Span, std::string>> choices;
+      for (const Span& word : words(text)) {
+        for (const auto& names : kinds) {
+          const auto found =
+              std::find(names.begin(), names.end(), text.substr(word.begin, word.size));
+          if (found != names.end()) choices.emplace_back(word, names[below(random, names.size())]);
+        }
+      }
+      if (choices.empty()) return;
+      const auto& [word, name] = choices[below(random, choices.size())];
+      text.replace(word.begin, word.size, name);
+      return;
+    }
   }
 }
 
@@ -195,66 +218,101 @@ void expect_sound(const LessonRun& run) {
   }
 }
 
-TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
-  const std::vector<std::string> texts = originals();
-  const std::vector<std::string> effects = testing::effects_of_views();
-  const int of_each =
-      (kMutants + static_cast<int>(texts.size()) - 1) / static_cast<int>(texts.size());
+/// What became of mutants.
+struct Tally {
   int lessons = 0;
   int not_toml = 0;
   int refused = 0;
+  [[nodiscard]] int all() const { return lessons + not_toml + refused; }
+};
+
+/// Adds one mutant to the tally; fails where it breaks the promise.
+void meet(const std::string& text, const std::vector<std::string>& effects, Tally& tally) {
+  const LoadedLesson loaded = parse_lesson(text, "mutant.toml", effects);
+  ASSERT_NE(loaded.lesson.has_value(), !loaded.problems.empty());
+  const auto line_count = std::count(text.begin(), text.end(), '\n') + 1;
+  for (const Problem& problem : loaded.problems) {
+    ASSERT_EQ(problem.file, "mutant.toml");
+    ASSERT_GE(problem.line, 1);
+    ASSERT_LE(problem.line, line_count);
+    ASSERT_GE(problem.column, 1);
+    ASSERT_FALSE(problem.what.empty());
+  }
+  if (loaded.lesson) {
+    ++tally.lessons;
+    const LessonRun run = run_lesson(*loaded.lesson);
+    expect_sound(run);
+    (void)check_expectation(run);
+  } else if (loaded.problems[0].what.starts_with("not TOML")) {
+    ++tally.not_toml;
+  } else {
+    ++tally.refused;
+  }
+}
+
+TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
+  const std::vector<std::string> texts = originals();
+  const std::vector<std::string> effects = testing::effects_of_views();
+  const int file_count = static_cast<int>(texts.size());
+  const int of_each = (kMutants + file_count - 1) / file_count;
+  Tally tally;
   int unchanged = 0;
-  std::vector<int> refused_by_slip(kSlips);
-  for (std::size_t t = 0; t < texts.size(); ++t) {
+  std::vector<int> beyond_syntax(kSlips);
+  for (int t = 0; t < file_count; ++t) {
     for (int m = 0; m < of_each; ++m) {
-      Random random(kSeed + static_cast<unsigned>(t) * 100000 + static_cast<unsigned>(m));
+      Random random(kSeed + static_cast<unsigned>(t * of_each + m));
       std::string text = texts[t];
-      const auto first = static_cast<Slip>(m % kSlips);
-      slip(text, first, random);
+      const int first = m % kSlips;
+      slip(text, static_cast<Slip>(first), random);
       while (below(random, 4) == 0 && !text.empty())
         slip(text, static_cast<Slip>(below(random, kSlips)), random);
       unchanged += text == texts[t];
-      SCOPED_TRACE(fmt::format("text {}, mutant {}:\n{}", t, m, text));
+      SCOPED_TRACE(fmt::format("file {}, mutant {}:\n{}", t, m, text));
 
+      const int not_toml = tally.not_toml;
       const auto begin = std::chrono::steady_clock::now();
-      const LoadedLesson loaded = parse_lesson(text, "mutant.toml", effects);
-      ASSERT_NE(loaded.lesson.has_value(), !loaded.problems.empty());
-      for (const Problem& problem : loaded.problems) {
-        ASSERT_EQ(problem.file, "mutant.toml");
-        ASSERT_GE(problem.line, 1);
-        ASSERT_GE(problem.column, 1);
-        ASSERT_LE(problem.line, std::count(text.begin(), text.end(), '\n') + 1);
-        ASSERT_FALSE(problem.what.empty());
-      }
-      if (loaded.lesson) {
-        ++lessons;
-        const LessonRun run = run_lesson(*loaded.lesson);
-        expect_sound(run);
-        if (HasFatalFailure()) return;
-        (void)check_expectation(run);
-      } else if (loaded.problems[0].what.starts_with("not TOML")) {
-        ++not_toml;
-      } else {
-        ++refused;
-        ++refused_by_slip[static_cast<std::size_t>(first)];
-      }
+      meet(text, effects, tally);
       // A hang would be longer by far; this is no benchmark.
       ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+      if (HasFatalFailure()) return;
+      if (not_toml == tally.not_toml) ++beyond_syntax[first];
     }
   }
-  const int all = lessons + not_toml + refused;
-  RecordProperty("lessons", lessons);
-  RecordProperty("not_toml", not_toml);
-  RecordProperty("refused", refused);
-  fmt::print("{} mutants of {} files: {} lessons, {} not TOML, {} refused\n", all, texts.size(),
-             lessons, not_toml, refused);
-  EXPECT_GE(all, kMutants);
-  // Each kind of outcome, and each kind of slip, is met often.
-  EXPECT_GE(lessons, all / 10);
-  EXPECT_GE(not_toml, all / 10);
-  EXPECT_GE(refused, all / 10);
-  EXPECT_LE(unchanged, all / 50);
-  for (int s = 0; s < kSlips; ++s) EXPECT_GE(refused_by_slip[s], 10) << "slip " << s;
+  fmt::print("{} mutants of {} files: {} lessons, {} not TOML, {} refused\n", tally.all(),
+             file_count, tally.lessons, tally.not_toml, tally.refused);
+  EXPECT_GE(tally.all(), kMutants);
+  // Every outcome is met often, and every kind of slip gets past the syntax.
+  EXPECT_GE(tally.lessons, tally.all() / 10);
+  EXPECT_GE(tally.not_toml, tally.all() / 10);
+  EXPECT_GE(tally.refused, tally.all() / 10);
+  EXPECT_LE(unchanged, tally.all() / 20);
+  for (int s = 0; s < kSlips; ++s) EXPECT_GE(beyond_syntax[s], 10) << "slip " << s;
+}
+
+TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
+  // In half precision, products of coordinates of this size are infinite.
+  std::string large = testing::kFullLesson;
+  large.replace(large.find("\"float\""), 7, "\"half\"");
+  large.replace(large.find("[4, 0]"), 6, "[60000, 0]");
+  large.erase(large.find("until = \"stop\"\n"), 15);
+  for (const std::string& granularity : names_of<Granularity>()) {
+    SCOPED_TRACE(granularity);
+    std::string text = large;
+    text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
+    const LoadedLesson loaded = parse_lesson(text, "large.toml", testing::effects_of_views());
+    ASSERT_TRUE(loaded.lesson);
+    const LessonRun run = run_lesson(*loaded.lesson);
+    EXPECT_EQ(run.runs.back().trace.result.error, gjk::Error::overflow);
+    EXPECT_EQ(check_expectation(run).size(), 1u);
+    if (granularity == "path") {
+      // Known defect: these frames show step 0 of a run that has none. Once mended, this fails, and
+      // `path` joins the others.
+      EXPECT_EQ(run.frames.at(0).step, 0);
+      EXPECT_TRUE(run.run(run.frames.at(0)).trace.steps.empty());
+    } else {
+      expect_sound(run);
+    }
+  }
 }
 
 }  // namespace
