@@ -1,0 +1,270 @@
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "cli/input.hpp"
+#include "cli/trace_json.hpp"
+#include "cli/trace_text.hpp"
+#include "effects/registry.hpp"
+#include "lesson/case.hpp"
+#include "lesson/names.hpp"
+#include "lesson/run.hpp"
+#include "picture/frame.hpp"
+#include "picture/theme.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+[[nodiscard]] std::optional<int> parse_count(std::string_view text) {
+  int value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || stop != text.data() + text.size() || value < 1) return std::nullopt;
+  return value;
+}
+
+/// Problems that loading cannot see: the outcome, and characters that the fonts do not have.
+std::vector<Problem> problems_of_run(const Lesson& lesson) {
+  std::vector<Problem> problems = check_expectation(run_lesson(lesson));
+  for (const auto& [key, text] : texts_of(lesson)) {
+    if (const char32_t missing = Fonts::first_missing(text); missing != 0) {
+      const Place place = place_of(lesson.path, key);
+      problems.push_back({lesson.path, place.line, place.column,
+                          fmt::format("no font has the character U+{:04X} of \"{}\"",
+                                      static_cast<std::uint32_t>(missing), text),
+                          "a character that the fonts of assets/fonts.toml have", ""});
+    }
+  }
+  return problems;
+}
+
+}  // namespace
+
+fs::path share_folder() {
+  if (const char* given = std::getenv("GJKSCOPE_SHARE"); given != nullptr && *given != '\0') {
+    return given;
+  }
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  if (!failed) {
+    fs::path installed = program.parent_path().parent_path() / "share" / "gjkscope";
+    if (fs::is_directory(installed / "lessons", failed)) return installed;
+  }
+  return GJKSCOPE_SOURCE_DIR;
+}
+
+std::optional<std::pair<int, int>> parse_size(std::string_view text) {
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos) return std::nullopt;
+  const std::optional<int> width = parse_count(text.substr(0, x));
+  const std::optional<int> height = parse_count(text.substr(x + 1));
+  if (!width || !height) return std::nullopt;
+  return std::pair{*width, *height};
+}
+
+std::optional<StepRange> parse_steps(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  const bool single = dots == std::string_view::npos;
+  const std::string_view first = text.substr(0, dots);
+  const std::string_view last = single ? text : text.substr(dots + 2);
+  StepRange range;
+  if (!first.empty() && !(range.first = parse_count(first))) return std::nullopt;
+  if (!last.empty() && !(range.last = parse_count(last))) return std::nullopt;
+  if (!range.first && !range.last) return std::nullopt;
+  if (range.first && range.last && *range.last < *range.first) return std::nullopt;
+  return range;
+}
+
+int list_lessons(const Environment& env, bool json) {
+  const fs::path folder = env.share / "lessons";
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) {
+    env.err << fmt::format("gjkscope: there is no folder {}\n", folder.string());
+    return kCannot;
+  }
+  int exit_code = kDone;
+  Json list = Json::array();
+  for (const LoadedLesson& loaded : load_lessons(folder, view_effects())) {
+    for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
+    if (!loaded.lesson) {
+      exit_code = kProblem;
+      continue;
+    }
+    const LessonRun run = run_lesson(*loaded.lesson);
+    Json one;
+    one["id"] = run.lesson.id;
+    one["chapter"] = run.lesson.chapter;
+    one["title"] = run.lesson.title;
+    one["steps"] = run.frames.size();
+    list.push_back(std::move(one));
+  }
+  if (json) {
+    env.out << list.dump(1) << '\n';
+  } else {
+    std::size_t widest = 0;
+    for (const Json& one : list) {
+      widest = std::max(widest, one["id"].get_ref<const std::string&>().size());
+    }
+    env.out << fmt::format("{:<{}}  chapter  steps  title\n", "id", widest);
+    for (const Json& one : list) {
+      env.out << fmt::format("{:<{}}  {:>7}  {:>5}  {}\n", one["id"].get<std::string>(), widest,
+                             one["chapter"].get<int>(), one["steps"].get<std::size_t>(),
+                             one["title"].get<std::string>());
+    }
+  }
+  return flushed(env) ? exit_code : kCannot;
+}
+
+int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
+                   bool json) {
+  std::vector<Lesson> lessons;
+  int exit_code = kDone;
+  if (choice.all) {
+    for (LoadedLesson& loaded : load_lessons(env.share / "lessons", view_effects())) {
+      for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
+      if (loaded.lesson) {
+        lessons.push_back(std::move(*loaded.lesson));
+      } else {
+        exit_code = kProblem;
+      }
+    }
+  }
+  for (const std::string& name : choice.names) {
+    FoundLesson found = find_lesson(env, name);
+    if (found.lesson) {
+      lessons.push_back(std::move(*found.lesson));
+    } else {
+      exit_code = std::max(exit_code, found.exit_code);
+    }
+  }
+  // A list with a mistake in it is not exported by half.
+  if (exit_code != kDone) return exit_code;
+  if (lessons.empty()) {
+    env.err << fmt::format("gjkscope: {} holds no lessons\n", (env.share / "lessons").string());
+    return kCannot;
+  }
+  options.assets_dir = env.share / "assets";
+  const std::vector<std::string> themes = Theme::names(options.assets_dir / "themes");
+  if (!themes.empty() && std::find(themes.begin(), themes.end(), options.theme) == themes.end()) {
+    env.err << fmt::format("gjkscope: there is no theme '{}'; there are {}\n", options.theme,
+                           fmt::join(themes, ", "));
+    return kUsage;
+  }
+  const ExportResult result = export_lessons(lessons, options);
+  if (json) {
+    env.out << to_json(result) << '\n';
+  } else {
+    env.out << fmt::format("{} frames of {} lessons in {} ({:.1f} s, {:.0f} frames per second)\n",
+                           result.frames, lessons.size(), options.out_dir.string(), result.seconds,
+                           result.frames_per_second());
+  }
+  if (!flushed(env)) return kCannot;
+  return result.signal == 0 ? kDone : kSignalBase + result.signal;
+}
+
+int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json) {
+  std::vector<Lesson> lessons;
+  int exit_code = kDone;
+  if (name == "-" || fs::path(name).extension() == ".json") {
+    const std::optional<std::string> text = read_text(env, name);
+    if (!text) return kCannot;
+    for (const ReadCase& read : parse_cases(*text, name == "-" ? "<stdin>" : name)) {
+      for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
+      if (!read.value) exit_code = kProblem;
+      if (read.value) lessons.push_back(lesson_of(*read.value, read.name, scalar));
+    }
+  } else {
+    FoundLesson found = find_lesson(env, name);
+    if (!found.lesson) return found.exit_code;
+    lessons.push_back(std::move(*found.lesson));
+  }
+  for (Lesson& lesson : lessons) {
+    const LessonRun run = run_lesson(std::move(lesson));
+    env.out << (json ? trace_json(run) : trace_text(run));
+    for (const PositionedRun& positioned : run.runs) {
+      const gjk::Error error = positioned.trace.result.error;
+      if (error == gjk::Error::none) continue;
+      env.err << fmt::format("{}: the query is refused: {}\n", run.lesson.id, name_of(error));
+      exit_code = kProblem;
+    }
+  }
+  return flushed(env) ? exit_code : kCannot;
+}
+
+int check_command(const Environment& env, const std::vector<std::string>& files) {
+  std::size_t problem_count = 0;
+  std::size_t bad_files = 0;
+  bool unknown = false;
+  for (const std::string& name : files) {
+    const std::optional<fs::path> file = lesson_file(env, name);
+    if (!file) {
+      unknown = true;
+      continue;
+    }
+    LoadedLesson loaded = load_lesson(*file, view_effects());
+    std::vector<Problem> problems = std::move(loaded.problems);
+    if (loaded.lesson) problems = problems_of_run(*loaded.lesson);
+    for (const Problem& problem : problems) env.out << to_string(problem) << '\n';
+    problem_count += problems.size();
+    bad_files += problems.empty() ? 0 : 1;
+  }
+  if (!flushed(env) || unknown) return kCannot;
+  if (problem_count == 0) return kDone;
+  env.err << fmt::format("{} problem{} in {} of {} files\n", problem_count,
+                         problem_count == 1 ? "" : "s", bad_files, files.size());
+  return kProblem;
+}
+
+int explain_command(const Environment& env, const std::string& name, bool json) {
+  constexpr double kWidth = 1280.0;
+  constexpr double kHeight = 720.0;
+  const FoundLesson found = find_lesson(env, name);
+  if (!found.lesson) return found.exit_code;
+  const LessonRun run = run_lesson(*found.lesson);
+  const Fonts fonts(env.share / "assets" / "fonts.toml");
+  EffectGraph effects(run);
+  const std::size_t frames = lesson_pictures(run, effects, fonts, kWidth, kHeight).size();
+
+  Json list = Json::array();
+  for (const EffectInfo& info : registered_effects()) {
+    const EffectCount count = effects.count(info.name);
+    Json one;
+    one["effect"] = info.name;
+    one["called"] = count.pulls > 0;
+    one["pulls"] = count.pulls;
+    one["runs"] = count.runs;
+    one["seconds"] = count.seconds;
+    one["needs"] = info.needs;
+    one["summary"] = info.summary;
+    list.push_back(std::move(one));
+  }
+  if (json) {
+    Json out;
+    out["lesson"] = run.lesson.id;
+    out["frames"] = frames;
+    out["effects"] = std::move(list);
+    env.out << out.dump(1) << '\n';
+  } else {
+    env.out << fmt::format("{}: {} frames\n\n{:<20} {:<10} {:>6} {:>6} {:>9}  {}\n", run.lesson.id,
+                           frames, "effect", "called for", "pulls", "runs", "ms", "what it is");
+    for (const Json& one : list) {
+      env.out << fmt::format("{:<20} {:<10} {:>6} {:>6} {:>9.3f}  {}\n",
+                             one["effect"].get<std::string>(),
+                             one["called"].get<bool>() ? "yes" : "no", one["pulls"].get<long>(),
+                             one["runs"].get<long>(), 1000.0 * one["seconds"].get<double>(),
+                             one["summary"].get<std::string>());
+    }
+  }
+  return flushed(env) ? kDone : kCannot;
+}
+
+}  // namespace gjkscope

@@ -1,1 +1,190 @@
-int main() { return 0; }
+// The command line of gjkscope: what may be said, and which command it means.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <tuple>
+
+#include "cli/commands.hpp"
+#include "lesson/names.hpp"
+#include "lesson/problem.hpp"
+
+namespace {
+
+using namespace gjkscope;
+
+constexpr const char* kFooter = R"(Exit codes:
+  0  done
+  1  a lesson or case has a problem, or its query was refused
+  2  the command line: an unknown command, option, lesson or value
+  3  something cannot be read, written or drawn
+  128+n  an export was ended by signal n
+
+Lessons and assets are found in $GJKSCOPE_SHARE, or where they were installed.
+
+Examples:
+  gjkscope export --all --out out --index
+  gjkscope trace polygons-gjk
+  echo '{"a":[[0,0]],"b":[[3,4]]}' | gjkscope solve -
+)";
+
+/// Reads a value with `parse`; CLI11 prints `expected` when there is none.
+template <class T, class Parse>
+CLI::Option* parsed(CLI::App* command, const std::string& name, T& target, Parse parse,
+                    const std::string& expected, const std::string& help) {
+  return command
+      ->add_option_function<std::string>(
+          name,
+          [&target, parse, expected, name](const std::string& text) {
+            const auto value = parse(text);
+            if (!value) {
+              throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
+            }
+            target = *value;
+          },
+          help)
+      ->type_name("TEXT");
+}
+
+struct Arguments {
+  LessonChoice lessons;
+  std::string name;
+  std::vector<std::string> files;
+  bool json = false;
+  ScalarKind scalar = ScalarKind::double_;
+  ExportOptions export_options;
+  std::pair<int, int> size = {1280, 720};
+  StepRange steps;
+};
+
+void add_commands(CLI::App& app, Arguments& args) {
+  const auto add_json = [&](CLI::App* command) {
+    command->add_flag("--json", args.json, "Print JSON");
+  };
+  const auto add_scalar = [&](CLI::App* command, const char* help) {
+    parsed(command, "--scalar", args.scalar, value_of<ScalarKind>,
+           "one of half, float, double, exact", help)
+        ->type_name("half|float|double|exact");
+  };
+
+  CLI::App* lessons = app.add_subcommand("lessons", "List the lessons: id, chapter, title, steps");
+  add_json(lessons);
+  lessons->footer("Examples:\n  gjkscope lessons\n  gjkscope lessons --json\n");
+
+  CLI::App* exported = app.add_subcommand("export", "Draw the frames of lessons, headless");
+  ExportOptions& options = args.export_options;
+  exported->add_option("lesson", args.lessons.names, "Ids or files of lessons");
+  exported->add_flag("--all", args.lessons.all, "All shipped lessons");
+  exported->add_option("--out", options.out_dir, "Folder for the frames; made when not there")
+      ->required()
+      ->type_name("DIR");
+  exported->add_option("--format", options.format, "Format of the frames")
+      ->check(CLI::IsMember({"png"}))
+      ->capture_default_str();
+  parsed(exported, "--size", args.size, parse_size, "a size such as 1280x720", "Pixels of a frame")
+      ->type_name("WxH")
+      ->default_str("1280x720");
+  parsed(exported, "--steps", args.steps, parse_steps, "a range such as 3..7",
+         "Only these frames, counted from 1")
+      ->type_name("A..B");
+  exported->add_option("--theme", options.theme, "Theme of assets/themes")->capture_default_str();
+  exported->add_option("--jobs", options.jobs, "Threads; 0: one a processor")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  exported->add_flag("--index", options.index, "Also write index.html, a contact sheet");
+  add_json(exported);
+  exported->footer(
+      "Examples:\n  gjkscope export --all --out out --index\n"
+      "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n");
+
+  CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
+  trace->add_option("lesson|case", args.name, "Id or file of a lesson, a case.json, or -")
+      ->required();
+  add_scalar(trace, "Arithmetic for a case; lessons bring their own");
+  add_json(trace);
+  trace->footer(
+      "Examples:\n  gjkscope trace polygon-evolution\n  gjkscope trace case.json --scalar exact\n"
+      "  gjkscope trace polygons-gjk --json    (format: docs/trace-format.md)\n");
+
+  CLI::App* solve = app.add_subcommand("solve", "Answer cases, one JSON object each");
+  solve->add_option("case", args.files, "Files of cases; - is standard input")->required();
+  add_scalar(solve, "Arithmetic");
+  add_json(solve);
+  solve->footer(
+      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two point sets, whose "
+      "hulls\n"
+      "count. A file holds any number of cases, one after the other or in an array. Answers are\n"
+      "JSON with and without --json.\n\n"
+      "Examples:\n  gjkscope solve case.json --scalar exact\n"
+      "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
+
+  CLI::App* check = app.add_subcommand("check", "Check lesson files, and what they expect");
+  check->add_option("file", args.files, "Ids or files of lessons")->required();
+  check->footer("Examples:\n  gjkscope check lessons/*.toml\n");
+
+  CLI::App* explain = app.add_subcommand("explain", "Say which effects a lesson computes");
+  explain->add_option("lesson", args.name, "Id or file of a lesson")->required();
+  add_json(explain);
+  explain->footer("Examples:\n  gjkscope explain polygons-gjk\n");
+}
+
+int run(const CLI::App& app, Arguments& args) {
+  const Environment env{share_folder(), std::cin, std::cout, std::cerr};
+  if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
+  if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
+  if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
+  if (app.got_subcommand("check")) return check_command(env, args.files);
+  if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
+  if (args.lessons.all == !args.lessons.names.empty()) {
+    std::cerr << "gjkscope export: name lessons, or say --all\n";
+    return kUsage;
+  }
+  ExportOptions& options = args.export_options;
+  std::tie(options.width, options.height) = args.size;
+  options.first_step = args.steps.first;
+  options.last_step = args.steps.last;
+  options.progress = !args.json;
+  return export_command(env, args.lessons, options, args.json);
+}
+
+/// The command that an unknown word was meant to be.
+std::string nearest_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
+  return nearest_name(argv[1], names);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  CLI::App app("gjkscope: the GJK distance algorithm, one decision at a time", "gjkscope");
+  app.set_version_flag("--version", "gjkscope " GJKSCOPE_VERSION);
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
+    return "gjkscope: " + std::string(error.what()) + "\nRun `" + failed->get_display_name() +
+           " --help` for what may be said.\n";
+  });
+  Arguments args;
+  add_commands(app, args);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error, std::cout, std::cerr);
+    if (code == 0) return kDone;
+    if (const std::string nearest = nearest_command(app, argc, argv); !nearest.empty()) {
+      std::cerr << "Did you mean `gjkscope " << nearest << "`?\n";
+    }
+    return kUsage;
+  }
+  try {
+    return run(app, args);
+  } catch (const std::exception& error) {
+    std::cerr << "gjkscope: " << error.what() << '\n';
+    return kCannot;
+  }
+}

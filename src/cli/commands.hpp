@@ -1,0 +1,72 @@
+#pragma once
+// The commands of `gjkscope`, one function each: arguments in, text on streams, exit code out.
+// main.cpp only parses the command line.
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/export.hpp"
+#include "lesson/lesson.hpp"
+
+namespace gjkscope {
+
+/// Exit codes, as --help tells them.
+enum ExitCode : int {
+  kDone = 0,
+  kProblem = 1,      ///< A lesson or case has a problem, or a query was refused.
+  kUsage = 2,        ///< The command line: unknown command, option, lesson or value.
+  kCannot = 3,       ///< Something cannot be read, written or drawn.
+  kSignalBase = 128  ///< Plus the number of the signal that ended an export.
+};
+
+/// What a command works with besides its arguments.
+struct Environment {
+  std::filesystem::path share;  ///< Holds lessons/ and assets/.
+  std::istream& in;
+  std::ostream& out;  ///< What was asked for.
+  std::ostream& err;  ///< What went wrong.
+};
+
+/// Where lessons/ and assets/ are: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of the
+/// program, if it is there; else the source tree that the program was built from.
+[[nodiscard]] std::filesystem::path share_folder();
+
+/// A list of lessons by id or path, or all of the shipped ones.
+struct LessonChoice {
+  std::vector<std::string> names;
+  bool all = false;
+};
+
+int list_lessons(const Environment& env, bool json);
+
+/// `options.assets_dir` is filled in here.
+int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
+                   bool json);
+
+/// `name` is a lesson or a case file; `scalar` is for cases, lessons bring their own.
+int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json);
+
+/// One JSON object for each case and line. "-" is standard input.
+int solve_command(const Environment& env, const std::vector<std::string>& files, ScalarKind scalar);
+
+/// Problems of lesson files on `out`, each with its place; also runs them and checks what they
+/// expect.
+int check_command(const Environment& env, const std::vector<std::string>& files);
+
+int explain_command(const Environment& env, const std::string& name, bool json);
+
+/// "1280x720"; nullopt when it is not of that form.
+[[nodiscard]] std::optional<std::pair<int, int>> parse_size(std::string_view text);
+/// "3..7", "3..", "..7" or "3"; nullopt when it is none of these, or empty as a range.
+struct StepRange {
+  std::optional<int> first;
+  std::optional<int> last;
+};
+[[nodiscard]] std::optional<StepRange> parse_steps(std::string_view text);
+
+}  // namespace gjkscope

@@ -1,0 +1,95 @@
+#include "cli/input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+#include "effects/registry.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lesson_ids(const fs::path& folder) {
+  std::vector<std::string> ids;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+[[nodiscard]] bool is_path(const std::string& name) {
+  return name.find('/') != std::string::npos || fs::path(name).extension() == ".toml";
+}
+
+}  // namespace
+
+std::optional<fs::path> lesson_file(const Environment& env, const std::string& name) {
+  std::error_code none;
+  const fs::path folder = env.share / "lessons";
+  if (is_path(name)) {
+    if (fs::is_regular_file(name, none)) return fs::path(name);
+    env.err << fmt::format("gjkscope: there is no file '{}'\n", name);
+    return std::nullopt;
+  }
+  const fs::path file = folder / (name + ".toml");
+  if (!name.empty() && fs::is_regular_file(file, none)) return file;
+  env.err << fmt::format("gjkscope: there is no lesson '{}'", name);
+  const std::vector<std::string> ids = lesson_ids(folder);
+  const std::string nearest = nearest_name(name, ids);
+  if (!nearest.empty()) {
+    env.err << fmt::format("; did you mean '{}'?\n", nearest);
+  } else if (ids.empty()) {
+    env.err << fmt::format("; {} holds no lessons\n", folder.string());
+  } else {
+    env.err << "; `gjkscope lessons` lists them\n";
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> view_effects() {
+  std::vector<std::string> names;
+  for (const EffectInfo& info : registered_effects()) {
+    if (info.used_by == "view") names.emplace_back(info.name);
+  }
+  return names;
+}
+
+FoundLesson find_lesson(const Environment& env, const std::string& name) {
+  const std::optional<fs::path> file = lesson_file(env, name);
+  if (!file) return {std::nullopt, is_path(name) ? kCannot : kUsage};
+  LoadedLesson loaded = load_lesson(*file, view_effects());
+  for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
+  const int exit_code = loaded.lesson ? kDone : kProblem;
+  return {std::move(loaded.lesson), exit_code};
+}
+
+std::optional<std::string> read_text(const Environment& env, const std::string& file) {
+  if (file == "-") return std::string(std::istreambuf_iterator<char>(env.in), {});
+  std::error_code none;
+  std::ifstream stream(file, std::ios::binary);
+  const bool folder = fs::is_directory(file, none);
+  if (!stream || folder) {
+    env.err << fmt::format("gjkscope: cannot read '{}': {}\n", file,
+                           std::strerror(folder ? EISDIR : errno));
+    return std::nullopt;
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+bool flushed(const Environment& env) {
+  if (env.out.flush()) return true;
+  env.err << "gjkscope: the output cannot be written\n";
+  return false;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,37 @@
+#pragma once
+// From what a command line names to lessons and texts.
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "lesson/load.hpp"
+
+namespace gjkscope {
+
+/// The file that a lesson's id or path names. Says on `env.err` what there is instead, and gives
+/// nothing, when there is none.
+[[nodiscard]] std::optional<std::filesystem::path> lesson_file(const Environment& env,
+                                                               const std::string& name);
+
+/// The effects that a lesson's views may call for by name.
+[[nodiscard]] std::vector<std::string> view_effects();
+
+/// The lesson of an id or path, or an exit code after its problems were printed on `env.err`.
+struct FoundLesson {
+  std::optional<Lesson> lesson;
+  int exit_code = kDone;
+};
+[[nodiscard]] FoundLesson find_lesson(const Environment& env, const std::string& name);
+
+/// A whole file, or standard input for "-"; nothing when it cannot be read.
+[[nodiscard]] std::optional<std::string> read_text(const Environment& env, const std::string& file);
+
+/// Whether the output arrived: false, with a message on `env.err`, when the disk is full or the
+/// like.
+[[nodiscard]] bool flushed(const Environment& env);
+
+}  // namespace gjkscope

@@ -1,0 +1,259 @@
+#include "cli/trace_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lesson/names.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Eigen::Vector2d;
+using gjk::Phase;
+
+/// Shortest decimal and hexadecimal float. JSON has no NaN or infinity: null, and the name in hex.
+Json number(double value) {
+  Json out;
+  out["value"] = std::isfinite(value) ? Json(value) : Json();
+  out["hex"] = std::isfinite(value) ? fmt::format("{:a}", value) : fmt::format("{}", value);
+  return out;
+}
+
+Json point(const Vector2d& value) { return Json::array({number(value[0]), number(value[1])}); }
+
+Json points(const std::vector<Vector2d>& values) {
+  Json out = Json::array();
+  for (const Vector2d& value : values) out.push_back(point(value));
+  return out;
+}
+
+class TraceWriter {
+ public:
+  explicit TraceWriter(const LessonRun& run) : run_(run) {}
+
+  Json write() const {
+    const Lesson& lesson = run_.lesson;
+    Json out;
+    out["format"] = "gjkscope-trace";
+    out["version"] = kTraceFormatVersion;
+    out["lesson"] = lesson.id;
+    out["title"] = lesson.title;
+    out["scalar"] = name_of(lesson.scalar);
+    out["dimension"] = 2;
+    out["options"] = options(lesson.options);
+    out["x"] = shape(lesson.x);
+    out["y"] = shape(lesson.y);
+    out["runs"] = Json::array();
+    for (const PositionedRun& positioned : run_.runs) out["runs"].push_back(one_run(positioned));
+    return out;
+  }
+
+ private:
+  static Json pair(gjk::VertexPair value) { return Json::array({value.x, value.y}); }
+
+  static Json options(const gjk::Options& value) {
+    Json out;
+    out["direction_rule"] = name_of(value.direction_rule);
+    out["region_order"] = name_of(value.region_order);
+    out["stop_on_repeated_support"] = value.stop_on_repeated_support;
+    out["stop_on_no_progress"] = value.stop_on_no_progress;
+    out["tolerance"] = number(value.tolerance);
+    out["iteration_cap"] = value.iteration_cap;
+    out["start_rule"] = value.start_rule == gjk::StartRule::given ? "given" : "centre-to-centre";
+    out["start"] = Json::array();
+    if (value.start_rule == gjk::StartRule::given) {
+      const int count = std::clamp(value.start_count, 0, static_cast<int>(value.start.size()));
+      for (int i = 0; i < count; ++i) out["start"].push_back(pair(value.start[i]));
+    }
+    return out;
+  }
+
+  static Json shape(const LessonShape& value) {
+    Json out;
+    out["name"] = value.name;
+    out["vertex_names"] = value.vertex_names;
+    out["vertices"] = points(value.vertices);
+    out["translate"] = point(value.translate);
+    out["rotate_degrees"] = number(value.rotate_degrees);
+    return out;
+  }
+
+  Json one_run(const PositionedRun& value) const {
+    Json out;
+    out["position"] = point(value.position);
+    out["x_world"] = points(value.x_world);
+    out["y_world"] = points(value.y_world);
+    out["initial"] = state(value.trace.initial);
+    out["steps"] = Json::array();
+    for (const gjk::Step<double, 2>& step : value.trace.steps)
+      out["steps"].push_back(one_step(step));
+    out["result"] = result(value.trace.result);
+    return out;
+  }
+
+  Json vertex(const gjk::SupportPoint<double, 2>& value) const {
+    Json out;
+    out["name"] = run_.pair_name(value.pair);
+    out["pair"] = pair(value.pair);
+    out["w"] = point(value.w);
+    out["x"] = point(value.x);
+    out["y"] = point(value.y);
+    return out;
+  }
+
+  Json simplex(const gjk::Simplex<double, 2>& value) const {
+    Json out = Json::array();
+    for (int i = 0; i < value.count; ++i) {
+      Json one = vertex(value.vertices[i]);
+      one["weight"] = number(value.weights[i]);
+      out.push_back(std::move(one));
+    }
+    return out;
+  }
+
+  static Json face(gjk::Face value) {
+    Json out = Json::array();
+    for (int i = 0; i < 8; ++i) {
+      if (gjk::contains(value, i)) out.push_back(i);
+    }
+    return out;
+  }
+
+  Json state(const gjk::State<double, 2>& value) const {
+    Json out;
+    out["next_phase"] =
+        value.stop == gjk::StopReason::running ? Json(name_of(value.phase)) : Json();
+    out["iteration"] = value.iteration;
+    out["simplex"] = simplex(value.simplex);
+    out["region"] = face(value.region);
+    out["p"] = point(value.p);
+    out["p_sq"] = number(value.p_sq);
+    out["d"] = point(value.d);
+    out["support_value"] = number(value.support_value);
+    out["best"] = simplex(value.best);
+    out["best_sq"] = number(value.best_sq);
+    out["plane_distance_sq"] = number(value.plane_distance_sq);
+    out["touches_plane"] = value.touches_plane;
+    out["stop"] = name_of(value.stop);
+    out["error"] = name_of(value.error);
+    return out;
+  }
+
+  /// Only the members that the phase fills in.
+  Json one_step(const gjk::Step<double, 2>& step) const {
+    Json out;
+    out["phase"] = name_of(step.phase);
+    out["iteration"] = step.iteration;
+    const gjk::Record<double, 2>& record = step.record;
+    switch (step.phase) {
+      case Phase::closest:
+        out["region_tests"] = Json::array();
+        for (const auto& test : record.region_tests)
+          out["region_tests"].push_back(region_test(test));
+        out["no_region_held"] = record.no_region_held;
+        break;
+      case Phase::cull:
+        out["dropped"] = Json::array();
+        for (const auto& dropped : record.dropped) out["dropped"].push_back(vertex(dropped));
+        break;
+      case Phase::direction:
+        out["direction"] = direction(record.direction);
+        break;
+      case Phase::support:
+        out["scan_x"] = scan(record.scan_x, run_.lesson.x);
+        out["scan_y"] = scan(record.scan_y, run_.lesson.y);
+        out["support"] = vertex(step.after.support);
+        break;
+      case Phase::stop:
+        out["stop_tests"] = Json::array();
+        for (const auto& test : record.stop_tests) out["stop_tests"].push_back(stop_test(test));
+        break;
+      case Phase::add:
+        break;
+    }
+    out["after"] = state(step.after);
+    return out;
+  }
+
+  static Json region_test(const gjk::RegionTest<double>& test) {
+    Json out;
+    out["region"] = face(test.region);
+    out["holds"] = test.holds;
+    out["terms"] = Json::array();
+    for (const gjk::RegionTerm<double>& term : test.terms) {
+      Json one;
+      one["face"] = face(term.face);
+      one["vertex"] = term.vertex;
+      one["wants_positive"] = term.wants_positive;
+      one["numerator"] = number(term.numerator);
+      one["denominator"] = number(term.denominator);
+      one["holds"] = term.holds;
+      out["terms"].push_back(std::move(one));
+    }
+    return out;
+  }
+
+  static Json direction(const gjk::DirectionNote<double, 2>& note) {
+    Json out;
+    out["from_normal"] = note.from_normal;
+    out["normal"] = point(note.normal);
+    out["side"] = number(note.side);
+    out["flipped"] = note.flipped;
+    out["sign_is_arbitrary"] = note.sign_is_arbitrary;
+    return out;
+  }
+
+  static Json scan(const std::vector<gjk::ScanEntry<double>>& entries, const LessonShape& of) {
+    Json out = Json::array();
+    for (const gjk::ScanEntry<double>& entry : entries) {
+      Json one;
+      one["index"] = entry.index;
+      one["name"] = of.vertex_names[static_cast<std::size_t>(entry.index)];
+      one["value"] = number(entry.value);
+      one["improves"] = entry.improves;
+      out.push_back(std::move(one));
+    }
+    return out;
+  }
+
+  static Json stop_test(const gjk::StopTest<double>& test) {
+    Json out;
+    out["reason"] = name_of(test.reason);
+    out["enabled"] = test.enabled;
+    out["tried"] = test.tried;
+    out["holds"] = test.holds;
+    out["left"] = number(test.left);
+    out["right"] = number(test.right);
+    return out;
+  }
+
+  Json result(const gjk::Result<double, 2>& value) const {
+    Json out;
+    out["error"] = name_of(value.error);
+    out["stop"] = name_of(value.stop);
+    out["verdict"] = name_of(value.verdict);
+    out["distance"] = number(value.distance);
+    out["lower"] = number(value.lower);
+    out["upper"] = number(value.upper);
+    out["distance_sq"] = number(value.distance_sq);
+    out["witness_x"] = point(value.x);
+    out["witness_y"] = point(value.y);
+    out["iterations"] = value.iterations;
+    out["simplex"] = simplex(value.simplex);
+    return out;
+  }
+
+  const LessonRun& run_;
+};
+
+}  // namespace
+
+std::string trace_json(const LessonRun& run) {
+  return TraceWriter(run).write().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gjkscope
