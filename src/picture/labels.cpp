@@ -22,7 +22,9 @@ constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 5.0;
 constexpr double kMove = 40.0;
 constexpr double kClearance = 2.0;  // pixels between a label and what it must not touch
+constexpr double kSideKept = 8.0;   // times kWrongSide, for labels that keep their side
 constexpr int kDirections = 24;
+constexpr int kRings = 7;
 
 Rect box_around(const Point& center, const Point& size) {
   return {center - 0.5 * size, center + 0.5 * size};
@@ -130,15 +132,15 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const double start = request.towards.norm() > 0.0
                            ? std::atan2(request.towards.y(), request.towards.x())
                            : -0.25 * std::numbers::pi;
-  for (int ring = 0; ring < 4; ++ring) {
+  for (int ring = 0; ring < kRings; ++ring) {
     for (int k = 0; k < kDirections; ++k) {
       const double turn = 2.0 * std::numbers::pi * k / kDirections;
       const Point d(std::cos(start + turn), std::sin(start + turn));
       // The box touches the free circle with the side or corner that faces the anchor.
       const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
       const Point offset = d * (request.gap + 7.0 * ring) + 0.5 * face.cwiseProduct(size);
-      consider(offset,
-               kWrongSide * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
+      const double side = request.keeps_side ? kSideKept * kWrongSide : kWrongSide;
+      consider(offset, side * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
     }
   }
   offsets_[request.id] = best;
@@ -176,10 +178,8 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
     }
   }
   if (!best) {
-    if (!request.beside) return {};
-    return {place({request.id + ":beside", request.text, request.role, request.style, middle, 14.0,
-                   Point::Zero()},
-                  false)};
+    if (!request.otherwise) return {};
+    return {place(*request.otherwise, false)};
   }
   offsets_[request.id] = *best;
   const Rect box = box_around(*best, size);

@@ -3,6 +3,7 @@
 // were a frame ago.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct LabelRequest {
   double gap =
       0.0;  ///< Free space around the anchor: the radius of what is drawn there, and a little.
   Point towards = Point::Zero();  ///< Preferred side; zero: any.
+  bool keeps_side = false;        ///< Rather farther away than on another side.
 };
 
 /// A label somewhere inside a convex polygon.
@@ -43,7 +45,7 @@ struct AreaLabelRequest {
   std::string role;
   TextStyle style;
   std::vector<Point> polygon;
-  bool beside = false;  ///< Where the polygon has no room: beside its middle, rather than nowhere.
+  std::optional<LabelRequest> otherwise;  ///< Where the polygon has no room; else no label.
 };
 
 class LabelPlacer {
@@ -58,7 +60,7 @@ class LabelPlacer {
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
-  /// No mark when the polygon has no room and the label may not stand beside it.
+  /// No mark when the polygon has no room and there is no other place.
   [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request);
 
  private:

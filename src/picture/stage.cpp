@@ -66,6 +66,7 @@ class SceneBuilder {
       if (calls_for(view_, History::kName)) history();
       simplex();
       if (shows_difference_) {
+        closest_line();
         search();
         closest_point();
       } else {
@@ -166,7 +167,7 @@ class SceneBuilder {
       const bool interior = gjk::vertex_count(region.face) == 3;
       const std::string name = interior ? "interior" : "region " + words.face(region.face);
       scene_.area_labels.push_back(
-          {"region:" + name, name, "region.label", type::kRegion, points, false});
+          {"region:" + name, name, "region.label", type::kRegion, points, {}});
     }
     borders();
   }
@@ -364,8 +365,14 @@ class SceneBuilder {
       if (points.size() == 3) {
         area(role, points);
         outline(points);
-        scene_.area_labels.push_back({"part:" + std::to_string(part.vertex), text, "area.label",
-                                      type::kSmallVertex, points, true});
+        // Where the area is too thin for its label: outside of the simplex, at the edge that the
+        // area stands on.
+        const Point foot = 0.5 * (points[1] + points[2]);
+        const std::string id = fmt::format("part:{}", part.vertex);
+        LabelRequest outside = label(id + ":outside", text, "area.label", type::kSmallVertex, foot,
+                                     4.0, foot - vertex_at(part.vertex));
+        outside.keeps_side = true;
+        scene_.area_labels.push_back({id, text, "area.label", type::kSmallVertex, points, outside});
       } else {
         const Point along = points[1] - points[0];
         if (along.norm() < 1.0) continue;
@@ -446,14 +453,21 @@ class SceneBuilder {
     }
   }
 
+  bool reaches_query() const { return knows_closest_point() && state_.p.norm() == 0.0; }
+
+  void closest_line() {
+    if (knows_closest_point() && !reaches_query()) {
+      line("closest.line", at_difference(state_.p), at_difference(Vector2d::Zero()));
+    }
+  }
+
   void closest_point() {
     if (!knows_closest_point()) return;
     const Point p = at_difference(state_.p);
-    const Point o = at_difference(Vector2d::Zero());
-    line("closest.line", p, o);
     disk("closest", p, kClosestRadius);
-    scene_.moving_labels.push_back(
-        label("P", "P", "closest.label", type::kVertex, p, kPointRadius, p - o));
+    if (reaches_query()) return;  // Q's label names both
+    scene_.moving_labels.push_back(label("P", "P", "closest.label", type::kVertex, p, kPointRadius,
+                                         p - at_difference(Vector2d::Zero())));
   }
 
   void witness_points() {
@@ -523,8 +537,9 @@ class SceneBuilder {
     if (view_.kind == ViewKind::world && run_.point_query()) {
       const Point q = at(positioned_.x_world[0]);
       disk("query", q, kPointRadius);
-      scene_.moving_labels.push_back(
-          label("Q", run_.lesson.x.vertex_names[0], "query.label", type::kVertex, q, kPointRadius));
+      const std::string& name = run_.lesson.x.vertex_names[0];
+      scene_.moving_labels.push_back(label("Q", reaches_query() ? "P = " + name : name,
+                                           "query.label", type::kVertex, q, kPointRadius));
     }
     if (view_.kind == ViewKind::difference) {
       const Point o = at(Vector2d::Zero());
