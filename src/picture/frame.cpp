@@ -199,11 +199,11 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
         if (shows(card, label) && drawn.insert(label.id).second)
           picture.marks.push_back(view.placer.place(label, true));
       }
-      for (const LabelRequest& label : scene.moving_labels) {
-        if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
-      }
       for (const AreaLabelRequest& label : scene.area_labels) {
         for (Mark& mark : view.placer.place_inside(label)) picture.marks.push_back(std::move(mark));
+      }
+      for (const LabelRequest& label : scene.moving_labels) {
+        if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
       }
       add("view-title.box",
           Box{{view.title_box.min + Point(6.0, 7.0), view.title_box.max - Point(6.0, 3.0)}, 5.0});

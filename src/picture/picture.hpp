@@ -69,7 +69,7 @@ struct Picture {
   double height = 0.0;
   std::vector<Rect> clips;
   double clip_corner = 0.0;  ///< Corner radius of the clips; rounds the polygons they cut off.
-  std::vector<Mark> marks;  ///< Painted in this order.
+  std::vector<Mark> marks;   ///< Painted in this order.
 };
 
 }  // namespace gjkscope

@@ -367,10 +367,12 @@ class SceneBuilder {
         outline(points);
         // Where the area is too thin for its label: outside of the simplex, at the edge that the
         // area stands on.
-        const Point foot = 0.5 * (points[1] + points[2]);
-        const std::string id = fmt::format("part:{}", part.vertex);
+        // A negative area lies beyond that edge, up to Q.
+        const bool beyond = part.weight < 0.0;
+        const Point foot = beyond ? points[0] : Point(0.5 * (points[1] + points[2]));
+        const std::string id = fmt::format("part:{}{}", part.vertex, beyond ? ":beyond" : "");
         LabelRequest outside = label(id + ":outside", text, "area.label", type::kSmallVertex, foot,
-                                     4.0, foot - vertex_at(part.vertex));
+                                     beyond ? kPointRadius : 4.0, foot - vertex_at(part.vertex));
         outside.keeps_side = true;
         scene_.area_labels.push_back({id, text, "area.label", type::kSmallVertex, points, outside});
       } else {
