@@ -33,7 +33,7 @@ constexpr int kMostThreads = 64;
 
 // A handler can reach nothing but this. 0, or the signal that came.
 volatile std::sig_atomic_t caught_signal = 0;
-extern "C" void catch_signal(int signal) { caught_signal = signal; }
+void catch_signal(int signal) { caught_signal = signal; }
 
 /// While it lives, SIGINT and SIGTERM are noted instead of ending the process. Each only once: who
 /// asks again is obeyed at once.

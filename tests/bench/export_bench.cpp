@@ -1,0 +1,113 @@
+// Where the time of an export goes: building, painting, shrinking, encoding one frame of 1280 x
+// 720, and all shipped lessons from file to file. The last one is what the project promises: at
+// least 30 frames per second on two cores.
+
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/export.hpp"
+#include "effects/graph.hpp"
+#include "effects/registry.hpp"
+#include "lesson/load.hpp"
+#include "lesson/run.hpp"
+#include "paint/canvas.hpp"
+#include "paint/png.hpp"
+#include "picture/frame.hpp"
+#include "sample_picture.hpp"
+
+namespace {
+
+using namespace gjkscope;
+
+const std::filesystem::path kSource = GJKSCOPE_SOURCE_DIR;
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+std::vector<Lesson> shipped_lessons() {
+  std::vector<std::string> effects;
+  for (const EffectInfo& effect : registered_effects()) effects.emplace_back(effect.name);
+  std::vector<Lesson> lessons;
+  for (LoadedLesson& loaded : load_lessons(kSource / "lessons", effects)) {
+    if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
+    lessons.push_back(std::move(*loaded.lesson));
+  }
+  return lessons;
+}
+
+/// A canvas and a frame painted on it.
+struct Studio {
+  Fonts fonts{kSource / "assets" / "fonts.toml"};
+  Canvas canvas{fonts, Theme::load(kSource / "assets" / "themes", "light"), kWidth, kHeight};
+  Picture picture = sample::picture();
+};
+
+void prepare_canvas(benchmark::State& state) {
+  for ([[maybe_unused]] auto _ : state) {
+    Studio studio;
+    benchmark::DoNotOptimize(studio.canvas.paint(studio.picture));
+  }
+}
+BENCHMARK(prepare_canvas)->Unit(benchmark::kMillisecond);
+
+void build_pictures(benchmark::State& state) {
+  const Fonts fonts(kSource / "assets" / "fonts.toml");
+  const std::vector<Lesson> lessons = shipped_lessons();
+  std::size_t frames = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    for (const Lesson& lesson : lessons) {
+      const LessonRun run = run_lesson(lesson);
+      EffectGraph effects(run);
+      frames += lesson_pictures(run, effects, fonts, kWidth, kHeight).size();
+    }
+  }
+  state.counters["frames"] =
+      benchmark::Counter(static_cast<double>(frames), benchmark::Counter::kIsRate);
+}
+BENCHMARK(build_pictures)->Unit(benchmark::kMillisecond);
+
+void paint(benchmark::State& state) {
+  Studio studio;
+  Image image;
+  for ([[maybe_unused]] auto _ : state) studio.canvas.paint(studio.picture, image);
+}
+// The rasteriser has threads of its own.
+BENCHMARK(paint)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+void shrink_by_two(benchmark::State& state) {
+  Studio studio;
+  const Image large = studio.canvas.paint(studio.picture);
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(shrink(large, 2));
+}
+BENCHMARK(shrink_by_two)->Unit(benchmark::kMillisecond);
+
+void encode(benchmark::State& state) {
+  Studio studio;
+  const Image image = shrink(studio.canvas.paint(studio.picture), 2);
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(encode_png(image));
+}
+BENCHMARK(encode)->Unit(benchmark::kMillisecond);
+
+void export_all_lessons(benchmark::State& state) {
+  const std::vector<Lesson> lessons = shipped_lessons();
+  ExportOptions options;
+  options.out_dir = std::filesystem::temp_directory_path() / "gjkscope-export-bench";
+  options.assets_dir = kSource / "assets";
+  options.width = kWidth;
+  options.height = kHeight;
+  options.index = true;
+  int frames = 0;
+  for ([[maybe_unused]] auto _ : state) frames += export_lessons(lessons, options).frames;
+  state.counters["frames"] =
+      benchmark::Counter(static_cast<double>(frames), benchmark::Counter::kIsRate);
+  std::filesystem::remove_all(options.out_dir);
+}
+BENCHMARK(export_all_lessons)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+}  // namespace

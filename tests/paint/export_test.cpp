@@ -1,0 +1,299 @@
+#include "cli/export.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "cli/contact_sheet.hpp"
+#include "cli/file.hpp"
+#include "effects/registry.hpp"
+#include "lesson/load.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = GJKSCOPE_SOURCE_DIR;
+
+Lesson lesson(const std::string& id) {
+  std::vector<std::string> effects;
+  for (const EffectInfo& effect : registered_effects()) effects.emplace_back(effect.name);
+  LoadedLesson loaded = load_lesson(kSource / "lessons" / (id + ".toml"), effects);
+  if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
+  return *loaded.lesson;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Name and bytes of every file of a folder.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    files[entry.path().filename().string()] = read(entry.path());
+  }
+  return files;
+}
+
+class Export : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) /
+              ("gjkscope-" + std::to_string(::getpid()) + "-" + test->name());
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Small frames: the tests are about files.
+  ExportOptions options(const std::string& name = "out") const {
+    ExportOptions options;
+    options.out_dir = folder_ / name;
+    options.assets_dir = kSource / "assets";
+    options.width = 640;
+    options.height = 360;
+    options.jobs = 2;
+    return options;
+  }
+  std::string error_of(const ExportOptions& options) const {
+    try {
+      static_cast<void>(export_lessons({lesson("segment-closest")}, options));
+      return "no error";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Export, WritesNumberedFramesAndASidecarThatDescribesThem) {
+  const ExportResult result = export_lessons({lesson("segment-closest")}, options());
+  ASSERT_GT(result.frames, 1);
+  EXPECT_EQ(result.files.size(), static_cast<std::size_t>(result.frames) + 1);
+  EXPECT_EQ(result.files.front().filename(), "segment-closest-0001.png");
+  EXPECT_EQ(result.files.back().filename(), "segment-closest.json");
+  EXPECT_EQ(result.signal, 0);
+
+  const auto files = contents(folder_ / "out");
+  EXPECT_EQ(files.size(), result.files.size()) << "nothing else is left in the folder";
+  const auto json = nlohmann::json::parse(files.at("segment-closest.json"));
+  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["lesson"], "segment-closest");
+  EXPECT_EQ(json["theme"], "light");
+  EXPECT_EQ(json["width"], 640);
+  EXPECT_EQ(json["height"], 360);
+  ASSERT_EQ(json["frames"].size(), static_cast<std::size_t>(result.frames));
+  for (const auto& frame : json["frames"]) {
+    const std::string name = frame["file"];
+    EXPECT_EQ(files.at(name).substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
+    EXPECT_FALSE(frame["caption"].get<std::string>().empty()) << name;
+    EXPECT_TRUE(frame["values"].is_object()) << name;
+    EXPECT_TRUE(frame["iteration"].is_number_integer()) << name;
+    EXPECT_TRUE(frame["phase"].is_string()) << name;
+  }
+}
+
+TEST_F(Export, BytesDoNotDependOnThreadsOrOnEarlierRuns) {
+  const std::vector<Lesson> lessons = {lesson("segment-closest"), lesson("triangle-ordered-test")};
+  ExportOptions one = options("one");
+  one.jobs = 1;
+  one.index = true;
+  ExportOptions four = options("four");
+  four.jobs = 4;
+  four.index = true;
+  static_cast<void>(export_lessons(lessons, one));
+  static_cast<void>(export_lessons(lessons, four));
+  const auto expected = contents(one.out_dir);
+  EXPECT_EQ(contents(four.out_dir), expected);
+  static_cast<void>(export_lessons(lessons, four));
+  EXPECT_EQ(contents(four.out_dir), expected);
+}
+
+TEST_F(Export, ARangeOfStepsGivesTheFramesOfAWholeExport) {
+  static_cast<void>(export_lessons({lesson("segment-closest")}, options("all")));
+  ExportOptions some = options("some");
+  some.first_step = 2;
+  some.last_step = 3;
+  const ExportResult result = export_lessons({lesson("segment-closest")}, some);
+  EXPECT_EQ(result.frames, 2);
+  const auto all = contents(folder_ / "all");
+  const auto files = contents(some.out_dir);
+  EXPECT_EQ(files.at("segment-closest-0002.png"), all.at("segment-closest-0002.png"));
+  EXPECT_EQ(files.at("segment-closest-0003.png"), all.at("segment-closest-0003.png"));
+  EXPECT_EQ(files.size(), 3u);
+  EXPECT_EQ(nlohmann::json::parse(files.at("segment-closest.json"))["frames"][0]["step"], 2);
+}
+
+TEST_F(Export, FramesOfALongerPastAreRemovedAndNoOthers) {
+  fs::create_directories(options().out_dir);
+  for (const char* name :
+       {"segment-closest-0999.png", "segment-closest-12345.png", "segment-closest-notes.png",
+        "segment-closest-0999.png.bak", "other-0999.png"}) {
+    std::ofstream(options().out_dir / name) << "old";
+  }
+  ExportOptions some = options();
+  some.last_step = 1;
+  static_cast<void>(export_lessons({lesson("segment-closest")}, some));
+  EXPECT_TRUE(fs::exists(some.out_dir / "segment-closest-0999.png")) << "only some were asked for";
+  static_cast<void>(export_lessons({lesson("segment-closest")}, options()));
+  EXPECT_FALSE(fs::exists(some.out_dir / "segment-closest-0999.png"));
+  EXPECT_FALSE(fs::exists(some.out_dir / "segment-closest-12345.png"));
+  EXPECT_TRUE(fs::exists(some.out_dir / "segment-closest-notes.png"));
+  EXPECT_TRUE(fs::exists(some.out_dir / "segment-closest-0999.png.bak"));
+  EXPECT_TRUE(fs::exists(some.out_dir / "other-0999.png"));
+}
+
+TEST_F(Export, LeftoversOfTheDeadAreRemovedNotThoseOfTheLiving) {
+  fs::create_directories(options().out_dir);
+  // Process ids of Linux end at 2^22; process 1 always lives.
+  const fs::path dead = options().out_dir / ".gjkscope-4999999-a-0001.png.part";
+  const fs::path living = options().out_dir / ".gjkscope-1-a-0001.png.part";
+  const fs::path foreign = options().out_dir / ".gjkscope-notes.part";
+  for (const fs::path& path : {dead, living, foreign}) std::ofstream(path) << "half";
+  static_cast<void>(export_lessons({}, options()));
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(foreign));
+}
+
+TEST_F(Export, AnInterruptLeavesWholeFilesOnly) {
+  const std::vector<Lesson> lessons(3, lesson("polygons-gjk"));
+  const ExportOptions reference = options("reference");
+  static_cast<void>(export_lessons({lessons.front()}, reference));
+  const auto whole = contents(reference.out_dir);
+
+  const ExportOptions cut = options("cut");
+  std::thread interrupter([&] {
+    while (!fs::exists(cut.out_dir / "polygons-gjk-0003.png")) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(::getpid(), SIGTERM);
+  });
+  const ExportResult result = export_lessons(lessons, cut);
+  interrupter.join();
+  EXPECT_EQ(result.signal, SIGTERM);
+  EXPECT_GE(result.frames, 3);
+  for (const auto& [name, bytes] : contents(cut.out_dir)) {
+    ASSERT_TRUE(whole.contains(name)) << name << " should not be there";
+    EXPECT_EQ(bytes, whole.at(name)) << name;
+  }
+}
+
+TEST_F(Export, AFullDiskIsAnErrorThatNamesTheFileAndLeavesNoPart) {
+  static_cast<void>(export_lessons({}, options()));
+  rlimit before = {};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit tight{4096, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &tight);
+  const std::string error = error_of(options());
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_NE(error.find("cannot write "), std::string::npos) << error;
+  EXPECT_NE(error.find("segment-closest-000"), std::string::npos) << error;
+  for (const auto& [name, bytes] : contents(options().out_dir)) ADD_FAILURE() << name << " is left";
+}
+
+TEST_F(Export, AFolderThatCannotBeMadeIsAnErrorThatNamesIt) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "file") << "in the way";
+  ExportOptions blocked = options();
+  blocked.out_dir = folder_ / "file";
+  EXPECT_NE(error_of(blocked).find((folder_ / "file").string()), std::string::npos);
+  blocked.out_dir = folder_ / "file" / "below";
+  EXPECT_NE(error_of(blocked).find((folder_ / "file" / "below").string()), std::string::npos);
+}
+
+TEST_F(Export, WhatThereIsNotIsAnError) {
+  ExportOptions wrong = options();
+  wrong.theme = "sepia";
+  EXPECT_NE(error_of(wrong).find("dark, high-contrast, light, print"), std::string::npos);
+  wrong = options();
+  wrong.format = "bmp";
+  EXPECT_NE(error_of(wrong).find("there is png"), std::string::npos);
+  wrong = options();
+  wrong.width = 100;
+  EXPECT_NE(error_of(wrong).find("640x360"), std::string::npos);
+  wrong = options();
+  wrong.first_step = 500;
+  EXPECT_NE(error_of(wrong).find("segment-closest has steps 1.."), std::string::npos);
+  wrong = options();
+  wrong.first_step = 3;
+  wrong.last_step = 2;
+  EXPECT_NE(error_of(wrong).find("asked for 3..2"), std::string::npos);
+}
+
+TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {
+  ExportOptions with_index = options();
+  with_index.index = true;
+  const ExportResult result = export_lessons({lesson("segment-closest")}, with_index);
+  EXPECT_EQ(result.files.back().filename(), "index.html");
+  const std::string html = read(with_index.out_dir / "index.html");
+  const auto json = nlohmann::json::parse(read(with_index.out_dir / "segment-closest.json"));
+  for (const auto& frame : json["frames"]) {
+    EXPECT_NE(html.find("<img src=\"" + frame["file"].get<std::string>() + "\""),
+              std::string::npos);
+    EXPECT_NE(html.find(escape_html(frame["caption"])), std::string::npos);
+  }
+  EXPECT_EQ(html.find("<!-- lessons -->"), std::string::npos);
+  EXPECT_EQ(html.find("http"), std::string::npos) << "it works offline";
+}
+
+TEST(ContactSheet, WordsAreText) {
+  ExportedLesson lesson;
+  lesson.id = "a";
+  lesson.title = "<script>alert('1')</script> & \"quotes\"";
+  lesson.frames = {{1, "a-0001.png", {}}};
+  lesson.frames.front().text.caption = "u < v \"and\" <b>";
+  const std::string html = contact_sheet({lesson}, "<!-- contents --><!-- lessons -->");
+  EXPECT_EQ(html.find("<script>"), std::string::npos);
+  EXPECT_EQ(html.find("<b>"), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt; &amp; &quot;quotes&quot;"),
+            std::string::npos);
+  EXPECT_NE(html.find("alt=\"u &lt; v &quot;and&quot; &lt;b&gt;\""), std::string::npos);
+}
+
+TEST(WriteWhole, ReplacesAFileAndSaysWhyItCannot) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("gjkscope-file-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  write_whole(folder / "a", std::string_view("one"));
+  write_whole(folder / "a", std::string_view("two"));
+  EXPECT_EQ(contents(folder), (std::map<std::string, std::string>{{"a", "two"}}));
+  try {
+    write_whole(folder / "none" / "b", std::string_view("x"));
+    ADD_FAILURE() << "there is no such folder";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(),
+              "cannot write " + (folder / "none" / "b").string() + ": No such file or directory");
+  }
+  fs::remove_all(folder);
+}
+
+TEST(ExportResult, SummaryIsJson) {
+  ExportResult result;
+  result.files = {"out/a-0001.png", "out/a.json"};
+  result.frames = 1;
+  result.seconds = 0.5;
+  const auto json = nlohmann::json::parse(to_json(result));
+  EXPECT_EQ(json["frames"], 1);
+  EXPECT_EQ(json["frames_per_second"], 2.0);
+  EXPECT_EQ(json["files"].size(), 2u);
+}
+
+}  // namespace
+}  // namespace gjkscope
