@@ -23,6 +23,7 @@ BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const Lesson
                                                       const Frame& frame) {
   Value value;
   value.simplex = run.state({frame.run, closest_step(run, frame), -1}).simplex;
+  if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
     const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex);
     const gjk::Barycentric<S, 2> coordinates = gjk::barycentric(simplex, simplex.all());

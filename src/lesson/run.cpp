@@ -113,7 +113,8 @@ void add_frames(LessonRun& run, int index) {
       return;
     }
     case Granularity::path:
-      run.frames.push_back({index, lesson.until ? last : 0, -1});
+      // A refused run has no step: its frame shows the start.
+      run.frames.push_back({index, lesson.until ? last : std::min(0, last), -1});
       return;
     case Granularity::pairs: {
       const int pairs = static_cast<int>(lesson.x.vertices.size() * lesson.y.vertices.size());

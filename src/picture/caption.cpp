@@ -113,6 +113,11 @@ class Writer {
   }
 
   void start(FrameText& text) const {
+    if (state_.stop == gjk::StopReason::failed) {
+      text.caption = format("The run is refused: {}.", name_of(state_.error));
+      text.detail = "No distance is better than a wrong one.";
+      return;
+    }
     const int count = state_.simplex.count;
     if (run_.lesson.options.start_rule == gjk::StartRule::centre_to_centre) {
       text.caption =

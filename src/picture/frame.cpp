@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
+constexpr double kCardCorner = 10.0;
 constexpr double kProseLine = 20.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
@@ -164,6 +165,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     Picture picture;
     picture.width = width;
     picture.height = height;
+    picture.clip_corner = kCardCorner;
     const auto add = [&](std::string role, decltype(Mark::shape) shape) {
       picture.marks.push_back({std::move(role), std::move(shape)});
     };
@@ -184,7 +186,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     for (std::size_t i = 0; i < views.size(); ++i) {
       View& view = views[i];
       const Rect& card = layout.views[i];
-      add("card", Box{card, 10.0});
+      add("card", Box{card, kCardCorner});
       const int clip = static_cast<int>(picture.clips.size());
       picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
       Scene& scene = view.scenes[index];
@@ -211,7 +213,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
             type::kViewTitle);
     }
     if (layout.panel) {
-      add("card", Box{*layout.panel, 10.0});
+      add("card", Box{*layout.panel, kCardCorner});
       for (Mark& mark : panel_marks(run, effects, frame, fonts, *layout.panel))
         picture.marks.push_back(std::move(mark));
     }

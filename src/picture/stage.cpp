@@ -574,7 +574,14 @@ std::vector<Vector2d> StageMap::visible() const {
 }
 
 Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
-  if (view.camera) return *view.camera;
+  if (view.camera) {
+    // On a page narrower than the usual one the height gives way, so that nothing is cut off at the
+    // sides.
+    const double usual_aspect = run.lesson.views.size() == 1 ? 1.8 : 0.95;
+    Camera camera = *view.camera;
+    camera.height *= std::max(1.0, usual_aspect * area.size().y() / area.size().x());
+    return camera;
+  }
   std::vector<Vector2d> points;
   for (const PositionedRun& positioned : run.runs) {
     if (view.kind == ViewKind::world) {

@@ -304,14 +304,7 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
     const LessonRun run = run_lesson(*loaded.lesson);
     EXPECT_EQ(run.runs.back().trace.result.error, gjk::Error::overflow);
     EXPECT_EQ(check_expectation(run).size(), 1u);
-    if (granularity == "path") {
-      // Known defect: these frames show step 0 of a run that has none. Once mended, this fails, and
-      // `path` joins the others.
-      EXPECT_EQ(run.frames.at(0).step, 0);
-      EXPECT_TRUE(run.run(run.frames.at(0)).trace.steps.empty());
-    } else {
-      expect_sound(run);
-    }
+    expect_sound(run);
   }
 }
 

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "effects/barycentric.hpp"
+#include "effects/direction_rules.hpp"
+#include "effects/history.hpp"
+#include "effects/minkowski.hpp"
+#include "effects/registry.hpp"
+#include "effects/voronoi.hpp"
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+using testing::shipped_lesson;
+
+Lesson point_and_triangle(const Vector2d& q) {
+  Lesson lesson;
+  lesson.x = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
+  lesson.y = {
+      "ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, {0.5, 1.5}}, Vector2d::Zero(), 0.0};
+  lesson.options.start = {{{0, 0}, {0, 1}, {0, 2}, {}}};
+  lesson.options.start_count = 3;
+  lesson.granularity = Granularity::path;
+  return lesson;
+}
+
+TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
+  EffectGraph graph(run);
+  for (const EffectInfo& effect : registered_effects())
+    EXPECT_EQ(graph.count(effect.name).runs, 0) << effect.name;
+  for (const Frame& frame : run.frames) (void)graph.get<MinkowskiHull>(frame);
+  EXPECT_EQ(graph.count("minkowski-hull").pulls, static_cast<long>(run.frames.size()));
+  EXPECT_EQ(graph.count("minkowski-hull").runs, 1) << "the hull does not depend on the step";
+  EXPECT_EQ(graph.count("minkowski-cloud").runs, 1) << "pulled by the hull";
+  EXPECT_EQ(graph.count("minkowski-cloud").pulls, 1);
+  EXPECT_EQ(graph.count("voronoi-regions").pulls, 0);
+}
+
+TEST(EffectRegistry, EffectsNeedOnlyWhatIsRegisteredBeforeThem) {
+  std::set<std::string_view> known;
+  for (const EffectInfo& effect : registered_effects()) {
+    EXPECT_TRUE(known.insert(effect.name).second) << effect.name;
+    EXPECT_TRUE(effect.needs.empty() || known.contains(effect.needs)) << effect.needs;
+    EXPECT_FALSE(effect.summary.empty());
+  }
+}
+
+TEST(VoronoiRegions, EachPointLiesInTheRegionThatTheCoreFinds) {
+  std::mt19937_64 random(20101);
+  std::uniform_real_distribution<double> coordinate(-4.0, 4.0);
+  std::set<gjk::Face> seen;
+  for (int i = 0; i < 2000; ++i) {
+    const Vector2d q(coordinate(random), coordinate(random));
+    const LessonRun run = run_lesson(point_and_triangle(q));
+    EffectGraph graph(run);
+    const gjk::Face taken = run.state(run.frames[0]).region;
+    seen.insert(taken);
+    int holders = 0;
+    for (const VoronoiRegions::Region& region : graph.get<VoronoiRegions>(run.frames[0])) {
+      bool inside = true;
+      for (const HalfPlane& plane : region.half_planes)
+        inside = inside && plane.normal.dot(-plane.point) <= 0.0;
+      if (!inside) continue;
+      ++holders;
+      EXPECT_EQ(region.face, taken) << "Q = " << q.transpose();
+    }
+    EXPECT_EQ(holders, 1) << "Q = " << q.transpose();
+  }
+  EXPECT_EQ(seen.size(), 7u) << "all seven regions occur";
+}
+
+TEST(BarycentricWeights, AreFractionalAreasAndAddUpToOne) {
+  std::mt19937_64 random(20102);
+  std::uniform_real_distribution<double> coordinate(-4.0, 4.0);
+  int negative = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vector2d q(coordinate(random), coordinate(random));
+    const LessonRun run = run_lesson(point_and_triangle(q));
+    EffectGraph graph(run);
+    const std::vector<double>& weights = graph.get<BarycentricWeights>(run.frames[0]).weights;
+    ASSERT_EQ(weights.size(), 3u);
+    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-14);
+    const std::vector<Vector2d>& y = run.runs[0].y_world;
+    const Vector2d back = weights[0] * y[0] + weights[1] * y[1] + weights[2] * y[2];
+    EXPECT_LT((back - q).norm(), 1e-13);
+    const double whole = signed_area(y);
+    for (const BarycentricParts::Part& part : graph.get<BarycentricParts>(run.frames[0])) {
+      EXPECT_NEAR(signed_area(part.points) / whole, part.weight, 1e-13);
+      negative += part.weight < 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(negative, 1000) << "most points lie outside";
+}
+
+TEST(BarycentricParts, OfASegmentAreItsFractionalLengths) {
+  const LessonRun run = run_lesson(shipped_lesson("segment-regions"));
+  EffectGraph graph(run);
+  for (const Frame& frame : run.frames) {
+    const double length = (run.run(frame).y_world[1] - run.run(frame).y_world[0]).norm();
+    for (const BarycentricParts::Part& part : graph.get<BarycentricParts>(frame)) {
+      ASSERT_EQ(part.points.size(), 2u);
+      EXPECT_NEAR((part.points[1] - part.points[0]).norm() / length, std::abs(part.weight), 1e-14);
+    }
+  }
+}
+
+TEST(MinkowskiHull, HoldsTheWholeCloud) {
+  const LessonRun run = run_lesson(shipped_lesson("minkowski-build"));
+  EffectGraph graph(run);
+  const MinkowskiCloud::Value& cloud = graph.get<MinkowskiCloud>(run.frames[0]);
+  const MinkowskiHull::Value& hull = graph.get<MinkowskiHull>(run.frames[0]);
+  EXPECT_EQ(cloud.size(), 12u);
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector2d a = cloud[hull[i]].z;
+    const Vector2d edge = cloud[hull[(i + 1) % hull.size()]].z - a;
+    for (const CloudPoint& point : cloud) {
+      const Vector2d to = point.z - a;
+      EXPECT_GE(edge.x() * to.y() - edge.y() * to.x(), -1e-12);
+    }
+  }
+}
+
+TEST(History, GrowsByOneEntryAnIteration) {
+  const LessonRun run = run_lesson(shipped_lesson("polygon-evolution"));
+  EffectGraph graph(run);
+  for (const Frame& frame : run.frames) {
+    EXPECT_EQ(static_cast<int>(graph.get<History>(frame).size()), run.state(frame).iteration - 1);
+  }
+}
+
+TEST(DirectionRules, GiveTheSlidesDigitsInSinglePrecision) {
+  const LessonRun run = run_lesson(shipped_lesson("direction-roundoff"));
+  EffectGraph graph(run);
+  const Frame frame = run.frames.back();
+  const DirectionRules::Value& rules = graph.get<DirectionRules>(frame);
+  ASSERT_EQ(rules.size(), 2u);
+  EXPECT_EQ(rules[0].rule, gjk::DirectionRule::towards_origin);
+  EXPECT_EQ(rules[0].dot_with_edge, static_cast<double>(3.2457051e-06F));
+  EXPECT_EQ(rules[1].dot_with_edge, 0.0);
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,41 @@
+#pragma once
+// The shipped lessons, loaded and run, for tests of whatever stands on them.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "effects/registry.hpp"
+#include "lesson/load.hpp"
+#include "lesson/run.hpp"
+
+namespace gjkscope::testing {
+
+inline std::vector<std::string> view_effects() {
+  std::vector<std::string> names;
+  for (const EffectInfo& effect : registered_effects()) {
+    if (effect.used_by == "view") names.emplace_back(effect.name);
+  }
+  return names;
+}
+
+inline std::vector<Lesson> shipped_lessons() {
+  std::vector<Lesson> lessons;
+  for (const LoadedLesson& loaded :
+       load_lessons(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "lessons", view_effects())) {
+    for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
+    if (loaded.lesson) lessons.push_back(*loaded.lesson);
+  }
+  return lessons;
+}
+
+inline Lesson shipped_lesson(const std::string& id) {
+  for (const Lesson& lesson : shipped_lessons()) {
+    if (lesson.id == id) return lesson;
+  }
+  ADD_FAILURE() << "no lesson " << id;
+  return {};
+}
+
+}  // namespace gjkscope::testing

@@ -1,0 +1,199 @@
+// Every frame of every shipped lesson, at several sizes: what a reader would stumble over.
+
+#include "picture/frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "lessons.hpp"
+#include "picture/theme.hpp"
+
+namespace gjkscope {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
+
+struct Case {
+  Lesson lesson;
+  double width;
+  double height;
+};
+
+Rect box_of(const Fonts& fonts, const Text& text) {
+  const double width = fonts.width(text.style, text.text);
+  const double left = text.align == Align::left     ? text.at.x()
+                      : text.align == Align::center ? text.at.x() - 0.5 * width
+                                                    : text.at.x() - width;
+  return {{left, text.at.y() - fonts.cap_height(text.style)}, {left + width, text.at.y()}};
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&
+         b.min.y() < a.max.y();
+}
+
+bool inside(const Rect& outer, const Rect& inner) {
+  return (inner.min.array() >= outer.min.array()).all() &&
+         (inner.max.array() <= outer.max.array()).all();
+}
+
+class Frames : public ::testing::TestWithParam<std::pair<double, double>> {
+ protected:
+  Fonts fonts{kAssets / "fonts.toml"};
+
+  template <class Check>
+  void each_frame(Check check) {
+    for (const Lesson& lesson : testing::shipped_lessons()) {
+      const LessonRun run = run_lesson(lesson);
+      EffectGraph effects(run);
+      const auto frames = lesson_pictures(run, effects, fonts, GetParam().first, GetParam().second);
+      ASSERT_EQ(frames.size(), run.frames.size());
+      for (std::size_t i = 0; i < frames.size(); ++i) {
+        SCOPED_TRACE(lesson.id + ", frame " + std::to_string(i + 1));
+        check(frames[i]);
+      }
+    }
+  }
+};
+
+TEST_P(Frames, NoTextIsCutOffOrCoversAnother) {
+  long pairs = 0;
+  each_frame([&](const FramePicture& frame) {
+    const Rect page{{0.0, 0.0}, {frame.picture.width, frame.picture.height}};
+    std::vector<std::pair<Rect, std::string>> boxes;
+    for (const Mark& mark : frame.picture.marks) {
+      if (const Text* text = std::get_if<Text>(&mark.shape); text && !text->text.empty()) {
+        boxes.emplace_back(box_of(fonts, *text), text->text);
+      }
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      EXPECT_TRUE(inside(page, boxes[i].first)) << boxes[i].second;
+      for (std::size_t j = 0; j < i; ++j, ++pairs) {
+        EXPECT_FALSE(overlap(boxes[i].first, boxes[j].first))
+            << boxes[i].second << " | " << boxes[j].second;
+      }
+    }
+  });
+  EXPECT_GT(pairs, 10000);
+}
+
+TEST_P(Frames, TextOfACardStaysInTheCard) {
+  each_frame([&](const FramePicture& frame) {
+    std::vector<Rect> cards;
+    for (const Mark& mark : frame.picture.marks) {
+      if (mark.role == "card") cards.push_back(std::get<Box>(mark.shape).rect);
+    }
+    ASSERT_FALSE(cards.empty());
+    for (const Mark& mark : frame.picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (!text) continue;
+      const Rect box = box_of(fonts, *text);
+      for (const Rect& card : cards) {
+        EXPECT_TRUE(!overlap(box, card) || inside(card, box)) << text->text;
+      }
+    }
+  });
+}
+
+TEST_P(Frames, EveryCharacterCanBeDrawnAndEveryRoleHasAStyle) {
+  std::vector<Theme> themes;
+  for (const std::string& name : Theme::names(kAssets / "themes"))
+    themes.push_back(Theme::load(kAssets / "themes", name));
+  ASSERT_GE(themes.size(), 4u);
+  each_frame([&](const FramePicture& frame) {
+    for (const Mark& mark : frame.picture.marks) {
+      for (const Theme& theme : themes) EXPECT_NO_THROW((void)theme.style(mark.role)) << mark.role;
+      if (const Text* text = std::get_if<Text>(&mark.shape)) {
+        EXPECT_EQ(Fonts::first_missing(text->text), char32_t{0}) << text->text;
+      }
+    }
+  });
+}
+
+TEST_P(Frames, LabelsOfVerticesThatStayKeepTheirPlace) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    std::map<std::string, Point> places;
+    for (const FramePicture& frame :
+         lesson_pictures(run, effects, fonts, GetParam().first, GetParam().second)) {
+      for (const Mark& mark : frame.picture.marks) {
+        if (mark.role != "shape.label" && mark.role != "shape.x.label" &&
+            mark.role != "shape.y.label")
+          continue;
+        const Text& text = std::get<Text>(mark.shape);
+        const auto [place, added] =
+            places.emplace(text.text + (text.at.x() < 450.0 ? " left" : " right"), text.at);
+        EXPECT_EQ(place->second, text.at) << lesson.id << ": " << text.text;
+      }
+    }
+  }
+}
+
+TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
+  each_frame([](const FramePicture& frame) {
+    EXPECT_FALSE(frame.text.caption.empty());
+    EXPECT_FALSE(frame.text.detail.empty());
+    EXPECT_FALSE(frame.text.prose.empty());
+    EXPECT_EQ(frame.text.prose.find('{'), std::string::npos) << frame.text.prose;
+    for (const std::string& words : {frame.text.caption, frame.text.detail}) {
+      EXPECT_EQ(words.find("nan"), std::string::npos) << words;
+      EXPECT_EQ(words.find("inf"), std::string::npos) << words;
+    }
+  });
+}
+
+// 16:9, a square-ish page, a wide strip, a tall page.
+INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
+                         ::testing::Values(std::pair{1280.0, 720.0}, std::pair{1280.0, 1024.0},
+                                           std::pair{1707.0, 720.0}, std::pair{1280.0, 2276.0}));
+
+TEST(Captions, TellTheRunOfThePentagon) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
+  EffectGraph effects(run);
+  const Fonts fonts(kAssets / "fonts.toml");
+  const auto frames = lesson_pictures(run, effects, fonts, 1280.0, 720.0);
+  // Distance of (2.7, 2.3) from the line through (2.4, -0.4) and (0.9, 2.2), by the point-line
+  // formula.
+  const double distance = std::abs(2.6 * (2.7 - 2.4) + 1.5 * (2.3 + 0.4)) / std::hypot(2.6, 1.5);
+  EXPECT_EQ(frames.back().text.detail.substr(0, 23), "The distance is 1.6091.") << distance;
+  EXPECT_NEAR(distance, 1.6091, 5e-5);
+  EXPECT_EQ(frames[14].text.caption, "E is dropped: P lies on CD, so its weight is 0.");
+  EXPECT_EQ(frames[0].text.phase, "start");
+  EXPECT_EQ(frames[14].text.phase, "cull");
+  EXPECT_EQ(frames[14].text.iteration, 3);
+}
+
+TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    (void)lesson_pictures(run, effects, fonts, 1280.0, 720.0);
+    std::set<std::string> called;
+    for (const LessonView& view : lesson.views)
+      called.insert(view.effects.begin(), view.effects.end());
+    for (const EffectInfo& effect : registered_effects()) {
+      const bool wanted_by_view = called.contains(std::string(effect.name));
+      const long runs = effects.count(effect.name).runs;
+      if (wanted_by_view) {
+        EXPECT_GT(runs, 0) << lesson.id << " calls for " << effect.name
+                           << " and draws nothing of it";
+      }
+      const bool pulled_by_panel = effect.used_by == "panel";
+      const bool pulled_by_hull =
+          effect.name == "minkowski-cloud" && called.contains("minkowski-hull");
+      if (!wanted_by_view && !pulled_by_panel && !pulled_by_hull) {
+        EXPECT_EQ(runs, 0) << lesson.id << " does not call for " << effect.name;
+      }
+      EXPECT_LE(runs, effects.count(effect.name).pulls);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,65 @@
+#include "picture/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace gjkscope {
+namespace {
+
+class Labels : public ::testing::Test {
+ protected:
+  Fonts fonts{std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml"};
+  LabelPlacer placer{fonts, Rect{{0.0, 0.0}, {400.0, 300.0}}};
+
+  static LabelRequest request(const std::string& id, const Point& anchor, const Point& towards) {
+    return {id, "label", "role", type::kVertex, anchor, 8.0, towards, false};
+  }
+  static Point center(const Mark& mark) { return std::get<Text>(mark.shape).at; }
+};
+
+TEST_F(Labels, StandOnThePreferredSideWhenItIsFree) {
+  placer.begin_frame({});
+  EXPECT_GT(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)).x(), 210.0);
+  EXPECT_LT(center(placer.place(request("b", {100.0, 150.0}, {-1.0, 0.0}), false)).x(), 90.0);
+}
+
+TEST_F(Labels, AvoidLinesAndEachOther) {
+  Obstacles obstacles;
+  obstacles.segments.push_back({{200.0, 150.0}, {400.0, 150.0}});
+  placer.begin_frame(obstacles);
+  const Point first = center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false));
+  EXPECT_GT(std::abs(first.y() - 150.0), 4.0) << "not on the line";
+  const Point second = center(placer.place(request("b", {200.0, 150.0}, {1.0, 0.0}), false));
+  EXPECT_GT((first - second).norm(), 14.0);
+}
+
+TEST_F(Labels, StayInsideTheStage) {
+  placer.begin_frame({});
+  const Mark mark = placer.place(request("a", {398.0, 150.0}, {1.0, 0.0}), false);
+  EXPECT_LT(center(mark).x() + 0.5 * fonts.width(type::kVertex, "label"), 400.0);
+}
+
+TEST_F(Labels, KeepTheirPlaceFromFrameToFrameWhileItIsFree) {
+  Obstacles obstacles;
+  obstacles.segments.push_back({{200.0, 150.0}, {400.0, 150.0}});
+  placer.begin_frame(obstacles);
+  const Point first = center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false));
+  placer.begin_frame({});  // the preferred side is free now, but moving would cost the eye more
+  EXPECT_EQ(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)), first);
+}
+
+TEST_F(Labels, OfAnAreaStandInItOrNowhere) {
+  placer.begin_frame({});
+  const std::vector<Point> wide = {{0.0, 0.0}, {200.0, 0.0}, {200.0, 100.0}, {0.0, 100.0}};
+  const std::vector<Mark> marks =
+      placer.place_inside({"a", "label", "role", type::kRegion, wide, {}});
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_GT(center(marks[0]).y(), 0.0);
+  EXPECT_LT(center(marks[0]).y(), 100.0);
+  const std::vector<Point> thin = {{0.0, 200.0}, {200.0, 200.0}, {200.0, 206.0}, {0.0, 206.0}};
+  EXPECT_TRUE(placer.place_inside({"b", "label", "role", type::kRegion, thin, {}}).empty());
+}
+
+}  // namespace
+}  // namespace gjkscope

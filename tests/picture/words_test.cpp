@@ -1,0 +1,40 @@
+#include "picture/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+TEST(Words, NumbersHaveATrueMinusAndNoNegativeZero) {
+  EXPECT_EQ(fixed(-1.25, 2), "−1.25");
+  EXPECT_EQ(fixed(-0.001, 2), "0.00");
+  EXPECT_EQ(signed_fixed(0.5, 1), "+0.5");
+  EXPECT_EQ(signed_fixed(0.0, 1), "0.0");
+}
+
+TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
+  Lesson lesson;
+  lesson.scalar = ScalarKind::single;
+  const Numbers numbers(lesson);
+  EXPECT_EQ(numbers(static_cast<double>(3.2457051e-06F)), "3.2457051e−06");
+  EXPECT_EQ(numbers.point({static_cast<double>(-0.021008447F), -0.0}), "(−0.021008447, 0)");
+}
+
+TEST(Words, TheThirdEdgeOfATriangleIsCA) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
+  const SimplexWords words(run, run.state(run.frames[0]).simplex);
+  EXPECT_EQ(words.face(0b101), "CA");
+  EXPECT_EQ(words.coordinate(0b101, 2), "uCA");
+  EXPECT_EQ(words.coordinate(0b101, 0), "vCA");
+  EXPECT_EQ(words.coordinate(0b111, 2), "wABC");
+}
+
+TEST(Words, VerticesOfADifferenceNameBothTheirVertices) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-gjk"));
+  EXPECT_EQ(run.pair_name({2, 3}), "N−C");
+}
+
+}  // namespace
+}  // namespace gjkscope
