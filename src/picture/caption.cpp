@@ -366,7 +366,10 @@ class Writer {
         return;
       case gjk::StopReason::no_progress:
         text.caption =
-            format("Stop: nothing of {} lies farther along d than the simplex does.", set_name());
+            trace_.steps[frame_.step - 1].phase == gjk::Phase::cull
+                ? format("Stop: P came no nearer to {} than it was an iteration ago.", q_)
+                : format("Stop: nothing of {} lies farther along d than the simplex does.",
+                         set_name());
         text.detail = final_distance;
         return;
       case gjk::StopReason::within_tolerance:

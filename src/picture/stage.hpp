@@ -10,11 +10,16 @@ namespace gjkscope {
 /// From the coordinates of a view to the frame: uniform scale, y up becomes y down.
 class StageMap {
  public:
+  /// Pixels from the stage's middle beyond which a point is moved in: a painter computes in single
+  /// precision, and what is out there is seen only as a line's direction.
+  static constexpr double kFarthest = 1e7;
+
   /// Shows `camera.height` units over the height of `area`, centred.
   StageMap(const Rect& area, const Camera& camera) : area_(area), camera_(camera) {}
   [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
   [[nodiscard]] Point operator()(const Eigen::Vector2d& v) const {
-    const Eigen::Vector2d d = scale() * (v - camera_.center);
+    const Eigen::Vector2d d =
+        (scale() * (v - camera_.center)).cwiseMax(-kFarthest).cwiseMin(kFarthest);
     return area_.center() + Point(d.x(), -d.y());
   }
   [[nodiscard]] const Rect& area() const { return area_; }
