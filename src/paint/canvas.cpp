@@ -60,6 +60,42 @@ bool is_uniform(const Image& image) {
   return std::memcmp(p.data(), p.data() + kChannels, p.size() - kChannels) == 0;
 }
 
+/// A row of pixels whose every channel is the mean of 2 x 2, from the two rows `a` and `b`. Two
+/// channels at a time, in 32-bit words with 16 bits for each sum: the compiler makes vector code of
+/// it, which it does not of the general case.
+void halve_row(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* to, int width) {
+  constexpr std::uint32_t kEven = 0x00FF00FF;
+  constexpr std::uint32_t kHalf = 0x00020002;  // To nearest: half of the divisor, 4
+  for (int x = 0; x < width; ++x) {
+    std::uint32_t p[4];
+    std::memcpy(p, a + 2 * kChannels * x, 2 * kChannels);
+    std::memcpy(p + 2, b + 2 * kChannels * x, 2 * kChannels);
+    const std::uint32_t even =
+        (p[0] & kEven) + (p[1] & kEven) + (p[2] & kEven) + (p[3] & kEven) + kHalf;
+    const std::uint32_t odd = ((p[0] >> 8) & kEven) + ((p[1] >> 8) & kEven) +
+                              ((p[2] >> 8) & kEven) + ((p[3] >> 8) & kEven) + kHalf;
+    const std::uint32_t mean = ((even >> 2) & kEven) | (((odd >> 2) & kEven) << 8);
+    std::memcpy(to + kChannels * x, &mean, kChannels);
+  }
+}
+
+/// The same for squares of any size; `stride` is the length of a large row in bytes.
+void average_row(const std::uint8_t* from, std::size_t stride, std::uint8_t* to, int width,
+                 int factor) {
+  const unsigned count = static_cast<unsigned>(factor) * factor;
+  for (int x = 0; x < width; ++x) {
+    for (int c = 0; c < kChannels; ++c) {
+      const std::uint8_t* const square =
+          from + static_cast<std::size_t>(x) * factor * kChannels + c;
+      unsigned sum = count / 2;
+      for (int row = 0; row < factor; ++row) {
+        for (int k = 0; k < factor; ++k) sum += square[row * stride + k * kChannels];
+      }
+      to[x * kChannels + c] = static_cast<std::uint8_t>(sum / count);
+    }
+  }
+}
+
 }  // namespace
 
 struct Canvas::Context {
@@ -227,40 +263,14 @@ Image shrink(const Image& image, int factor) {
   const auto row_bytes = static_cast<std::size_t>(small.width) * kChannels;
   small.pixels.resize(row_bytes * small.height);
 
-  const unsigned count = static_cast<unsigned>(factor) * factor;
-  const std::size_t large_row = static_cast<std::size_t>(image.width) * kChannels;
-  // Sums of a row of squares first, column by column: long plain loops, which the compiler turns
-  // into vector code.
-  std::vector<std::uint16_t> sums(large_row);
+  const std::size_t stride = static_cast<std::size_t>(image.width) * kChannels;
   for (int y = 0; y < small.height; ++y) {
-    const std::uint8_t* from =
-        image.pixels.data() + static_cast<std::size_t>(y) * factor * large_row;
+    const std::uint8_t* from = image.pixels.data() + static_cast<std::size_t>(y) * factor * stride;
     std::uint8_t* to = small.pixels.data() + y * row_bytes;
     if (factor == 2) {
-      const std::uint8_t* below = from + large_row;
-      for (std::size_t i = 0; i < large_row; ++i) {
-        sums[i] = static_cast<std::uint16_t>(from[i] + below[i]);
-      }
-      for (std::size_t x = 0; x < static_cast<std::size_t>(small.width); ++x) {
-        for (std::size_t c = 0; c < kChannels; ++c) {
-          const unsigned sum = sums[8 * x + c] + sums[8 * x + kChannels + c];
-          to[kChannels * x + c] = static_cast<std::uint8_t>((sum + 2) / 4);
-        }
-      }
-      continue;
-    }
-    std::fill(sums.begin(), sums.end(), std::uint16_t{0});
-    for (int row = 0; row < factor; ++row) {
-      const std::uint8_t* line = from + row * large_row;
-      for (std::size_t i = 0; i < large_row; ++i)
-        sums[i] = static_cast<std::uint16_t>(sums[i] + line[i]);
-    }
-    for (int x = 0; x < small.width; ++x) {
-      for (int c = 0; c < kChannels; ++c) {
-        unsigned sum = 0;
-        for (int k = 0; k < factor; ++k) sum += sums[(x * factor + k) * kChannels + c];
-        to[x * kChannels + c] = static_cast<std::uint8_t>((sum + count / 2) / count);
-      }
+      halve_row(from, from + stride, to, small.width);
+    } else {
+      average_row(from, stride, to, small.width, factor);
     }
   }
   return small;
