@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "lesson/names.hpp"
@@ -182,7 +183,42 @@ class Writer {
     return numbers_.weight(term.denominator > 0.0 ? term.numerator / term.denominator : 0.0);
   }
 
+  /// A lesson that shows the areas is told by them.
+  bool tells_areas() const {
+    if (state_.simplex.count != 3 || run_.lesson.granularity != Granularity::path) return false;
+    const auto shows = [](const LessonView& view) {
+      return std::find(view.effects.begin(), view.effects.end(), "barycentric-parts") !=
+             view.effects.end();
+    };
+    return std::any_of(run_.lesson.views.begin(), run_.lesson.views.end(), shows);
+  }
+
+  void areas(FrameText& text) const {
+    const gjk::Barycentric<double, 2> coordinates =
+        gjk::barycentric(state_.simplex, state_.simplex.all());
+    std::string areas;
+    std::string edges;
+    std::string list;
+    int negative = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double weight = coordinates.numerator[i] / coordinates.denominator;
+      list += format("{}{} = {}", i > 0 ? ", " : "", "uvw"[i], numbers_.weight(weight));
+      if (weight >= 0.0) continue;
+      const std::string edge =
+          words_.face(static_cast<gjk::Face>(state_.simplex.all() & ~gjk::face_of(i)));
+      areas += (negative > 0 ? " and " : "") + q_ + edge;
+      edges += (negative > 0 ? " and " : "") + edge;
+      ++negative;
+    }
+    text.caption = negative == 0 ? format("All three areas are positive: {} lies inside.", q_)
+                                 : format("The {} of {} {} negative: {} lies beyond {}.",
+                                          negative == 1 ? "area" : "areas", areas,
+                                          negative == 1 ? "is" : "are", q_, edges);
+    text.detail = format("{}: they add up to 1 wherever {} stands.", list, q_);
+  }
+
   void closest(FrameText& text) const {
+    if (tells_areas()) return areas(text);
     text.caption = region_reason();
     if (gjk::vertex_count(state_.region) == 3) {
       text.detail = run_.point_query() ? format("So P = {}, and the distance is 0.", q_)
@@ -237,8 +273,9 @@ class Writer {
     }
     const std::string edge = words_.face(term.face);
     if (term.wants_positive) return format("Projected onto {}, {} falls beyond the end.", edge, q_);
-    return format("Projected onto {}, {} falls on {}'s side of the other end.", edge, q_,
-                  words_.vertex(term.vertex));
+    const gjk::Face other = static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex));
+    return format("Projected onto {}, {} falls on {}'s side of {}.", edge, q_,
+                  words_.vertex(term.vertex), words_.face(other));
   }
 
   std::string signed_fixed_weight(const gjk::RegionTerm<double>& term) const {
@@ -350,10 +387,12 @@ class Writer {
         text.caption =
             format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
                    support, set_name(), q_);
-        text.detail = final_distance + (lower_bound(state_) > 0.0
-                                            ? " The line through P, normal to d, has all of " +
-                                                  set_name() + " behind it."
-                                            : "");
+        text.detail = final_distance;
+        if (lower_bound(state_) > 0.0) {
+          text.detail += format(
+              " The dashed line proves it: it has all of {} on one side and {} on the other.",
+              set_name(), q_);
+        }
         return;
       case gjk::StopReason::origin_inside:
         text.caption =
