@@ -225,14 +225,12 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
 }
 
 int explain_command(const Environment& env, const std::string& name, bool json) {
-  constexpr double kWidth = 1280.0;
-  constexpr double kHeight = 720.0;
   const FoundLesson found = find_lesson(env, name);
   if (!found.lesson) return found.exit_code;
   const LessonRun run = run_lesson(*found.lesson);
   const Fonts fonts(env.share / "assets" / "fonts.toml");
   EffectGraph effects(run);
-  const std::size_t frames = lesson_pictures(run, effects, fonts, kWidth, kHeight).size();
+  const std::size_t frames = lesson_pictures(run, effects, fonts).size();
 
   Json list = Json::array();
   for (const EffectInfo& info : registered_effects()) {

@@ -27,8 +27,9 @@ namespace gjkscope {
 namespace {
 
 constexpr int kSupersampling = 2;
-constexpr int kSmallestWidth = 640;
-constexpr int kSmallestHeight = 360;
+// A thumbnail; type below that has no pixels to stand on.
+constexpr int kSmallestWidth = 160;
+constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
 
 // A handler can reach nothing but this. 0, or the signal that came.
@@ -158,7 +159,7 @@ class Exporter {
       : options_(options),
         fonts_(options.assets_dir / "fonts.toml"),
         canvas_(fonts_, Theme::load(options.assets_dir / "themes", options.theme), options.width,
-                options.height, kSupersampling),
+                options.height, kSupersampling, page_of(options.width, options.height).zoom),
         writer_(thread_count(options), kSupersampling) {}
 
   /// Hands the lesson's frames to the writer. False when a signal came before the last one.
@@ -166,7 +167,7 @@ class Exporter {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     std::vector<FramePicture> pictures =
-        lesson_pictures(run, effects, fonts_, options_.width, options_.height);
+        lesson_pictures(run, effects, fonts_, page_of(options_.width, options_.height));
     const int count = static_cast<int>(pictures.size());
     const StepRange range = step_range(options_, lesson.id, count);
 

@@ -99,8 +99,12 @@ void average_row(const std::uint8_t* from, std::size_t stride, std::uint8_t* to,
 }  // namespace
 
 struct Canvas::Context {
-  Context(const Fonts& fonts, const Theme& the_theme, int the_width, int the_height, int factor)
-      : theme(the_theme), width(the_width * factor), height(the_height * factor), scale(factor) {
+  Context(const Fonts& fonts, const Theme& the_theme, int the_width, int the_height, int factor,
+          double zoom)
+      : theme(the_theme),
+        width(the_width * factor),
+        height(the_height * factor),
+        scale(factor * zoom) {
     if (the_width < 1 || the_height < 1 || factor < 1) {
       throw std::runtime_error("an image needs a size of at least 1x1");
     }
@@ -241,8 +245,9 @@ struct Canvas::Context {
   std::vector<std::unique_ptr<ImDrawList>> lists;
 };
 
-Canvas::Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling)
-    : context_(std::make_unique<Context>(fonts, theme, width, height, supersampling)) {}
+Canvas::Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling,
+               double zoom)
+    : context_(std::make_unique<Context>(fonts, theme, width, height, supersampling, zoom)) {}
 
 Canvas::~Canvas() = default;
 

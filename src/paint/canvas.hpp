@@ -17,12 +17,13 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Draws at `supersampling` times the size asked for. One canvas a process at a time: Dear ImGui
-/// has one context.
+/// Draws images of `width` x `height` pixels, `zoom` pixels for each frame pixel of a picture, at
+/// `supersampling` times that size. One canvas a process at a time: Dear ImGui has one context.
 class Canvas {
  public:
   /// Throws std::runtime_error saying what was tried.
-  Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling = 2);
+  Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling = 2,
+         double zoom = 1.0);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

@@ -21,6 +21,8 @@ constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
 constexpr double kWidePanel = 424.0;    // beside one view
 constexpr double kNarrowPanel = 368.0;  // beside two
+constexpr double kPanelHeight = 440.0;  // below them
+constexpr double kTall = 1.2;           // height over width
 
 /// Breaks a text at spaces so that no line is wider than `width`.
 std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style,
@@ -63,17 +65,26 @@ Layout layout_of(const LessonRun& run, int prose_lines, double width, double hei
   layout.prose_y = 70.0;
   const double top = 64.0 + kProseLine * prose_lines;
   const int views = static_cast<int>(run.lesson.views.size());
-  double right = width - kMargin;
-  if (!run.lesson.panel.empty()) {
-    const double panel = views == 1 ? kWidePanel : kNarrowPanel;
-    layout.panel = Rect{{right - panel, top}, {right, bottom}};
-    right -= panel + kCardGap;
-  }
-  const double each = (right - kMargin - kCardGap * (views - 1)) / views;
-  for (int i = 0; i < views; ++i) {
-    const double x = kMargin + i * (each + kCardGap);
-    layout.views.push_back({{x, top}, {x + each, bottom}});
-  }
+  const Rect cards{{kMargin, top}, {width - kMargin, bottom}};
+  const bool has_panel = !run.lesson.panel.empty();
+  // A tall page has its cards one below the other, any other page side by side.
+  const bool tall = height > kTall * width;
+  const int axis = tall ? 1 : 0;
+  const double panel = !has_panel   ? 0.0
+                       : tall       ? kPanelHeight
+                       : views == 1 ? kWidePanel
+                                    : kNarrowPanel;
+  const double room =
+      cards.size()[axis] - kCardGap * (views - 1) - (has_panel ? panel + kCardGap : 0.0);
+  Rect next = cards;
+  const auto take = [&](double size) {
+    Rect card = next;
+    card.max[axis] = card.min[axis] + size;
+    next.min[axis] = card.max[axis] + kCardGap;
+    return card;
+  };
+  for (int i = 0; i < views; ++i) layout.views.push_back(take(room / views));
+  if (has_panel) layout.panel = take(panel);
   return layout;
 }
 
@@ -116,8 +127,16 @@ struct View {
 
 }  // namespace
 
+Page page_of(int width, int height) {
+  const Page smallest;
+  const double zoom = std::min(width / smallest.width, height / smallest.height);
+  return {width / zoom, height / zoom, zoom};
+}
+
 std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
-                                          const Fonts& fonts, double width, double height) {
+                                          const Fonts& fonts, const Page& page) {
+  const double width = page.width;
+  const double height = page.height;
   const double text_width = width - 2.0 * kMargin;
   std::vector<FrameText> texts;
   std::size_t prose_lines = 0;

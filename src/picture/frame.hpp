@@ -27,10 +27,19 @@ struct FramePicture {
   FrameText text;
 };
 
+/// What frames are laid out on: at least 1280 x 720 frame pixels, `zoom` pixels of the image each.
+/// Type keeps its proportion to the page whatever the size of the image.
+struct Page {
+  double width = 1280.0;
+  double height = 720.0;
+  double zoom = 1.0;
+};
+/// The page of an image of `width` x `height` pixels.
+[[nodiscard]] Page page_of(int width, int height);
+
 /// All frames of a lesson. Labels keep their place from frame to frame, so frames are built in
-/// order, together. `width` and `height` are at least 640 x 360.
+/// order, together.
 [[nodiscard]] std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
-                                                        const Fonts& fonts, double width,
-                                                        double height);
+                                                        const Fonts& fonts, const Page& page = {});
 
 }  // namespace gjkscope

@@ -321,11 +321,15 @@ class PanelBuilder {
     const int size = gjk::vertex_count(face);
     const int count = state_.simplex.count;
     if (size == count) return count == 1 ? "only region" : "else";
-    std::string out;
+    gjk::RegionTest<double> test{face, {}, false};
     for (int i = 0; i < count; ++i) {
-      if (gjk::contains(face, i)) continue;
+      if (!gjk::contains(face, i))
+        test.terms.push_back({static_cast<gjk::Face>(face | gjk::face_of(i)), i});
+    }
+    std::string out;
+    for (const gjk::RegionTerm<double>& term : words_.terms(test)) {
       if (!out.empty()) out += " and ";
-      out += words_.coordinate(static_cast<gjk::Face>(face | gjk::face_of(i)), i) + " ≤ 0";
+      out += words_.coordinate(term.face, term.vertex) + " ≤ 0";
     }
     if (size == 2) out += ", u, v > 0";
     return out;

@@ -61,7 +61,7 @@ void build_pictures(benchmark::State& state) {
     for (const Lesson& lesson : lessons) {
       const LessonRun run = run_lesson(lesson);
       EffectGraph effects(run);
-      frames += lesson_pictures(run, effects, fonts, kWidth, kHeight).size();
+      frames += lesson_pictures(run, effects, fonts).size();
     }
   }
   state.counters["frames"] =

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -11,17 +12,12 @@
 
 #include "lessons.hpp"
 #include "picture/theme.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope {
 namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
-
-struct Case {
-  Lesson lesson;
-  double width;
-  double height;
-};
 
 Rect box_of(const Fonts& fonts, const Text& text) {
   const double width = fonts.width(text.style, text.text);
@@ -41,7 +37,7 @@ bool inside(const Rect& outer, const Rect& inner) {
          (inner.max.array() <= outer.max.array()).all();
 }
 
-class Frames : public ::testing::TestWithParam<std::pair<double, double>> {
+class Frames : public ::testing::TestWithParam<Page> {
  protected:
   Fonts fonts{kAssets / "fonts.toml"};
 
@@ -50,7 +46,7 @@ class Frames : public ::testing::TestWithParam<std::pair<double, double>> {
     for (const Lesson& lesson : testing::shipped_lessons()) {
       const LessonRun run = run_lesson(lesson);
       EffectGraph effects(run);
-      const auto frames = lesson_pictures(run, effects, fonts, GetParam().first, GetParam().second);
+      const auto frames = lesson_pictures(run, effects, fonts, GetParam());
       ASSERT_EQ(frames.size(), run.frames.size());
       for (std::size_t i = 0; i < frames.size(); ++i) {
         SCOPED_TRACE(lesson.id + ", frame " + std::to_string(i + 1));
@@ -119,8 +115,7 @@ TEST_P(Frames, LabelsOfVerticesThatStayKeepTheirPlace) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     std::map<std::string, Point> places;
-    for (const FramePicture& frame :
-         lesson_pictures(run, effects, fonts, GetParam().first, GetParam().second)) {
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts, GetParam())) {
       for (const Mark& mark : frame.picture.marks) {
         if (mark.role != "shape.label" && mark.role != "shape.x.label" &&
             mark.role != "shape.y.label")
@@ -147,16 +142,25 @@ TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
   });
 }
 
-// 16:9, a square-ish page, a wide strip, a tall page.
+// A screen, a slide, a wide strip, a tall page.
 INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
-                         ::testing::Values(std::pair{1280.0, 720.0}, std::pair{1280.0, 1024.0},
-                                           std::pair{1707.0, 720.0}, std::pair{1280.0, 2276.0}));
+                         ::testing::Values(page_of(1280, 720), page_of(1024, 768),
+                                           page_of(2560, 1080), page_of(720, 1280)));
+
+TEST(Page, KeepsTheProportionsOfTheImageAndTheSizeOfType) {
+  const Page large = page_of(3840, 2160);
+  EXPECT_EQ(large.width, 1280.0);
+  EXPECT_EQ(large.zoom, 3.0);
+  const Page tall = page_of(720, 1280);
+  EXPECT_EQ(tall.width, 1280.0);
+  EXPECT_NEAR(tall.height / tall.width, 1280.0 / 720.0, 1e-12);
+}
 
 TEST(Captions, TellTheRunOfThePentagon) {
   const LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
   EffectGraph effects(run);
   const Fonts fonts(kAssets / "fonts.toml");
-  const auto frames = lesson_pictures(run, effects, fonts, 1280.0, 720.0);
+  const auto frames = lesson_pictures(run, effects, fonts);
   // Distance of (2.7, 2.3) from the line through (2.4, -0.4) and (0.9, 2.2), by the point-line
   // formula.
   const double distance = std::abs(2.6 * (2.7 - 2.4) + 1.5 * (2.3 + 0.4)) / std::hypot(2.6, 1.5);
@@ -168,12 +172,30 @@ TEST(Captions, TellTheRunOfThePentagon) {
   EXPECT_EQ(frames[14].text.iteration, 3);
 }
 
+TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
+  EffectGraph effects(run);
+  const Fonts fonts(kAssets / "fonts.toml");
+  const auto frames = lesson_pictures(run, effects, fonts);
+  std::vector<std::string> texts;
+  for (const Mark& mark : frames.back().picture.marks) {
+    if (const Text* text = std::get_if<Text>(&mark.shape)) texts.push_back(text->text);
+  }
+  const auto row = std::find(texts.begin(), texts.end(), "uBC ≤ 0 and vCA ≤ 0");
+  ASSERT_NE(row, texts.end());
+  // Weights of B on BC and of A on CA by the projections, from the lesson's coordinates.
+  const Eigen::Vector2d a(-1.85, -1.05), b(1.55, -0.75), c(0.0, 1.7), q(1.35, 1.45);
+  const double u_bc = (c - q).dot(c - b) / (c - b).squaredNorm();
+  const double v_ca = (q - c).dot(a - c) / (a - c).squaredNorm();
+  EXPECT_EQ(*(row + 1), signed_fixed(u_bc, 3) + " " + signed_fixed(v_ca, 3));
+}
+
 TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
   const Fonts fonts(kAssets / "fonts.toml");
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
-    (void)lesson_pictures(run, effects, fonts, 1280.0, 720.0);
+    (void)lesson_pictures(run, effects, fonts);
     std::set<std::string> called;
     for (const LessonView& view : lesson.views)
       called.insert(view.effects.begin(), view.effects.end());
