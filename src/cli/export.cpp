@@ -19,6 +19,7 @@
 #include "cli/file.hpp"
 #include "cli/frame_writer.hpp"
 #include "effects/graph.hpp"
+#include "lesson/names.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "picture/frame.hpp"
@@ -165,6 +166,13 @@ class Exporter {
   /// Hands the lesson's frames to the writer. False when a signal came before the last one.
   bool add(const Lesson& lesson, std::size_t lesson_index, Progress& progress) {
     const LessonRun run = run_lesson(lesson);
+    for (const PositionedRun& positioned : run.runs) {
+      if (positioned.trace.result.error != gjk::Error::none) {
+        throw std::runtime_error(
+            fmt::format("{}: GJK refuses the shapes ({}); `gjkscope check` says where", lesson.id,
+                        name_of(positioned.trace.result.error)));
+      }
+    }
     EffectGraph effects(run);
     std::vector<FramePicture> pictures =
         lesson_pictures(run, effects, fonts_, page_of(options_.width, options_.height));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -85,6 +86,34 @@ Points rounded_box(const Rect& rect, double corner, double pixels_per_unit) {
     points.insert(points.end(), quarter.begin(), quarter.end());
   }
   return points;
+}
+
+/// More dashes than this do not fit a draw list. Straight lines are cut to what shows before they
+/// are dashed; a longer bent one runs far out of the frame, and what is seen of it may be solid.
+constexpr double kMostDashes = 400.0;
+
+[[nodiscard]] double period_of(std::span<const double> pattern) {
+  return std::accumulate(pattern.begin(), pattern.end(), 0.0);
+}
+
+[[nodiscard]] bool has_too_many_dashes(const Points& points, bool closed,
+                                       std::span<const double> pattern) {
+  double length = closed ? (points.front() - points.back()).norm() : 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return !(length <= kMostDashes * period_of(pattern));
+}
+
+/// The part of a line from `a` to `b` that may show inside `bounds`: it begins a whole number of
+/// periods after `a`, so that the dashes stay where they are.
+[[nodiscard]] Points visible_part(const Point& a, const Point& b, const Rect& bounds,
+                                  double period) {
+  const double length = (b - a).norm();
+  const Point reach = 0.5 * bounds.size() + Point(period, period);
+  const double along = (bounds.center() - a).dot(b - a) / length;
+  const double begin =
+      std::clamp(std::floor((along - reach.norm()) / period) * period, 0.0, length);
+  const double end = std::clamp(along + reach.norm(), 0.0, length);
+  return {a + (b - a) * (begin / length), a + (b - a) * (end / length)};
 }
 
 /// The pieces of a line that its dash pattern leaves, from its first point on.
@@ -297,9 +326,27 @@ class MarkPainter {
       dot(points[0], *paint);
     } else if (style_->dash.empty()) {
       solid(points, closed, *paint);
+    } else if (points.size() == 2 && (points[1] - points[0]).norm() > period_of(style_->dash)) {
+      dashed(visible_part(points[0], points[1], visible(), period_of(style_->dash)), false, *paint);
+    } else {
+      dashed(points, closed, *paint);
+    }
+  }
+
+  /// What the list shows, in frame pixels.
+  [[nodiscard]] Rect visible() const {
+    const auto to_frame = [&](const ImVec2& v) {
+      return Point((Point(v.x, v.y) - placement_.origin) / placement_.scale);
+    };
+    return {to_frame(list_.GetClipRectMin()), to_frame(list_.GetClipRectMax())};
+  }
+
+  void dashed(const Points& points, bool closed, const Color& paint) const {
+    if (has_too_many_dashes(points, closed, style_->dash)) {
+      solid(points, closed, paint);
     } else {
       for (const Points& piece : dashes(points, closed, style_->dash)) {
-        solid(without_repeats(piece, false), false, *paint);
+        solid(without_repeats(piece, false), false, paint);
       }
     }
   }

@@ -156,6 +156,8 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
     extent.min = extent.min.cwiseMin(point);
     extent.max = extent.max.cwiseMax(point);
   }
+  extent.min = extent.min.cwiseMax(bounds_.min);
+  extent.max = extent.max.cwiseMin(bounds_.max);
   const Point middle = centroid(request.polygon);
   std::optional<Point> best;
   double best_cost = kOverCircle;  // rather no label than one over a mark

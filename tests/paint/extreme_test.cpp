@@ -1,0 +1,39 @@
+// Lessons at the ends of what the loader accepts come out as images: no crash, no hang.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "lessons.hpp"
+#include "paint/canvas.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+namespace {
+
+TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
+  const std::filesystem::path assets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
+  const Fonts fonts(assets / "fonts.toml");
+  Canvas canvas(fonts, Theme::load(assets / "themes", "light"), 320, 180, 1, 0.25);
+  int painted = 0;
+  for (Lesson lesson : testing::shipped_lessons()) {
+    for (const double camera : {1e-18, 1e-3, 1e3, 1e18}) {
+      for (const double size : {1e-12, 1.0, 1e17}) {
+        if (lesson.scalar != ScalarKind::double_ && size != 1.0) continue;
+        Lesson extreme = lesson;
+        for (Eigen::Vector2d& vertex : extreme.x.vertices) vertex *= size;
+        for (Eigen::Vector2d& vertex : extreme.y.vertices) vertex *= size;
+        for (LessonView& view : extreme.views) view.camera = Camera{{0.25, -camera}, camera};
+        const LessonRun run = run_lesson(extreme);
+        EffectGraph effects(run);
+        const auto frames = lesson_pictures(run, effects, fonts);
+        (void)canvas.paint(frames[frames.size() / 2].picture);
+        ++painted;
+      }
+    }
+  }
+  EXPECT_GT(painted, 100);
+}
+
+}  // namespace
+}  // namespace gjkscope
