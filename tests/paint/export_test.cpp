@@ -227,7 +227,7 @@ TEST_F(Export, WhatThereIsNotIsAnError) {
   EXPECT_NE(error_of(wrong).find("there is png"), std::string::npos);
   wrong = options();
   wrong.width = 100;
-  EXPECT_NE(error_of(wrong).find("640x360"), std::string::npos);
+  EXPECT_NE(error_of(wrong).find("160x90"), std::string::npos);
   wrong = options();
   wrong.first_step = 500;
   EXPECT_NE(error_of(wrong).find("segment-closest has steps 1.."), std::string::npos);
