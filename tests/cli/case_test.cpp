@@ -1,0 +1,170 @@
+#include "lesson/case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace gjkscope {
+namespace {
+
+const std::string kGood = R"({"dimension":2,"a":[[0,0]],"b":[[3,4],[5,6]]})";
+
+ReadCase only(const std::string& text) {
+  const std::vector<ReadCase> cases = parse_cases(text, "f.json");
+  EXPECT_EQ(1u, cases.size()) << text;
+  return cases.empty() ? ReadCase{} : cases.front();
+}
+
+TEST(Case, IsTwoPointSets) {
+  const ReadCase read = only(kGood);
+  ASSERT_TRUE(read.value);
+  EXPECT_TRUE(read.problems.empty());
+  EXPECT_EQ("f.json", read.name);
+  EXPECT_EQ(Eigen::Vector2d(0, 0), read.value->a[0]);
+  EXPECT_EQ(Eigen::Vector2d(5, 6), read.value->b[1]);
+}
+
+TEST(Case, OtherKeysAreIgnoredAndTheNameIsTaken) {
+  const ReadCase read = only(R"({"name":"n","why":{"x":[1]},"a":[[0,0]],"b":[[1,1]],"c":null})");
+  ASSERT_TRUE(read.value);
+  EXPECT_EQ("n", read.name);
+}
+
+TEST(Case, StringsHoldDecimalAndHexadecimalNumbers) {
+  const ReadCase read = only(R"({"a":[["0x1.8p1","-0x1p-1074"]],"b":[["1e-3","-.5"]]})");
+  ASSERT_TRUE(read.value);
+  EXPECT_EQ(Eigen::Vector2d(3.0, -0x1p-1074), read.value->a[0]);
+  EXPECT_EQ(Eigen::Vector2d(1e-3, -0.5), read.value->b[0]);
+}
+
+TEST(Case, ATextHoldsAnyNumberOfThem) {
+  EXPECT_EQ(2u, parse_cases(kGood + "\n" + kGood + "\n", "f").size());
+  EXPECT_EQ(2u, parse_cases(kGood + kGood, "f").size());
+  EXPECT_EQ(3u, parse_cases("[" + kGood + "," + kGood + "]\n" + kGood, "f").size());
+  EXPECT_EQ("f#2", parse_cases(kGood + kGood, "f")[1].name);
+}
+
+TEST(Case, OneThatCannotBeReadDoesNotHideTheOthers) {
+  const auto cases =
+      parse_cases(kGood + "\n{\"a\":[[0,0],\n" + kGood + "\n{\"a\":1}\n" + kGood, "f");
+  ASSERT_EQ(5u, cases.size());
+  EXPECT_TRUE(cases[0].value);
+  EXPECT_FALSE(cases[1].value);
+  EXPECT_TRUE(cases[2].value);
+  EXPECT_FALSE(cases[3].value);
+  EXPECT_TRUE(cases[4].value);
+}
+
+struct Bad {
+  std::string text;
+  std::string place;  ///< line:column
+  std::string what;   ///< Part of the message.
+};
+
+TEST(Case, ProblemsHaveTheirPlace) {
+  const Bad bads[] = {
+      {"", "1:1", "no case"},
+      {"  \n ", "2:2", "no case"},
+      {"[]", "1:1", "no case"},
+      {"3", "1:1", "a case is a number"},
+      {"nonsense", "1:2", "not JSON"},
+      {"{\"a\":[[0,0]],\n \"b\":[[1,]]}", "2:10", "not JSON"},
+      {R"({"b":[[1,1]]})", "1:1", "/a is missing"},
+      {R"({"a":[[0,0]],"b":[]})", "1:18", "/b is empty"},
+      {R"({"a":[[0,0]],"b":7})", "1:18", "/b is a number"},
+      {R"({"a":[[0,0]],"b":null})", "1:18", "/b is null"},
+      {"{\"a\":[[0,0]],\n\"b\":[[1,1],\n[1,2,3]]}", "3:1", "/b/1 has 3 coordinates"},
+      {R"({"a":[[0,0]],"b":[4]})", "1:19", "/b/0 is a number"},
+      {R"({"a":[[0,"zero"]],"b":[[1,1]]})", "1:10", "/a/0/1 is \"zero\""},
+      {R"({"a":[[0,"nan"]],"b":[[1,1]]})", "1:10", "/a/0/1 is \"nan\""},
+      {R"({"a":[[0,"inf"]],"b":[[1,1]]})", "1:10", "/a/0/1 is \"inf\""},
+      {R"({"a":[[0,"1e999"]],"b":[[1,1]]})", "1:10", "/a/0/1"},
+      {R"({"a":[[0,1e999]],"b":[[1,1]]})", "1:10", "1e999 is too large"},
+      {R"({"a":[[0,true]],"b":[[1,1]]})", "1:10", "/a/0/1 is true"},
+      {R"({"a":[[NaN,0]],"b":[[1,1]]})", "1:8", "not JSON"},
+      {R"({"dimension":3,"a":[[0,0,0]],"b":[[1,1,1]]})", "1:14", "/dimension is 3"},
+      {R"({"dimension":"2","a":[[0,0]],"b":[[1,1]]})", "1:14", "/dimension is \"2\""},
+  };
+  for (const Bad& bad : bads) {
+    SCOPED_TRACE(bad.text);
+    const ReadCase read = only(bad.text);
+    EXPECT_FALSE(read.value);
+    ASSERT_FALSE(read.problems.empty());
+    const Problem& problem = read.problems.front();
+    EXPECT_EQ(bad.place, std::to_string(problem.line) + ":" + std::to_string(problem.column));
+    EXPECT_NE(std::string::npos, problem.what.find(bad.what)) << problem.what;
+    EXPECT_FALSE(problem.expected.empty());
+    EXPECT_EQ("f.json", problem.file);
+  }
+}
+
+TEST(Case, AllProblemsOfOneAreToldAtOnce) {
+  EXPECT_EQ(3u, only(R"({"a":[["x","y"],[1]],"b":[[1,1]]})").problems.size());
+}
+
+TEST(Case, MutatedTextsAreReadOrRefusedNeverHalf) {
+  constexpr std::uint32_t kSeed = 77;
+  std::mt19937 random(kSeed);
+  const std::string original =
+      "{\"name\":\"n\",\"dimension\":2,\"a\":[[0.5,\"0x1p3\"],[1e5,-2]],\n"
+      "\"b\":[[3,4],[5,6]],\"note\":\"\\u00e9\\\"\"}\n" +
+      kGood + "\n";
+  const std::string alphabet = "{}[],:\"\\0129.-+eExXpPnul \n\t\xC3\xFF";
+  int refused = 0;
+  int accepted = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = original;
+    for (int k = static_cast<int>(random() % 4); k >= 0 && !text.empty(); --k) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 4) {
+        case 0:
+          text.erase(at, 1 + random() % 5);
+          break;
+        case 1:
+          text.insert(at, 1, alphabet[random() % alphabet.size()]);
+          break;
+        case 2:
+          text[at] = alphabet[random() % alphabet.size()];
+          break;
+        default:
+          text.resize(at);
+      }
+    }
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
+    const std::vector<ReadCase> cases = parse_cases(text, "f");
+    ASSERT_FALSE(cases.empty());
+    for (const ReadCase& read : cases) {
+      ASSERT_EQ(read.problems.empty(), read.value.has_value());
+      ++(read.value ? accepted : refused);
+      for (const Problem& problem : read.problems) {
+        ASSERT_GE(problem.line, 1);
+        ASSERT_GE(problem.column, 1);
+        ASSERT_FALSE(problem.what.empty());
+      }
+      if (read.value) {
+        ASSERT_FALSE(read.value->a.empty());
+        ASSERT_FALSE(read.value->b.empty());
+      }
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(accepted, 500);
+}
+
+TEST(Case, LongNonsenseIsRefusedQuickly) {
+  EXPECT_LE(parse_cases(std::string(1000000, '['), "f").size(), 1u);
+  EXPECT_LE(parse_cases(std::string(1000000, '{'), "f").size(), 1u);
+  std::string broken;
+  for (int i = 0; i < 10000; ++i) broken += "{\"a\":\n";
+  EXPECT_LE(parse_cases(broken, "f").size(), 100u);
+}
+
+TEST(Case, BecomesALessonToTrace) {
+  const Lesson lesson = lesson_of(*only(kGood).value, "n", ScalarKind::exact);
+  EXPECT_EQ(ScalarKind::exact, lesson.scalar);
+  EXPECT_EQ("x1", lesson.x.vertex_names[0]);
+  EXPECT_EQ("y2", lesson.y.vertex_names[1]);
+}
+
+}  // namespace
+}  // namespace gjkscope

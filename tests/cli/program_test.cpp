@@ -1,0 +1,185 @@
+// The program as a whole: its help, its exit codes, and what it does when things go wrong.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "command_line.hpp"
+
+namespace gjkscope {
+namespace {
+
+using nlohmann::json;
+using test::Ran;
+using test::run_program;
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Program, HelpNamesEveryCommandAndEveryExitCode) {
+  const Ran ran = run_program("--help");
+  EXPECT_EQ(kDone, ran.exit_code);
+  EXPECT_TRUE(ran.err.empty());
+  for (const char* word : {"lessons", "export", "trace", "solve", "check", "explain", "--version",
+                           "Exit codes", "Examples", "GJKSCOPE_SHARE"}) {
+    EXPECT_TRUE(holds(ran.out, word)) << word;
+  }
+  for (const char* command : {"lessons", "export", "trace", "solve", "check", "explain"}) {
+    const Ran help = run_program(std::string(command) + " --help");
+    EXPECT_EQ(kDone, help.exit_code);
+    EXPECT_TRUE(holds(help.out, "Examples")) << command;
+  }
+}
+
+TEST(Program, HasAVersion) {
+  const Ran ran = run_program("--version");
+  EXPECT_EQ(kDone, ran.exit_code);
+  EXPECT_EQ(0u, ran.out.rfind("gjkscope ", 0));
+}
+
+TEST(Program, AMistakenCommandLineIsToldOnStderr) {
+  for (const char* arguments :
+       {"", "lesons", "solve", "solve --scalar quad x.json", "export --all", "export --out x",
+        "export --out x --size 12by8 --all", "export --out x --steps 5..2 --all",
+        "export --out x --format gif --all", "export --all polygons-gjk --out x", "--nonsense",
+        "trace no-such-lesson", "explain no-such-lesson", "export --out x no-such-lesson"}) {
+    SCOPED_TRACE(arguments);
+    const Ran ran = run_program(arguments);
+    EXPECT_EQ(kUsage, ran.exit_code) << ran.err;
+    EXPECT_TRUE(ran.out.empty()) << ran.out;
+    EXPECT_FALSE(ran.err.empty());
+  }
+}
+
+TEST(Program, NamesTheNearestCommandAndLesson) {
+  EXPECT_TRUE(holds(run_program("lesons").err, "`gjkscope lessons`"));
+  EXPECT_TRUE(holds(run_program("trace polygns-gjk").err, "'polygons-gjk'"));
+}
+
+TEST(Program, WhatCannotBeReadIsNamed) {
+  for (const char* arguments : {"solve /nowhere/case.json", "trace /nowhere/case.json",
+                                "trace ./nowhere.toml", "check ./nowhere.toml"}) {
+    SCOPED_TRACE(arguments);
+    const Ran ran = run_program(arguments);
+    EXPECT_EQ(kCannot, ran.exit_code);
+    EXPECT_TRUE(holds(ran.err, "nowhere"));
+  }
+}
+
+TEST(Program, ListsLessons) {
+  const Ran ran = run_program("lessons --json");
+  EXPECT_EQ(kDone, ran.exit_code) << ran.err;
+  const json list = json::parse(ran.out);
+  ASSERT_GE(list.size(), 10u);
+  for (const json& lesson : list) {
+    EXPECT_TRUE(lesson["id"].is_string());
+    EXPECT_TRUE(lesson["title"].is_string());
+    EXPECT_GE(lesson["chapter"].get<int>(), 1);
+    EXPECT_GE(lesson["steps"].get<int>(), 1);
+  }
+  EXPECT_TRUE(holds(run_program("lessons").out, list[0]["id"].get<std::string>()));
+}
+
+TEST(Program, EveryShippedLessonPassesItsCheckAndCanBeTraced) {
+  const Ran check = run_program("check " GJKSCOPE_SOURCE_DIR "/lessons/*.toml");
+  EXPECT_EQ(kDone, check.exit_code) << check.out << check.err;
+  EXPECT_TRUE(check.out.empty());
+  for (const json& lesson : json::parse(run_program("lessons --json").out)) {
+    const std::string id = lesson["id"].get<std::string>();
+    SCOPED_TRACE(id);
+    const Ran traced = run_program("trace " + id + " --json");
+    EXPECT_EQ(kDone, traced.exit_code) << traced.err;
+    EXPECT_EQ(id, json::parse(traced.out)["lesson"]);
+  }
+}
+
+TEST(Program, CheckPrintsPlacesAndEndsWithOne) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("bad.toml", "tilte = \"x\"\nchapter = \"one\"\n");
+  const Ran ran = run_program("check " + file);
+  EXPECT_EQ(kProblem, ran.exit_code);
+  EXPECT_TRUE(holds(ran.out, "bad.toml:1:"));
+  EXPECT_TRUE(holds(ran.out, "title"));
+  EXPECT_TRUE(holds(ran.out, "bad.toml:2:"));
+}
+
+TEST(Program, CheckComparesWithWhatTheLessonExpects) {
+  const test::TemporaryFolder folder;
+  std::string text = test::read_file(GJKSCOPE_SOURCE_DIR "/lessons/polygon-evolution.toml");
+  const std::size_t at = text.find("distance");
+  ASSERT_NE(std::string::npos, at);
+  const std::size_t end = text.find('\n', text.find("distance = "));
+  ASSERT_NE(std::string::npos, end);
+  text.replace(text.find("distance = "), end - text.find("distance = "), "distance = 123.5");
+  const Ran ran = run_program("check " + folder.file("wrong.toml", text));
+  EXPECT_EQ(kProblem, ran.exit_code);
+  EXPECT_TRUE(holds(ran.out, "123.5")) << ran.out;
+}
+
+TEST(Program, ExplainTellsWhichEffectsRan) {
+  const Ran ran = run_program("explain minkowski-build --json");
+  ASSERT_EQ(kDone, ran.exit_code) << ran.err;
+  const json explained = json::parse(ran.out);
+  bool called = false;
+  bool left_out = false;
+  for (const json& effect : explained["effects"]) {
+    EXPECT_EQ(effect["called"].get<bool>(), effect["runs"].get<long>() > 0);
+    called = called || effect["called"].get<bool>();
+    left_out = left_out || !effect["called"].get<bool>();
+  }
+  EXPECT_TRUE(called);
+  EXPECT_TRUE(left_out);
+  EXPECT_TRUE(holds(run_program("explain minkowski-build").out, "minkowski-cloud"));
+}
+
+TEST(Program, ReadsStandardInputAndAnswersInOrder) {
+  const Ran ran = run_program("solve - --json",
+                              "{\"a\":[[0,0]],\"b\":[[3,4]]}\n{\"a\":[[0,0]],\"b\":[[6,8]]}\n");
+  EXPECT_EQ(kDone, ran.exit_code);
+  const auto lines = test::lines_of(ran.out);
+  ASSERT_EQ(2u, lines.size());
+  EXPECT_EQ(5.0, json::parse(lines[0])["distance"].get<double>());
+  EXPECT_EQ(10.0, json::parse(lines[1])["distance"].get<double>());
+  EXPECT_EQ(kProblem, run_program("solve -").exit_code);
+}
+
+TEST(Program, AClosedPipeOrAFullDiskIsNotACrash) {
+  // The reader goes away at once; the program ends by SIGPIPE, silently, as others do.
+  const Ran piped = run_program("trace polygons-gjk --json | head -c 10");
+  EXPECT_EQ(0, piped.exit_code);
+  EXPECT_TRUE(piped.err.empty()) << piped.err;
+  const Ran full = run_program("lessons", "", "/dev/full");
+  EXPECT_EQ(kCannot, full.exit_code);
+  EXPECT_TRUE(holds(full.err, "cannot be written"));
+}
+
+TEST(Program, TheShareFolderCanBeGiven) {
+  const test::TemporaryFolder empty;
+  setenv("GJKSCOPE_SHARE", empty.path().c_str(), 1);
+  const Ran ran = run_program("lessons");
+  unsetenv("GJKSCOPE_SHARE");
+  EXPECT_EQ(kCannot, ran.exit_code);
+  EXPECT_TRUE(holds(ran.err, empty.path().string()));
+}
+
+TEST(Arguments, SizesAndRanges) {
+  EXPECT_EQ((std::pair{1280, 720}), parse_size("1280x720"));
+  for (const char* bad :
+       {"", "x", "1280", "1280x", "x720", "0x720", "-1x5", "1280X720", "1280x720x3"}) {
+    EXPECT_FALSE(parse_size(bad)) << bad;
+  }
+  EXPECT_EQ(3, parse_steps("3..7")->first);
+  EXPECT_EQ(7, parse_steps("3..7")->last);
+  EXPECT_EQ(std::nullopt, parse_steps("3..")->last);
+  EXPECT_EQ(std::nullopt, parse_steps("..7")->first);
+  EXPECT_EQ(4, parse_steps("4")->first);
+  EXPECT_EQ(4, parse_steps("4")->last);
+  for (const char* bad : {"", "..", "7..3", "0..3", "a..b", "1..2..3", "-1..3"}) {
+    EXPECT_FALSE(parse_steps(bad)) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "command_line.hpp"
+
+namespace gjkscope {
+namespace {
+
+using nlohmann::json;
+
+struct Solved {
+  int exit_code = 0;
+  std::vector<json> answers;
+  std::string err;
+};
+
+Solved solve(const std::string& text, ScalarKind scalar = ScalarKind::double_) {
+  std::istringstream in(text);
+  std::ostringstream out;
+  std::ostringstream err;
+  const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
+  Solved solved;
+  solved.exit_code = solve_command(env, {"-"}, scalar);
+  for (const std::string& line : test::lines_of(out.str()))
+    solved.answers.push_back(json::parse(line));
+  solved.err = err.str();
+  return solved;
+}
+
+const std::string kApart = R"({"a":[[-1,-1],[1,-1],[1,1],[-1,1]],"b":[[2,2],[3,2],[2,3]]})";
+const std::string kOverlap = R"({"a":[[-1,-1],[1,-1],[1,1],[-1,1]],"b":[[0,0.5],[3,2],[2,3]]})";
+const std::string kTouch = R"({"a":[[-1,-1],[1,-1],[1,1],[-1,1]],"b":[[1,0],[3,2],[3,-3]]})";
+
+TEST(Solve, AnswersWithDistanceBoundsAndWitnesses) {
+  const Solved solved = solve(kApart);
+  EXPECT_EQ(kDone, solved.exit_code);
+  ASSERT_EQ(1u, solved.answers.size());
+  const json& answer = solved.answers[0];
+  EXPECT_NEAR(std::sqrt(2.0), answer["distance"].get<double>(), 1e-15);
+  EXPECT_LE(answer["lower"].get<double>(), std::sqrt(2.0));
+  EXPECT_GE(answer["upper"].get<double>(), std::sqrt(2.0));
+  EXPECT_EQ(false, answer["overlap"].get<bool>());
+  EXPECT_EQ(json({1.0, 1.0}), answer["a"]);
+  EXPECT_EQ(json({2.0, 2.0}), answer["b"]);
+  EXPECT_EQ("separated", answer["verdict"]);
+  EXPECT_EQ("repeated-support", answer["stop"]);
+  EXPECT_GE(answer["iterations"].get<int>(), 1);
+}
+
+TEST(Solve, EveryScalarAgrees) {
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    EXPECT_NEAR(std::sqrt(2.0), solve(kApart, scalar).answers[0]["distance"].get<double>(), 2e-3);
+    EXPECT_TRUE(solve(kOverlap, scalar).answers[0]["overlap"].get<bool>());
+    EXPECT_TRUE(solve(kTouch, scalar).answers[0]["overlap"].get<bool>());
+  }
+}
+
+TEST(Solve, ExactAnswersCarryTheSquareAndMeetingBounds) {
+  const json answer = solve(R"({"a":[[0,0]],"b":[[1,0],[0,1]]})", ScalarKind::exact).answers[0];
+  EXPECT_EQ("1/2", answer["distance_squared"]);
+  const double lower = answer["lower"].get<double>();
+  EXPECT_EQ(std::nextafter(lower, 1.0), answer["upper"].get<double>());
+  const json representable = solve(R"({"a":[[0,0]],"b":[[3,4]]})", ScalarKind::exact).answers[0];
+  EXPECT_EQ("25", representable["distance_squared"]);
+  EXPECT_EQ(5.0, representable["lower"].get<double>());
+  EXPECT_EQ(5.0, representable["upper"].get<double>());
+  EXPECT_EQ("0", solve(kTouch, ScalarKind::exact).answers[0]["distance_squared"]);
+}
+
+TEST(Solve, NumbersRoundTrip) {
+  const json answer =
+      solve(R"({"a":[[0.1,0.2]],"b":[["0x1.999999999999bp-1",0.30000000000000004]]})").answers[0];
+  EXPECT_EQ(0.1, answer["a"][0].get<double>());
+  EXPECT_EQ(0x1.999999999999bp-1, answer["b"][0].get<double>());
+  EXPECT_EQ(0.30000000000000004, answer["b"][1].get<double>());
+}
+
+TEST(Solve, OverlapIsRightWhereTheRunCannotTell) {
+  // The gap is far below half of a unit in the last place of the coordinates' products.
+  const std::string gap = R"({"a":[[0,0],[3,1]],"b":[["0x1.8p0","0x1.0000000000001p-1"]]})";
+  const Solved apart = solve(gap);
+  EXPECT_FALSE(apart.answers[0]["overlap"].get<bool>());
+  EXPECT_TRUE(solve(R"({"a":[[0,0],[3,1]],"b":[[1.5,0.5]]})").answers[0]["overlap"].get<bool>());
+}
+
+TEST(Solve, ErrorsAreAnswersToo) {
+  const Solved solved = solve("{\"a\":[]}\n" + kApart + "\n{\"a\":[[0,0]],\"b\":[[1e200,0]]}\n");
+  EXPECT_EQ(kProblem, solved.exit_code);
+  ASSERT_EQ(3u, solved.answers.size());
+  EXPECT_TRUE(solved.answers[0].contains("error"));
+  EXPECT_FALSE(solved.answers[0].contains("distance"));
+  EXPECT_FALSE(solved.answers[1].contains("error"));
+  EXPECT_NE(std::string::npos, solved.answers[2]["error"].get<std::string>().find("overflow"));
+  EXPECT_FALSE(solved.err.empty());
+}
+
+TEST(Solve, WhatDoubleCannotFloatCannotAndExactCan) {
+  const std::string large = R"({"a":[[0,0]],"b":[[3e200,4e200]]})";
+  EXPECT_TRUE(solve(large, ScalarKind::single).answers[0].contains("error"));
+  EXPECT_TRUE(solve(large).answers[0].contains("error"));
+  EXPECT_DOUBLE_EQ(5e200, solve(large, ScalarKind::exact).answers[0]["distance"].get<double>());
+}
+
+TEST(Solve, MutatedCasesAreAnsweredOrRefusedOneObjectALine) {
+  constexpr std::uint32_t kSeed = 78;
+  std::mt19937 random(kSeed);
+  const std::string alphabet = "{}[],:\"0129.-+e \n\xFF";
+  int refused = 0;
+  int answered = 0;
+  for (int i = 0; i < 600; ++i) {
+    std::string text = i % 2 == 0 ? kApart : kTouch;
+    for (int k = static_cast<int>(random() % 3); k >= 0; --k) {
+      text[random() % text.size()] = alphabet[random() % alphabet.size()];
+    }
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
+    const Solved solved = solve(text);
+    ASSERT_FALSE(solved.answers.empty());
+    bool any_refused = false;
+    for (const json& answer : solved.answers) {
+      const bool error = answer.contains("error");
+      any_refused = any_refused || error;
+      ASSERT_NE(error, answer.contains("distance"));
+      if (!error) {
+        ASSERT_LE(answer["lower"].get<double>(), answer["upper"].get<double>());
+      }
+      ++(error ? refused : answered);
+    }
+    ASSERT_EQ(any_refused ? kProblem : kDone, solved.exit_code);
+  }
+  EXPECT_GT(refused, 200);
+  EXPECT_GT(answered, 50);
+}
+
+TEST(Solve, PointSetsStandForTheirHulls) {
+  const std::string unsorted =
+      R"({"a":[[1,1],[-1,-1],[0,0],[1,-1],[0.5,0],[-1,1],[1,1]],"b":[[2,3],[2,2],[3,2]]})";
+  EXPECT_EQ(solve(kApart).answers[0]["distance"], solve(unsorted).answers[0]["distance"]);
+}
+
+TEST(Solve, EmptyInputIsAProblem) {
+  const Solved solved = solve("");
+  EXPECT_EQ(kProblem, solved.exit_code);
+  ASSERT_EQ(1u, solved.answers.size());
+  EXPECT_TRUE(solved.answers[0].contains("error"));
+}
+
+TEST(Solve, FilesAreReadAndMissingOnesNamed) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("case.json", kApart);
+  std::istringstream in;
+  std::ostringstream out;
+  std::ostringstream err;
+  const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
+  EXPECT_EQ(kCannot, solve_command(env, {file, file + ".missing", folder.path().string()},
+                                   ScalarKind::double_));
+  EXPECT_EQ(1u, test::lines_of(out.str()).size());
+  EXPECT_NE(std::string::npos, err.str().find(".missing"));
+  EXPECT_NE(std::string::npos, err.str().find("Is a directory"));
+}
+
+}  // namespace
+}  // namespace gjkscope

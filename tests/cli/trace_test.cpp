@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "command_line.hpp"
+
+namespace gjkscope {
+namespace {
+
+using nlohmann::json;
+
+struct Traced {
+  int exit_code = 0;
+  std::string out;
+  std::string err;
+};
+
+Traced trace(const std::string& input, bool as_json, ScalarKind scalar = ScalarKind::double_) {
+  std::istringstream in(input);
+  std::ostringstream out;
+  std::ostringstream err;
+  const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
+  const int exit_code = trace_command(env, "-", scalar, as_json);
+  return {exit_code, out.str(), err.str()};
+}
+
+const std::string kPentagon = R"({"a":[[-3,4]],"b":[[6,2],[5,6],[1,5],[0,1],[3,-1]]})";
+const std::string kOverlap = R"({"a":[[-1,-1],[1,-1],[1,1]],"b":[[0.1,-0.6],[3,2],[2,-3]]})";
+
+void collect_keys(const json& value, std::set<std::string>& keys) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) {
+      keys.insert(key);
+      collect_keys(member, keys);
+    }
+  } else if (value.is_array()) {
+    for (const json& member : value) collect_keys(member, keys);
+  }
+}
+
+TEST(TraceJson, EveryKeyIsDocumented) {
+  std::set<std::string> keys;
+  for (const std::string& text : {kPentagon, kOverlap}) {
+    collect_keys(json::parse(trace(text, true).out), keys);
+  }
+  EXPECT_GT(keys.size(), 50u);
+  const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/trace-format.md");
+  ASSERT_FALSE(page.empty());
+  for (const std::string& key : keys) {
+    EXPECT_NE(std::string::npos, page.find("`" + key + "`"))
+        << "not in docs/trace-format.md: " << key;
+  }
+}
+
+void check_numbers(const json& value, int& count) {
+  if (value.is_object() && value.contains("hex")) {
+    ++count;
+    ASSERT_EQ(2u, value.size());
+    const double from_hex = std::strtod(value["hex"].get<std::string>().c_str(), nullptr);
+    if (value["value"].is_null()) {
+      ASSERT_FALSE(std::isfinite(from_hex));
+    } else {
+      ASSERT_EQ(value["value"].get<double>(), from_hex);
+    }
+    return;
+  }
+  if (value.is_structured()) {
+    for (const json& member : value) check_numbers(member, count);
+  }
+}
+
+TEST(TraceJson, DecimalAndHexadecimalAreTheSameNumber) {
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    int count = 0;
+    check_numbers(json::parse(trace(kPentagon, true, scalar).out), count);
+    EXPECT_GT(count, 100);
+  }
+}
+
+TEST(TraceJson, IsCompleteFromStartToStop) {
+  for (const std::string& text : {kPentagon, kOverlap}) {
+    const json document = json::parse(trace(text, true).out);
+    EXPECT_EQ("gjkscope-trace", document["format"]);
+    EXPECT_EQ(1, document["version"]);
+    ASSERT_EQ(1u, document["runs"].size());
+    const json& run = document["runs"][0];
+    EXPECT_EQ("closest", run["steps"].front()["phase"]);
+    EXPECT_EQ("stop", run["steps"].back()["phase"]);
+    EXPECT_TRUE(run["steps"].back()["after"]["next_phase"].is_null());
+    EXPECT_EQ(run["result"]["stop"], run["steps"].back()["after"]["stop"]);
+  }
+}
+
+TEST(TraceJson, ARefusedQueryIsSaid) {
+  const Traced refused = trace(R"({"a":[[0,0]],"b":[[1e200,0]]})", true);
+  EXPECT_EQ(kProblem, refused.exit_code);
+  const json document = json::parse(refused.out);
+  EXPECT_EQ("overflow", document["runs"][0]["result"]["error"]);
+  EXPECT_TRUE(document["runs"][0]["result"]["distance"]["value"].is_null());
+  EXPECT_TRUE(document["runs"][0]["steps"].empty());
+}
+
+TEST(TraceText, TellsEveryPhase) {
+  const Traced traced = trace(kPentagon, false);
+  EXPECT_EQ(kDone, traced.exit_code);
+  for (const char* word :
+       {"iteration 1", "iteration 2", "test ", "closest ", "cull ", "direction ", "scan ",
+        "support ", "stop? ", "add ", "result", "bounds ", "repeated-support: yes"}) {
+    EXPECT_NE(std::string::npos, traced.out.find(word)) << word;
+  }
+  EXPECT_EQ(std::string::npos, traced.out.find("nan"));
+}
+
+TEST(TraceText, SinglePrecisionPrintsAsFewDigitsAsItNeeds) {
+  const std::string slides =
+      R"({"a":[[0,0]],"b":[[0.021119118,79.584320],[0.020964622,-31.515678]]})";
+  const std::string text = trace(slides, false, ScalarKind::single).out;
+  EXPECT_NE(std::string::npos, text.find("0.28366947")) << text;
+  EXPECT_NE(std::string::npos, text.find("0.71633047")) << text;
+}
+
+}  // namespace
+}  // namespace gjkscope
