@@ -110,12 +110,12 @@ TEST(Solve, WhatDoubleCannotFloatCannotAndExactCan) {
 TEST(Solve, MutatedCasesAreAnsweredOrRefusedOneObjectALine) {
   constexpr std::uint32_t kSeed = 78;
   std::mt19937 random(kSeed);
-  const std::string alphabet = "{}[],:\"0129.-+e \n\xFF";
+  const std::string alphabet = "{}[],:\"012345678901234567890123456789.-+e \n\xFF";
   int refused = 0;
   int answered = 0;
   for (int i = 0; i < 600; ++i) {
     std::string text = i % 2 == 0 ? kApart : kTouch;
-    for (int k = static_cast<int>(random() % 3); k >= 0; --k) {
+    for (int k = static_cast<int>(random() % 2); k >= 0; --k) {
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     }
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
