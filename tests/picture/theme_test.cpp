@@ -20,7 +20,8 @@ constexpr const char* kTextRoles[] = {
     "code",         "code.current",    "code.muted",    "code.value",     "pass",
     "fail",         "untried",         "shape.x.label", "shape.y.label",  "query.label",
     "origin.label", "region.label",    "simplex.label", "closest.label",  "support.label",
-    "hull.label",   "direction.label", "cloud.label",   "timeline.label", "timeline.label.current"};
+    "hull.label",   "direction.label", "cloud.label",   "timeline.label", "timeline.label.current",
+    "area.label",   "dropped.label",   "history.label"};
 
 constexpr const char* kOtherRoles[] = {"background",
                                        "card",
@@ -151,7 +152,8 @@ TEST(Theme, LabelsOfRegionsAreReadableOnTheirRegions) {
   for (const std::string& name : Theme::names(kThemes)) {
     const Theme theme = Theme::load(kThemes, name);
     const Color card = *theme.style("card").fill;
-    for (const char* role : {"region.vertex", "region.edge", "region.interior"}) {
+    for (const char* role :
+         {"region.vertex", "region.edge", "region.interior", "region.rejected", "region.testing"}) {
       const auto fill = theme.style(role).fill;
       if (!fill) continue;
       const Color ground = over(*fill, card);
