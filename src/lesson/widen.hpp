@@ -13,7 +13,7 @@ namespace gjkscope {
 template <class S>
 [[nodiscard]] double widened(const S& value) {
   if constexpr (std::is_same_v<S, Rational>) {
-    return value.get_d();
+    return to_double(value);
   } else {
     return static_cast<double>(value);
   }
