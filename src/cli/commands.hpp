@@ -15,14 +15,12 @@
 
 namespace gjkscope {
 
-/// Exit codes, as --help tells them.
-enum ExitCode : int {
-  kDone = 0,
-  kProblem = 1,      ///< A lesson or case has a problem, or a query was refused.
-  kUsage = 2,        ///< The command line: unknown command, option, lesson or value.
-  kCannot = 3,       ///< Something cannot be read, written or drawn.
-  kSignalBase = 128  ///< Plus the number of the signal that ended an export.
-};
+// Exit codes, as --help tells them.
+inline constexpr int kDone = 0;
+inline constexpr int kProblem = 1;  ///< A lesson or case has a problem, or a query was refused.
+inline constexpr int kUsage = 2;    ///< The command line: unknown command, option, lesson or value.
+inline constexpr int kCannot = 3;   ///< Something cannot be read, written or drawn.
+inline constexpr int kSignalBase = 128;  ///< Plus the number of the signal that ended an export.
 
 /// What a command works with besides its arguments.
 struct Environment {

@@ -33,7 +33,8 @@ constexpr int kSmallestWidth = 160;
 constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
 
-// A handler can reach nothing but this. 0, or the signal that came.
+// 0, or the signal that came. A handler can reach nothing but a global.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t caught_signal = 0;
 void catch_signal(int signal) { caught_signal = signal; }
 

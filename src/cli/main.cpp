@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <tuple>
@@ -157,10 +158,7 @@ std::string nearest_command(const CLI::App& app, int argc, char** argv) {
   return nearest_name(argv[1], names);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::ios::sync_with_stdio(false);
+int parse_and_run(int argc, char** argv) {
   CLI::App app("gjkscope: the GJK distance algorithm, one decision at a time", "gjkscope");
   app.set_version_flag("--version", "gjkscope " GJKSCOPE_VERSION);
   app.require_subcommand(1);
@@ -181,10 +179,17 @@ int main(int argc, char** argv) {
     }
     return kUsage;
   }
+  return run(app, args);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
   try {
-    return run(app, args);
+    return parse_and_run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "gjkscope: " << error.what() << '\n';
+    std::fprintf(stderr, "gjkscope: %s\n", error.what());
     return kCannot;
   }
 }

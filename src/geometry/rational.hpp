@@ -29,6 +29,7 @@ struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
   using NonInteger = mpq_class;
   using Nested = mpq_class;
   using Literal = mpq_class;
+  // NOLINTBEGIN(readability-identifier-naming): the names are those that Eigen reads.
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -38,6 +39,7 @@ struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
     AddCost = 150,
     MulCost = 100
   };
+  // NOLINTEND(readability-identifier-naming)
   static Real epsilon() { return 0; }
   static Real dummy_precision() { return 0; }
   static int digits10() { return 0; }

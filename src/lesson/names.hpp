@@ -14,11 +14,11 @@
 namespace gjkscope {
 
 template <class E>
-struct Named;  // specialised below: static constexpr table of (name, value)
+struct Named;  // specialised below: static constexpr kTable of (name, value)
 
 template <>
 struct Named<ScalarKind> {
-  static constexpr std::array<std::pair<std::string_view, ScalarKind>, 4> table = {
+  static constexpr std::array<std::pair<std::string_view, ScalarKind>, 4> kTable = {
       {{"half", ScalarKind::half},
        {"float", ScalarKind::single},
        {"double", ScalarKind::double_},
@@ -26,7 +26,7 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 5> table = {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 5> kTable = {
       {{"iteration", Granularity::iteration},
        {"phase", Granularity::phase},
        {"test", Granularity::test},
@@ -35,12 +35,12 @@ struct Named<Granularity> {
 };
 template <>
 struct Named<ViewKind> {
-  static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> table = {
+  static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
       {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 10> table = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 10> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -54,7 +54,7 @@ struct Named<PanelBlock> {
 };
 template <>
 struct Named<Listing> {
-  static constexpr std::array<std::pair<std::string_view, Listing>, 4> table = {
+  static constexpr std::array<std::pair<std::string_view, Listing>, 4> kTable = {
       {{"segment", Listing::segment},
        {"triangle", Listing::triangle},
        {"gjk-point", Listing::gjk_point},
@@ -62,7 +62,7 @@ struct Named<Listing> {
 };
 template <>
 struct Named<gjk::Phase> {
-  static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> kTable = {
       {{"closest", gjk::Phase::closest},
        {"cull", gjk::Phase::cull},
        {"direction", gjk::Phase::direction},
@@ -72,7 +72,7 @@ struct Named<gjk::Phase> {
 };
 template <>
 struct Named<gjk::StopReason> {
-  static constexpr std::array<std::pair<std::string_view, gjk::StopReason>, 8> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::StopReason>, 8> kTable = {
       {{"running", gjk::StopReason::running},
        {"repeated-support", gjk::StopReason::repeated_support},
        {"origin-inside", gjk::StopReason::origin_inside},
@@ -84,7 +84,7 @@ struct Named<gjk::StopReason> {
 };
 template <>
 struct Named<gjk::Verdict> {
-  static constexpr std::array<std::pair<std::string_view, gjk::Verdict>, 5> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::Verdict>, 5> kTable = {
       {{"separated", gjk::Verdict::separated},
        {"touching", gjk::Verdict::touching},
        {"overlapping", gjk::Verdict::overlapping},
@@ -93,7 +93,7 @@ struct Named<gjk::Verdict> {
 };
 template <>
 struct Named<gjk::Error> {
-  static constexpr std::array<std::pair<std::string_view, gjk::Error>, 9> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::Error>, 9> kTable = {
       {{"none", gjk::Error::none},
        {"x-has-no-vertices", gjk::Error::x_has_no_vertices},
        {"y-has-no-vertices", gjk::Error::y_has_no_vertices},
@@ -106,20 +106,20 @@ struct Named<gjk::Error> {
 };
 template <>
 struct Named<gjk::DirectionRule> {
-  static constexpr std::array<std::pair<std::string_view, gjk::DirectionRule>, 2> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::DirectionRule>, 2> kTable = {
       {{"perpendicular", gjk::DirectionRule::perpendicular},
        {"towards-origin", gjk::DirectionRule::towards_origin}}};
 };
 template <>
 struct Named<gjk::RegionOrder> {
-  static constexpr std::array<std::pair<std::string_view, gjk::RegionOrder>, 2> table = {
+  static constexpr std::array<std::pair<std::string_view, gjk::RegionOrder>, 2> kTable = {
       {{"vertices-first", gjk::RegionOrder::vertices_first},
        {"edges-first", gjk::RegionOrder::edges_first}}};
 };
 
 template <class E>
 [[nodiscard]] constexpr std::string_view name_of(E value) {
-  for (const auto& [name, candidate] : Named<E>::table) {
+  for (const auto& [name, candidate] : Named<E>::kTable) {
     if (candidate == value) return name;
   }
   return "?";
@@ -127,7 +127,7 @@ template <class E>
 
 template <class E>
 [[nodiscard]] constexpr std::optional<E> value_of(std::string_view name) {
-  for (const auto& [candidate, value] : Named<E>::table) {
+  for (const auto& [candidate, value] : Named<E>::kTable) {
     if (candidate == name) return value;
   }
   return std::nullopt;
@@ -136,7 +136,7 @@ template <class E>
 template <class E>
 [[nodiscard]] std::vector<std::string> names_of() {
   std::vector<std::string> names;
-  for (const auto& [name, value] : Named<E>::table) names.emplace_back(name);
+  for (const auto& [name, value] : Named<E>::kTable) names.emplace_back(name);
   return names;
 }
 
