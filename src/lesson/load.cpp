@@ -35,7 +35,7 @@ class LessonReader {
   LessonReader(Problems& problems, const std::vector<std::string>& known_effects)
       : problems_(problems), reader_(problems), known_effects_(known_effects) {}
 
-  Lesson read(const toml::table& file);
+  Lesson read(const toml::table& root);
 
  private:
   void read_head(const Table& file);

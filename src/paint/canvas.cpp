@@ -143,8 +143,12 @@ struct Canvas::Context {
   ~Context() {
     // The back end frees its texture; that needs the context to be current, and memory to draw to.
     Image last;
-    if (imgui.has_backend) target(last);
-    imgui.close();
+    try {
+      if (imgui.has_backend) target(last);
+      imgui.close();
+    } catch (...) {
+      // Without a current context the texture goes with the context.
+    }
   }
 
   Context(const Context&) = delete;

@@ -66,9 +66,9 @@ class Reader {
 
   /// Empty when there is none.
   static const toml::table& sub_table(const toml::table& file, std::string_view key) {
-    static const toml::table kNone;
+    static const toml::table none;
     const toml::node* node = file.get(key);
-    if (!node) return kNone;
+    if (!node) return none;
     if (!node->is_table()) fail(node->source(), fmt::format("expected a table [{}]", key));
     return *node->as_table();
   }
