@@ -203,9 +203,8 @@ template <class R, class S>
   out.lower = std::max(R(ScalarTraits<R>::root(state.plane_distance_sq) - plane_error), R(0));
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  // No less than some vertex of Z is away: the reach is that of a box around Z.
-  const R scale = std::max(size, R(prepared.reach * R(prepared.in_world ? 0.7 : 0.5)));
-  const R allowed = R(14) * u * scale;
+  // The largest vertex of Z is no smaller than this, or than `reach`, that of a box, over 1.5.
+  const R allowed = u * std::max(R(14) * size, R(9.5) * prepared.reach);
   const bool wide = allowed < plane_error + error;
   if (near || wide || (prepared.in_world && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);

@@ -3,6 +3,7 @@
 // what it leaves over.
 
 #include <algorithm>
+#include <utility>
 
 #include "gjk/support.hpp"
 
@@ -77,43 +78,29 @@ struct RegionList {
   return reordered;
 }
 
-/// All lists, made by the compiler: kRegions[order][vertices].
-inline constexpr auto kRegions = [] {
-  std::array<std::array<RegionList, kMaxDimension + 2>, 2> lists = {};
-  for (int vertices = 1; vertices <= kMaxDimension + 1; ++vertices) {
-    for (const RegionOrder order : {RegionOrder::vertices_first, RegionOrder::edges_first}) {
-      lists[static_cast<int>(order)][vertices] = list_regions(vertices, order);
-    }
-  }
-  return lists;
-}();
-
-/// Barycentric coordinates of every face of more than one vertex.
-template <class S, int D>
+/// Barycentric coordinates of every face of more than one vertex, of a simplex of kCount vertices.
+template <class S, int D, int kCount>
 class CoordinateTable {
  public:
   explicit CoordinateTable(const Simplex<S, D>& simplex) {
-    for (int b = 1; b < simplex.count; ++b) {
+    for (int b = 1; b < kCount; ++b) {
       for (int a = 0; a < b; ++a) {
         const Face face = static_cast<Face>(face_of(a) | face_of(b));
         segment_coordinates(simplex, a, b, of_face_[face]);
-        note_sign(face, a);
-        note_sign(face, b);
+        note_signs(face);
       }
     }
-    if constexpr (D > 2) {
+    if constexpr (D > 2 && kCount > 2) {
       for (Face face = 0; face <= simplex.all(); ++face) {
         if (vertex_count(face) > 2 && vertex_count(face) <= D) {
           of_face_[face] = barycentric(simplex, face);
-          for (int i = 0; i < simplex.count; ++i) {
-            if (contains(face, i)) note_sign(face, i);
-          }
+          note_signs(face);
         }
       }
     }
-    if (simplex.count == D + 1) {
-      volume_coordinates(simplex, of_face_[simplex.all()]);
-      for (int i = 0; i <= D; ++i) note_sign(simplex.all(), i);
+    if constexpr (kCount == D + 1) {
+      volume_coordinates(simplex, of_face_[kAll]);
+      note_signs(kAll);
     }
   }
 
@@ -121,22 +108,27 @@ class CoordinateTable {
   [[nodiscard]] CoordinateSet positive() const { return positive_; }
 
  private:
-  void note_sign(Face face, int vertex) {
-    const bool positive = S(0) < of_face_[face].numerator[vertex];
-    positive_ |= CoordinateSet{positive} << (4 * face + vertex);
+  static constexpr Face kAll = static_cast<Face>((1u << kCount) - 1);
+
+  void note_signs(Face face) {
+    for (int i = 0; i < kCount; ++i) {
+      if (!contains(face, i)) continue;
+      const bool positive = S(0) < of_face_[face].numerator[i];
+      positive_ |= CoordinateSet{positive} << (4 * face + i);
+    }
   }
 
-  std::array<Barycentric<S, D>, (1u << (D + 1))> of_face_;
+  std::array<Barycentric<S, D>, (1u << kCount)> of_face_;
   CoordinateSet positive_ = 0;
 };
 
-template <class S, int D>
+template <class S, int D, int kCount>
 [[nodiscard]] RegionTest<S> noted(const RegionCondition& condition,
-                                  const CoordinateTable<S, D>& table, int vertices) {
+                                  const CoordinateTable<S, D, kCount>& table) {
   RegionTest<S> note{condition.face, {}, condition.holds(table.positive())};
   for (const bool wants_positive : {true, false}) {
     const CoordinateSet wanted = wants_positive ? condition.positive : condition.not_positive;
-    for (int i = 0; i < vertices; ++i) {
+    for (int i = 0; i < kCount; ++i) {
       const Face face = static_cast<Face>(condition.face | face_of(i));
       if ((wanted & coordinate_bit(face, i)) == 0) continue;
       const Barycentric<S, D>& coordinates = table[face];
@@ -152,31 +144,33 @@ template <class S, int D>
 /// larger faces by the sum, so that weights add up to 1.
 template <class S, int D>
 void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
-  if (vertex_count(face) == 1) {
-    for (int i = 0; i < simplex.count; ++i) simplex.weights[i] = S(contains(face, i) ? 1 : 0);
-    return;
-  }
   S divisor = coordinates.denominator;
   if (vertex_count(face) > 2) {
     divisor = S(0);
-    for (int i = 0; i < simplex.count; ++i) {
+    for (int i = 0; i <= D; ++i) {
       if (contains(face, i)) divisor = divisor + coordinates.numerator[i];
     }
   }
-  for (int i = 0; i < simplex.count; ++i) {
-    simplex.weights[i] = contains(face, i) ? S(coordinates.numerator[i] / divisor) : S(0);
+  for (int i = 0; i <= D; ++i) {
+    if (!contains(face, i)) {
+      simplex.weights[i] = S(0);
+    } else if (vertex_count(face) == 1) {
+      simplex.weights[i] = S(1);
+    } else {
+      simplex.weights[i] = coordinates.numerator[i] / divisor;
+    }
   }
 }
 
 /// When rounding left no test to believe: the nearest point over all faces whose coordinates are
 /// positive. Vertices always qualify, so there is one.
-template <class S, int D>
-[[nodiscard]] Face nearest_face(Simplex<S, D> simplex, const CoordinateTable<S, D>& table) {
+template <class S, int D, int kCount>
+[[nodiscard]] Face nearest_face(Simplex<S, D> simplex, const CoordinateTable<S, D, kCount>& table) {
   Face best = 0;
   S best_sq(0);
   for (Face face = 1; face <= simplex.all(); ++face) {
     bool inside = vertex_count(face) == 1 || S(0) < table[face].denominator;
-    for (int i = 0; i < simplex.count; ++i) {
+    for (int i = 0; i < kCount; ++i) {
       if (contains(face, i) && vertex_count(face) > 1 && !(S(0) < table[face].numerator[i]))
         inside = false;
     }
@@ -202,7 +196,7 @@ template <class S, int D>
   } else {
     set_weights(simplex, simplex.all(), coordinates);
     S size(0);
-    for (int i = 0; i < simplex.count; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
+    for (int i = 0; i <= D; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
     const S rounding = S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * size;
     return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
   }
@@ -212,36 +206,76 @@ template <class S, int D>
 template <class S, int D>
 [[nodiscard]] bool passes_through_origin(const Simplex<S, D>& simplex, Face facet) {
   std::array<Vec<S, D>, D> vertices;
-  for (int i = 0, k = 0; i < simplex.count; ++i) {
+  for (int i = 0, k = 0; i <= D && k < D; ++i) {
     if (contains(facet, i)) vertices[k++] = simplex.vertices[i].w;
   }
   return determinant<S, D>(vertices) == S(0);
 }
 
+/// P on `face`, by its coordinates.
+template <class S, int D>
+void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates) {
+  const int size = vertex_count(face);
+  state.region = face;
+  set_weights(state.simplex, face, coordinates);
+  // Where O lies in the face P is O itself; the weighted sum would only say so up to rounding.
+  const bool at_origin = size == D + 1 || (size == D && passes_through_origin(state.simplex, face));
+  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
+  state.p_sq = dot(state.p, state.p);
+}
+
+/// Takes the first region whose condition holds. The compiler makes the list of conditions, and
+/// straight code from it.
+template <int kCount, RegionOrder kOrder, class S, int D, class Rec>
+void find_region(State<S, D>& state, Rec& record) {
+  const Simplex<S, D>& simplex = state.simplex;
+  const CoordinateTable<S, D, kCount> table(simplex);
+  static constexpr RegionList kList = list_regions(kCount, kOrder);
+  const auto taken = [&](const RegionCondition& condition) {
+    if constexpr (Rec::kOn) record.region_tests.push_back(noted(condition, table));
+    if (!condition.holds(table.positive())) return false;
+    const bool full = vertex_count(condition.face) == D + 1;
+    if (full && !weights_reach_origin(simplex, table[condition.face])) return false;
+    take_region(state, condition.face, table[condition.face]);
+    return true;
+  };
+  const bool found = [&]<int... I>(std::integer_sequence<int, I...>) {
+    return (... || taken(std::integral_constant<RegionCondition, kList.conditions[I]>::value));
+  }(std::make_integer_sequence<int, kList.count>{});
+  if (found) return;
+  const Face nearest = nearest_face(simplex, table);
+  if constexpr (Rec::kOn) {
+    const bool full_is_nearest = nearest == simplex.all() && vertex_count(nearest) == D + 1;
+    record.no_region_held = !full_is_nearest;
+  }
+  take_region(state, nearest, table[nearest]);
+}
+
+template <int kCount, class S, int D, class Rec>
+void find_closest_point_of(State<S, D>& state, const Options& options, Rec& record) {
+  if (options.region_order == RegionOrder::vertices_first) {
+    find_region<kCount, RegionOrder::vertices_first>(state, record);
+  } else {
+    find_region<kCount, RegionOrder::edges_first>(state, record);
+  }
+}
+
 template <class S, int D, class Rec>
 void find_closest_point(State<S, D>& state, const Options& options, Rec& record) {
-  Simplex<S, D>& simplex = state.simplex;
-  const CoordinateTable<S, D> table(simplex);
-  const RegionList& regions = kRegions[static_cast<int>(options.region_order)][simplex.count];
-  state.region = 0;
-  for (int i = 0; i < regions.count && state.region == 0; ++i) {
-    const RegionCondition& condition = regions.conditions[i];
-    if constexpr (Rec::kOn) record.region_tests.push_back(noted(condition, table, simplex.count));
-    if (condition.holds(table.positive())) state.region = condition.face;
+  switch (state.simplex.count) {
+    case 1:
+      find_closest_point_of<1>(state, options, record);
+      break;
+    case 2:
+      find_closest_point_of<2>(state, options, record);
+      break;
+    case 3:
+      find_closest_point_of<3>(state, options, record);
+      break;
+    default:
+      if constexpr (D > 2) find_closest_point_of<4>(state, options, record);
+      break;
   }
-  int size = vertex_count(state.region);
-  if (size == 0 || (size == D + 1 && !weights_reach_origin(simplex, table[state.region]))) {
-    const Face believed = state.region;
-    state.region = nearest_face(simplex, table);
-    size = vertex_count(state.region);
-    if constexpr (Rec::kOn) record.no_region_held = state.region != believed;
-  }
-  set_weights(simplex, state.region, table[state.region]);
-  // Where O lies in the face P is O itself; the weighted sum would only say so up to rounding.
-  const bool at_origin =
-      size == D + 1 || (size == D && passes_through_origin(simplex, state.region));
-  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(simplex, state.region);
-  state.p_sq = dot(state.p, state.p);
   state.previous = Phase::closest;
   state.phase = Phase::cull;
 }
@@ -257,19 +291,17 @@ template <class S, int D>
 template <class S, int D, class Rec>
 void cull(State<S, D>& state, const Options& options, Rec& record) {
   Simplex<S, D>& simplex = state.simplex;
-  int kept = 0;
-  for (int i = 0; i < simplex.count; ++i) {
-    if (contains(state.region, i)) {
-      simplex.vertices[kept] = simplex.vertices[i];
-      simplex.weights[kept] = simplex.weights[i];
-      ++kept;
-    } else if constexpr (Rec::kOn) {
-      record.dropped.push_back(simplex.vertices[i]);
+  if constexpr (Rec::kOn) {
+    for (int i = 0; i < simplex.count; ++i) {
+      if (!contains(state.region, i)) record.dropped.push_back(simplex.vertices[i]);
     }
   }
-  for (int i = kept; i < simplex.count; ++i) {
-    simplex.vertices[i] = {};
-    simplex.weights[i] = S(0);
+  int kept = 0;
+  for (int i = 0; i <= D; ++i) {
+    if (!contains(state.region, i)) continue;
+    simplex.vertices[kept] = simplex.vertices[i];
+    simplex.weights[kept] = simplex.weights[i];
+    ++kept;
   }
   simplex.count = kept;
   state.region = simplex.all();

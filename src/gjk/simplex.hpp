@@ -21,9 +21,7 @@ using Face = std::uint8_t;
 
 [[nodiscard]] constexpr bool contains(Face face, int vertex) { return ((face >> vertex) & 1) != 0; }
 [[nodiscard]] constexpr int vertex_count(Face face) {
-  int count = 0;
-  for (; face != 0; face = static_cast<Face>(face & (face - 1))) ++count;
-  return count;
+  return (face & 1) + ((face >> 1) & 1) + ((face >> 2) & 1) + ((face >> 3) & 1);
 }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
@@ -129,7 +127,7 @@ template <class S, int D>
 template <class S, int D>
 [[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face) {
   Vec<S, D> point = Vec<S, D>::Zero();
-  for (int i = 0; i < simplex.count; ++i) {
+  for (int i = 0; i <= D; ++i) {
     if (!contains(face, i)) continue;
     if (vertex_count(face) == 1) return simplex.vertices[i].w;
     for (int k = 0; k < D; ++k) {
