@@ -105,15 +105,16 @@ long check_bits(int pairs, int most, families::Representation representation) {
       const Pair<S> scaled = times_power(pair, k);
       const auto scaled_result = times_power(expected, k);
       if (!is_full(scaled) || !is_full(scaled_result)) continue;
+      const auto result = families::run<R>(scaled);
+      ++compared;
+      if (result.error == gjk::Error::none && same_bits(scaled_result, result)) continue;
       const check::Context context("seed", kSeed, "pair", i, kFamilyNames[i % kFamilyCount], "k", k,
                                    "bytes", sizeof(S), sizeof(R));
-      const auto result = families::run<R>(scaled);
       CHECK_EQ(gjk::Error::none, result.error);
       CHECK_EQ(scaled_result.distance, result.distance);
       CHECK_EQ(scaled_result.lower, result.lower);
       CHECK_EQ(scaled_result.upper, result.upper);
-      CHECK(same_bits(scaled_result, result));
-      ++compared;
+      check::fail(__FILE__, __LINE__, "not the same bits");
     }
   }
   return compared;
