@@ -43,7 +43,7 @@ enum class Family : std::uint8_t {
   needle_polygon,  ///< One of them against a polygon.
   parallel,        ///< Facing edges that are parallel up to 1e-10 ... 1e-3.
   gap,             ///< 1e-12 ... 1e-3 apart.
-  speck,           ///< 1e-30 ... 1e-12 apart; full doubles from 1e-300.
+  speck,           ///< 1e-30 ... 1e-12 apart; full doubles from 1e-100.
   shallow,         ///< Overlapping by 1e-6 ... 1e-3.
   touching,        ///< Touching exactly, on a dyadic grid.
   grazing,         ///< Touching up to rounding.
@@ -382,7 +382,7 @@ class Source {
       case Family::shallow:
         out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, grid);
         move(out.y, Point(0, family == Family::gap     ? magnitude(1e-12, 1e-3)
-                             : family == Family::speck ? magnitude(floats ? 1e-30 : 1e-300, 1e-12)
+                             : family == Family::speck ? magnitude(floats ? 1e-30 : 1e-100, 1e-12)
                                                        : -magnitude(1e-6, 1e-3)));
         turn_contact(out, floats || family == Family::speck, y_edge);
         break;
