@@ -6,16 +6,16 @@
 #include <cmath>
 
 #include "geometry/oracle.hpp"
+#include "gjk/families.hpp"
 #include "gjk/gjk.hpp"
-#include "gjk/random_pairs.hpp"
 
 namespace gjkscope {
 namespace {
 
+using families::Family;
+using families::kFamilyCount;
+using families::kFamilyNames;
 using gjk::Verdict;
-using random_pairs::Family;
-using random_pairs::kFamilyCount;
-using random_pairs::kFamilyNames;
 
 struct ExactQuery {
   std::vector<RationalPoint> x;
@@ -26,7 +26,7 @@ struct ExactQuery {
 };
 
 template <class S>
-ExactQuery exact(const random_pairs::Pair<S>& pair) {
+ExactQuery exact(const families::Pair<S>& pair) {
   ExactQuery out;
   for (const auto& v : pair.x) out.x.push_back(rational(v[0], v[1]));
   for (const auto& v : pair.y) out.y.push_back(rational(v[0], v[1]));
@@ -51,7 +51,7 @@ std::vector<RationalPoint> world(std::span<const RationalPoint> vertices,
 
 TEST(ExactRun, EqualsTheOracle) {
   constexpr std::uint64_t kSeed = 31;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   int separated = 0;
   int touching = 0;
   int overlapping = 0;
@@ -89,7 +89,7 @@ TEST(ExactRun, EqualsTheOracle) {
 
 TEST(ExactRun, ItsBoundsMeet) {
   constexpr std::uint64_t kSeed = 32;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   int separated = 0;
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " pair " << i);
@@ -119,7 +119,7 @@ struct CertificateCounts {
 template <class S>
 CertificateCounts check_certificates(Family family, int pairs, std::uint64_t seed,
                                      const gjk::Options& options) {
-  random_pairs::Source random(seed);
+  families::Source random(seed);
   CertificateCounts counts;
   for (int i = 0; i < pairs; ++i) {
     const auto pair = random.pair<S>(family);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "check.hpp"
+#include "families.hpp"
 #include "gjk/gjk.hpp"
-#include "random_pairs.hpp"
 
 namespace {
 
@@ -100,7 +100,7 @@ struct Counts {
 template <class S>
 void check_grid(int size, int pairs, std::uint64_t seed, const gjk::Options& options,
                 Counts& counts) {
-  random_pairs::Source random(seed);
+  families::Source random(seed);
   for (int i = 0; i < pairs; ++i) {
     std::vector<Vec<S, 2>> x = random.grid_points<S>(random.among(1, 5), size);
     std::vector<Vec<S, 2>> y = random.grid_points<S>(random.among(1, 5), size);
@@ -159,7 +159,7 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
 
 TEST(cap, "bounds enclose the distance wherever the cap cuts the run short") {
   constexpr std::uint64_t kSeed = 10;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int cap = 1; cap <= 4; ++cap) {
     for (int i = 0; i < 4000; ++i) {
       const auto x = random.grid_points<double>(5, 20);
@@ -182,9 +182,9 @@ TEST(cap, "bounds enclose the distance wherever the cap cuts the run short") {
 
 TEST(width, "without a cap the bounds are as close as rounding allows") {
   constexpr std::uint64_t kSeed = 11;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    const auto pair = random.pair<double>(random_pairs::Family::polygons);
+    const auto pair = random.pair<double>(families::Family::random);
     const auto result = gjk::distance(pair.query());
     if (result.verdict != Verdict::separated) continue;
     const check::Context context("seed", kSeed, "pair", i);

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "check.hpp"
-#include "random_pairs.hpp"
+#include "families.hpp"
 
 namespace {
 
@@ -93,7 +93,7 @@ TEST(triangle_regions, "all seven regions of a triangle occur, and give their cl
 
 TEST(vertex_order, "closest point on a triangle is the same for all six vertex orders") {
   constexpr std::uint64_t kSeed = 1;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   std::array<int, 8> regions = {};
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "triangle", i);
@@ -175,7 +175,7 @@ TEST(edges_first, "edges_first tests edges before vertices and comes to the same
   CHECK_EQ(2, gjk::vertex_count(found.tests[0].region));
   CHECK_EQ(0b111, static_cast<int>(found.region));
   constexpr std::uint64_t kSeed = 2;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 5000; ++i) {
     const check::Context context("seed", kSeed, "triangle", i);
     std::vector<Vec<double, 2>> points;
@@ -187,7 +187,7 @@ TEST(edges_first, "edges_first tests edges before vertices and comes to the same
 TEST(rounding, "when rounding leaves every test false the nearest face is taken, and it is noted") {
   // Three points on a line through O, up to rounding: the signs of the areas are noise.
   constexpr std::uint64_t kSeed = 3;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   int happened = 0;
   for (int i = 0; i < 100000; ++i) {
     const double angle = random.between(0, 6.283185307179586);
@@ -212,7 +212,7 @@ TEST(rounding, "when rounding leaves every test false the nearest face is taken,
 
 TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point is the least") {
   constexpr std::uint64_t kSeed = 4;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   std::set<int> regions;
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "tetrahedron", i);

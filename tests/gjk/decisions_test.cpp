@@ -5,12 +5,12 @@
 #include <string>
 
 #include "check.hpp"
-#include "random_pairs.hpp"
+#include "families.hpp"
 
 namespace {
 
-using random_pairs::Family;
-using random_pairs::kFamilyCount;
+using families::Family;
+using families::kFamilyCount;
 
 constexpr std::uint64_t kSeed = 20100311;
 
@@ -47,7 +47,7 @@ bool same_bits(const gjk::Result<S, 2>& a, const gjk::Result<S, 2>& b) {
 }
 
 /// Half of the pairs run with the default options, the others with mixed ones.
-gjk::Options random_options(random_pairs::Source& random, int x_count, int y_count) {
+gjk::Options random_options(families::Source& random, int x_count, int y_count) {
   gjk::Options options;
   if (random.with_chance(0.5)) return options;
   if (random.with_chance(0.5)) options.direction_rule = gjk::DirectionRule::towards_origin;
@@ -102,18 +102,18 @@ struct Shares {
 
 template <class S>
 Shares run(long pairs) {
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   Shares shares;
   shares.pairs = pairs;
   for (long i = 0; i < pairs; ++i) {
     const auto family = static_cast<Family>(i % kFamilyCount);
-    const random_pairs::Pair<S> pair = random.pair<S>(family);
+    const families::Pair<S> pair = random.pair<S>(family);
     const gjk::Options options =
         random_options(random, static_cast<int>(pair.x.size()), static_cast<int>(pair.y.size()));
     gjk::Result<S, 2> answer;
     if (const char* what = difference(pair.query(), options, answer)) {
       const check::Context context("seed", kSeed, "pair", i, "family",
-                                   random_pairs::kFamilyNames[i % kFamilyCount]);
+                                   families::kFamilyNames[i % kFamilyCount]);
       check::fail(__FILE__, __LINE__, std::string("not bit-identical: ") + what);
     }
     ++shares.stop[static_cast<int>(answer.stop)];

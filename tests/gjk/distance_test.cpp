@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "check.hpp"
+#include "families.hpp"
 #include "gjk/gjk.hpp"
-#include "random_pairs.hpp"
 
 namespace {
 
+using families::Family;
 using gjk::Vec;
 using gjk::Verdict;
-using random_pairs::Family;
 
 template <class S, int D>
 using Points = std::vector<Vec<S, D>>;
@@ -46,11 +46,11 @@ TEST(known_answers, "point, segment, triangle and polygon: answers one can see")
 
 TEST(witness, "witness points lie in their shapes, at the distance, and no pair is nearer") {
   constexpr std::uint64_t kSeed = 12;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   long separated = 0;
   for (int i = 0; i < 60000; ++i) {
-    const int family = i % random_pairs::kFamilyCount;
-    const check::Context context("seed", kSeed, "pair", i, random_pairs::kFamilyNames[family]);
+    const int family = i % families::kFamilyCount;
+    const check::Context context("seed", kSeed, "pair", i, families::kFamilyNames[family]);
     const auto pair = random.pair<double>(static_cast<Family>(family));
     const gjk::Query<double, 2> query = pair.query();
     const auto result = gjk::distance(query);
@@ -92,10 +92,10 @@ TEST(witness, "witness points lie in their shapes, at the distance, and no pair 
 
 TEST(symmetric, "the distance does not change, up to rounding, when X and Y change places") {
   constexpr std::uint64_t kSeed = 13;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 30000; ++i) {
-    const int family = i % random_pairs::kFamilyCount;
-    const check::Context context("seed", kSeed, "pair", i, random_pairs::kFamilyNames[family]);
+    const int family = i % families::kFamilyCount;
+    const check::Context context("seed", kSeed, "pair", i, families::kFamilyNames[family]);
     const auto pair = random.pair<double>(static_cast<Family>(family));
     const gjk::Query<double, 2> query = pair.query();
     const gjk::Query<double, 2> swapped{query.y, query.x};
@@ -106,10 +106,10 @@ TEST(symmetric, "the distance does not change, up to rounding, when X and Y chan
 
 TEST(vertex_order, "neither the order of the vertices nor their repetition matters") {
   constexpr std::uint64_t kSeed = 14;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    auto pair = random.pair<double>(i % 2 == 0 ? Family::polygons : Family::grid);
+    auto pair = random.pair<double>(i % 2 == 0 ? Family::random : Family::grid);
     const auto expected = gjk::distance(pair.query());
     std::reverse(pair.x.begin(), pair.x.end());
     std::rotate(pair.y.begin(), pair.y.begin() + 1, pair.y.end());
@@ -121,10 +121,10 @@ TEST(vertex_order, "neither the order of the vertices nor their repetition matte
 
 TEST(common_translation, "a huge translation common to both poses does not change one bit") {
   constexpr std::uint64_t kSeed = 15;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    auto pair = random.pair<float>(Family::polygons);
+    auto pair = random.pair<float>(Family::random);
     const auto expected = gjk::distance(pair.query());
     pair.x_pose.translation = pair.y_pose.translation = Vec<float, 2>(3e8f, -7e9f);
     const auto moved = gjk::distance(pair.query());
@@ -138,7 +138,7 @@ TEST(common_translation, "a huge translation common to both poses does not chang
 
 TEST(poses, "poses equal vertices transformed beforehand, up to rounding") {
   constexpr std::uint64_t kSeed = 16;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     auto pair = random.pair<double>(Family::posed);
@@ -154,9 +154,9 @@ TEST(poses, "poses equal vertices transformed beforehand, up to rounding") {
 
 TEST(scaling, "scaling by a power of two scales every result exactly") {
   constexpr std::uint64_t kSeed = 17;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    const auto pair = random.pair<double>(static_cast<Family>(i % random_pairs::kFamilyCount));
+    const auto pair = random.pair<double>(static_cast<Family>(i % families::kFamilyCount));
     const auto expected = gjk::distance(pair.query());
     for (const int k : {-40, -1, 3, 60}) {
       const check::Context context("seed", kSeed, "pair", i, "k", k);
@@ -182,8 +182,8 @@ template <class S>
 void check_iterations(gjk::DirectionRule rule, int pairs_per_family, double mean_below,
                       int most_allowed) {
   constexpr std::uint64_t kSeed = 18;
-  for (int family = 0; family < random_pairs::kFamilyCount; ++family) {
-    random_pairs::Source random(kSeed);
+  for (int family = 0; family < families::kFamilyCount; ++family) {
+    families::Source random(kSeed);
     gjk::Options options;
     options.direction_rule = rule;
     long sum = 0;
@@ -195,7 +195,7 @@ void check_iterations(gjk::DirectionRule rule, int pairs_per_family, double mean
       sum += result.iterations;
       most = std::max(most, result.iterations);
     }
-    const check::Context context("seed", kSeed, random_pairs::kFamilyNames[family]);
+    const check::Context context("seed", kSeed, families::kFamilyNames[family]);
     CHECK(static_cast<double>(sum) / pairs_per_family < mean_below);
     CHECK(most <= most_allowed);
   }
@@ -245,10 +245,10 @@ TEST(scalars, "half, float, double and long double run the same code") {
 
 TEST(precision, "half, float and double agree with long double as their digits allow") {
   constexpr std::uint64_t kSeed = 19;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    const auto pair = random.pair<Eigen::half>(Family::polygons);
+    const auto pair = random.pair<Eigen::half>(Family::random);
     const auto convert = [](const Points<Eigen::half, 2>& points, auto zero) {
       using S = decltype(zero);
       Points<S, 2> out;
@@ -291,7 +291,7 @@ TEST(boxes_in_space, "boxes in space: face, edge, corner and overlap") {
 
 TEST(tetrahedra, "random tetrahedra in space: the nearest pair, proved by duality") {
   constexpr std::uint64_t kSeed = 20;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   long separated = 0;
   long overlapping = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -43,6 +43,7 @@ enum class Family : std::uint8_t {
   needle_polygon,  ///< One of them against a polygon.
   parallel,        ///< Facing edges that are parallel up to 1e-10 ... 1e-3.
   gap,             ///< 1e-12 ... 1e-3 apart.
+  speck,           ///< 1e-30 ... 1e-12 apart; full doubles from 1e-100.
   shallow,         ///< Overlapping by 1e-6 ... 1e-3.
   touching,        ///< Touching exactly, on a dyadic grid.
   grazing,         ///< Touching up to rounding.
@@ -52,10 +53,11 @@ enum class Family : std::uint8_t {
   offset,          ///< Vertices 1e3 ... 1e6 from the origin; full doubles to 1e12.
   denormals,       ///< Small multiples of the smallest positive number.
 };
-inline constexpr std::array<std::string_view, 21> kFamilyNames = {
-    "random",   "points",  "collinear", "clouds",         "duplicates", "grid",   "identical",
-    "inside",   "posed",   "needle",    "needle-polygon", "parallel",   "gap",    "shallow",
-    "touching", "grazing", "tiny",      "huge",           "ratio",      "offset", "denormals"};
+inline constexpr std::array<std::string_view, 22> kFamilyNames = {
+    "random",    "points", "collinear", "clouds",   "duplicates",     "grid",
+    "identical", "inside", "posed",     "needle",   "needle-polygon", "parallel",
+    "gap",       "speck",  "shallow",   "touching", "grazing",        "tiny",
+    "huge",      "ratio",  "offset",    "denormals"};
 inline constexpr int kFamilyCount = static_cast<int>(kFamilyNames.size());
 
 enum class Representation : std::uint8_t {
@@ -95,16 +97,10 @@ template <class To, class From>
   return out;
 }
 
-/// distance<R>(query), and what to do where the core has no such thing.
+/// The pair's distance, computed in R.
 template <class R, class S>
-[[nodiscard]] gjk::Result<R, 2> run(const Pair<S>& pair, const gjk::Options& options = {}) {
-  const gjk::Query<S, 2> query = pair.query();
-  if constexpr (requires { gjk::distance<R>(query, options); }) {
-    return gjk::distance<R>(query, options);
-  } else {
-    const Pair<R> wide = converted<R>(pair);
-    return gjk::distance(wide.query(), options);
-  }
+[[nodiscard]] gjk::Result<R, 2> run(const Pair<S>& pair) {
+  return gjk::distance<R>(pair.query());
 }
 
 class Source {
@@ -382,11 +378,13 @@ class Source {
         break;
       }
       case Family::gap:
+      case Family::speck:
       case Family::shallow:
         out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, grid);
-        move(out.y,
-             Point(0, family == Family::gap ? magnitude(1e-12, 1e-3) : -magnitude(1e-6, 1e-3)));
-        turn_contact(out, floats, y_edge);
+        move(out.y, Point(0, family == Family::gap     ? magnitude(1e-12, 1e-3)
+                             : family == Family::speck ? magnitude(floats ? 1e-30 : 1e-100, 1e-12)
+                                                       : -magnitude(1e-6, 1e-3)));
+        turn_contact(out, floats || family == Family::speck, y_edge);
         break;
       case Family::touching:
         out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, grid);

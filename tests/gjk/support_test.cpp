@@ -3,7 +3,7 @@
 #include "gjk/support.hpp"
 
 #include "check.hpp"
-#include "random_pairs.hpp"
+#include "families.hpp"
 
 namespace {
 
@@ -39,10 +39,10 @@ TEST(convention, "Z = Y - X: a support point keeps y - x, both vertices and both
 
 TEST(farthest, "support(Z, d) = support(Y, d) - support(X, -d) is the farthest point of Z") {
   constexpr std::uint64_t kSeed = 5;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 5000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    const auto pair = random.pair<double>(random_pairs::Family::grid);
+    const auto pair = random.pair<double>(families::Family::grid);
     const gjk::Query<double, 2> query = pair.query();
     gjk::State<double, 2> state;
     state.d = Vec<double, 2>(random.among(-3, 3), random.among(-3, 3));
@@ -58,10 +58,10 @@ TEST(farthest, "support(Z, d) = support(Y, d) - support(X, -d) is the farthest p
 
 TEST(translation, "a huge translation common to both poses cancels to the last bit") {
   constexpr std::uint64_t kSeed = 6;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 2000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    auto pair = random.pair<float>(random_pairs::Family::polygons);
+    auto pair = random.pair<float>(families::Family::random);
     const gjk::SupportPoint<float, 2> near = gjk::detail::support_point(pair.query(), {0, 0});
     pair.x_pose.translation = pair.y_pose.translation = Vec<float, 2>(1e9f, -3e8f);
     const gjk::SupportPoint<float, 2> far = gjk::detail::support_point(pair.query(), {0, 0});

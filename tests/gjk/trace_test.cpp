@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "check.hpp"
+#include "families.hpp"
 #include "gjk/gjk.hpp"
-#include "random_pairs.hpp"
 
 namespace {
 
@@ -62,11 +62,11 @@ TEST(complete, "a trace ends with a stop phase: separated, touching, overlapping
 
 TEST(random_complete, "traces of random pairs are complete, whatever the outcome") {
   constexpr std::uint64_t kSeed = 7;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    const int family = i % random_pairs::kFamilyCount;
-    const check::Context context("seed", kSeed, "pair", i, random_pairs::kFamilyNames[family]);
-    const auto pair = random.pair<float>(static_cast<random_pairs::Family>(family));
+    const int family = i % families::kFamilyCount;
+    const check::Context context("seed", kSeed, "pair", i, families::kFamilyNames[family]);
+    const auto pair = random.pair<float>(static_cast<families::Family>(family));
     gjk::Options options;
     options.iteration_cap = random.among(1, 12);
     options.stop_on_no_progress = random.with_chance(0.5);
@@ -139,11 +139,11 @@ TEST(direction_rule, "the direction rule decides how d is built") {
 
 TEST(warm, "warm started with the answer's pairs a run takes one iteration") {
   constexpr std::uint64_t kSeed = 8;
-  random_pairs::Source random(kSeed);
+  families::Source random(kSeed);
   int compared = 0;
   for (int i = 0; i < 20000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
-    const auto pair = random.pair<double>(random_pairs::Family::polygons);
+    const auto pair = random.pair<double>(families::Family::random);
     const auto cold = gjk::distance(pair.query());
     gjk::Options options;
     options.start_count = cold.simplex.count;

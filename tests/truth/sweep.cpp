@@ -1,6 +1,7 @@
 // Runs the core on random pairs of every family and holds what it claims against the exact truth.
-// Exit code 1 when a bar is broken; then some pairs that break it are printed as cases, which
-// `gjkscope solve` reads (as far as it knows poses: it does not).
+// Exit code 1 when a bar is broken; then some pairs that break it are printed as cases for
+// `gjkscope solve`. Cases have no poses: where there are any, a_pose and b_pose tell them, rotation
+// row by row, then translation.
 
 #include <fmt/format.h>
 
