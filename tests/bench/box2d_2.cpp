@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contestants.hpp"
+#include "libraries.hpp"
 
 namespace bench {
 namespace {
@@ -38,13 +38,11 @@ void prepare(const Pair& pair, Prepared& out) {
   out.input.useRadii = false;
 }
 
-}  // namespace
-
-Contestant box2d_2(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) prepare(pairs[i], (*prepared)[i]);
   return contestant(
-      "Box2D 2.4", pairs.size(),
+      pairs.size(),
       [prepared](std::size_t i) {
         Prepared& pair = (*prepared)[i];
         pair.input.transformA = pair.x_pose;
@@ -56,6 +54,14 @@ Contestant box2d_2(std::span<const Pair> pairs) {
         return output;
       },
       [](const b2DistanceOutput& output) { return output.distance; });
+}
+
+}  // namespace
+
+Library box2d_2() {
+  return {.name = "Box2D 2.4",
+          .how = "b2Distance, useRadii false, an empty cache",
+          .prepare = prepare_all};
 }
 
 }  // namespace bench

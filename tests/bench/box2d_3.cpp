@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contestants.hpp"
+#include "libraries.hpp"
 
 namespace bench {
 namespace {
@@ -29,9 +29,7 @@ b2ShapeProxy proxy(const std::vector<Point>& shape) {
   return b2MakeProxy(points, static_cast<int>(shape.size()), 0.0F);
 }
 
-}  // namespace
-
-Contestant box2d_3(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>();
   for (const Pair& pair : pairs) {
     prepared->push_back({to_box2d(pair.x_pose), to_box2d(pair.y_pose), {}});
@@ -41,7 +39,7 @@ Contestant box2d_3(std::span<const Pair> pairs) {
     input.useRadii = false;
   }
   return contestant(
-      "Box2D 3", pairs.size(),
+      pairs.size(),
       [prepared](std::size_t i) {
         Prepared& pair = (*prepared)[i];
         pair.input.transformA = pair.x_pose;
@@ -50,6 +48,15 @@ Contestant box2d_3(std::span<const Pair> pairs) {
         return b2ShapeDistance(&pair.input, &cache, nullptr, 0);
       },
       [](const b2DistanceOutput& output) { return output.distance; });
+}
+
+}  // namespace
+
+Library box2d_3() {
+  return {.name = "Box2D " PEER_VERSION,
+          .how = "b2ShapeDistance, useRadii false, an empty cache",
+          .max_vertices = B2_MAX_POLYGON_VERTICES,
+          .prepare = prepare_all};
 }
 
 }  // namespace bench

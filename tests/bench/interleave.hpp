@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace bench {
@@ -19,27 +18,29 @@ void keep(const T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// One way of doing the work: `sweep` does all of it once and returns the sum of the distances, by
-/// which contestants that did something else are found out.
+/// One way of doing the work, on things prepared beforehand.
 struct Contestant {
-  std::string name;
+  /// Answers every query once. Returns the sum of the answers, by which a contestant that does
+  /// other work than the rest is found out.
   std::function<double()> sweep;
+  std::function<double(std::size_t)> answer;  ///< To one query.
 };
 
-/// A contestant that calls `query(0)` ... `query(count - 1)`; `length` reads the distance from what
-/// they return.
-template <class Query, class Length>
-[[nodiscard]] Contestant contestant(std::string name, std::size_t count, Query query,
-                                    Length length) {
-  return {std::move(name), [=]() mutable {
-            double sum = 0.0;
-            for (std::size_t i = 0; i < count; ++i) {
-              const auto answer = query(i);
-              keep(answer);
-              sum += static_cast<double>(length(answer));
-            }
-            return sum;
-          }};
+/// A contestant that calls `query(0)` ... `query(count - 1)`; `read` makes a number of what they
+/// return.
+template <class Query, class Read>
+[[nodiscard]] Contestant contestant(std::size_t count, Query query, Read read) {
+  const auto answer = [=](std::size_t i) { return static_cast<double>(read(query(i))); };
+  const auto sweep = [=] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto result = query(i);
+      keep(result);
+      sum += static_cast<double>(read(result));
+    }
+    return sum;
+  };
+  return {sweep, answer};
 }
 
 struct Quartiles {
@@ -58,7 +59,6 @@ struct Quartiles {
 }
 
 struct Timing {
-  std::string name;
   double sum = 0.0;        ///< Of the distances.
   std::vector<double> ns;  ///< Per query; one value a repetition.
 };
@@ -74,7 +74,7 @@ struct Timing {
                                                     std::size_t queries, std::size_t repetitions) {
   using Clock = std::chrono::steady_clock;
   std::vector<Timing> timings;
-  for (const Contestant& each : contestants) timings.push_back({each.name, each.sweep(), {}});
+  for (const Contestant& each : contestants) timings.push_back({each.sweep(), {}});
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
       const std::size_t i = (repetition + turn) % contestants.size();

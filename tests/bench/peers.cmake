@@ -1,22 +1,43 @@
-# Libraries that the core is compared with; each that is found becomes a target bench_NAME. None is needed.
+# Libraries that the core is compared with. Each one that is found becomes part of bench_libraries; none is needed.
 
-# bench_peer(NAME LIBRARY...): NAME.cpp, which alone sees the library's headers.
-function(bench_peer name)
+add_library(bench_libraries STATIC libraries.cpp)
+target_link_libraries(bench_libraries PUBLIC gjkscope::gjk PRIVATE gjkscope::flags)
+
+# bench_peer(NAME VERSION LIBRARY...): NAME.cpp, which alone sees the library's headers.
+function(bench_peer name version)
   string(TOUPPER ${name} macro)
-  add_library(bench_${name} STATIC ${name}.cpp)
-  target_link_libraries(bench_${name} PUBLIC gjkscope::gjk PRIVATE gjkscope::flags ${ARGN})
-  target_compile_definitions(bench_${name} INTERFACE GJKSCOPE_${macro})
+  add_library(bench_${name} OBJECT ${name}.cpp)
+  target_link_libraries(bench_${name} PRIVATE gjkscope::gjk gjkscope::flags ${ARGN})
+  target_compile_definitions(bench_${name} PRIVATE PEER_VERSION="${version}")
+  target_sources(bench_libraries PRIVATE $<TARGET_OBJECTS:bench_${name}>)
+  target_link_libraries(bench_libraries PRIVATE ${ARGN})
+  target_compile_definitions(bench_libraries PUBLIC GJKSCOPE_${macro})
 endfunction()
 
-# Box2D 2 and 3 name their target and their folder of headers alike, so 2 is found by hand, by files that 3 does not have.
+# Box2D 2 and 3 name their target and their folder of headers alike, so 2 is found by files that 3 does not have.
 find_path(BOX2D_2_INCLUDE_DIR box2d/b2_distance.h)
 find_library(BOX2D_2_LIBRARY NAMES libbox2d.so.2)
 if(BOX2D_2_INCLUDE_DIR AND BOX2D_2_LIBRARY)
-  bench_peer(box2d_2 ${BOX2D_2_LIBRARY})
+  bench_peer(box2d_2 2.4 ${BOX2D_2_LIBRARY})
   target_include_directories(bench_box2d_2 SYSTEM PRIVATE ${BOX2D_2_INCLUDE_DIR})
 endif()
 
 find_package(box2d 3 CONFIG QUIET)
 if(box2d_FOUND)
-  bench_peer(box2d_3 box2d::box2d)
+  bench_peer(box2d_3 ${box2d_VERSION} box2d::box2d)
+endif()
+
+find_package(ccd CONFIG QUIET)
+if(ccd_FOUND)
+  bench_peer(ccd ${ccd_VERSION} ccd)
+endif()
+
+find_package(fcl CONFIG QUIET)
+if(fcl_FOUND)
+  bench_peer(fcl ${fcl_VERSION} fcl)
+endif()
+
+pkg_check_modules(bullet QUIET IMPORTED_TARGET bullet)
+if(bullet_FOUND)
+  bench_peer(bullet ${bullet_VERSION} PkgConfig::bullet)
 endif()
