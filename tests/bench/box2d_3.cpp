@@ -24,7 +24,7 @@ b2Transform to_box2d(const gjk::Pose<double, 2>& pose) {
 }
 
 b2ShapeProxy proxy(const std::vector<Point>& shape) {
-  b2Vec2 points[kBox2dVertices];
+  b2Vec2 points[B2_MAX_POLYGON_VERTICES];
   std::transform(shape.begin(), shape.end(), points, [](const Point& p) { return to_box2d(p); });
   return b2MakeProxy(points, static_cast<int>(shape.size()), 0.0F);
 }

@@ -1,4 +1,5 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -30,7 +31,8 @@ std::unique_ptr<btConvexHullShape> flat(const std::vector<Point>& shape) {
 btTransform in_space(const gjk::Pose<double, 2>& pose) {
   const auto r = pose.rotation.cast<btScalar>().eval();
   const auto t = pose.translation.cast<btScalar>().eval();
-  return {btMatrix3x3(r(0, 0), r(0, 1), 0, r(1, 0), r(1, 1), 0, 0, 0, 1), btVector3(t[0], t[1], 0)};
+  const btMatrix3x3 turn(r(0, 0), r(0, 1), 0, r(1, 0), r(1, 1), 0, 0, 0, 1);
+  return btTransform(turn, btVector3(t[0], t[1], 0));
 }
 
 Contestant prepare_all(std::span<const Pair> pairs) {
@@ -47,7 +49,8 @@ Contestant prepare_all(std::span<const Pair> pairs) {
       [prepared](std::size_t i) {
         const Prepared& pair = (*prepared)[i];
         btVoronoiSimplexSolver simplex;
-        btGjkPairDetector detector(pair.x.get(), pair.y.get(), &simplex, nullptr);
+        btGjkEpaPenetrationDepthSolver depth;
+        btGjkPairDetector detector(pair.x.get(), pair.y.get(), &simplex, &depth);
         btPointCollector result;
         detector.getClosestPoints(pair.poses, result, nullptr);
         return result;
@@ -61,7 +64,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library bullet() {
   return {.name = "Bullet " PEER_VERSION,
-          .how = "btGjkPairDetector on flat btConvexHullShape, margin 0, no penetration solver",
+          .how = "btGjkPairDetector on flat btConvexHullShape, margin 0, with the EPA solver",
           .in_double = sizeof(btScalar) == sizeof(double),
           .prepare = prepare_all};
 }

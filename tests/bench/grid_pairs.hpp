@@ -8,18 +8,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gjk/families.hpp"
 #include "gjk/gjk.hpp"
 
 namespace bench {
 
 using Point = gjk::Vec<double, 2>;
-
-struct Pair {
-  std::vector<Point> x;
-  std::vector<Point> y;
-  gjk::Pose<double, 2> x_pose;
-  gjk::Pose<double, 2> y_pose;
-};
+using Pair = families::Pair<double>;
 
 /// How the two shapes, each about 2 across, stand to each other.
 struct Spacing {
@@ -45,16 +40,17 @@ class PairSource {
       const Point away(std::cos(bearing), std::sin(bearing));
       if (spacing.gap < 0.0) {
         move_to(out, away * -spacing.gap);
-        if (measured(out).distance == 0.0) return out;
+        if (gjk::distance(out.query()).distance == 0.0) return out;
         continue;
       }
       move_to(out, away * 5.0);
       // Along the shortest connection nothing else comes in between.
-      const gjk::Result<double, 2> apart = measured(out);
+      const gjk::Result<double, 2> apart = gjk::distance(out.query());
       const Point connection = apart.y - apart.x;
       move_to(out, away * 5.0 - connection * (1.0 - spacing.gap / apart.distance));
       // Rounded to float, the gap has changed a little.
-      if (std::abs(measured(out).distance - spacing.gap) < 0.2 * spacing.gap) return out;
+      if (std::abs(gjk::distance(out.query()).distance - spacing.gap) < 0.2 * spacing.gap)
+        return out;
     }
     throw std::logic_error("no pair with the spacing wanted");
   }
@@ -91,10 +87,6 @@ class PairSource {
 
   static void move_to(Pair& pair, const Point& place) {
     pair.y_pose.translation = Point(to_float(place[0]), to_float(place[1]));
-  }
-
-  [[nodiscard]] static gjk::Result<double, 2> measured(const Pair& pair) {
-    return gjk::distance<double, 2>({{pair.x, pair.x_pose}, {pair.y, pair.y_pose}});
   }
 
   std::mt19937_64 bits_;

@@ -14,7 +14,7 @@
 namespace bench {
 
 /// The answer of a library that says that it has none.
-inline constexpr double kGaveUp = std::numeric_limits<double>::infinity();
+inline constexpr double kGaveUp = -1.0;
 
 struct Library {
   std::string name;        ///< With its version.

@@ -2,12 +2,14 @@
 
 add_library(bench_libraries STATIC libraries.cpp)
 target_link_libraries(bench_libraries PUBLIC gjkscope::gjk PRIVATE gjkscope::flags)
+target_include_directories(bench_libraries PUBLIC ${PROJECT_SOURCE_DIR}/tests)
 
 # bench_peer(NAME VERSION LIBRARY...): NAME.cpp, which alone sees the library's headers.
 function(bench_peer name version)
   string(TOUPPER ${name} macro)
   add_library(bench_${name} OBJECT ${name}.cpp)
   target_link_libraries(bench_${name} PRIVATE gjkscope::gjk gjkscope::flags ${ARGN})
+  target_include_directories(bench_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(bench_${name} PRIVATE PEER_VERSION="${version}")
   target_sources(bench_libraries PRIVATE $<TARGET_OBJECTS:bench_${name}>)
   target_link_libraries(bench_libraries PRIVATE ${ARGN})

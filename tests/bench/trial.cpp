@@ -1,0 +1,120 @@
+#include "trial.hpp"
+
+#include <sys/mman.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "exact.hpp"
+
+namespace bench {
+namespace {
+
+/// Memory that child processes write to and their parent reads.
+struct Shared {
+  static constexpr std::size_t kMost = 1 << 20;
+  std::size_t next;
+  double answers[kMost];
+};
+
+struct Answers {
+  std::vector<double> values;
+  bool lost = false;
+};
+
+/// Another process asks all queries. One that crashes, or runs for ever, costs the answer to its
+/// query only: the next process goes on after it.
+Answers ask(const Contestant& contestant, std::size_t count) {
+  void* memory =
+      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED || count > Shared::kMost) throw std::runtime_error("too many pairs");
+  auto& shared = *static_cast<Shared*>(memory);
+  std::fill_n(shared.answers, count, kGaveUp);
+  Answers out;
+  while (shared.next < count) {
+    out.lost = shared.next > 0;
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("cannot start another process");
+    if (child == 0) {
+      if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
+      while (shared.next < count) {
+        const itimerval limit = {{0, 0}, {kSecondsPerQuery, 0}};
+        setitimer(ITIMER_VIRTUAL, &limit, nullptr);
+        const std::size_t i = shared.next++;
+        shared.answers[i] = contestant.answer(i);
+      }
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    out.lost = out.lost || !WIFEXITED(status);
+  }
+  out.values.assign(shared.answers, shared.answers + count);
+  munmap(memory, sizeof(Shared));
+  return out;
+}
+
+void judge(const Library& library, const Case& one, double answer, Tally& tally) {
+  const double unit_roundoff = library.in_double ? 0x1p-53 : 0x1p-24;
+  const double limit = library.in_double ? kDoubleLimit : kFloatLimit;
+  const double nearest =
+      library.in_double ? static_cast<double>(one.distance) : static_cast<float>(one.distance);
+  ++tally.asked;
+  if (answer == kGaveUp) {
+    ++tally.gave_up;
+  } else if (!std::isfinite(answer)) {
+    ++tally.not_finite;
+  } else if (one.overlap) {
+    const bool close = library.measures ? answer <= 4 * unit_roundoff * one.scale : one.touching;
+    if (answer > 0.0 && !close) ++tally.missed;
+  } else if (answer == 0.0) {
+    if (nearest > 0.0) ++tally.invented;
+  } else if (library.measures) {
+    const auto error = static_cast<double>(std::abs(answer - one.distance) / one.distance);
+    if (error > limit) ++tally.inaccurate;
+    tally.worst = std::max(tally.worst, error);
+  }
+}
+
+}  // namespace
+
+std::vector<Case> cases_of(families::Family family, families::Representation representation,
+                           std::size_t count, std::uint64_t seed) {
+  families::Source source(seed + static_cast<std::uint64_t>(family));
+  std::vector<Case> out(count);
+  for (Case& one : out) {
+    one.pair = source.pair<double>(family, representation);
+    const truth::ExactPair exact(one.pair.query());
+    const truth::Truth truth = exact.truth({});
+    one.overlap = truth.overlap;
+    one.touching = truth.overlap && exact.touching();
+    one.distance = truth.distance;
+    one.scale = exact.scale();
+  }
+  return out;
+}
+
+bool fits(const Library& library, const Pair& pair) {
+  return std::max(pair.x.size(), pair.y.size()) <= library.max_vertices;
+}
+
+Tally tally(const Library& library, const std::vector<Case>& cases) {
+  std::vector<Pair> pairs;
+  std::vector<const Case*> asked;
+  for (const Case& one : cases) {
+    if (!fits(library, one.pair)) continue;
+    asked.push_back(&one);
+    pairs.push_back(one.pair);
+  }
+  const Answers answers = ask(library.prepare(pairs), pairs.size());
+  Tally out;
+  out.lost = answers.lost;
+  for (std::size_t i = 0; i < asked.size(); ++i) judge(library, *asked[i], answers.values[i], out);
+  return out;
+}
+
+}  // namespace bench
