@@ -60,7 +60,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library box2d_2() {
   return {.name = "Box2D 2.4",
-          .how = "b2Distance, useRadii false, an empty cache",
+          .how = "b2Distance, useRadii false, an empty cache; a short direction means overlap",
           .prepare = prepare_all};
 }
 

@@ -23,10 +23,25 @@ b2Transform to_box2d(const gjk::Pose<double, 2>& pose) {
           {static_cast<float>(pose.rotation(0, 0)), static_cast<float>(pose.rotation(1, 0))}};
 }
 
-b2ShapeProxy proxy(const std::vector<Point>& shape) {
-  b2Vec2 points[B2_MAX_POLYGON_VERTICES];
-  std::transform(shape.begin(), shape.end(), points, [](const Point& p) { return to_box2d(p); });
-  return b2MakeProxy(points, static_cast<int>(shape.size()), 0.0F);
+auto proxy(const std::vector<Point>& shape) {
+  std::vector<b2Vec2> points;
+  for (const Point& point : shape) points.push_back(to_box2d(point));
+  return b2MakeProxy(points.data(), static_cast<int>(points.size()), 0.0F);
+}
+
+/// From 3.1 on.
+template <class Cache, class Simplex>
+b2DistanceOutput ask(b2DistanceOutput (*distance)(const b2DistanceInput*, Cache*, Simplex*, int),
+                     const b2DistanceInput& input) {
+  Cache cache = {};
+  return distance(&input, &cache, nullptr, 0);
+}
+/// In 3.0.
+template <class Cache, class Simplex>
+b2DistanceOutput ask(b2DistanceOutput (*distance)(Cache*, const b2DistanceInput*, Simplex*, int),
+                     const b2DistanceInput& input) {
+  Cache cache = {};
+  return distance(&cache, &input, nullptr, 0);
 }
 
 Contestant prepare_all(std::span<const Pair> pairs) {
@@ -44,8 +59,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
         Prepared& pair = (*prepared)[i];
         pair.input.transformA = pair.x_pose;
         pair.input.transformB = pair.y_pose;
-        b2SimplexCache cache = {};
-        return b2ShapeDistance(&pair.input, &cache, nullptr, 0);
+        return ask(b2ShapeDistance, pair.input);
       },
       [](const b2DistanceOutput& output) { return output.distance; });
 }
@@ -54,8 +68,8 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library box2d_3() {
   return {.name = "Box2D " PEER_VERSION,
-          .how = "b2ShapeDistance, useRadii false, an empty cache",
-          .max_vertices = B2_MAX_POLYGON_VERTICES,
+          .how = "b2ShapeDistance, useRadii false, an empty cache; a short direction means overlap",
+          .max_vertices = sizeof(b2DistanceInput{}.proxyA.points) / sizeof(b2Vec2),
           .prepare = prepare_all};
 }
 

@@ -49,6 +49,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
       [prepared](std::size_t i) {
         const Prepared& pair = (*prepared)[i];
         btVoronoiSimplexSolver simplex;
+        simplex.setEqualVertexThreshold(0);
         btGjkEpaPenetrationDepthSolver depth;
         btGjkPairDetector detector(pair.x.get(), pair.y.get(), &simplex, &depth);
         btPointCollector result;
@@ -64,7 +65,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library bullet() {
   return {.name = "Bullet " PEER_VERSION,
-          .how = "btGjkPairDetector on flat btConvexHullShape, margin 0, with the EPA solver",
+          .how = "btGjkPairDetector on flat btConvexHullShape, margin 0, EPA; absolute thresholds",
           .in_double = sizeof(btScalar) == sizeof(double),
           .prepare = prepare_all};
 }

@@ -43,7 +43,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library libccd() {
   return {.name = "libccd " PEER_VERSION,
-          .how = "ccdGJKIntersect on prisms; it tells overlap only",
+          .how = "ccdGJKIntersect on prisms; it tells overlap only, to an absolute 2.2e-16",
           .in_double = sizeof(ccd_real_t) == sizeof(double),
           .measures = false,
           .prepare = prepare_all};

@@ -45,7 +45,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
   }
   fcl::DistanceRequestd request(true);
   request.gjk_solver_type = solver;
-  request.distance_tolerance = 1e-12;
+  request.distance_tolerance = 1e-14;
   return contestant(
       pairs.size(),
       [=](std::size_t i) {
@@ -65,14 +65,14 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 Library fcl_own() {
   return {.name = "FCL " FCL_VERSION " (own)",
-          .how = "fcl::distance on flat Convex, GST_INDEP, tolerance 1e-12",
+          .how = "fcl::distance on flat Convex, GST_INDEP, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_INDEP>};
 }
 
 Library fcl_libccd() {
   return {.name = "FCL " FCL_VERSION " (libccd)",
-          .how = "fcl::distance on flat Convex, GST_LIBCCD, tolerance 1e-12",
+          .how = "fcl::distance on flat Convex, GST_LIBCCD, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_LIBCCD>};
 }
