@@ -10,27 +10,59 @@ namespace gjk::detail {
 
 inline constexpr int kMaxRegions = (1 << (kMaxDimension + 1)) - 1;
 
+/// A set of barycentric coordinates: bit 4 * face + vertex stands for that of `vertex` in `face`.
+using CoordinateSet = std::uint64_t;
+[[nodiscard]] constexpr CoordinateSet coordinate_bit(Face face, int vertex) {
+  return CoordinateSet{1} << (4 * face + vertex);
+}
+
+/// What puts O into the Voronoi region of `face`: its coordinates within the face are positive, and
+/// the coordinate of every other vertex, in the face grown by that vertex, is not (Johnson's
+/// condition). For a triangle these are the slides' tests: region A if vAB <= 0 and uCA <= 0;
+/// region AB if uAB > 0, vAB > 0 and wABC <= 0; else ABC.
+struct RegionCondition {
+  Face face = 0;
+  CoordinateSet positive = 0;
+  CoordinateSet not_positive = 0;
+
+  [[nodiscard]] constexpr bool holds(CoordinateSet positive_ones) const {
+    return (positive_ones & (positive | not_positive)) == positive;
+  }
+};
+
 /// The faces of a simplex of `count` vertices in the order in which their regions are tested.
 struct RegionList {
-  std::array<Face, kMaxRegions> regions = {};
+  std::array<RegionCondition, kMaxRegions> conditions = {};
   int count = 0;
+
+  constexpr void add(Face face, int vertices) {
+    RegionCondition& condition = conditions[count++];
+    condition.face = face;
+    for (int i = 0; i < vertices; ++i) {
+      const Face grown = static_cast<Face>(face | face_of(i));
+      if (!contains(face, i)) {
+        condition.not_positive |= coordinate_bit(grown, i);
+      } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
+        condition.positive |= coordinate_bit(face, i);
+      }
+    }
+  }
 };
-[[nodiscard]] constexpr RegionList regions_in_order(int vertices, RegionOrder order) {
+[[nodiscard]] constexpr RegionList list_regions(int vertices, RegionOrder order) {
   // Segment: the slides test u <= 0 (region B) before v <= 0 (region A). Triangle: A, B, C, AB, BC,
   // CA, ABC.
   constexpr std::array<Face, 3> kSegment = {0b10, 0b01, 0b11};
   constexpr std::array<Face, 7> kTriangle = {0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
   RegionList sorted;
   if (vertices == 2) {
-    for (const Face face : kSegment) sorted.regions[sorted.count++] = face;
+    for (const Face face : kSegment) sorted.add(face, vertices);
   } else if (vertices == 3) {
-    for (const Face face : kTriangle) sorted.regions[sorted.count++] = face;
+    for (const Face face : kTriangle) sorted.add(face, vertices);
   } else {
     for (int size = 1; size <= vertices; ++size) {
       for (int face = 1; face < (1 << vertices); ++face) {
-        if (vertex_count(static_cast<Face>(face)) == size) {
-          sorted.regions[sorted.count++] = static_cast<Face>(face);
-        }
+        if (vertex_count(static_cast<Face>(face)) == size)
+          sorted.add(static_cast<Face>(face), vertices);
       }
     }
   }
@@ -38,70 +70,92 @@ struct RegionList {
   RegionList reordered;
   for (const bool edges : {true, false}) {
     for (int i = 0; i < sorted.count; ++i) {
-      if ((vertex_count(sorted.regions[i]) == 2) == edges) {
-        reordered.regions[reordered.count++] = sorted.regions[i];
-      }
+      const Face face = sorted.conditions[i].face;
+      if ((vertex_count(face) == 2) == edges) reordered.add(face, vertices);
     }
   }
   return reordered;
 }
 
-/// Barycentric coordinates of every face, computed once each, when first asked for.
+/// All lists, made by the compiler: kRegions[order][vertices].
+inline constexpr auto kRegions = [] {
+  std::array<std::array<RegionList, kMaxDimension + 2>, 2> lists = {};
+  for (int vertices = 1; vertices <= kMaxDimension + 1; ++vertices) {
+    for (const RegionOrder order : {RegionOrder::vertices_first, RegionOrder::edges_first}) {
+      lists[static_cast<int>(order)][vertices] = list_regions(vertices, order);
+    }
+  }
+  return lists;
+}();
+
+/// Barycentric coordinates of every face of more than one vertex.
 template <class S, int D>
 class CoordinateTable {
  public:
-  explicit CoordinateTable(const Simplex<S, D>& simplex) : simplex_(simplex) {}
-  const Barycentric<S, D>& operator[](Face face) {
-    if (!known_[face]) {
-      table_[face] = barycentric(simplex_, face);
-      known_[face] = true;
-    }
-    return table_[face];
-  }
-
- private:
-  const Simplex<S, D>& simplex_;
-  std::array<Barycentric<S, D>, (1u << (D + 1))> table_;
-  std::array<bool, (1u << (D + 1))> known_ = {};
-};
-
-/// O lies in the Voronoi region of `face` when its coordinates within the face are positive, and
-/// the coordinate of every other vertex, in the face grown by that vertex, is not (Johnson's
-/// condition). For a triangle these are the slides' tests: region A if vAB <= 0 and uCA <= 0;
-/// region AB if uAB > 0, vAB > 0 and wABC <= 0; else ABC.
-template <class S, int D, class Rec>
-[[nodiscard]] bool region_holds(const Simplex<S, D>& simplex, CoordinateTable<S, D>& table,
-                                Face face, Rec& record) {
-  bool holds = true;
-  RegionTest<S>* note = nullptr;
-  if constexpr (Rec::kOn) {
-    record.region_tests.push_back({face, {}, false});
-    note = &record.region_tests.back();
-  }
-  for (const bool inside : {true, false}) {
-    for (int i = 0; i < simplex.count; ++i) {
-      if (contains(face, i) != inside) continue;
-      if (inside && vertex_count(face) == 1) continue;  // a point's own coordinate is 1
-      const Face grown = static_cast<Face>(face | face_of(i));
-      const Barycentric<S, D>& coordinates = table[grown];
-      const bool positive = S(0) < coordinates.numerator[i];
-      if (positive != inside) holds = false;
-      if constexpr (Rec::kOn) {
-        note->terms.push_back({grown, i, inside, coordinates.numerator[i], coordinates.denominator,
-                               positive == inside});
-      } else {
-        if (!holds) return false;
+  explicit CoordinateTable(const Simplex<S, D>& simplex) {
+    for (int b = 1; b < simplex.count; ++b) {
+      for (int a = 0; a < b; ++a) {
+        const Face face = static_cast<Face>(face_of(a) | face_of(b));
+        segment_coordinates(simplex, a, b, of_face_[face]);
+        note_sign(face, a);
+        note_sign(face, b);
       }
     }
+    if constexpr (D > 2) {
+      for (Face face = 0; face <= simplex.all(); ++face) {
+        if (vertex_count(face) > 2 && vertex_count(face) <= D) {
+          of_face_[face] = barycentric(simplex, face);
+          for (int i = 0; i < simplex.count; ++i) {
+            if (contains(face, i)) note_sign(face, i);
+          }
+        }
+      }
+    }
+    if (simplex.count == D + 1) {
+      volume_coordinates(simplex, of_face_[simplex.all()]);
+      for (int i = 0; i <= D; ++i) note_sign(simplex.all(), i);
+    }
   }
-  if constexpr (Rec::kOn) note->holds = holds;
-  return holds;
+
+  [[nodiscard]] const Barycentric<S, D>& operator[](Face face) const { return of_face_[face]; }
+  [[nodiscard]] CoordinateSet positive() const { return positive_; }
+
+ private:
+  void note_sign(Face face, int vertex) {
+    const bool positive = S(0) < of_face_[face].numerator[vertex];
+    positive_ |= CoordinateSet{positive} << (4 * face + vertex);
+  }
+
+  std::array<Barycentric<S, D>, (1u << (D + 1))> of_face_;
+  CoordinateSet positive_ = 0;
+};
+
+template <class S, int D>
+[[nodiscard]] RegionTest<S> noted(const RegionCondition& condition,
+                                  const CoordinateTable<S, D>& table, int vertices) {
+  RegionTest<S> note{condition.face, {}, condition.holds(table.positive())};
+  for (const bool wants_positive : {true, false}) {
+    const CoordinateSet wanted = wants_positive ? condition.positive : condition.not_positive;
+    for (int i = 0; i < vertices; ++i) {
+      const Face face = static_cast<Face>(condition.face | face_of(i));
+      if ((wanted & coordinate_bit(face, i)) == 0) continue;
+      const Barycentric<S, D>& coordinates = table[face];
+      const bool positive = S(0) < coordinates.numerator[i];
+      note.terms.push_back({face, i, wants_positive, coordinates.numerator[i],
+                            coordinates.denominator, positive == wants_positive});
+    }
+  }
+  return note;
 }
 
 /// Weights of `face` from its coordinates: segments divide by the squared length as the slides do,
 /// larger faces by the sum, so that weights add up to 1.
 template <class S, int D>
 void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
+  if (vertex_count(face) == 1) {
+    for (int i = 0; i < simplex.count; ++i) simplex.weights[i] = S(contains(face, i) ? 1 : 0);
+    return;
+  }
   S divisor = coordinates.denominator;
   if (vertex_count(face) > 2) {
     divisor = S(0);
@@ -117,17 +171,17 @@ void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coo
 /// When rounding left no test to believe: the nearest point over all faces whose coordinates are
 /// positive. Vertices always qualify, so there is one.
 template <class S, int D>
-[[nodiscard]] Face nearest_face(Simplex<S, D> simplex, CoordinateTable<S, D>& table) {
+[[nodiscard]] Face nearest_face(Simplex<S, D> simplex, const CoordinateTable<S, D>& table) {
   Face best = 0;
   S best_sq(0);
   for (Face face = 1; face <= simplex.all(); ++face) {
-    const Barycentric<S, D>& coordinates = table[face];
-    bool inside = S(0) < coordinates.denominator;
+    bool inside = vertex_count(face) == 1 || S(0) < table[face].denominator;
     for (int i = 0; i < simplex.count; ++i) {
-      if (contains(face, i) && !(S(0) < coordinates.numerator[i])) inside = false;
+      if (contains(face, i) && vertex_count(face) > 1 && !(S(0) < table[face].numerator[i]))
+        inside = false;
     }
     if (!inside) continue;
-    set_weights(simplex, face, coordinates);
+    set_weights(simplex, face, table[face]);
     const Vec<S, D> point = weighted_point(simplex, face);
     const S point_sq = dot(point, point);
     if (best == 0 || point_sq < best_sq) {
@@ -143,39 +197,61 @@ template <class S, int D>
 template <class S, int D>
 [[nodiscard]] bool weights_reach_origin(Simplex<S, D> simplex,
                                         const Barycentric<S, D>& coordinates) {
-  set_weights(simplex, simplex.all(), coordinates);
-  S size(0);
-  for (int i = 0; i < simplex.count; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
-  const S rounding = S(kRoundings<D>) * ScalarTraits<S>::unit_roundoff() * size;
-  return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+  if constexpr (ScalarTraits<S>::kExact) {
+    return true;
+  } else {
+    set_weights(simplex, simplex.all(), coordinates);
+    S size(0);
+    for (int i = 0; i < simplex.count; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
+    const S rounding = S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * size;
+    return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+  }
+}
+
+/// True when O lies on the plane (in the plane: the line) through the vertices of a facet.
+template <class S, int D>
+[[nodiscard]] bool passes_through_origin(const Simplex<S, D>& simplex, Face facet) {
+  std::array<Vec<S, D>, D> vertices;
+  for (int i = 0, k = 0; i < simplex.count; ++i) {
+    if (contains(facet, i)) vertices[k++] = simplex.vertices[i].w;
+  }
+  return determinant<S, D>(vertices) == S(0);
 }
 
 template <class S, int D, class Rec>
 void find_closest_point(State<S, D>& state, const Options& options, Rec& record) {
   Simplex<S, D>& simplex = state.simplex;
-  CoordinateTable<S, D> table(simplex);
-  const RegionList order = regions_in_order(simplex.count, options.region_order);
+  const CoordinateTable<S, D> table(simplex);
+  const RegionList& regions = kRegions[static_cast<int>(options.region_order)][simplex.count];
   state.region = 0;
-  for (int i = 0; i < order.count && state.region == 0; ++i) {
-    if (region_holds(simplex, table, order.regions[i], record)) state.region = order.regions[i];
+  for (int i = 0; i < regions.count && state.region == 0; ++i) {
+    const RegionCondition& condition = regions.conditions[i];
+    if constexpr (Rec::kOn) record.region_tests.push_back(noted(condition, table, simplex.count));
+    if (condition.holds(table.positive())) state.region = condition.face;
   }
-  const bool full = vertex_count(state.region) == D + 1;
-  if (state.region == 0 || (full && !weights_reach_origin(simplex, table[state.region]))) {
+  int size = vertex_count(state.region);
+  if (size == 0 || (size == D + 1 && !weights_reach_origin(simplex, table[state.region]))) {
+    const Face believed = state.region;
     state.region = nearest_face(simplex, table);
-    if constexpr (Rec::kOn) record.no_region_held = !full || state.region != simplex.all();
+    size = vertex_count(state.region);
+    if constexpr (Rec::kOn) record.no_region_held = state.region != believed;
   }
   set_weights(simplex, state.region, table[state.region]);
-  // Inside a full simplex P is O itself; the weighted sum would only say so up to rounding.
-  state.p = vertex_count(state.region) == D + 1 ? Vec<S, D>(Vec<S, D>::Zero())
-                                                : weighted_point(simplex, state.region);
+  // Where O lies in the face P is O itself; the weighted sum would only say so up to rounding.
+  const bool at_origin =
+      size == D + 1 || (size == D && passes_through_origin(simplex, state.region));
+  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(simplex, state.region);
   state.p_sq = dot(state.p, state.p);
-  bool finite = ScalarTraits<S>::is_finite(state.p_sq);
-  for (int i = 0; i < simplex.count; ++i) {
-    finite = finite && ScalarTraits<S>::is_finite(simplex.weights[i]);
-  }
-  if (!finite) state.error = Error::overflow;
   state.previous = Phase::closest;
   state.phase = Phase::cull;
+}
+
+/// Has P come nearer to O than ever before? In exact arithmetic it always does, until it is there.
+template <class S, int D>
+[[nodiscard]] bool came_nearer(const State<S, D>& state) {
+  if (state.best.count == 0) return true;
+  if constexpr (ScalarTraits<S>::kExact) return S(0) < state.best_sq;
+  return state.p_sq < state.best_sq;
 }
 
 template <class S, int D, class Rec>
@@ -198,7 +274,7 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
   simplex.count = kept;
   state.region = simplex.all();
 
-  const bool nearer = state.best.count == 0 || state.p_sq < state.best_sq;
+  const bool nearer = came_nearer(state);
   if (nearer) {
     state.best = simplex;
     state.best_sq = state.p_sq;

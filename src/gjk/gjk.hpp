@@ -15,8 +15,7 @@
 // three call the same functions, which decide from the state alone: recording cannot change a
 // decision.
 
-#include <algorithm>
-
+#include "gjk/certificate.hpp"
 #include "gjk/closest_point.hpp"
 #include "gjk/direction.hpp"
 #include "gjk/stop.hpp"
@@ -24,168 +23,61 @@
 
 namespace gjk {
 
-/// What the run came to. `separated` is proved. Distance 0 is proved when `upper` is 0, too; else
-/// it is what was computed, and `upper` says by how much rounding may deceive.
-enum class Verdict : std::uint8_t {
-  separated,    ///< A plane separates the shapes: lower > 0.
-  touching,     ///< Distance 0, and the run met a plane through O that has all of Z on one side.
-  overlapping,  ///< Distance 0, and the run met no such plane (it does not search for one).
-  undecided,    ///< lower = 0 < distance: rounding, or the iteration cap, leaves the question open.
-  none,         ///< The query was refused.
-};
-
-/// The answer, with its certificate: lower <= exact distance <= upper, rounding included.
-template <class S, int D>
-struct Result {
-  using Real = typename ScalarTraits<S>::Real;
-  Error error = Error::none;
-  StopReason stop = StopReason::running;
-  Verdict verdict = Verdict::none;
-  Real distance = ScalarTraits<S>::no_length();
-  Real lower = ScalarTraits<S>::no_length();
-  Real upper = ScalarTraits<S>::no_length();
-  S distance_sq = S(0);
-  Vec<S, D> x = Vec<S, D>::Zero();  ///< Witness point on X, world coordinates.
-  Vec<S, D> y = Vec<S, D>::Zero();  ///< Witness point on Y.
-  int iterations = 0;
-  Simplex<S, D> simplex;  ///< The simplex whose weights made the witness points; its pairs
-                          ///< warm-start the next query.
-};
-
 /// One phase that ran: what it left, and what it noted.
-template <class S, int D>
+template <class R, int D>
 struct Step {
   Phase phase = Phase::closest;
   int iteration = 1;
-  State<S, D> after;
-  Record<S, D> record;
+  State<R, D> after;
+  Record<R, D> record;
 };
 
 /// A whole run. `steps` is complete for every outcome and empty only when the query was refused at
 /// once.
-template <class S, int D>
+template <class R, int D>
 struct Trace {
-  State<S, D> initial;
-  std::vector<Step<S, D>> steps;
-  Result<S, D> result;
+  Prepared<R, D> prepared;
+  State<R, D> initial;
+  std::vector<Step<R, D>> steps;
+  Result<R, D> result;
 };
 
 namespace detail {
 
-template <class S, int D>
-[[nodiscard]] bool is_finite(const Shape<S, D>& shape) {
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> centre(const Shape<S, D>& shape, const R& unit) {
+  Vec<R, D> sum = Vec<R, D>::Zero();
   for (const Vec<S, D>& vertex : shape.vertices) {
-    if (!gjk::is_finite(vertex)) return false;
+    sum = sum + Vec<R, D>(converted<R, S, D>(vertex) * unit);
   }
-  for (int i = 0; i < D; ++i) {
-    if (!gjk::is_finite<S, D>(shape.pose.rotation.col(i))) return false;
-  }
-  return gjk::is_finite(shape.pose.translation);
-}
-
-/// A bound on the magnitudes of the coordinates of the shape, turned as its pose turns it, not yet
-/// moved.
-template <class S, int D>
-[[nodiscard]] S extent(const Shape<S, D>& shape) {
-  S largest(0);
-  for (const Vec<S, D>& vertex : shape.vertices) {
-    const S size = norm_max(vertex);
-    if (largest < size) largest = size;
-  }
-  S turn(0);
-  for (int i = 0; i < D; ++i) {
-    const S row = norm_1<S, D>(shape.pose.rotation.row(i).transpose());
-    if (turn < row) turn = row;
-  }
-  return largest * turn;
-}
-
-[[nodiscard]] inline bool bad_start(const Options& options, int x_count, int y_count,
-                                    int dimension) {
-  if (options.start_rule != StartRule::given) return false;
-  if (options.start_count < 1 || options.start_count > dimension + 1) return true;
-  return std::any_of(options.start.begin(), options.start.begin() + options.start_count,
-                     [&](const VertexPair& pair) {
-                       return pair.x < 0 || pair.x >= x_count || pair.y < 0 || pair.y >= y_count;
-                     });
-}
-
-template <class S, int D>
-[[nodiscard]] Vec<S, D> centre(const Shape<S, D>& shape) {
-  Vec<S, D> sum = Vec<S, D>::Zero();
-  for (const Vec<S, D>& vertex : shape.vertices) sum = sum + vertex;
-  return shape.pose.rotated(sum / S(static_cast<int>(shape.vertices.size()))) +
-         shape.pose.translation;
-}
-
-/// True when every weight of the full simplex around O is positive beyond doubt: a determinant of
-/// coordinates below 2 * scale errs by less than 4 D D! (2 scale)^D u.
-template <class S, int D>
-[[nodiscard]] bool surely_inside(const Simplex<S, D>& simplex, const Prepared<S>& prepared) {
-  const Barycentric<S, D> coordinates = barycentric(simplex, simplex.all());
-  S error = S(4 * D) * ScalarTraits<S>::unit_roundoff();
-  for (int i = 1; i <= D; ++i) error = error * S(2 * i) * prepared.scale;
-  error = error + S(kRoundings<D>) * ScalarTraits<S>::smallest();
-  for (int i = 0; i <= D; ++i) {
-    if (!(error < coordinates.numerator[i])) return false;
-  }
-  return true;
+  const R count = ScalarTraits<R>::from(static_cast<double>(shape.vertices.size()));
+  return shape.pose.template rotated<R>(Vec<R, D>(sum / count)) +
+         converted<R, S, D>(shape.pose.translation) * unit;
 }
 
 }  // namespace detail
 
-/// Checks the query and measures it. Refuses what cannot be answered with a number one may trust.
-template <class S, int D>
-[[nodiscard]] Prepared<S> prepare(const Query<S, D>& query, const Options& options) {
-  const auto refuse = [](Error error) { return Prepared<S>{S(0), error}; };
-  if (query.x.vertices.empty()) return refuse(Error::x_has_no_vertices);
-  if (query.y.vertices.empty()) return refuse(Error::y_has_no_vertices);
-  if (!detail::is_finite(query.x)) return refuse(Error::x_not_finite);
-  if (!detail::is_finite(query.y)) return refuse(Error::y_not_finite);
-  if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
-    return refuse(Error::bad_options);
-  if (detail::bad_start(options, static_cast<int>(query.x.vertices.size()),
-                        static_cast<int>(query.y.vertices.size()), D)) {
-    return refuse(Error::bad_start);
-  }
-  const Vec<S, D> offset = query.y.pose.translation - query.x.pose.translation;
-  const S scale = detail::extent(query.x) + detail::extent(query.y) + norm_max(offset);
-  // World coordinates of the witness points, and sums of 2 D products of coordinate differences,
-  // must be finite.
-  const S world = scale + norm_max(query.x.pose.translation) + norm_max(query.y.pose.translation);
-  const S products = S(8 * D) * scale * scale;
-  if (!ScalarTraits<S>::is_finite(world) || !ScalarTraits<S>::is_finite(products))
-    return refuse(Error::overflow);
-  if (S(0) < scale && ScalarTraits<S>::loses_products(scale)) return refuse(Error::underflow);
-  return {scale, Error::none};
-}
-
 /// The state before the first phase.
-template <class S, int D>
-[[nodiscard]] State<S, D> start(const Query<S, D>& query, const Options& options,
-                                const Prepared<S>& prepared) {
-  State<S, D> state;
-  state.error = prepared.error;
+template <class R, class S, int D>
+[[nodiscard]] State<R, D> start(const Query<S, D>& query, const Options& options,
+                                const Prepared<R, D>& prepared) {
+  State<R, D> state;
   if (prepared.error != Error::none) {
+    state.error = prepared.error;
     state.stop = StopReason::failed;
     state.phase = Phase::stop;
     return state;
   }
   if (options.start_rule == StartRule::centre_to_centre) {
-    state.d = detail::centre(query.x) - detail::centre(query.y);
+    State<R, D> probe;
+    probe.d = detail::centre(query.x, prepared.unit) - detail::centre(query.y, prepared.unit);
     NoRecord none;
-    detail::find_support(state, query, prepared, none);
-    state.simplex.vertices[state.simplex.count++] = state.support;
-    const Error error = state.error;
-    const SupportPoint<S, D> first = state.support;
-    state = State<S, D>{};
-    state.error = error;
-    state.simplex.vertices[0] = first;
+    detail::find_support(probe, query, prepared, none);
+    state.simplex.vertices[0] = probe.support;
     state.simplex.count = 1;
-    if (error != Error::none) state.stop = StopReason::failed;
   } else {
     for (int i = 0; i < options.start_count; ++i) {
-      state.simplex.vertices[i] = detail::support_point(query, options.start[i]);
+      state.simplex.vertices[i] = support_point(query, prepared, options.start[i]);
     }
     state.simplex.count = options.start_count;
   }
@@ -194,9 +86,9 @@ template <class S, int D>
 }
 
 /// Runs the phase `state.phase`. The run goes on while `state.stop` is StopReason::running.
-template <class S, int D, class Rec>
-void step(State<S, D>& state, const Query<S, D>& query, const Options& options,
-          const Prepared<S>& prepared, Rec& record) {
+template <class R, class S, int D, class Rec>
+void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
+          const Prepared<R, D>& prepared, Rec& record) {
   switch (state.phase) {
     case Phase::closest:
       detail::find_closest_point(state, options, record);
@@ -211,79 +103,224 @@ void step(State<S, D>& state, const Query<S, D>& query, const Options& options,
       detail::find_support(state, query, prepared, record);
       break;
     case Phase::stop:
-      detail::run_stop_tests(state, options, record);
+      detail::run_stop_tests(state, options, prepared, record);
       break;
     case Phase::add:
       detail::add_support(state);
       break;
   }
-  if (state.error != Error::none) state.stop = StopReason::failed;
 }
 
-/// Reads the answer from a state; before the run has ended, the best answer so far.
-template <class S, int D>
-[[nodiscard]] Result<S, D> result(const State<S, D>& state, const Prepared<S>& prepared) {
-  using Traits = ScalarTraits<S>;
-  Result<S, D> out;
-  out.error = state.error;
-  out.stop = state.stop;
-  out.iterations = state.iteration;
-  if (state.error != Error::none || state.best.count == 0) {
-    out.iterations = 0;
-    return out;
+namespace detail {
+
+template <class R, class S, int D>
+[[nodiscard]] State<R, D> run(const Query<S, D>& query, const Options& options,
+                              const Prepared<R, D>& prepared) {
+  State<R, D> state = start(query, options, prepared);
+  NoRecord none;
+  while (state.stop == StopReason::running) step(state, query, options, prepared, none);
+  return state;
+}
+
+/// `state` is the end of an exact run that found P = O. True when some support plane of Z passes
+/// through O.
+template <class R, class S>
+[[nodiscard]] bool touches(const State<R, 2>& state, const Query<S, 2>& query,
+                           const Prepared<R, 2>& prepared) {
+  if (state.touches_plane) return true;
+  const auto looking_along = [&](const Vec<R, 2>& d) {
+    State<R, 2> probe;
+    probe.d = d;
+    NoRecord none;
+    find_support(probe, query, prepared, none);
+    return probe;
+  };
+  const Simplex<R, 2>& simplex = state.best;
+  if (simplex.count == 3) return false;
+  if (simplex.count == 2) {  // O lies between two vertices: only their line can be such a plane
+    const Vec<R, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
+    const Vec<R, 2> normal = perpendicular<R, 2>({edge});
+    return looking_along(normal).touches_plane || looking_along(-normal).touches_plane;
   }
-  out.simplex = state.best;
-  for (int i = 0; i < out.simplex.count; ++i) {
-    const SupportPoint<S, D>& vertex = out.simplex.vertices[i];
-    for (int k = 0; k < D; ++k) {
-      out.x[k] = out.x[k] + S(out.simplex.weights[i] * vertex.x[k]);
-      out.y[k] = out.y[k] + S(out.simplex.weights[i] * vertex.y[k]);
+  // A vertex of Z at O says nothing of what lies around it: start over from another one.
+  const State<R, 2> other = looking_along(Vec<R, 2>(R(1), R(0)));
+  if (other.touches_plane) return true;
+  Options again;
+  again.start[0] = other.support.pair;
+  return touches(run(query, again, prepared), query, prepared);
+}
+
+/// Exact products need room for all their digits: true when no coordinate is so much smaller than
+/// the run's unit that a product of it could underflow.
+template <class R, class S>
+[[nodiscard]] bool has_exact_products(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
+  // Products of up to two coordinates in the world, of up to four numbers when poses turn them.
+  const double least = prepared.in_world ? 0x1p-400 : 0x1p-200;
+  const double unit = static_cast<double>(prepared.unit);
+  const auto has_room = [&](const S& value, double factor) {
+    const double size = std::abs(static_cast<double>(value)) * factor;
+    return size == 0.0 || (least <= size && size <= 1.0 / least);
+  };
+  for (const Shape<S, 2>* shape : {&query.x, &query.y}) {
+    for (int i = 0; i < 4; ++i) {
+      if (!has_room(shape->pose.rotation(i / 2, i % 2), 1.0)) return false;
+    }
+    for (int k = 0; k < 2; ++k) {
+      if (!has_room(shape->pose.translation[k], unit)) return false;
+    }
+    for (const Vec<S, 2>& vertex : shape->vertices) {
+      if (!has_room(vertex[0], unit) || !has_room(vertex[1], unit)) return false;
     }
   }
-  out.distance_sq = state.best_sq;
-  const S rounding = S(detail::kRoundings<D>) * Traits::unit_roundoff() * prepared.scale;
-  const bool inside = state.best.count == D + 1 && detail::surely_inside(state.best, prepared);
-  out.upper = inside ? Traits::root(S(0))
-                     : Traits::root_above(state.best_sq) + Traits::root(rounding * rounding);
-  out.lower = Traits::root_below(state.plane_distance_sq);
-  out.distance = std::max(out.lower, Traits::root(state.best_sq));
-  if (S(0) < state.plane_distance_sq) {
-    out.verdict = Verdict::separated;
-  } else if (state.best_sq == S(0)) {
-    const bool boundary = state.touches_plane && state.best.count <= D;
-    out.verdict = boundary ? Verdict::touching : Verdict::overlapping;
-  } else {
-    out.verdict = Verdict::undecided;
+  return true;
+}
+
+/// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in `out`.
+template <class R, class S>
+void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R, 2>& prepared,
+            Result<R, 2>& out, Bounds<R>& bounds) {
+  using Traits = ScalarTraits<R>;
+  Prepared<Expansion, 2> exact;
+  exact.exponent = prepared.exponent;
+  exact.unit = Expansion(static_cast<double>(prepared.unit));
+  exact.in_world = prepared.in_world;
+  exact.offset = converted<Expansion, S, 2>(query.y.pose.translation) * exact.unit -
+                 converted<Expansion, S, 2>(query.x.pose.translation) * exact.unit;
+  Options options;
+  options.start_count = state.best.count;
+  for (int i = 0; i < options.start_count; ++i) options.start[i] = state.best.vertices[i].pair;
+  const State<Expansion, 2> end = run(query, options, exact);
+  if (end.stop == StopReason::iteration_cap) return;
+
+  out.settled = true;
+  out.simplex.count = end.best.count;
+  for (int i = 0; i < end.best.count; ++i) {
+    const SupportPoint<Expansion, 2>& vertex = end.best.vertices[i];
+    out.simplex.vertices[i] = support_point(query, prepared, vertex.pair);
+    out.simplex.weights[i] = static_cast<R>(end.best.weights[i].estimate());
   }
+  bounds = {};
+  if (end.best_sq == Expansion()) {
+    out.verdict = touches(end, query, exact) ? Verdict::touching : Verdict::overlapping;
+  } else {
+    out.verdict = Verdict::separated;
+    bounds.distance = careful_distance<Expansion>(query, prepared, out.simplex);
+    const R few = R(8) * Traits::unit_roundoff();
+    bounds.lower = bounds.distance * (R(1) - few);
+    bounds.upper = bounds.distance * (R(1) + few);
+  }
+}
+
+/// True when the bounds are as close as rounding lets them be. Wider ones mean that rounding led
+/// the run astray.
+template <class R, int D>
+[[nodiscard]] bool are_tight(const Bounds<R>& bounds, const Prepared<R, D>& prepared) {
+  const R u = ScalarTraits<R>::unit_roundoff();
+  const R rounding = R(8) * u * prepared.reach + R(16) * u * bounds.distance;
+  return bounds.upper - bounds.lower <= prepared.plane_error + prepared.vertex_error + rounding;
+}
+
+/// a * 2^exponent, on the wanted side where that is denormal and rounds.
+template <class R>
+[[nodiscard]] R scaled_below(const R& a, int exponent) {
+  const R out = ScalarTraits<R>::scaled(a, exponent);
+  const bool above = a < ScalarTraits<R>::scaled(out, -exponent);
+  return above ? R(out - std::numeric_limits<R>::denorm_min()) : out;
+}
+template <class R>
+[[nodiscard]] R scaled_above(const R& a, int exponent) {
+  const R out = ScalarTraits<R>::scaled(a, exponent);
+  const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
+  return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
+}
+
+}  // namespace detail
+
+/// Reads the answer from a state; before the run has ended, the best answer so far.
+///
+/// The loop rounds, and rounding can fool it. But its answer can be checked: P bounds the distance
+/// from above, the best support plane from below. Where these bounds do not prove whether the
+/// shapes overlap, or are wider than rounding explains, the last simplex starts another run in exact
+/// arithmetic. That is rare, so it costs next to nothing, and makes the verdict exact.
+template <class R, class S, int D>
+[[nodiscard]] Result<R, D> result(const State<R, D>& state, const Query<S, D>& query,
+                                  const Options& options, const Prepared<R, D>& prepared) {
+  using Traits = ScalarTraits<R>;
+  Result<R, D> out;
+  out.error = state.error;
+  out.stop = state.stop;
+  if (state.error != Error::none || state.best.count == 0) return out;
+  out.iterations = state.iteration;
+  out.simplex = state.best;
+  const bool at_origin = state.best_sq == R(0);
+  if constexpr (Traits::kExact) {
+    out.distance_sq = state.best_sq;
+    out.distance = std::max(Traits::root(state.best_sq), Traits::root(state.plane_distance_sq));
+    out.lower = Traits::root_below(state.plane_distance_sq);
+    out.upper = Traits::root_above(state.best_sq);
+    out.verdict = at_origin                               ? Verdict::overlapping
+                  : R(0) < state.plane_distance_sq ? Verdict::separated
+                                                          : Verdict::undecided;
+    if constexpr (D == 2) {
+      if (at_origin && detail::touches(state, query, prepared)) out.verdict = Verdict::touching;
+    }
+  } else {
+    detail::Bounds<R> bounds = detail::bounds(state, query, prepared);
+    if (R(0) < bounds.lower) {
+      out.verdict = Verdict::separated;
+    } else {
+      out.verdict = bounds.upper == R(0) ? Verdict::overlapping : Verdict::undecided;
+    }
+    if constexpr (D == 2 && std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
+      const bool proved = out.verdict != Verdict::undecided;
+      const bool wide = options.tolerance == 0.0 && !detail::are_tight(bounds, prepared);
+      const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
+      if (options.certify && ended && (!proved || wide) &&
+          detail::has_exact_products(query, prepared)) {
+        detail::settle(state, query, prepared, out, bounds);
+      }
+    }
+    out.distance = Traits::scaled(bounds.distance, prepared.exponent);
+    out.distance_sq = out.distance * out.distance;
+    out.lower = detail::scaled_below(bounds.lower, prepared.exponent);
+    out.upper = detail::scaled_above(bounds.upper, prepared.exponent);
+    if (!Traits::is_finite(out.distance)) {
+      Result<R, D> refused;
+      refused.error = Error::overflow;
+      refused.stop = StopReason::failed;
+      return refused;
+    }
+  }
+  detail::set_witness_points(out, query);
   return out;
 }
 
-/// Distance between two convex shapes. Does not allocate.
-template <class S, int D>
-[[nodiscard]] Result<S, D> distance(const Query<S, D>& query, const Options& options = {}) {
-  const Prepared<S> prepared = prepare(query, options);
-  State<S, D> state = start(query, options, prepared);
-  NoRecord none;
-  while (state.stop == StopReason::running) step(state, query, options, prepared, none);
-  return result(state, prepared);
+/// Distance between two convex shapes, computed in R: distance<float>(query) stays in float. Allocates only where exact arithmetic has to
+/// settle the answer.
+template <class R = Default, class S, int D>
+[[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
+                                                  const Options& options = {}) {
+  const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
+  return result(detail::run(query, options, prepared), query, options, prepared);
 }
 
 /// The same run, every phase recorded.
-template <class S, int D>
-[[nodiscard]] Trace<S, D> trace(const Query<S, D>& query, const Options& options = {}) {
-  const Prepared<S> prepared = prepare(query, options);
-  Trace<S, D> out;
-  State<S, D> state = start(query, options, prepared);
+template <class R = Default, class S, int D>
+[[nodiscard]] Trace<RunScalar<R, S>, D> trace(const Query<S, D>& query,
+                                              const Options& options = {}) {
+  Trace<RunScalar<R, S>, D> out;
+  out.prepared = prepare<RunScalar<R, S>>(query, options);
+  State<RunScalar<R, S>, D> state = start(query, options, out.prepared);
   out.initial = state;
   while (state.stop == StopReason::running) {
-    Step<S, D> next;
+    Step<RunScalar<R, S>, D> next;
     next.phase = state.phase;
     next.iteration = state.iteration;
-    step(state, query, options, prepared, next.record);
+    step(state, query, options, out.prepared, next.record);
     next.after = state;
     out.steps.push_back(std::move(next));
   }
-  out.result = result(state, prepared);
+  out.result = result(state, query, options, out.prepared);
   return out;
 }
 

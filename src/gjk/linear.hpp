@@ -15,6 +15,18 @@ namespace gjk {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
+/// The same coordinates in another scalar.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> converted(const Vec<S, D>& a) {
+  if constexpr (std::is_same_v<R, S>) {
+    return a;
+  } else {
+    Vec<R, D> out;
+    for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::from(a[i]);
+    return out;
+  }
+}
+
 template <class S, int D>
 [[nodiscard]] S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
   S sum = a[0] * b[0];
@@ -22,11 +34,16 @@ template <class S, int D>
   return sum;
 }
 
+template <class S>
+[[nodiscard]] S magnitude(const S& a) {
+  return a < S(0) ? S(-a) : a;
+}
+
 /// Sum of the coordinates' magnitudes.
 template <class S, int D>
 [[nodiscard]] S norm_1(const Vec<S, D>& a) {
   S sum(0);
-  for (int i = 0; i < D; ++i) sum = sum + (a[i] < S(0) ? S(-a[i]) : a[i]);
+  for (int i = 0; i < D; ++i) sum = sum + magnitude(S(a[i]));
   return sum;
 }
 
@@ -35,10 +52,15 @@ template <class S, int D>
 [[nodiscard]] S norm_max(const Vec<S, D>& a) {
   S largest(0);
   for (int i = 0; i < D; ++i) {
-    const S magnitude = a[i] < S(0) ? S(-a[i]) : a[i];
-    if (largest < magnitude) largest = magnitude;
+    const S size = magnitude(S(a[i]));
+    if (largest < size) largest = size;
   }
   return largest;
+}
+
+template <class S, int D>
+[[nodiscard]] auto length(const Vec<S, D>& a) {
+  return ScalarTraits<S>::root(dot(a, a));
 }
 
 template <class S, int D>

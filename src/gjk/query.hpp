@@ -4,38 +4,135 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "gjk/linear.hpp"
 
 namespace gjk {
 
-/// Where a shape stands: world = rotation * local + translation.
+/// Where a shape stands: world = rotation * local + translation. `rotation` is taken as it is
+/// given: one that rounding, or intent, left short of orthonormal stretches the shape, and the
+/// answer is that of the stretched shape.
 template <class S, int D>
 struct Pose {
   Eigen::Matrix<S, D, D> rotation = Eigen::Matrix<S, D, D>::Identity();
   Vec<S, D> translation = Vec<S, D>::Zero();
 
-  [[nodiscard]] Vec<S, D> rotated(const Vec<S, D>& local) const {
-    Vec<S, D> world;
+  /// rotation * local, computed in R.
+  template <class R = S>
+  [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
+    Vec<R, D> world;
     for (int row = 0; row < D; ++row) {
-      world[row] = dot<S, D>(rotation.row(row).transpose(), local);
+      world[row] = dot<R, D>(converted<R, S, D>(rotation.row(row).transpose()), local);
     }
     return world;
   }
-  [[nodiscard]] Vec<S, D> direction_to_local(const Vec<S, D>& world) const {
-    Vec<S, D> local;
+  /// rotation^T * world: what a direction looks like to the shape.
+  template <class R = S>
+  [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
+    Vec<R, D> local;
     for (int column = 0; column < D; ++column) {
-      local[column] = dot<S, D>(rotation.col(column), world);
+      local[column] = dot<R, D>(converted<R, S, D>(rotation.col(column)), world);
     }
     return local;
   }
+  [[nodiscard]] bool is_identity() const {
+    return rotation == Eigen::Matrix<S, D, D>::Identity() && gjk::is_zero(translation);
+  }
+};
+
+/// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
+/// is wrapped, so that queries with the same shape at other poses do not look at every vertex again.
+template <class S, int D>
+class Points {
+ public:
+  Points() = default;
+  /// From anything that a span can view: std::vector, std::array, std::span. Not from a temporary.
+  template <class Range>
+    requires(!std::is_same_v<Range, Points> &&
+             std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
+  Points(const Range& points) : points_(points) {  // NOLINT(google-explicit-constructor)
+    if constexpr (!ScalarTraits<S>::kExact) {
+      measure();
+      ring_ = D == 2 && points_.size() >= kRingFrom && is_strictly_convex_ring();
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] bool empty() const { return points_.empty(); }
+  [[nodiscard]] const Vec<S, D>& operator[](std::size_t i) const { return points_[i]; }
+  [[nodiscard]] auto begin() const { return points_.begin(); }
+  [[nodiscard]] auto end() const { return points_.end(); }
+
+  /// No coordinate is a NaN or an infinity.
+  [[nodiscard]] bool is_finite() const { return finite_; }
+  /// Of the bounding box: its middle, and half its size.
+  [[nodiscard]] const Vec<S, D>& middle() const { return middle_; }
+  [[nodiscard]] const Vec<S, D>& half_size() const { return half_size_; }
+  /// The point that the points are measured from: their own origin, or the middle when they lie
+  /// around neither, so that rounding follows their size and not their place.
+  [[nodiscard]] const Vec<S, D>& centre() const { return centre_; }
+  /// Largest magnitude of each coordinate, measured from `centre`.
+  [[nodiscard]] const Vec<S, D>& extent() const { return extent_; }
+  /// The points are the corners of a convex polygon, in order, none on the line through its
+  /// neighbours. Looked for in the plane, from kRingFrom points on.
+  [[nodiscard]] bool is_ring() const { return ring_; }
+
+  static constexpr std::size_t kRingFrom = 32;
+
+ private:
+  void measure() {
+    if (points_.empty()) return;
+    Vec<S, D> low = points_[0];
+    Vec<S, D> high = points_[0];
+    for (const Vec<S, D>& point : points_) {
+      finite_ = finite_ && gjk::is_finite(point);
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    middle_ = low / S(2) + high / S(2);
+    half_size_ = (high - middle_).cwiseMax(middle_ - low);
+    const bool far = norm_max(half_size_) < norm_max(middle_);
+    centre_ = far ? middle_ : Vec<S, D>(Vec<S, D>::Zero());
+    extent_ = far ? half_size_ : Vec<S, D>(high.cwiseMax(-low));
+  }
+
+  /// All turns go the same way beyond rounding, and the edges go round once.
+  [[nodiscard]] bool is_strictly_convex_ring() const {
+    const std::size_t count = points_.size();
+    int turns = 0;
+    int crossings = 0;
+    Vec<S, D> before = points_[0] - points_[count - 1];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec<S, D> edge = points_[i + 1 == count ? 0 : i + 1] - points_[i];
+      const S left = before[0] * edge[1];
+      const S right = before[1] * edge[0];
+      const S rounding = S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
+      if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
+      turns += right < left ? 1 : -1;
+      crossings += upwards(before) != upwards(edge) ? 1 : 0;
+      before = edge;
+    }
+    return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
+  }
+  static bool upwards(const Vec<S, D>& edge) {
+    return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);
+  }
+
+  std::span<const Vec<S, D>> points_;
+  Vec<S, D> middle_ = Vec<S, D>::Zero();
+  Vec<S, D> half_size_ = Vec<S, D>::Zero();
+  Vec<S, D> centre_ = Vec<S, D>::Zero();
+  Vec<S, D> extent_ = Vec<S, D>::Zero();
+  bool finite_ = true;
+  bool ring_ = false;
 };
 
 /// The convex hull of some points: a point, a segment, a polygon, a point set. Order and repetition
-/// of vertices do not matter. The vertices are borrowed.
+/// of vertices do not matter.
 template <class S, int D>
 struct Shape {
-  std::span<const Vec<S, D>> vertices;
+  Points<S, D> vertices;
   Pose<S, D> pose = {};
 };
 
@@ -98,6 +195,10 @@ struct Options {
   double tolerance = 0.0;
   int iteration_cap = kDefaultIterationCap;
 
+  /// Prove the answer: bounds that include rounding, and exact arithmetic where they leave the
+  /// verdict open (see gjk.hpp). Off, the answer is what the run itself computed.
+  bool certify = true;
+
   StartRule start_rule = StartRule::given;
   /// Used by StartRule::given: the first `start_count` pairs, 1 to D+1 of them.
   std::array<VertexPair, kMaxDimension + 1> start = {};
@@ -111,8 +212,8 @@ enum class Error : std::uint8_t {
   y_has_no_vertices,
   x_not_finite,  ///< A vertex or the pose of X holds a NaN or an infinity.
   y_not_finite,
-  overflow,     ///< A product of coordinate differences exceeds the scalar's range.
-  underflow,    ///< Products of coordinate differences would be lost among the denormals.
+  overflow,     ///< The distance, or a pose's entries, exceed the scalar's range.
+  underflow,    ///< Coordinates so small that no unit of length saves their products: Eigen::half.
   bad_start,    ///< A start pair names no vertex, or their count is not 1 to D+1.
   bad_options,  ///< The iteration cap is below 1, or the tolerance is not in [0, 1).
 };

@@ -5,8 +5,10 @@
 // Lengths appear once, in the result, as ScalarTraits<S>::Real.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace gjk {
 
@@ -16,6 +18,14 @@ template <class S>
 struct ScalarTraits {
   /// The type of a length.
   using Real = S;
+
+  /// True when + - * and comparison never round.
+  static constexpr bool kExact = false;
+
+  template <class From>
+  [[nodiscard]] static S from(const From& value) {
+    return static_cast<S>(value);
+  }
 
   [[nodiscard]] static bool is_finite(const S& a) { return (Eigen::numext::isfinite)(a); }
 
@@ -37,15 +47,27 @@ struct ScalarTraits {
     return S(std::ldexp(1.0, -std::numeric_limits<S>::digits));
   }
 
-  /// Half of it is the largest error that a product can pick up by underflow. Zero for exact types.
-  [[nodiscard]] static S smallest() { return std::numeric_limits<S>::denorm_min(); }
-
-  /// True when the square of u * scale is below every positive number: squared lengths near the
-  /// rounding error of the coordinates would be lost.
-  [[nodiscard]] static bool loses_products(const S& scale) {
-    const S rounding = scale * unit_roundoff();
-    return rounding * rounding < smallest();
+  /// e with 2^e <= a < 2^(e+1), for positive a.
+  [[nodiscard]] static int exponent(const S& a) { return std::ilogb(a); }
+  /// a * 2^exponent: exact unless it leaves the scalar's range.
+  [[nodiscard]] static S scaled(const S& a, int exponent) {
+    return static_cast<S>(std::ldexp(a, exponent));
   }
+
+  /// Sizes 2^e, kLeastExponent <= e <= kLargestExponent, whose products keep all digits that could
+  /// matter: those of two numbers as small as u times the size lose none, and sums of some products
+  /// of two stay finite.
+  static constexpr int kLeastExponent =
+      std::min((std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits) / 2, -1);
+  static constexpr int kLargestExponent = (std::numeric_limits<S>::max_exponent - 6) / 2;
 };
+
+/// Stands for the scalar in which `distance` and `trace` run unless told otherwise: that of the
+/// query, but double for float and half, because scalar code in double costs no more.
+struct Default {};
+template <class R, class S>
+using RunScalar = std::conditional_t<
+    !std::is_same_v<R, Default>, R,
+    std::conditional_t<std::is_same_v<S, float> || std::is_same_v<S, Eigen::half>, double, S>>;
 
 }  // namespace gjk

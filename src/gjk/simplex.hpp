@@ -12,8 +12,6 @@ namespace gjk {
 template <class S, int D>
 struct SupportPoint {
   Vec<S, D> w = Vec<S, D>::Zero();  ///< y - x
-  Vec<S, D> x = Vec<S, D>::Zero();  ///< World position of the vertex of X.
-  Vec<S, D> y = Vec<S, D>::Zero();  ///< World position of the vertex of Y.
   VertexPair pair = {};
 };
 
@@ -58,9 +56,10 @@ void segment_coordinates(const Simplex<S, D>& simplex, int a, int b, Barycentric
   const Vec<S, D>& point_a = simplex.vertices[a].w;
   const Vec<S, D>& point_b = simplex.vertices[b].w;
   const Vec<S, D> edge = point_b - point_a;
-  out.numerator[a] = dot(point_b, edge);
-  out.numerator[b] = -dot(point_a, edge);
   out.denominator = dot(edge, edge);
+  const bool degenerate = !(S(0) < out.denominator);
+  out.numerator[a] = degenerate ? S(0) : dot(point_b, edge);
+  out.numerator[b] = degenerate ? S(0) : S(-dot(point_a, edge));
 }
 
 // Full simplex: fractional volumes (in the plane, areas). u = area(QBC) / area(ABC) and so on, with

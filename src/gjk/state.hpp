@@ -104,6 +104,7 @@ struct NoRecord {
   static constexpr bool kOn = false;
 };
 
+/// Lengths are in units of 2^Prepared::exponent, which is 1 for all but extreme coordinates.
 template <class S, int D>
 struct State {
   Phase phase = Phase::closest;  ///< The phase to run next; when the run has ended, the last one.
@@ -121,9 +122,8 @@ struct State {
   Simplex<S, D> best;  ///< The simplex, culled, whose P came nearest so far.
   S best_sq = S(0);    ///< Its |p|^2; meaningful once `best.count` > 0.
 
-  /// Lower bound of the squared distance: the farthest support plane so far that has O on one side
-  /// and all of Z on the other. Rounding is already subtracted. 0: no plane has separated the
-  /// shapes yet.
+  /// Squared distance of the farthest support plane so far that has O on one side and all of Z on
+  /// the other, as computed: rounding is not subtracted. 0: no plane has separated the shapes yet.
   S plane_distance_sq = S(0);
   bool touches_plane = false;  ///< Some support plane passes exactly through O.
 

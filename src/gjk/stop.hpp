@@ -1,9 +1,24 @@
 #pragma once
 // Phases "stop" and "add".
 
+#include "gjk/prepare.hpp"
 #include "gjk/state.hpp"
 
 namespace gjk::detail {
+
+/// The squared distance of a support plane that, rounding subtracted, certifies the tolerance.
+template <class S, int D>
+[[nodiscard]] S wanted_plane_distance_sq(const State<S, D>& state, const Options& options,
+                                         const Prepared<S, D>& prepared) {
+  const S keep = ScalarTraits<S>::from(1.0 - options.tolerance);
+  if constexpr (ScalarTraits<S>::kExact) {
+    return keep * keep * state.best_sq;
+  } else {
+    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.vertex_error;
+    const S wanted = keep * upper + prepared.plane_error;
+    return wanted * wanted;
+  }
+}
 
 /// The stop tests, in order; the first that holds names the reason. What each compares (left,
 /// right):
@@ -12,10 +27,11 @@ namespace gjk::detail {
 ///   of the simplex vertex that is the support point or -1, 0   left >= right (case 1) no_progress
 ///   dot(d, support), largest dot(d, simplex vertex)           left <= right
 ///                     or, when P came no nearer, |best P|^2 and |P|^2           left <= right
-///   within_tolerance  (1 - tolerance)^2 upper^2, lower^2                        left <= right
+///   within_tolerance  (1 - tolerance)^2 upper^2, rounding included, lower^2     left <= right
 ///   iteration_cap     cap, iteration                                            left <= right
 template <class S, int D, class Rec>
-void run_stop_tests(State<S, D>& state, const Options& options, Rec& record) {
+void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S, D>& prepared,
+                    Rec& record) {
   const auto test = [&](StopReason reason, bool enabled, bool holds, const S& left,
                         const S& right) {
     const bool tried = enabled && state.stop == StopReason::running;
@@ -25,8 +41,8 @@ void run_stop_tests(State<S, D>& state, const Options& options, Rec& record) {
     if (tried && holds) state.stop = reason;
   };
   const Simplex<S, D>& simplex = state.simplex;
-  const bool came_nearer = state.previous != Phase::cull || simplex.count == D + 1;
-  const bool has_direction = came_nearer && state.previous != Phase::cull;
+  const bool nearer = state.previous != Phase::cull || simplex.count == D + 1;
+  const bool has_direction = nearer && state.previous != Phase::cull;
   const bool has_support = state.previous == Phase::support;
 
   int repeated = -1;
@@ -38,7 +54,6 @@ void run_stop_tests(State<S, D>& state, const Options& options, Rec& record) {
       if (i == 0 || reach < value) reach = value;
     }
   }
-  const S keep = S(1) - S(options.tolerance);
 
   test(StopReason::origin_inside, true, simplex.count == D + 1, S(simplex.count), S(D + 1));
   test(StopReason::zero_direction, has_direction, is_zero(state.d), norm_1(state.d), S(0));
@@ -48,10 +63,10 @@ void run_stop_tests(State<S, D>& state, const Options& options, Rec& record) {
     test(StopReason::no_progress, options.stop_on_no_progress, !(reach < state.support_value),
          state.support_value, reach);
   } else {
-    test(StopReason::no_progress, !came_nearer, true, state.best_sq, state.p_sq);
+    test(StopReason::no_progress, !nearer, true, state.best_sq, state.p_sq);
   }
-  const S wanted = keep * keep * state.best_sq;
-  test(StopReason::within_tolerance, has_support && S(0) < S(options.tolerance),
+  const S wanted = wanted_plane_distance_sq(state, options, prepared);
+  test(StopReason::within_tolerance, has_support && 0.0 < options.tolerance,
        !(state.plane_distance_sq < wanted), wanted, state.plane_distance_sq);
   test(StopReason::iteration_cap, has_support, options.iteration_cap <= state.iteration,
        S(options.iteration_cap), S(state.iteration));

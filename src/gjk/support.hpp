@@ -4,104 +4,152 @@
 // Sign convention of the whole project, the slides': Z = Y - X, and the query point is the origin
 // O. For a point query X = {Q}, so that d, drawn in the world, points from P to Q.
 
+#include "gjk/prepare.hpp"
 #include "gjk/state.hpp"
 
 namespace gjk {
+namespace detail {
 
-/// What the phases need to know of a query beyond its shapes; made once by `prepare`.
-template <class S>
-struct Prepared {
-  /// At least |x| + |y| + |offset|, over all coordinates of vertices and poses: what rounding
-  /// errors are proportional to.
-  S scale = S(0);
-  Error error = Error::none;
+/// The vertices of a shape along a direction in the shape's own frame: dot(d, vertex - centre).
+template <class R, class S, int D>
+struct Along {
+  const Points<S, D>& vertices;
+  const Vec<R, D>& centre;
+  Vec<R, D> d;
+
+  [[nodiscard]] R operator()(std::size_t i) const {
+    return dot<R, D>(d, converted<R, S, D>(vertices[i]) - centre);
+  }
 };
+
+/// The vertex that lies farthest so far; of equal ones that with the lowest index.
+template <class R>
+struct Farthest {
+  int index = 0;
+  R value = R(0);
+
+  /// The same answer for any order of calls.
+  bool offer(int i, const R& offered) {
+    const bool improves = value < offered || (value == offered && i < index);
+    index = improves ? i : index;
+    value = improves ? offered : value;
+    return improves;
+  }
+};
+
+/// The slides' scan: the first vertex with the largest dot product (Catto 2010, slide "Support
+/// point code").
+template <class R, class S, int D, class Note>
+[[nodiscard]] int scan(const Along<R, S, D>& along, const Note& note) {
+  Farthest<R> farthest{0, along(0)};
+  note(0, farthest.value, true);
+  const int count = static_cast<int>(along.vertices.size());
+  for (int i = 1; i < count; ++i) {
+    const R value = along(i);
+    const bool improves = farthest.value < value;
+    farthest.index = improves ? i : farthest.index;
+    farthest.value = improves ? value : farthest.value;
+    note(i, value, improves);
+  }
+  return farthest.index;
+}
+
+/// The vertex that `scan` would find, without looking at all of them. Along a direction the
+/// vertices of a convex ring rise to one summit and fall to one valley. From the best of some
+/// samples both ways down are followed until the fall is beyond rounding: by then everything that is
+/// as high as that sample has been seen.
+template <class R, class S, int D, class Note>
+[[nodiscard]] int climb(const Along<R, S, D>& along, const Note& note) {
+  const int count = static_cast<int>(along.vertices.size());
+  int stride = 1;
+  while (stride * stride < count) stride *= 2;
+  Farthest<R> farthest{0, along(0)};
+  note(0, farthest.value, true);
+  for (int i = stride; i < count; i += stride) {
+    const R value = along(i);
+    note(i, value, farthest.offer(i, value));
+  }
+  R rounding(0);  // of two dot products of centred vertices
+  if constexpr (!ScalarTraits<R>::kExact) {
+    for (int k = 0; k < D; ++k) {
+      const R size = ScalarTraits<R>::from(along.vertices.extent()[k]);
+      rounding = rounding + magnitude(R(along.d[k])) * size;
+    }
+    rounding = rounding * R(R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff());
+  }
+  const int summit = farthest.index;
+  for (const int towards : {1, count - 1}) {
+    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
+      const R value = along(i);
+      note(i, value, farthest.offer(i, value));
+      if (value < farthest.value - rounding) break;
+    }
+  }
+  return farthest.index;
+}
+
+template <class R, class S, int D, class Note>
+[[nodiscard]] int farthest_vertex(const Along<R, S, D>& along, const Note& note) {
+  return along.vertices.is_ring() ? climb(along, note) : scan(along, note);
+}
+
+}  // namespace detail
+
+/// w = (Ry y + ty) - (Rx x + tx), in the run's unit. A translation common to both shapes cancels
+/// before anything rounds.
+template <class R, class S, int D>
+[[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
+                                               const Prepared<R, D>& prepared, VertexPair pair) {
+  const Vec<R, D> x = converted<R, S, D>(query.x.vertices[pair.x]);
+  const Vec<R, D> y = converted<R, S, D>(query.y.vertices[pair.y]);
+  const R& unit = prepared.unit;
+  if (prepared.in_world) return {y * unit - x * unit, pair};
+  const Vec<R, D> turned_x = query.x.pose.template rotated<R>((x - prepared.x_centre) * unit);
+  const Vec<R, D> turned_y = query.y.pose.template rotated<R>((y - prepared.y_centre) * unit);
+  return {(turned_y - turned_x) + prepared.offset, pair};
+}
 
 namespace detail {
 
-/// Roundings that enter dot(d, y - x) and the scans that chose x and y, each at most u * scale *
-/// |d|_1: D+1 for each of d and the vertices when a pose turns them, D for each dot product, the
-/// rest for differences. tests/gjk/bounds_test.cpp checks the bounds that follow from it against
-/// exact ones.
-template <int D>
-inline constexpr int kRoundings = 4 * D + 4;
-
-template <int D, class S>
-[[nodiscard]] S support_error(const S& scale, const S& d_norm_1) {
-  return S(kRoundings<D>) * ScalarTraits<S>::unit_roundoff() * scale * d_norm_1 +
-         S(kRoundings<D>) * ScalarTraits<S>::smallest();
-}
-
-/// The slides' scan: the first vertex with the largest dot product (Catto 2010, slide "Support
-/// point code"). `d` is in the shape's own frame.
-template <bool kRecord, class S, int D>
-[[nodiscard]] int scan(std::span<const Vec<S, D>> vertices, const Vec<S, D>& d,
-                       std::vector<ScanEntry<S>>* entries) {
-  int best = 0;
-  S best_value = dot(d, vertices[0]);
-  if constexpr (kRecord) entries->push_back({0, best_value, true});
-  for (int i = 1; i < static_cast<int>(vertices.size()); ++i) {
-    const S value = dot(d, vertices[i]);
-    const bool improves = best_value < value;
-    if constexpr (kRecord) entries->push_back({i, value, improves});
-    if (improves) {
-      best = i;
-      best_value = value;
-    }
-  }
-  return best;
-}
-
-/// w = (Ry y + ty) - (Rx x + tx), summed so that a common translation of both shapes cancels before
-/// anything rounds.
-template <class S, int D>
-[[nodiscard]] SupportPoint<S, D> support_point(const Query<S, D>& query, VertexPair pair) {
-  SupportPoint<S, D> point;
-  const Vec<S, D> x = query.x.pose.rotated(query.x.vertices[pair.x]);
-  const Vec<S, D> y = query.y.pose.rotated(query.y.vertices[pair.y]);
-  const Vec<S, D> offset = query.y.pose.translation - query.x.pose.translation;
-  point.pair = pair;
-  point.x = x + query.x.pose.translation;
-  point.y = y + query.y.pose.translation;
-  point.w = (y - x) + offset;
-  return point;
-}
-
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
-/// support point, normal to d, so -dot(d, w) / |d| is a lower bound of the distance. The scan may
-/// have preferred a wrong vertex, and the value itself is rounded; the error subtracted covers
-/// both.
-template <class S, int D>
-void note_support_plane(State<S, D>& state, const Prepared<S>& prepared) {
-  const S error = support_error<D>(prepared.scale, norm_1(state.d));
-  const S gap = -state.support_value - error;
-  const S d_sq = dot(state.d, state.d);
-  if (!(S(0) < gap) || !(S(0) < d_sq)) return;
-  const S distance_sq = gap * S(gap / d_sq);
+/// support point, normal to d, so -dot(d, w) / |d| is a lower bound of the distance.
+template <class R, int D>
+void note_support_plane(State<R, D>& state) {
+  const R d_sq = dot(state.d, state.d);
+  if (!(state.support_value < R(0)) || !(R(0) < d_sq)) return;
+  const R distance_sq = state.support_value * R(state.support_value / d_sq);
   if (state.plane_distance_sq < distance_sq) state.plane_distance_sq = distance_sq;
 }
 
 /// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
 /// points").
-template <class S, int D, class Rec>
-void find_support(State<S, D>& state, const Query<S, D>& query, const Prepared<S>& prepared,
+template <class R, class S, int D, class Rec>
+void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
                   Rec& record) {
-  const Vec<S, D> d_x = query.x.pose.direction_to_local(-state.d);
-  const Vec<S, D> d_y = query.y.pose.direction_to_local(state.d);
+  // In the shapes' frames lengths are not in the run's unit; d makes up for it.
+  const Vec<R, D> d = state.d * prepared.unit;
+  const Along<R, S, D> along_x{query.x.vertices, prepared.x_centre,
+                               -query.x.pose.template direction_to_local<R>(d)};
+  const Along<R, S, D> along_y{query.y.vertices, prepared.y_centre,
+                               query.y.pose.template direction_to_local<R>(d)};
+  const auto noting = [](std::vector<ScanEntry<R>>& entries, const Along<R, S, D>& along) {
+    return [&entries, at_centre = dot(along.d, along.centre)](int i, const R& value, bool improves) {
+      entries.push_back({i, value + at_centre, improves});
+    };
+  };
   VertexPair pair;
   if constexpr (Rec::kOn) {
-    pair.x = scan<true, S, D>(query.x.vertices, d_x, &record.scan_x);
-    pair.y = scan<true, S, D>(query.y.vertices, d_y, &record.scan_y);
+    pair.x = farthest_vertex(along_x, noting(record.scan_x, along_x));
+    pair.y = farthest_vertex(along_y, noting(record.scan_y, along_y));
   } else {
-    pair.x = scan<false, S, D>(query.x.vertices, d_x, nullptr);
-    pair.y = scan<false, S, D>(query.y.vertices, d_y, nullptr);
+    const auto nothing = [](int, const R&, bool) {};
+    pair.x = farthest_vertex(along_x, nothing);
+    pair.y = farthest_vertex(along_y, nothing);
   }
-  state.support = support_point(query, pair);
+  state.support = support_point(query, prepared, pair);
   state.support_value = dot(state.d, state.support.w);
-  if (!ScalarTraits<S>::is_finite(state.support_value)) state.error = Error::overflow;
-
-  note_support_plane(state, prepared);
-  if (state.support_value == S(0)) state.touches_plane = true;
+  note_support_plane(state);
+  if (state.support_value == R(0)) state.touches_plane = true;
   state.previous = Phase::support;
   state.phase = Phase::stop;
 }

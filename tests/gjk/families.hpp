@@ -95,6 +95,18 @@ template <class To, class From>
   return out;
 }
 
+/// distance<R>(query), and what to do where the core has no such thing.
+template <class R, class S>
+[[nodiscard]] gjk::Result<R, 2> run(const Pair<S>& pair, const gjk::Options& options = {}) {
+  const gjk::Query<S, 2> query = pair.query();
+  if constexpr (requires { gjk::distance<R>(query, options); }) {
+    return gjk::distance<R>(query, options);
+  } else {
+    const Pair<R> wide = converted<R>(pair);
+    return gjk::distance(wide.query(), options);
+  }
+}
+
 class Source {
  public:
   explicit Source(std::uint64_t seed) : bits_(seed) {}

@@ -147,18 +147,6 @@ std::string json_of(const Pair<double>& pair, const std::string& name) {
                      json_of(pair.y), poses);
 }
 
-/// distance<R>(query), and what to do where the core has no such thing.
-template <class R, class S>
-gjk::Result<R, 2> run(const Pair<S>& pair) {
-  const auto query = pair.query();
-  if constexpr (requires { gjk::distance<R>(query); }) {
-    return gjk::distance<R>(query);
-  } else {
-    const Pair<R> wide = families::converted<R>(pair);
-    return gjk::distance(wide.query());
-  }
-}
-
 struct Work {
   Family family = Family::random;
   Representation representation = Representation::full_doubles;
@@ -195,7 +183,7 @@ class Worker {
     if (done_ == work_.pairs) return;
     const auto query = pair.query();
     const ExactPair exact(query);
-    const gjk::Result<double, 2> result = truth::run<double>(pair);
+    const gjk::Result<double, 2> result = families::run<double>(pair);
     std::array<gjk::VertexPair, 3> guess;
     for (int i = 0; i < result.simplex.count; ++i) guess[i] = result.simplex.vertices[i].pair;
     truth_ = exact.truth(std::span(guess).first(static_cast<std::size_t>(result.simplex.count)));
@@ -203,8 +191,8 @@ class Worker {
     judge(exact, pair, result, Mode::in_double);
     if (work_.representation == Representation::float_values) {
       const Pair<float> narrow = families::converted<float>(pair);
-      judge(exact, pair, truth::run<double>(narrow), Mode::float_in_double);
-      judge(exact, pair, truth::run<float>(narrow), Mode::in_float);
+      judge(exact, pair, families::run<double>(narrow), Mode::float_in_double);
+      judge(exact, pair, families::run<float>(narrow), Mode::in_float);
     }
     ++done_;
   }

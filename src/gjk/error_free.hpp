@@ -1,0 +1,69 @@
+#pragma once
+// Error-free transformations: sums and products of floating-point numbers together with what their
+// rounding lost. They need round-to-nearest and no contraction, and no underflow.
+
+#include <limits>
+
+#include "gjk/scalar.hpp"
+
+namespace gjk {
+
+/// hi + lo, where hi is the sum rounded to nearest: a number of about twice the digits (Dekker
+/// 1971, "A floating-point technique for extending the available precision").
+template <class R>
+struct DoubleWord {
+  R hi = R(0);
+  R lo = R(0);
+};
+
+/// a + b, exactly (Knuth 1969, "The Art of Computer Programming", vol. 2, section 4.2.2).
+template <class R>
+[[nodiscard]] DoubleWord<R> exact_sum(const R& a, const R& b) {
+  const R sum = a + b;
+  const R from_b = sum - a;
+  const R from_a = sum - from_b;
+  return {sum, R(a - from_a) + R(b - from_b)};
+}
+
+/// a * b, exactly (Dekker 1971, with Veltkamp's splitting of each factor into halves).
+template <class R>
+[[nodiscard]] DoubleWord<R> exact_product(const R& a, const R& b) {
+  constexpr int kHalf = (std::numeric_limits<R>::digits + 1) / 2;
+  const R splitter = R(static_cast<double>(1ull << kHalf)) + R(1);
+  const auto split = [&](const R& whole) {
+    const R big = splitter * whole;
+    const R hi = big - R(big - whole);
+    return DoubleWord<R>{hi, whole - hi};
+  };
+  const DoubleWord<R> x = split(a);
+  const DoubleWord<R> y = split(b);
+  const R product = a * b;
+  const R error =
+      R(R(R(x.hi * y.hi) - product) + R(x.hi * y.lo) + R(x.lo * y.hi)) + R(x.lo * y.lo);
+  return {product, error};
+}
+
+template <class R>
+[[nodiscard]] DoubleWord<R> operator-(const DoubleWord<R>& a) {
+  return {-a.hi, -a.lo};
+}
+template <class R>
+[[nodiscard]] DoubleWord<R> operator+(const DoubleWord<R>& a, const DoubleWord<R>& b) {
+  const DoubleWord<R> sum = exact_sum(a.hi, b.hi);
+  const R rest = sum.lo + R(a.lo + b.lo);
+  const R hi = sum.hi + rest;
+  return {hi, rest - R(hi - sum.hi)};
+}
+template <class R>
+[[nodiscard]] DoubleWord<R> operator-(const DoubleWord<R>& a, const DoubleWord<R>& b) {
+  return a + (-b);
+}
+template <class R>
+[[nodiscard]] DoubleWord<R> operator*(const DoubleWord<R>& a, const DoubleWord<R>& b) {
+  const DoubleWord<R> product = exact_product(a.hi, b.hi);
+  const R rest = product.lo + R(R(a.hi * b.lo) + R(a.lo * b.hi));
+  const R hi = product.hi + rest;
+  return {hi, rest - R(hi - product.hi)};
+}
+
+}  // namespace gjk

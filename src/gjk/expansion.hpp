@@ -1,0 +1,132 @@
+#pragma once
+// Exact arithmetic on doubles: a number is a sum of doubles that do not overlap, smallest first
+// (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
+// predicates"). Slow beside double, and only asked where double cannot decide.
+
+#include <vector>
+
+#include "gjk/error_free.hpp"
+
+namespace gjk {
+
+/// Sums, differences, products and comparisons are exact while no product of two inputs underflows
+/// or overflows. Division rounds to double: the core divides only for weights, and decides nothing
+/// by them.
+class Expansion {
+ public:
+  Expansion() = default;
+  explicit Expansion(double value) {
+    if (value != 0.0) components_.push_back(value);
+  }
+
+  /// The nearest double, or a neighbour of it.
+  [[nodiscard]] double estimate() const {
+    double sum = 0.0;
+    for (const double component : components_) sum += component;
+    return sum;
+  }
+  /// -1, 0 or 1: the largest component decides.
+  [[nodiscard]] int sign() const {
+    if (components_.empty()) return 0;
+    return components_.back() > 0.0 ? 1 : -1;
+  }
+
+  friend Expansion operator-(const Expansion& a) {
+    Expansion out = a;
+    for (double& component : out.components_) component = -component;
+    return out;
+  }
+
+  friend Expansion operator+(const Expansion& a, const Expansion& b) {
+    Expansion out;
+    auto next_a = a.components_.begin();
+    auto next_b = b.components_.begin();
+    double sum = 0.0;
+    while (next_a != a.components_.end() || next_b != b.components_.end()) {
+      const bool from_a =
+          next_b == b.components_.end() ||
+          (next_a != a.components_.end() && std::abs(*next_a) < std::abs(*next_b));
+      const DoubleWord<double> step = exact_sum(sum, from_a ? *next_a++ : *next_b++);
+      out.append(step.lo);
+      sum = step.hi;
+    }
+    out.append(sum);
+    return out;
+  }
+  friend Expansion operator-(const Expansion& a, const Expansion& b) { return a + -b; }
+
+  friend Expansion operator*(const Expansion& a, const Expansion& b) {
+    Expansion out;
+    for (const double factor : b.components_) out = out + a.times(factor);
+    return out;
+  }
+  friend Expansion operator/(const Expansion& a, const Expansion& b) {
+    return Expansion(a.estimate() / b.estimate());
+  }
+
+  Expansion& operator+=(const Expansion& b) { return *this = *this + b; }
+  Expansion& operator-=(const Expansion& b) { return *this = *this - b; }
+  Expansion& operator*=(const Expansion& b) { return *this = *this * b; }
+  Expansion& operator/=(const Expansion& b) { return *this = *this / b; }
+
+  friend bool operator<(const Expansion& a, const Expansion& b) { return (a - b).sign() < 0; }
+  friend bool operator==(const Expansion& a, const Expansion& b) { return (a - b).sign() == 0; }
+
+ private:
+  void append(double component) {
+    if (component != 0.0) components_.push_back(component);
+  }
+
+  [[nodiscard]] Expansion times(double factor) const {
+    Expansion out;
+    double carry = 0.0;
+    for (const double component : components_) {
+      const DoubleWord<double> product = exact_product(component, factor);
+      const DoubleWord<double> low = exact_sum(carry, product.lo);
+      const DoubleWord<double> high = exact_sum(product.hi, low.hi);
+      out.append(low.lo);
+      out.append(high.lo);
+      carry = high.hi;
+    }
+    out.append(carry);
+    return out;
+  }
+
+  std::vector<double> components_;
+};
+
+template <>
+struct ScalarTraits<Expansion> {
+  using Real = double;
+  static constexpr bool kExact = true;
+  template <class From>
+  [[nodiscard]] static Expansion from(const From& value) {
+    return Expansion(static_cast<double>(value));
+  }
+  [[nodiscard]] static bool is_finite(const Expansion&) { return true; }
+  [[nodiscard]] static Real root(const Expansion& a) { return std::sqrt(a.estimate()); }
+  [[nodiscard]] static Real root_below(const Expansion& a) { return root(a) * (1.0 - 0x1p-50); }
+  [[nodiscard]] static Real root_above(const Expansion& a) { return root(a) * (1.0 + 0x1p-50); }
+  [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
+};
+
+}  // namespace gjk
+
+template <>
+struct Eigen::NumTraits<gjk::Expansion> : Eigen::GenericNumTraits<gjk::Expansion> {
+  using Real = gjk::Expansion;
+  using NonInteger = gjk::Expansion;
+  using Nested = gjk::Expansion;
+  using Literal = gjk::Expansion;
+  // NOLINTBEGIN(readability-identifier-naming): the names are those that Eigen reads.
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 8,
+    AddCost = 100,
+    MulCost = 400
+  };
+  // NOLINTEND(readability-identifier-naming)
+};

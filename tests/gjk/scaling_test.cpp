@@ -1,0 +1,195 @@
+// No absolute length is hidden in the core: input times 2^k gives output times 2^k, bit for bit.
+
+#include <cstring>
+#include <string>
+
+#include "check.hpp"
+#include "families.hpp"
+
+namespace {
+
+using families::Family;
+using families::kFamilyCount;
+using families::kFamilyNames;
+using families::Pair;
+using gjk::Vec;
+
+constexpr std::uint64_t kSeed = 17;
+
+template <class S>
+S times_power(S value, int k) {
+  return std::ldexp(value, k);
+}
+template <class S>
+Vec<S, 2> times_power(const Vec<S, 2>& v, int k) {
+  return {std::ldexp(v[0], k), std::ldexp(v[1], k)};
+}
+template <class S>
+Pair<S> times_power(Pair<S> pair, int k) {
+  for (auto* points : {&pair.x, &pair.y}) {
+    for (Vec<S, 2>& vertex : *points) vertex = times_power(vertex, k);
+  }
+  pair.x_pose.translation = times_power(pair.x_pose.translation, k);
+  pair.y_pose.translation = times_power(pair.y_pose.translation, k);
+  return pair;
+}
+
+/// Zero, or in the range where every digit counts.
+template <class S>
+bool is_full(S value) {
+  return value == 0 || std::isnormal(value);
+}
+template <class S>
+bool is_full(const Vec<S, 2>& v) {
+  return is_full(v[0]) && is_full(v[1]);
+}
+template <class S>
+bool is_full(const Pair<S>& pair) {
+  const auto full = [](const Vec<S, 2>& v) { return is_full(v); };
+  return std::all_of(pair.x.begin(), pair.x.end(), full) &&
+         std::all_of(pair.y.begin(), pair.y.end(), full) && full(pair.x_pose.translation) &&
+         full(pair.y_pose.translation);
+}
+template <class S>
+bool is_full(const gjk::Result<S, 2>& a) {
+  return is_full(a.distance) && is_full(a.lower) && is_full(a.upper) && is_full(a.x) &&
+         is_full(a.y);
+}
+
+template <class S>
+gjk::Result<S, 2> times_power(gjk::Result<S, 2> result, int k) {
+  result.distance = times_power(result.distance, k);
+  result.lower = times_power(result.lower, k);
+  result.upper = times_power(result.upper, k);
+  result.x = times_power(result.x, k);
+  result.y = times_power(result.y, k);
+  return result;
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+template <class S>
+bool same_bits(const gjk::Result<S, 2>& a, const gjk::Result<S, 2>& b) {
+  return a.stop == b.stop && a.verdict == b.verdict && a.iterations == b.iterations &&
+         same_bits(a.distance, b.distance) && same_bits(a.lower, b.lower) &&
+         same_bits(a.upper, b.upper) && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
+         same_bits(a.simplex.weights, b.simplex.weights);
+}
+
+template <class S>
+double scale_of(const Pair<S>& pair) {
+  double scale = 0;
+  for (const Vec<S, 2>& x : pair.x) {
+    for (const Vec<S, 2>& y : pair.y) {
+      const Vec<S, 2> z = (pair.y_pose.rotated(y) - pair.x_pose.rotated(x)) +
+                          (pair.y_pose.translation - pair.x_pose.translation);
+      scale = std::max(scale, std::hypot(static_cast<double>(z[0]), static_cast<double>(z[1])));
+    }
+  }
+  return scale;
+}
+
+/// Pairs of each family, queries in S and runs in R: how many powers of two were tried.
+template <class R, class S>
+long check_bits(int pairs, int most, families::Representation representation) {
+  long compared = 0;
+  families::Source random(kSeed);
+  for (int i = 0; i < pairs * kFamilyCount; ++i) {
+    const auto family = static_cast<Family>(i % kFamilyCount);
+    const auto pair = random.pair<S>(family, representation);
+    const auto expected = families::run<R>(pair);
+    if (!is_full(pair)) continue;
+    for (int k = -most; k <= most; ++k) {
+      const Pair<S> scaled = times_power(pair, k);
+      const auto scaled_result = times_power(expected, k);
+      if (!is_full(scaled) || !is_full(scaled_result)) continue;
+      const check::Context context("seed", kSeed, "pair", i, kFamilyNames[i % kFamilyCount], "k", k,
+                                   "bytes", sizeof(S), sizeof(R));
+      const auto result = families::run<R>(scaled);
+      CHECK_EQ(gjk::Error::none, result.error);
+      CHECK_EQ(scaled_result.distance, result.distance);
+      CHECK_EQ(scaled_result.lower, result.lower);
+      CHECK_EQ(scaled_result.upper, result.upper);
+      CHECK(same_bits(scaled_result, result));
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+TEST(float_bits, "float queries times 2^-60 ... 2^60 give 2^k times the answer, bit for bit") {
+  constexpr auto kFloats = families::Representation::float_values;
+  CHECK(check_bits<float, float>(40, 60, kFloats) > 60000);
+  CHECK(check_bits<double, float>(40, 60, kFloats) > 60000);
+}
+
+TEST(double_bits, "double queries times 2^-400 ... 2^400 give 2^k times the answer, bit for bit") {
+  CHECK(check_bits<double, double>(20, 400, families::Representation::float_values) > 250000);
+  CHECK(check_bits<double, double>(20, 400, families::Representation::full_doubles) > 250000);
+}
+
+struct Beyond {
+  long answered = 0;
+  long refused = 0;
+};
+
+/// Down to the smallest numbers and up to the largest: an answer that is right, or an error.
+template <class R, class S>
+Beyond check_beyond(int pairs, int least, int most) {
+  Beyond counts;
+  families::Source random(kSeed);
+  for (int i = 0; i < pairs * kFamilyCount; ++i) {
+    const auto family = static_cast<Family>(i % kFamilyCount);
+    const auto pair = random.pair<S>(family);
+    const auto expected = families::run<R>(pair);
+    if (expected.error != gjk::Error::none) continue;
+    const double scale = scale_of(pair);
+    for (int k = least; k <= most; k += 1 + random.among(0, 6)) {
+      const Pair<S> scaled = times_power(pair, k);
+      const Pair<S> back = times_power(scaled, -k);
+      if (back.x != pair.x || back.y != pair.y ||
+          back.x_pose.translation != pair.x_pose.translation ||
+          back.y_pose.translation != pair.y_pose.translation) {
+        continue;  // another pair, rounded
+      }
+      const check::Context context("seed", kSeed, "pair", i, kFamilyNames[i % kFamilyCount], "k", k,
+                                   "bytes", sizeof(S), sizeof(R));
+      const auto result = families::run<R>(scaled);
+      if (result.error != gjk::Error::none) {
+        ++counts.refused;
+        continue;
+      }
+      ++counts.answered;
+      CHECK_EQ(expected.verdict, result.verdict);
+      const double unit = std::max(
+          static_cast<double>(gjk::ScalarTraits<R>::unit_roundoff()) * std::ldexp(scale, k),
+          static_cast<double>(std::numeric_limits<R>::denorm_min()));
+      CHECK_NEAR(std::ldexp(static_cast<double>(expected.distance), k),
+                 static_cast<double>(result.distance), 4 * unit);
+      CHECK(result.lower <= times_power(expected.upper, k));
+      CHECK(result.upper >= times_power(expected.lower, k));
+    }
+  }
+  return counts;
+}
+
+template <class R, class S>
+void check_ends(int pairs, int least, int most) {
+  const Beyond counts = check_beyond<R, S>(pairs, least, most);
+  std::printf("  2^%d ... 2^%d: %ld answered, %ld refused\n", least, most, counts.answered,
+              counts.refused);
+  CHECK(counts.answered > 1000);
+}
+
+TEST(beyond, "close to overflow and underflow the answer is right or an error") {
+  check_ends<float, float>(40, -149, -61);
+  check_ends<float, float>(40, 61, 130);
+  check_ends<double, float>(40, -149, -61);
+  check_ends<double, float>(40, 61, 130);
+  check_ends<double, double>(20, -1074, -401);
+  check_ends<double, double>(20, 401, 1026);
+}
+
+}  // namespace
