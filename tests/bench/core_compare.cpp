@@ -18,21 +18,28 @@ constexpr std::uint64_t kSeed = 20100309;
 /// A library and what share of its time the core in double may take.
 struct Rival {
   Library library;
-  double mean = HUGE_VAL;      ///< Geometric mean over the grid.
-  double worst = HUGE_VAL;     ///< In one cell.
-  std::vector<double> shares;  ///< As measured, cell by cell.
+  double mean = HUGE_VAL;           ///< Geometric mean over the grid.
+  double worst = HUGE_VAL;          ///< In one cell.
+  std::vector<double> shares = {};  ///< As measured, cell by cell.
 };
 
-std::vector<Rival> rivals() {
+/// The same work done otherwise by the core itself.
+std::vector<Rival> own_variants() {
+  return {{core_float_in_double()},
+          {core_float()},
+          {.library = core_uncertified(), .mean = 1.10},
+          {.library = core_stepping(), .mean = 1.02}};
+}
+
+std::vector<Rival> peers() {
   std::vector<Rival> out;
-  out.push_back({.library = core_float(), .shares = {}});
 #ifdef GJKSCOPE_BOX2D_2
-  out.push_back({.library = box2d_2(), .mean = 0.80, .shares = {}});
+  out.push_back({.library = box2d_2(), .mean = 0.80});
 #else
   fmt::print("Box2D 2.4 was not found when this was built.\n");
 #endif
 #ifdef GJKSCOPE_BOX2D_3
-  out.push_back({.library = box2d_3(), .mean = 0.75, .worst = 0.90, .shares = {}});
+  out.push_back({.library = box2d_3(), .mean = 0.75, .worst = 0.90});
 #else
   fmt::print("Box2D 3 was not found when this was built.\n");
 #endif
@@ -50,7 +57,7 @@ void time_cell(int vertices, const Spacing& spacing, std::size_t count, std::siz
   for (std::size_t i = 0; i < rivals.size(); ++i) {
     const Timing& timing = timings[i + 1];
     const Quartiles share = ratio(timings[0], timing);
-    fmt::print(" {:6.1f}: {:.3f} ({:.3f}-{:.3f}) |", quartiles(timing.ns).median, share.median,
+    fmt::print(" {:7.1f}: {:.2f} ({:.2f}-{:.2f}) |", quartiles(timing.ns).median, share.median,
                share.low, share.high);
     rivals[i].shares.push_back(share.median);
   }
@@ -74,15 +81,10 @@ void report(double measured, double wanted, const std::string& what) {
   }
 }
 
-void time_grid(std::size_t pairs, std::size_t repetitions) {
-  std::vector<Rival> against = rivals();
-  fmt::print(
-      "{} pairs a cell, {} interleaved repetitions, one thread. Median ns per query; after the\n"
-      "colon the share of that time that the core in double takes, with its quartiles over the\n"
-      "repetitions. A peer from a distribution is as that compiled it (Debian: -O2).\n\n",
-      pairs, repetitions);
-  fmt::print("| n | pairs     | double |");
-  for (const Rival& rival : against) fmt::print(" {:<28} |", rival.library.name);
+void time_grid(std::vector<Rival> against, std::size_t pairs, std::size_t repetitions) {
+  if (against.empty()) return;
+  fmt::print("\n| n | pairs     |     ns |");
+  for (const Rival& rival : against) fmt::print(" {:<25} |", rival.library.name);
   fmt::print("\n");
   for (const int vertices : kVertices) {
     for (const Spacing& spacing : kSpacings) {
@@ -94,10 +96,31 @@ void time_grid(std::size_t pairs, std::size_t repetitions) {
     double logarithms = 0.0;
     for (const double share : rival.shares) logarithms += std::log(share);
     report(std::exp(logarithms / static_cast<double>(rival.shares.size())), rival.mean,
-           "geometric mean of double / " + rival.library.name);
+           "geometric mean of gjkscope / " + rival.library.name);
     report(*std::max_element(rival.shares.begin(), rival.shares.end()), rival.worst,
-           "largest double / " + rival.library.name);
+           "largest gjkscope / " + rival.library.name);
   }
+}
+
+/// Convex polygons with many vertices against the same ones with two vertices swapped, in which the
+/// core has to look at all of them.
+void time_large(std::size_t repetitions) {
+  constexpr std::size_t kPairs = 64;
+  constexpr int kLarge = 1024;
+  const std::vector<Pair> ordered = PairSource(kSeed).pairs(kPairs, kLarge, kSpacings[0]);
+  std::vector<Pair> disordered = ordered;
+  for (Pair& pair : disordered) {
+    std::swap(pair.x[0], pair.x[1]);
+    std::swap(pair.y[0], pair.y[1]);
+  }
+  const std::vector<Timing> timings = interleave(
+      {core_double().prepare(ordered), core_double().prepare(disordered)}, kPairs, repetitions);
+  const Quartiles share = ratio(timings[0], timings[1]);
+  fmt::print("\n{} vertices: {:.0f} ns, by plain scan {:.0f} ns, ratio {:.3f} ({:.3f}-{:.3f})\n\n",
+             kLarge, quartiles(timings[0].ns).median, quartiles(timings[1].ns).median, share.median,
+             share.low, share.high);
+  report(share.median, 0.25, "gjkscope / plain scan");
+  report(std::abs(timings[0].sum - timings[1].sum), 0.0, "difference of the answers");
 }
 
 }  // namespace
@@ -109,6 +132,13 @@ int main(int argc, char** argv) {
   app.add_option("--pairs", pairs, "pairs a cell")->check(CLI::PositiveNumber);
   app.add_option("--repetitions", repetitions, "repetitions of a cell")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
-  time_grid(pairs, repetitions);
+  fmt::print(
+      "{} pairs a cell, {} interleaved repetitions, one thread. Median ns per query; after the\n"
+      "colon the share of that time that the core in double takes, with its quartiles over the\n"
+      "repetitions. A peer from a distribution is as that compiled it (Debian: -O2).\n",
+      pairs, repetitions);
+  time_grid(peers(), pairs, repetitions);
+  time_grid(own_variants(), pairs, repetitions);
+  time_large(repetitions);
   return 0;
 }

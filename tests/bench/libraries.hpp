@@ -25,9 +25,11 @@ struct Library {
   Contestant (*prepare)(std::span<const Pair> pairs) = nullptr;
 };
 
-/// The core, in double, and in float throughout.
 [[nodiscard]] Library core_double();
+[[nodiscard]] Library core_float_in_double();
 [[nodiscard]] Library core_float();
+[[nodiscard]] Library core_uncertified();
+[[nodiscard]] Library core_stepping();
 
 // Those that were found when this was built; see peers.cmake.
 [[nodiscard]] Library box2d_2();
@@ -37,7 +39,7 @@ struct Library {
 [[nodiscard]] Library fcl_libccd();
 [[nodiscard]] Library bullet();
 
-/// All of the above that there are, the core's first.
+/// The core in double and in float, and the peers that were found.
 [[nodiscard]] std::vector<Library> libraries();
 
 }  // namespace bench
