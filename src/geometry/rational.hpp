@@ -48,12 +48,24 @@ struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
 template <>
 struct gjk::ScalarTraits<mpq_class> {
   using Real = double;
+  static constexpr bool kExact = true;
+  template <class From>
+  [[nodiscard]] static mpq_class from(const From& value) {
+    if constexpr (std::is_same_v<From, mpq_class>) {
+      return value;
+    } else {
+      return mpq_class(static_cast<double>(value));
+    }
+  }
   [[nodiscard]] static bool is_finite(const mpq_class&) { return true; }
   [[nodiscard]] static Real root(const mpq_class& a) { return gjkscope::root_nearest(a); }
   [[nodiscard]] static Real root_below(const mpq_class& a) { return gjkscope::root_down(a); }
   [[nodiscard]] static Real root_above(const mpq_class& a) { return gjkscope::root_up(a); }
+  [[nodiscard]] static mpq_class scaled(const mpq_class& a, int exponent) {
+    mpq_class out = a;
+    if (exponent > 0) mpq_mul_2exp(out.get_mpq_t(), a.get_mpq_t(), exponent);
+    if (exponent < 0) mpq_div_2exp(out.get_mpq_t(), a.get_mpq_t(), -exponent);
+    return out;
+  }
   [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
-  [[nodiscard]] static mpq_class unit_roundoff() { return 0; }
-  [[nodiscard]] static mpq_class smallest() { return 0; }
-  [[nodiscard]] static bool loses_products(const mpq_class&) { return false; }
 };

@@ -4,8 +4,7 @@
 #include <array>
 
 #include "gjk/expansion.hpp"
-#include "gjk/prepare.hpp"
-#include "gjk/state.hpp"
+#include "gjk/support.hpp"
 
 namespace gjk {
 
@@ -47,52 +46,86 @@ template <class R>
   return value.hi;
 }
 
-/// Distance of O from the feature (vertex, or line through an edge) of Z that the simplex names, in
-/// the run's unit, from the vertices themselves: nothing rounds before the last few operations when
-/// N is exact, and little when it is a DoubleWord.
+/// A vertex of Z from the vertices themselves, in the run's unit. Nothing rounds when N is exact,
+/// and little when it is a DoubleWord.
+template <class N, class R, class S>
+[[nodiscard]] std::array<N, 2> careful_vertex(const Query<S, 2>& query,
+                                              const Prepared<R, 2>& prepared, VertexPair pair) {
+  const Vec<R, 2> x = converted<R, S, 2>(query.x.vertices[pair.x]);
+  const Vec<R, 2> y = converted<R, S, 2>(query.y.vertices[pair.y]);
+  if (!prepared.in_world) return careful_difference<N>(query, x, y, prepared.unit);
+  const Vec<R, 2> scaled_x = x * prepared.unit;
+  const Vec<R, 2> scaled_y = y * prepared.unit;
+  return {N{scaled_y[0]} - N{scaled_x[0]}, N{scaled_y[1]} - N{scaled_x[1]}};
+}
+
+/// Distance of O from the feature of Z, vertex or line through an edge, that the simplex names, in
+/// the run's unit: nothing rounds before the last few operations when N is exact, and little when it
+/// is a DoubleWord. Negative when O lies on that side of the edge to which perpendicular(edge)
+/// points.
 template <class N, class R, class S>
 [[nodiscard]] R careful_distance(const Query<S, 2>& query, const Prepared<R, 2>& prepared,
                                  const Simplex<R, 2>& simplex) {
-  const auto vertex = [&](int i) {
-    const VertexPair pair = simplex.vertices[i].pair;
-    const Vec<R, 2> x = converted<R, S, 2>(query.x.vertices[pair.x]);
-    const Vec<R, 2> y = converted<R, S, 2>(query.y.vertices[pair.y]);
-    if (!prepared.in_world) return careful_difference<N>(query, x, y, prepared.unit);
-    const Vec<R, 2> scaled_x = x * prepared.unit;
-    const Vec<R, 2> scaled_y = y * prepared.unit;
-    return std::array<N, 2>{N{scaled_y[0]} - N{scaled_x[0]}, N{scaled_y[1]} - N{scaled_x[1]}};
-  };
   const auto size = [](const N& x, const N& y) {
     return length(Vec<R, 2>(R(rounded(x)), R(rounded(y))));
   };
-  const std::array<N, 2> a = vertex(0);
+  const std::array<N, 2> a = careful_vertex<N>(query, prepared, simplex.vertices[0].pair);
   if (simplex.count == 1) return size(a[0], a[1]);
-  const std::array<N, 2> b = vertex(1);
+  const std::array<N, 2> b = careful_vertex<N>(query, prepared, simplex.vertices[1].pair);
   const N edge_x = b[0] - a[0];
   const N edge_y = b[1] - a[1];
-  const R cross = R(rounded(a[0] * edge_y - a[1] * edge_x));
-  return (cross < R(0) ? R(-cross) : cross) / size(edge_x, edge_y);
+  return R(rounded(a[0] * edge_y - a[1] * edge_x)) / size(edge_x, edge_y);
 }
 
-/// Witness points, in the world, from the pairs and weights of a simplex.
+/// The weights put P at O, but for the least that rounding can do.
+template <class R, int D>
+[[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
+  const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
+  return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+}
+
+/// Weights of a simplex around O, with about twice the digits: in a thin one the run's own put P
+/// visibly beside O.
+template <class R, class S>
+void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
+                         const Prepared<R, 2>& prepared) {
+  std::array<std::array<DoubleWord<R>, 2>, 3> w;
+  for (int i = 0; i < 3; ++i) {
+    w[i] = careful_vertex<DoubleWord<R>>(query, prepared, simplex.vertices[i].pair);
+  }
+  R sum(0);
+  for (int i = 0; i < 3; ++i) {
+    const auto& b = w[(i + 1) % 3];
+    const auto& c = w[(i + 2) % 3];
+    simplex.weights[i] = magnitude(rounded(b[0] * c[1] - b[1] * c[0]));
+    sum = sum + simplex.weights[i];
+  }
+  for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
+}
+
+/// Witness points, in the world, from the pairs and weights of a simplex. Only the last addition
+/// rounds more than the size of the shapes calls for.
 template <class R, class S, int D>
 void set_witness_points(Result<R, D>& out, const Query<S, D>& query) {
-  const auto world = [](const Shape<S, D>& shape, int i) {
-    const Vec<R, D> turned =
-        shape.pose.template rotated<R>(converted<R, S, D>(shape.vertices[i]));
-    return Vec<R, D>(turned + converted<R, S, D>(shape.pose.translation));
-  };
   const Simplex<R, D>& simplex = out.simplex;
-  out.x = world(query.x, simplex.vertices[0].pair.x);
-  out.y = world(query.y, simplex.vertices[0].pair.y);
-  const Vec<R, D> first_x = out.x;
-  const Vec<R, D> first_y = out.y;
-  for (int i = 1; i < simplex.count; ++i) {
-    const Vec<R, D> x = world(query.x, simplex.vertices[i].pair.x);
-    const Vec<R, D> y = world(query.y, simplex.vertices[i].pair.y);
-    out.x = out.x + Vec<R, D>((x - first_x) * simplex.weights[i]);
-    out.y = out.y + Vec<R, D>((y - first_y) * simplex.weights[i]);
-  }
+  R sum(0);
+  for (int i = 0; i < simplex.count; ++i) sum = sum + simplex.weights[i];
+  const auto point = [&](const Shape<S, D>& shape, auto index) {
+    const auto vertex = [&](int i) {
+      return converted<R, S, D>(shape.vertices[index(simplex.vertices[i].pair)]);
+    };
+    const Vec<R, D> first = vertex(0);
+    Vec<R, D> from_first = Vec<R, D>::Zero();
+    for (int i = 1; i < simplex.count; ++i) {
+      from_first = from_first + Vec<R, D>((vertex(i) - first) * R(simplex.weights[i] / sum));
+    }
+    const Pose<S, D>& pose = shape.pose;
+    if (pose.is_identity()) return Vec<R, D>(first + from_first);
+    return Vec<R, D>(pose.template rotated<R>(Vec<R, D>(first + from_first)) +
+                     converted<R, S, D>(pose.translation));
+  };
+  out.x = point(query.x, [](VertexPair pair) { return pair.x; });
+  out.y = point(query.y, [](VertexPair pair) { return pair.y; });
 }
 
 /// True when every weight of the full simplex around O is positive beyond doubt: a determinant of
@@ -115,37 +148,89 @@ struct Bounds {
   R lower = R(0);
   R distance = R(0);
   R upper = R(0);
+  bool tight = false;  ///< As close as rounding lets them be. Else rounding led the run astray.
 };
 
-/// Distance of O from the best simplex of the run, which has fewer than D+1 vertices, and a bound
-/// that it certainly does not exceed.
+/// How many vertices may lie as far along a direction as vertices `i` and `j`, for all that rounding
+/// lets one know.
 template <class R, class S, int D>
-void bound_from_above(const State<R, D>& state, const Query<S, D>& query,
-                      const Prepared<R, D>& prepared, Bounds<R>& out) {
+[[nodiscard]] int count_as_far(const Along<R, S, D>& along, int i, int j, const R& error) {
+  const R certainly_nearer = std::min(along(i), along(j)) - error;
+  int count = 0;
+  for (std::size_t k = 0; k < along.vertices.size(); ++k) {
+    count += along(k) < certainly_nearer ? 0 : 1;
+  }
+  return count;
+}
+
+/// True when certainly no vertex of Z but those of the simplex lies as far along d, which is in
+/// doubt by `angle`.
+template <class R, class S>
+[[nodiscard]] bool is_certainly_farthest(const Simplex<R, 2>& simplex, const Vec<R, 2>& d,
+                                         const R& angle, const Query<S, 2>& query,
+                                         const Prepared<R, 2>& prepared) {
+  const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.reach);
+  const VertexPair first = simplex.vertices[0].pair;
+  const VertexPair last = simplex.vertices[simplex.count - 1].pair;
+  return count_as_far(along_x(query, prepared, d), first.x, last.x, error) *
+             count_as_far(along_y(query, prepared, d), first.y, last.y, error) ==
+         simplex.count;
+}
+
+/// Bounds from P, when it is a vertex of Z or lies between two, and from the best support plane.
+///
+/// Far from O the numbers of the run do. The nearer P is, the more of its distance is the rounding
+/// of vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
+/// vertices that P lies between may be the wrong ones, unless all others are certainly farther.
+template <class R, class S>
+[[nodiscard]] Bounds<R> bounds_outside(const State<R, 2>& state, const Query<S, 2>& query,
+                                       const Prepared<R, 2>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
-  const R error = prepared.vertex_error + R(D == 2 ? 4 : 8 * D) * u * prepared.reach;
-  out.distance = ScalarTraits<R>::root(state.best_sq);
+  const Simplex<R, 2>& simplex = state.best;
+  const Vec<R, 2>& a = simplex.vertices[0].w;
+  const Vec<R, 2>& b = simplex.vertices[1].w;
+  const bool on_edge = simplex.count == 2;
+  const Vec<R, 2> edge = b - a;
+  const R edge_length = on_edge ? length(edge) : R(0);
+  const R size = on_edge ? std::max(length(a), length(b)) : length(a);
+  const R vertex_error = prepared.vertex_error + u * size;
+
+  Bounds<R> out;
+  R to_line = on_edge ? R(determinant<R, 2>({a, edge}) / edge_length) : size;
+  R error = prepared.vertex_error + R(4) * u * magnitude(to_line);
+  if (on_edge) error = error + u * (size + R(3) * std::min(length(a), length(b)));
+  const R plane_error = detail::plane_error(state, prepared);
+  out.lower = std::max(R(ScalarTraits<R>::root(state.plane_distance_sq) - plane_error), R(0));
+
+  const bool near = R(4096) * magnitude(to_line) < prepared.reach;
+  // No less than some vertex of Z is away: the reach is that of a box around Z.
+  const R scale = std::max(size, R(prepared.reach * R(prepared.in_world ? 0.7 : 0.5)));
+  const R allowed = R(14) * u * scale;
+  const bool wide = allowed < plane_error + error;
+  if (near || wide || (prepared.in_world && R(16) * magnitude(to_line) < prepared.reach)) {
+    to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);
+    error = R(4) * u * magnitude(to_line) + prepared.careful_error;
+  }
+  out.distance = magnitude(to_line);
   out.upper = out.distance + error;
-  if constexpr (D == 2) {
-    const Simplex<R, 2>& simplex = state.best;
-    const bool on_edge = simplex.count == 2;
-    const Vec<R, 2>& a = simplex.vertices[0].w;
-    const Vec<R, 2> edge = simplex.vertices[1].w - a;
-    const R edge_length = on_edge ? length(edge) : R(0);
-    if (on_edge) out.distance = magnitude(determinant<R, 2>({a, edge})) / edge_length;
-    out.upper = out.distance + error;
-    // Near O the rounding of the vertices would be most of the answer.
-    if (R(prepared.in_world ? 16 : 4096) * out.distance < prepared.reach) {
-      out.distance = careful_distance<DoubleWord<R>>(query, prepared, simplex);
-      out.upper = out.distance * (R(1) + R(8) * u) + prepared.careful_error;
-    }
-    if (on_edge) {
-      // P, where the line through the edge is nearest to O, may lie beyond an end by this much.
-      const R doubt = error + prepared.vertex_error * R(out.distance / edge_length);
-      const R to_end = edge_length * std::min(simplex.weights[0], simplex.weights[1]);
-      if (to_end < doubt) out.upper = length(Vec<R, 2>(out.upper, std::min(doubt, edge_length)));
+  const R angle = R(2) * u + R(2) * vertex_error / (on_edge ? edge_length : size);
+  if (on_edge) {
+    // The foot of the perpendicular from O may lie beyond an end of the edge by this much.
+    const R beyond = vertex_error + R(4) * u * size + angle * out.distance;
+    const R to_end = edge_length * std::min(simplex.weights[0], simplex.weights[1]);
+    if (to_end < beyond) out.upper = length(Vec<R, 2>(out.upper, std::min(beyond, edge_length)));
+  }
+  if (near || wide) {
+    const Vec<R, 2> normal = perpendicular<R, 2>({edge});
+    const Vec<R, 2> d = !on_edge ? Vec<R, 2>(-a) : R(0) < to_line ? Vec<R, 2>(-normal) : normal;
+    if (is_certainly_farthest(simplex, d, angle, query, prepared)) {
+      out.lower = std::max(R(out.distance - error), R(0));
     }
   }
+  out.distance = std::max(out.distance, out.lower);
+  out.upper = std::max(out.distance, out.upper);
+  out.tight = out.upper - out.lower <= (near ? R(R(4) * error) : allowed);
+  return out;
 }
 
 /// The certificate of a floating-point run.
@@ -153,16 +238,22 @@ template <class R, class S, int D>
 [[nodiscard]] Bounds<R> bounds(const State<R, D>& state, const Query<S, D>& query,
                                const Prepared<R, D>& prepared) {
   Bounds<R> out;
-  if (state.best.count <= D) {
-    bound_from_above(state, query, prepared, out);
-  } else if (!surely_inside(state.best, prepared)) {
-    out.upper = prepared.vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
+  const R error = prepared.vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
+  if (state.best.count == D + 1) {
+    out.tight = true;
+    if (!surely_inside(state.best, prepared)) out.upper = error;
+    return out;
   }
-  const R plane = ScalarTraits<R>::root_below(state.plane_distance_sq) - prepared.plane_error;
-  out.lower = std::max(plane, R(0));
-  out.distance = std::max(out.distance, out.lower);
-  out.upper = std::max(out.distance, out.upper);
-  return out;
+  if constexpr (D == 2) {
+    return bounds_outside(state, query, prepared);
+  } else {
+    out.lower = ScalarTraits<R>::root(state.plane_distance_sq) - plane_error(state, prepared);
+    out.lower = std::max(out.lower, R(0));
+    out.distance = std::max(out.lower, ScalarTraits<R>::root(state.best_sq));
+    out.upper = out.distance + error;
+    out.tight = true;
+    return out;
+  }
 }
 
 }  // namespace detail

@@ -25,6 +25,12 @@ class Expansion {
     for (const double component : components_) sum += component;
     return sum;
   }
+  /// This * 2^exponent.
+  [[nodiscard]] Expansion scaled(int exponent) const {
+    Expansion out = *this;
+    for (double& component : out.components_) component = std::ldexp(component, exponent);
+    return out;
+  }
   /// -1, 0 or 1: the largest component decides.
   [[nodiscard]] int sign() const {
     if (components_.empty()) return 0;
@@ -107,6 +113,9 @@ struct ScalarTraits<Expansion> {
   [[nodiscard]] static Real root(const Expansion& a) { return std::sqrt(a.estimate()); }
   [[nodiscard]] static Real root_below(const Expansion& a) { return root(a) * (1.0 - 0x1p-50); }
   [[nodiscard]] static Real root_above(const Expansion& a) { return root(a) * (1.0 + 0x1p-50); }
+  [[nodiscard]] static Expansion scaled(const Expansion& a, int exponent) {
+    return exponent == 0 ? a : a.scaled(exponent);
+  }
   [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
 };
 

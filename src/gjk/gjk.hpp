@@ -45,14 +45,14 @@ struct Trace {
 namespace detail {
 
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> centre(const Shape<S, D>& shape, const R& unit) {
+[[nodiscard]] Vec<R, D> centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared) {
   Vec<R, D> sum = Vec<R, D>::Zero();
   for (const Vec<S, D>& vertex : shape.vertices) {
-    sum = sum + Vec<R, D>(converted<R, S, D>(vertex) * unit);
+    sum = sum + prepared.in_unit(converted<R, S, D>(vertex));
   }
   const R count = ScalarTraits<R>::from(static_cast<double>(shape.vertices.size()));
   return shape.pose.template rotated<R>(Vec<R, D>(sum / count)) +
-         converted<R, S, D>(shape.pose.translation) * unit;
+         prepared.in_unit(converted<R, S, D>(shape.pose.translation));
 }
 
 }  // namespace detail
@@ -70,7 +70,7 @@ template <class R, class S, int D>
   }
   if (options.start_rule == StartRule::centre_to_centre) {
     State<R, D> probe;
-    probe.d = detail::centre(query.x, prepared.unit) - detail::centre(query.y, prepared.unit);
+    probe.d = detail::centre(query.x, prepared) - detail::centre(query.y, prepared);
     NoRecord none;
     detail::find_support(probe, query, prepared, none);
     state.simplex.vertices[0] = probe.support;
@@ -182,10 +182,9 @@ void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R
   using Traits = ScalarTraits<R>;
   Prepared<Expansion, 2> exact;
   exact.exponent = prepared.exponent;
-  exact.unit = Expansion(static_cast<double>(prepared.unit));
   exact.in_world = prepared.in_world;
-  exact.offset = converted<Expansion, S, 2>(query.y.pose.translation) * exact.unit -
-                 converted<Expansion, S, 2>(query.x.pose.translation) * exact.unit;
+  exact.offset = exact.in_unit(converted<Expansion, S, 2>(query.y.pose.translation)) -
+                 exact.in_unit(converted<Expansion, S, 2>(query.x.pose.translation));
   Options options;
   options.start_count = state.best.count;
   for (int i = 0; i < options.start_count; ++i) options.start[i] = state.best.vertices[i].pair;
@@ -204,20 +203,11 @@ void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R
     out.verdict = touches(end, query, exact) ? Verdict::touching : Verdict::overlapping;
   } else {
     out.verdict = Verdict::separated;
-    bounds.distance = careful_distance<Expansion>(query, prepared, out.simplex);
-    const R few = R(8) * Traits::unit_roundoff();
+    bounds.distance = magnitude(careful_distance<Expansion>(query, prepared, out.simplex));
+    const R few = R(5) * Traits::unit_roundoff();
     bounds.lower = bounds.distance * (R(1) - few);
     bounds.upper = bounds.distance * (R(1) + few);
   }
-}
-
-/// True when the bounds are as close as rounding lets them be. Wider ones mean that rounding led
-/// the run astray.
-template <class R, int D>
-[[nodiscard]] bool are_tight(const Bounds<R>& bounds, const Prepared<R, D>& prepared) {
-  const R u = ScalarTraits<R>::unit_roundoff();
-  const R rounding = R(8) * u * prepared.reach + R(16) * u * bounds.distance;
-  return bounds.upper - bounds.lower <= prepared.plane_error + prepared.vertex_error + rounding;
 }
 
 /// a * 2^exponent, on the wanted side where that is denormal and rounds.
@@ -273,11 +263,14 @@ template <class R, class S, int D>
     }
     if constexpr (D == 2 && std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
       const bool proved = out.verdict != Verdict::undecided;
-      const bool wide = options.tolerance == 0.0 && !detail::are_tight(bounds, prepared);
+      const bool wide = options.tolerance == 0.0 && !bounds.tight;
       const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
       if (options.certify && ended && (!proved || wide) &&
           detail::has_exact_products(query, prepared)) {
         detail::settle(state, query, prepared, out, bounds);
+      }
+      if (out.simplex.count == 3 && !out.settled && !detail::is_at_origin(out.simplex, prepared)) {
+        detail::set_careful_weights(out.simplex, query, prepared);
       }
     }
     out.distance = Traits::scaled(bounds.distance, prepared.exponent);

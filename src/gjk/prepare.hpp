@@ -17,7 +17,7 @@ struct Prepared {
   /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
   /// overflow or underflow.
   int exponent = 0;
-  R unit = R(1);  ///< 2^-exponent
+  R unit = R(1);  ///< 2^-exponent, for scalars that round.
 
   /// Both poses are the identity: differences of vertices round once.
   bool in_world = false;
@@ -26,14 +26,25 @@ struct Prepared {
   /// From the centre of X to that of Y, in the world, in the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
 
+  /// A vector in the run's unit.
+  [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
+    if constexpr (ScalarTraits<R>::kExact) {
+      Vec<R, D> out;
+      for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::scaled(a[i], -exponent);
+      return out;
+    } else {
+      return a * unit;
+    }
+  }
+
   /// No point of Z is farther from O, in the run's unit.
   R reach = R(0);
-  /// Bounds of what rounding can do to a vertex of Z, and to the distance of a support plane, the
-  /// wrong choices of scans included. From one analysis of every operation; tests/geometry checks
-  /// them against exact answers. 0 for exact scalars.
-  R vertex_error = R(0);
-  R plane_error = R(0);
-  R careful_error = R(0);  ///< Of a length computed with about twice the digits.
+  /// Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
+  /// against exact answers. 0 for exact scalars.
+  R vertex_error = R(0);   ///< To a vertex w of Z, apart from u |w|.
+  R scan_error = R(0);     ///< To the choice of a support point: how much farther along d / |d| the
+                           ///< true one may lie.
+  R careful_error = R(0);  ///< To a length computed with about twice the digits.
 };
 
 namespace detail {
@@ -75,7 +86,7 @@ template <class N, class R, class S, int D>
   return out;
 }
 
-/// A box around the box of half size `half` when `pose` turns it.
+/// Half the size of a box around a box of half size `half` that `pose` turns.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> turned_box(const Pose<S, D>& pose, const Vec<R, D>& half) {
   Vec<R, D> out = Vec<R, D>::Zero();
@@ -86,6 +97,22 @@ template <class R, class S, int D>
     }
   }
   return out;
+}
+
+/// How much longer than a vector its image under `pose` can be: 1 for a rotation.
+template <class R, class S, int D>
+[[nodiscard]] R stretch(const Pose<S, D>& pose) {
+  R most(1);
+  if (!pose.is_turned()) return most;
+  for (int i = 0; i < D; ++i) {
+    R row(0);
+    for (int k = 0; k < D; ++k) {
+      row = row + magnitude(dot<R, D>(converted<R, S, D>(pose.rotation.col(i)),
+                                      converted<R, S, D>(pose.rotation.col(k))));
+    }
+    most = std::max(most, ScalarTraits<R>::root(row));
+  }
+  return most;
 }
 
 /// Fills in what is measured in the run's unit of length. Gives the largest coordinate that a point
@@ -102,35 +129,36 @@ R measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
     prepared.offset = converted<R, S, D>(query.y.pose.translation) * unit -
                       converted<R, S, D>(query.x.pose.translation) * unit;
   }
-  const auto box = [&](const Shape<S, D>& shape, const Vec<S, D>& half) {
-    return turned_box<R>(shape.pose, Vec<R, D>(converted<R, S, D>(half) * unit));
+  Vec<R, D> middle = prepared.offset;
+  Vec<R, D> half = Vec<R, D>::Zero();
+  const auto add_box = [&](const Shape<S, D>& shape, const Vec<R, D>& centre, R sign) {
+    const Vec<R, D> low = converted<R, S, D>(shape.vertices.low()) - centre;
+    const Vec<R, D> high = converted<R, S, D>(shape.vertices.high()) - centre;
+    const R in_unit = unit / R(2);
+    middle = middle + shape.pose.template rotated<R>((low + high) * R(sign * in_unit));
+    half = half + turned_box<R>(shape.pose, Vec<R, D>((high - low) * in_unit));
   };
-  const auto middle = [&](const Shape<S, D>& shape) {
-    const Vec<S, D> local = shape.vertices.middle() - shape.vertices.centre();
-    return shape.pose.template rotated<R>(converted<R, S, D>(local) * unit);
-  };
-  const Points<S, D>& x = query.x.vertices;
-  const Points<S, D>& y = query.y.vertices;
-  const Vec<R, D> w = (prepared.offset + (middle(query.y) - middle(query.x))).cwiseAbs() +
-                      box(query.x, x.half_size()) + box(query.y, y.half_size());
+  add_box(query.x, prepared.x_centre, R(-1));
+  add_box(query.y, prepared.y_centre, R(1));
+  const Vec<R, D> w = middle.cwiseAbs() + half;
   prepared.reach = length(w);
 
-  // Each term: how many roundings, times what they are relative to. In the world a vertex of Z is a
-  // single difference; else both vertices are centred and turned (1 + D roundings each),
-  // subtracted, and moved by the offset.
-  const Vec<R, D> extents = box(query.x, x.extent()) + box(query.y, y.extent());
+  // How many roundings, times what they are relative to. In the world a vertex of Z is a single
+  // difference; else both vertices are centred and turned, subtracted, and moved by the offset. A
+  // scan compares two dot products of a direction that was turned with vertices that were centred.
+  // Turning a vector of length r rounds by at most (1 + sqrt(D)) u r.
   const R u = ScalarTraits<R>::unit_roundoff();
-  const R moved = R(centred ? 1 : 0);
-  const Vec<R, D> vertex_error =
-      prepared.in_world
-          ? w
-          : Vec<R, D>(extents * R(R(D + 1) + moved) + prepared.offset.cwiseAbs() + w);
-  // A plane: the error of its support point, that of dot(d, w), and twice that of each dot product
-  // that the scans compare, in which d is turned and the vertex is centred.
-  const R scan = R(2) * (moved + R(prepared.in_world ? D : 2 * D));
-  const Vec<R, D> plane_error = vertex_error + w * R(D) + extents * scan;
-  prepared.vertex_error = u * length(vertex_error);
-  prepared.plane_error = u * length(plane_error);
+  R vertex_error = length(prepared.offset);
+  R scan_error(0);
+  for (const Shape<S, D>* shape : {&query.x, &query.y}) {
+    const R radius = ScalarTraits<R>::from(shape->vertices.radius()) * unit * stretch<R>(shape->pose);
+    const R moved = R((is_zero(shape->vertices.centre()) ? 0.0 : 1.0) +
+                      (shape->pose.is_turned() ? (D == 2 ? 2.5 : 2.8) : 0.0));
+    vertex_error = vertex_error + radius * R(R(1) + moved);
+    scan_error = scan_error + radius * R(R(2 * D) + R(2) * moved);
+  }
+  prepared.vertex_error = prepared.in_world ? R(0) : R(u * vertex_error);
+  prepared.scan_error = u * scan_error;
   prepared.careful_error = R(64) * u * u * prepared.reach;
   if (centred) {
     const R far = length(query.x.pose.template rotated<R>(prepared.x_centre * unit)) +

@@ -1,6 +1,7 @@
 #pragma once
 // What is asked: two convex shapes, where they stand, and how the run shall decide.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -36,9 +37,10 @@ struct Pose {
     }
     return local;
   }
-  [[nodiscard]] bool is_identity() const {
-    return rotation == Eigen::Matrix<S, D, D>::Identity() && gjk::is_zero(translation);
+  [[nodiscard]] bool is_turned() const {
+    return rotation != Eigen::Matrix<S, D, D>::Identity();
   }
+  [[nodiscard]] bool is_identity() const { return !is_turned() && gjk::is_zero(translation); }
 };
 
 /// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
@@ -66,14 +68,14 @@ class Points {
 
   /// No coordinate is a NaN or an infinity.
   [[nodiscard]] bool is_finite() const { return finite_; }
-  /// Of the bounding box: its middle, and half its size.
-  [[nodiscard]] const Vec<S, D>& middle() const { return middle_; }
-  [[nodiscard]] const Vec<S, D>& half_size() const { return half_size_; }
+  /// Corners of the bounding box.
+  [[nodiscard]] const Vec<S, D>& low() const { return low_; }
+  [[nodiscard]] const Vec<S, D>& high() const { return high_; }
   /// The point that the points are measured from: their own origin, or the middle when they lie
   /// around neither, so that rounding follows their size and not their place.
   [[nodiscard]] const Vec<S, D>& centre() const { return centre_; }
-  /// Largest magnitude of each coordinate, measured from `centre`.
-  [[nodiscard]] const Vec<S, D>& extent() const { return extent_; }
+  /// Distance from `centre` to the farthest point, up to a rounding or two.
+  [[nodiscard]] const S& radius() const { return radius_; }
   /// The points are the corners of a convex polygon, in order, none on the line through its
   /// neighbours. Looked for in the plane, from kRingFrom points on.
   [[nodiscard]] bool is_ring() const { return ring_; }
@@ -83,18 +85,29 @@ class Points {
  private:
   void measure() {
     if (points_.empty()) return;
-    Vec<S, D> low = points_[0];
-    Vec<S, D> high = points_[0];
+    low_ = points_[0];
+    high_ = points_[0];
     for (const Vec<S, D>& point : points_) {
       finite_ = finite_ && gjk::is_finite(point);
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
+      low_ = low_.cwiseMin(point);
+      high_ = high_.cwiseMax(point);
     }
-    middle_ = low / S(2) + high / S(2);
-    half_size_ = (high - middle_).cwiseMax(middle_ - low);
-    const bool far = norm_max(half_size_) < norm_max(middle_);
-    centre_ = far ? middle_ : Vec<S, D>(Vec<S, D>::Zero());
-    extent_ = far ? half_size_ : Vec<S, D>(high.cwiseMax(-low));
+    const Vec<S, D> middle = low_ / S(2) + high_ / S(2);
+    if (norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle)) centre_ = middle;
+    const S size =
+        std::max(norm_max(Vec<S, D>(high_ - centre_)), norm_max(Vec<S, D>(low_ - centre_)));
+    if (!finite_ || !(S(0) < size) || !ScalarTraits<S>::is_finite(size)) return;
+    // In a unit of length in which no square overflows, and none that matters underflows.
+    const int exponent = ScalarTraits<S>::exponent(size);
+    S radius_sq(0);
+    for (const Vec<S, D>& point : points_) {
+      Vec<S, D> scaled;
+      for (int i = 0; i < D; ++i) {
+        scaled[i] = ScalarTraits<S>::scaled(S(point[i] - centre_[i]), -exponent);
+      }
+      radius_sq = std::max(radius_sq, dot(scaled, scaled));
+    }
+    radius_ = ScalarTraits<S>::scaled(ScalarTraits<S>::root(radius_sq), exponent);
   }
 
   /// All turns go the same way beyond rounding, and the edges go round once.
@@ -120,10 +133,10 @@ class Points {
   }
 
   std::span<const Vec<S, D>> points_;
-  Vec<S, D> middle_ = Vec<S, D>::Zero();
-  Vec<S, D> half_size_ = Vec<S, D>::Zero();
+  Vec<S, D> low_ = Vec<S, D>::Zero();
+  Vec<S, D> high_ = Vec<S, D>::Zero();
   Vec<S, D> centre_ = Vec<S, D>::Zero();
-  Vec<S, D> extent_ = Vec<S, D>::Zero();
+  S radius_ = S(0);
   bool finite_ = true;
   bool ring_ = false;
 };

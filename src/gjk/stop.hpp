@@ -1,8 +1,7 @@
 #pragma once
 // Phases "stop" and "add".
 
-#include "gjk/prepare.hpp"
-#include "gjk/state.hpp"
+#include "gjk/support.hpp"
 
 namespace gjk::detail {
 
@@ -14,8 +13,10 @@ template <class S, int D>
   if constexpr (ScalarTraits<S>::kExact) {
     return keep * keep * state.best_sq;
   } else {
-    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.vertex_error;
-    const S wanted = keep * upper + prepared.plane_error;
+    const S u = ScalarTraits<S>::unit_roundoff();
+    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.vertex_error +
+                    S(8 * D) * u * prepared.reach;
+    const S wanted = keep * upper + plane_error(state, prepared);
     return wanted * wanted;
   }
 }

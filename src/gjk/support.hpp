@@ -14,13 +14,38 @@ namespace detail {
 template <class R, class S, int D>
 struct Along {
   const Points<S, D>& vertices;
+  const Prepared<R, D>& prepared;
   const Vec<R, D>& centre;
   Vec<R, D> d;
 
+  /// `d` is in the run's unit, vertices are not. The direction makes up for it where a factor more or
+  /// less on each vertex would cost time.
+  Along(const Shape<S, D>& shape, const Prepared<R, D>& query_prepared,
+        const Vec<R, D>& shape_centre, const Vec<R, D>& world)
+      : vertices(shape.vertices),
+        prepared(query_prepared),
+        centre(shape_centre),
+        d(shape.pose.template direction_to_local<R>(
+            ScalarTraits<R>::kExact ? world : query_prepared.in_unit(world))) {}
+
   [[nodiscard]] R operator()(std::size_t i) const {
-    return dot<R, D>(d, converted<R, S, D>(vertices[i]) - centre);
+    const Vec<R, D> vertex = converted<R, S, D>(vertices[i]);
+    if constexpr (ScalarTraits<R>::kExact) return dot<R, D>(d, prepared.in_unit(vertex));
+    return dot<R, D>(d, vertex - centre);
   }
 };
+
+/// The vertices of X along -d, and of Y along d.
+template <class R, class S, int D>
+[[nodiscard]] Along<R, S, D> along_x(const Query<S, D>& query, const Prepared<R, D>& prepared,
+                                     const Vec<R, D>& d) {
+  return {query.x, prepared, prepared.x_centre, -d};
+}
+template <class R, class S, int D>
+[[nodiscard]] Along<R, S, D> along_y(const Query<S, D>& query, const Prepared<R, D>& prepared,
+                                     const Vec<R, D>& d) {
+  return {query.y, prepared, prepared.y_centre, d};
+}
 
 /// The vertex that lies farthest so far; of equal ones that with the lowest index.
 template <class R>
@@ -71,11 +96,8 @@ template <class R, class S, int D, class Note>
   }
   R rounding(0);  // of two dot products of centred vertices
   if constexpr (!ScalarTraits<R>::kExact) {
-    for (int k = 0; k < D; ++k) {
-      const R size = ScalarTraits<R>::from(along.vertices.extent()[k]);
-      rounding = rounding + magnitude(R(along.d[k])) * size;
-    }
-    rounding = rounding * R(R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff());
+    rounding = R(R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff()) * norm_1(along.d) *
+               ScalarTraits<R>::from(along.vertices.radius());
   }
   const int summit = farthest.index;
   for (const int towards : {1, count - 1}) {
@@ -102,14 +124,25 @@ template <class R, class S, int D>
                                                const Prepared<R, D>& prepared, VertexPair pair) {
   const Vec<R, D> x = converted<R, S, D>(query.x.vertices[pair.x]);
   const Vec<R, D> y = converted<R, S, D>(query.y.vertices[pair.y]);
-  const R& unit = prepared.unit;
-  if (prepared.in_world) return {y * unit - x * unit, pair};
-  const Vec<R, D> turned_x = query.x.pose.template rotated<R>((x - prepared.x_centre) * unit);
-  const Vec<R, D> turned_y = query.y.pose.template rotated<R>((y - prepared.y_centre) * unit);
+  if (prepared.in_world) return {prepared.in_unit(y) - prepared.in_unit(x), pair};
+  const Vec<R, D> centred_x = prepared.in_unit(x - prepared.x_centre);
+  const Vec<R, D> centred_y = prepared.in_unit(y - prepared.y_centre);
+  const Vec<R, D> turned_x = query.x.pose.template rotated<R>(centred_x);
+  const Vec<R, D> turned_y = query.y.pose.template rotated<R>(centred_y);
   return {(turned_y - turned_x) + prepared.offset, pair};
 }
 
 namespace detail {
+
+/// What rounding may have added to the distance of the best support plane, in the run's unit: to its
+/// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
+template <class R, int D>
+[[nodiscard]] R plane_error(const State<R, D>& state, const Prepared<R, D>& prepared) {
+  const R u = ScalarTraits<R>::unit_roundoff();
+  return prepared.vertex_error + prepared.scan_error +
+         u * (R(D + 1) * ScalarTraits<R>::root(state.plane_reach_sq) +
+              R(4) * ScalarTraits<R>::root(state.plane_distance_sq));
+}
 
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
 /// support point, normal to d, so -dot(d, w) / |d| is a lower bound of the distance.
@@ -118,7 +151,9 @@ void note_support_plane(State<R, D>& state) {
   const R d_sq = dot(state.d, state.d);
   if (!(state.support_value < R(0)) || !(R(0) < d_sq)) return;
   const R distance_sq = state.support_value * R(state.support_value / d_sq);
-  if (state.plane_distance_sq < distance_sq) state.plane_distance_sq = distance_sq;
+  if (!(state.plane_distance_sq < distance_sq)) return;
+  state.plane_distance_sq = distance_sq;
+  state.plane_reach_sq = dot(state.support.w, state.support.w);
 }
 
 /// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
@@ -126,12 +161,8 @@ void note_support_plane(State<R, D>& state) {
 template <class R, class S, int D, class Rec>
 void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
                   Rec& record) {
-  // In the shapes' frames lengths are not in the run's unit; d makes up for it.
-  const Vec<R, D> d = state.d * prepared.unit;
-  const Along<R, S, D> along_x{query.x.vertices, prepared.x_centre,
-                               -query.x.pose.template direction_to_local<R>(d)};
-  const Along<R, S, D> along_y{query.y.vertices, prepared.y_centre,
-                               query.y.pose.template direction_to_local<R>(d)};
+  const Along<R, S, D> x = along_x(query, prepared, state.d);
+  const Along<R, S, D> y = along_y(query, prepared, state.d);
   const auto noting = [](std::vector<ScanEntry<R>>& entries, const Along<R, S, D>& along) {
     return [&entries, at_centre = dot(along.d, along.centre)](int i, const R& value, bool improves) {
       entries.push_back({i, value + at_centre, improves});
@@ -139,12 +170,12 @@ void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R
   };
   VertexPair pair;
   if constexpr (Rec::kOn) {
-    pair.x = farthest_vertex(along_x, noting(record.scan_x, along_x));
-    pair.y = farthest_vertex(along_y, noting(record.scan_y, along_y));
+    pair.x = farthest_vertex(x, noting(record.scan_x, x));
+    pair.y = farthest_vertex(y, noting(record.scan_y, y));
   } else {
     const auto nothing = [](int, const R&, bool) {};
-    pair.x = farthest_vertex(along_x, nothing);
-    pair.y = farthest_vertex(along_y, nothing);
+    pair.x = farthest_vertex(x, nothing);
+    pair.y = farthest_vertex(y, nothing);
   }
   state.support = support_point(query, prepared, pair);
   state.support_value = dot(state.d, state.support.w);
