@@ -86,14 +86,14 @@ template <class N, class R, class S, int D>
   return out;
 }
 
-/// Half the size of a box around a box of half size `half` that `pose` turns.
+/// The size of a box around a box of size `size` that `pose` turns.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> turned_box(const Pose<S, D>& pose, const Vec<R, D>& half) {
+[[nodiscard]] Vec<R, D> turned_box(const Pose<S, D>& pose, const Vec<R, D>& size) {
   Vec<R, D> out = Vec<R, D>::Zero();
   for (int row = 0; row < D; ++row) {
     for (int column = 0; column < D; ++column) {
       const R entry = ScalarTraits<R>::from(pose.rotation(row, column));
-      out[row] = out[row] + R(magnitude(entry) * half[column]);
+      out[row] = out[row] + R(magnitude(entry) * size[column]);
     }
   }
   return out;
@@ -115,8 +115,8 @@ template <class R, class S, int D>
   return most;
 }
 
-/// Fills in what is measured in the run's unit of length. Gives the largest coordinate that a point
-/// of Z can have.
+/// Fills in what is measured in the run's unit of length. Gives twice the largest coordinate that a
+/// point of Z can have.
 template <class R, class S, int D>
 R measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   const R unit = prepared.unit;
@@ -129,19 +129,19 @@ R measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
     prepared.offset = converted<R, S, D>(query.y.pose.translation) * unit -
                       converted<R, S, D>(query.x.pose.translation) * unit;
   }
-  Vec<R, D> middle = prepared.offset;
+  // Twice the middle and the half size of a box around Z: halving could underflow.
+  Vec<R, D> middle = prepared.offset * R(2);
   Vec<R, D> half = Vec<R, D>::Zero();
   const auto add_box = [&](const Shape<S, D>& shape, const Vec<R, D>& centre, R sign) {
     const Vec<R, D> low = converted<R, S, D>(shape.vertices.low()) - centre;
     const Vec<R, D> high = converted<R, S, D>(shape.vertices.high()) - centre;
-    const R in_unit = unit / R(2);
-    middle = middle + shape.pose.template rotated<R>((low + high) * R(sign * in_unit));
-    half = half + turned_box<R>(shape.pose, Vec<R, D>((high - low) * in_unit));
+    middle = middle + shape.pose.template rotated<R>((low + high) * R(sign * unit));
+    half = half + turned_box<R>(shape.pose, Vec<R, D>((high - low) * unit));
   };
   add_box(query.x, prepared.x_centre, R(-1));
   add_box(query.y, prepared.y_centre, R(1));
   const Vec<R, D> w = middle.cwiseAbs() + half;
-  prepared.reach = length(w);
+  prepared.reach = length(w) / R(2);
 
   // How many roundings, times what they are relative to. In the world a vertex of Z is a single
   // difference; else both vertices are centred and turned, subtracted, and moved by the offset. A
