@@ -79,23 +79,29 @@ void by_vertices(benchmark::State& state, bool in_order) {
 BENCHMARK_CAPTURE(by_vertices, ring, true)->RangeMultiplier(4)->Range(4, 1024);
 BENCHMARK_CAPTURE(by_vertices, disordered, false)->RangeMultiplier(4)->Range(4, 1024);
 
-/// Of a run that has ended.
-void result(benchmark::State& state) {
-  const std::vector<families::Pair<double>> pairs = pairs_of<double>(Family::random);
-  std::vector<gjk::State<double, 2>> ends;
-  std::vector<gjk::Prepared<double>> prepared;
-  const gjk::Options options;
-  for (const families::Pair<double>& pair : pairs) {
-    prepared.push_back(gjk::prepare(pair.query(), options));
-    ends.push_back(gjk::trace(pair.query(), options).steps.back().after);
+/// Of a run that has ended: distance, witness points, bounds.
+void result(benchmark::State& state, bool certify) {
+  struct Ended {
+    families::Pair<double> pair;
+    gjk::Prepared<double, 2> prepared;
+    gjk::State<double, 2> end;
+  };
+  gjk::Options options;
+  options.certify = certify;
+  std::vector<Ended> runs;
+  for (const families::Pair<double>& pair : pairs_of<double>(Family::random)) {
+    const auto trace = gjk::trace(pair.query(), options);
+    runs.push_back({pair, trace.prepared, trace.steps.back().after});
   }
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(gjk::result(ends[next], prepared[next]));
-    next = (next + 1) % ends.size();
+    const Ended& run = runs[next];
+    benchmark::DoNotOptimize(gjk::result(run.end, run.pair.query(), options, run.prepared));
+    next = (next + 1) % runs.size();
   }
 }
-BENCHMARK(result);
+BENCHMARK_CAPTURE(result, certified, true);
+BENCHMARK_CAPTURE(result, not_certified, false);
 
 }  // namespace
 

@@ -59,10 +59,12 @@ Answers ask(const Contestant& contestant, std::size_t count) {
 }
 
 void judge(const Library& library, const Case& one, double answer, Tally& tally) {
-  const double unit_roundoff = library.in_double ? 0x1p-53 : 0x1p-24;
-  const double limit = library.in_double ? kDoubleLimit : kFloatLimit;
-  const double nearest =
-      library.in_double ? static_cast<double>(one.distance) : static_cast<float>(one.distance);
+  const bool in_double = library.in_double;
+  const double unit_roundoff = in_double ? 0x1p-53 : 0x1p-24;
+  const double smallest = in_double ? std::numeric_limits<double>::denorm_min()
+                                    : std::numeric_limits<float>::denorm_min();
+  const double limit = in_double ? kDoubleLimit : kFloatLimit;
+  const long double error = std::abs(answer - one.distance);
   ++tally.asked;
   if (answer == kGaveUp) {
     ++tally.gave_up;
@@ -71,12 +73,14 @@ void judge(const Library& library, const Case& one, double answer, Tally& tally)
   } else if (one.overlap) {
     const bool close = library.measures ? answer <= 4 * unit_roundoff * one.scale : one.touching;
     if (answer > 0.0 && !close) ++tally.missed;
+  } else if (error < smallest) {
+    // Its numbers are not spaced more closely.
   } else if (answer == 0.0) {
-    if (nearest > 0.0) ++tally.invented;
+    ++tally.invented;
   } else if (library.measures) {
-    const auto error = static_cast<double>(std::abs(answer - one.distance) / one.distance);
-    if (error > limit) ++tally.inaccurate;
-    tally.worst = std::max(tally.worst, error);
+    const auto relative = static_cast<double>(error / one.distance);
+    if (relative > limit) ++tally.inaccurate;
+    tally.worst = std::max(tally.worst, relative);
   }
 }
 
