@@ -44,7 +44,7 @@ struct Row {
   std::vector<double> ns;  ///< Median per query; empty when times were not wanted.
 };
 
-/// On the pairs that fit all libraries. One that was lost has nothing to do.
+/// On the pairs that fit all libraries. One that crashed has nothing to do.
 std::vector<double> times(const std::vector<Library>& libraries, const std::vector<Case>& cases,
                           const std::vector<Tally>& tallies) {
   std::vector<Pair> pairs;
@@ -56,7 +56,7 @@ std::vector<double> times(const std::vector<Library>& libraries, const std::vect
   std::vector<Contestant> contestants;
   for (std::size_t i = 0; i < libraries.size(); ++i) {
     contestants.push_back(
-        libraries[i].prepare(tallies[i].lost ? std::span<const Pair>() : std::span(pairs)));
+        libraries[i].prepare(tallies[i].crashed > 0 ? std::span<const Pair>() : std::span(pairs)));
   }
   std::vector<double> out;
   for (const Timing& timing : interleave(contestants, pairs.size(), kRepetitions)) {
@@ -89,6 +89,7 @@ std::string failures(const Tally& tally) {
   add(tally.inaccurate, "r");
   add(tally.not_finite, "n");
   add(tally.gave_up, "g");
+  add(tally.crashed, "c");
   return out.empty() ? "." : out;
 }
 
@@ -125,7 +126,7 @@ std::string errors_table(Representation representation, const std::vector<Row>& 
 
 std::string times_table(Representation representation, const std::vector<Row>& rows) {
   return table(representation, rows, [](const Row& row, std::size_t i) {
-    return row.tallies[i].lost ? std::string("-") : fmt::format("{:.0f}", row.ns[i]);
+    return row.tallies[i].crashed > 0 ? std::string("-") : fmt::format("{:.0f}", row.ns[i]);
   });
 }
 
@@ -137,7 +138,8 @@ std::string preamble(const Settings& settings) {
       "- i: overlap invented, the answer is 0 and the shapes are apart,\n"
       "- r: relative error above {:.0e} (libraries in float) or {:.0e} (in double),\n"
       "- n: NaN or infinity,\n"
-      "- g: gave up: said so, threw, crashed or took more than {} s.\n\n"
+      "- g: gave up: said so, or threw,\n"
+      "- c: crashed, or took more than {} s.\n\n"
       "| library | computes in | asked by |\n| --- | --- | --- |\n",
       settings.pairs, settings.seed, settings.pairs, kFloatLimit, kDoubleLimit, kSecondsPerQuery);
   for (const Library& library : libraries()) {

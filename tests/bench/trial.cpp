@@ -21,22 +21,18 @@ struct Shared {
   double answers[kMost];
 };
 
-struct Answers {
-  std::vector<double> values;
-  bool lost = false;
-};
+/// The answer of a process that did not live to give it.
+constexpr double kCrashed = -2.0;
 
 /// Another process asks all queries. One that crashes, or runs for ever, costs the answer to its
 /// query only: the next process goes on after it.
-Answers ask(const Contestant& contestant, std::size_t count) {
+std::vector<double> ask(const Contestant& contestant, std::size_t count) {
   void* memory =
       mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED || count > Shared::kMost) throw std::runtime_error("too many pairs");
   auto& shared = *static_cast<Shared*>(memory);
-  std::fill_n(shared.answers, count, kGaveUp);
-  Answers out;
+  std::fill_n(shared.answers, count, kCrashed);
   while (shared.next < count) {
-    out.lost = shared.next > 0;
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot start another process");
     if (child == 0) {
@@ -49,11 +45,9 @@ Answers ask(const Contestant& contestant, std::size_t count) {
       }
       _exit(0);
     }
-    int status = 0;
-    waitpid(child, &status, 0);
-    out.lost = out.lost || !WIFEXITED(status);
+    waitpid(child, nullptr, 0);
   }
-  out.values.assign(shared.answers, shared.answers + count);
+  const std::vector<double> out(shared.answers, shared.answers + count);
   munmap(memory, sizeof(Shared));
   return out;
 }
@@ -66,7 +60,9 @@ void judge(const Library& library, const Case& one, double answer, Tally& tally)
   const double limit = in_double ? kDoubleLimit : kFloatLimit;
   const long double error = std::abs(answer - one.distance);
   ++tally.asked;
-  if (answer == kGaveUp) {
+  if (answer == kCrashed) {
+    ++tally.crashed;
+  } else if (answer == kGaveUp) {
     ++tally.gave_up;
   } else if (!std::isfinite(answer)) {
     ++tally.not_finite;
@@ -114,10 +110,9 @@ Tally tally(const Library& library, const std::vector<Case>& cases) {
     asked.push_back(&one);
     pairs.push_back(one.pair);
   }
-  const Answers answers = ask(library.prepare(pairs), pairs.size());
+  const std::vector<double> answers = ask(library.prepare(pairs), pairs.size());
   Tally out;
-  out.lost = answers.lost;
-  for (std::size_t i = 0; i < asked.size(); ++i) judge(library, *asked[i], answers.values[i], out);
+  for (std::size_t i = 0; i < asked.size(); ++i) judge(library, *asked[i], answers[i], out);
   return out;
 }
 

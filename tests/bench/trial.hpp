@@ -32,8 +32,8 @@ struct Tally {
   int invented = 0;    ///< Separated pairs called overlapping.
   int inaccurate = 0;  ///< Relative errors beyond the limit.
   int not_finite = 0;  ///< NaN, infinity.
-  int gave_up = 0;     ///< It said so, threw, crashed or ran for too long.
-  bool lost = false;   ///< It crashed or ran for too long.
+  int gave_up = 0;     ///< It said so, or threw.
+  int crashed = 0;     ///< Or ran for too long.
   double worst = 0.0;  ///< Largest relative error.
 };
 
