@@ -1,0 +1,90 @@
+#pragma once
+// Times several ways of doing the same work against each other. Repetitions are interleaved, so
+// that whatever else the machine does slows all contestants alike, and ratios are taken within a
+// repetition, before any median.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace bench {
+
+/// Makes the compiler believe that all of `value` is read.
+template <class T>
+void keep(const T& value) {
+  asm volatile("" : : "r"(&value) : "memory");
+}
+
+/// One way of doing the work, on things prepared beforehand.
+struct Contestant {
+  /// Answers every query once. Returns the sum of the answers, by which a contestant that does
+  /// other work than the rest is found out.
+  std::function<double()> sweep;
+  std::function<double(std::size_t)> answer;  ///< To one query.
+};
+
+/// A contestant that calls `query(0)` ... `query(count - 1)`; `read` makes a number of what they
+/// return.
+template <class Query, class Read>
+[[nodiscard]] Contestant contestant(std::size_t count, Query query, Read read) {
+  const auto answer = [=](std::size_t i) { return static_cast<double>(read(query(i))); };
+  const auto sweep = [=] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto result = query(i);
+      keep(result);
+      sum += static_cast<double>(read(result));
+    }
+    return sum;
+  };
+  return {sweep, answer};
+}
+
+struct Quartiles {
+  double low = 0.0;
+  double median = 0.0;
+  double high = 0.0;
+};
+/// Of at least one value.
+[[nodiscard]] inline Quartiles quartiles(std::vector<double> values) {
+  const auto rank = [&](double share) {
+    const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  return {rank(0.25), rank(0.5), rank(0.75)};
+}
+
+struct Timing {
+  double sum = 0.0;        ///< Of the distances.
+  std::vector<double> ns;  ///< Per query; one value a repetition.
+};
+/// How long `a` took as a share of `b`, repetition by repetition.
+[[nodiscard]] inline Quartiles ratio(const Timing& a, const Timing& b) {
+  std::vector<double> ratios(a.ns.size());
+  std::transform(a.ns.begin(), a.ns.end(), b.ns.begin(), ratios.begin(), std::divides<>());
+  return quartiles(std::move(ratios));
+}
+
+/// Runs all contestants `repetitions` times, beginning with another one each time.
+[[nodiscard]] inline std::vector<Timing> interleave(const std::vector<Contestant>& contestants,
+                                                    std::size_t queries, std::size_t repetitions) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Timing> timings;
+  for (const Contestant& each : contestants) timings.push_back({each.sweep(), {}});
+  for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
+    for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+      const std::size_t i = (repetition + turn) % contestants.size();
+      const Clock::time_point begin = Clock::now();
+      keep(contestants[i].sweep());
+      const std::chrono::duration<double, std::nano> taken = Clock::now() - begin;
+      timings[i].ns.push_back(taken.count() / static_cast<double>(queries));
+    }
+  }
+  return timings;
+}
+
+}  // namespace bench

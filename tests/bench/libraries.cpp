@@ -1,0 +1,118 @@
+#include "libraries.hpp"
+
+#include <memory>
+
+namespace bench {
+namespace {
+
+/// A pair whose shapes have been measured.
+template <class S>
+struct Prepared {
+  families::Pair<S> pair;
+  gjk::Points<S, 2> x;
+  gjk::Points<S, 2> y;
+  [[nodiscard]] gjk::Query<S, 2> query() const { return {{x, pair.x_pose}, {y, pair.y_pose}}; }
+};
+
+/// `run(query)` answers in any scalar.
+template <class S, class Run>
+Contestant prepare_with(std::span<const Pair> pairs, Run run) {
+  const auto prepared = std::make_shared<std::vector<Prepared<S>>>(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Prepared<S>& out = (*prepared)[i];
+    out.pair = families::converted<S>(pairs[i]);
+    out.x = out.pair.x;
+    out.y = out.pair.y;
+  }
+  return contestant(
+      pairs.size(), [=](std::size_t i) { return run((*prepared)[i].query()); },
+      [](const auto& result) {
+        const bool answered =
+            result.verdict != gjk::Verdict::undecided && result.verdict != gjk::Verdict::none;
+        return answered ? static_cast<double>(result.distance) : kGaveUp;
+      });
+}
+
+template <class S, class R>
+Contestant prepare_all(std::span<const Pair> pairs) {
+  return prepare_with<S>(pairs, [](const auto& query) { return gjk::distance<R>(query); });
+}
+
+Contestant prepare_uncertified(std::span<const Pair> pairs) {
+  gjk::Options options;
+  options.certify = false;
+  return prepare_with<double>(pairs,
+                              [=](const auto& query) { return gjk::distance(query, options); });
+}
+
+Contestant prepare_stepping(std::span<const Pair> pairs) {
+  return prepare_with<double>(pairs, [](const auto& query) {
+    const gjk::Options options;
+    const auto prepared = gjk::prepare<double>(query, options);
+    auto state = gjk::start(query, options, prepared);
+    gjk::NoRecord none;
+    while (state.stop == gjk::StopReason::running) {
+      gjk::step(state, query, options, prepared, none);
+    }
+    return gjk::result(state, query, options, prepared);
+  });
+}
+
+}  // namespace
+
+Library core_double() {
+  return {.name = "gjkscope",
+          .how = "gjk::distance",
+          .in_double = true,
+          .prepare = prepare_all<double, double>};
+}
+
+Library core_float_in_double() {
+  return {.name = "gjkscope, floats",
+          .how = "gjk::distance of floats: computes in double",
+          .in_double = true,
+          .prepare = prepare_all<float, gjk::Default>};
+}
+
+Library core_float() {
+  return {.name = "gjkscope in float",
+          .how = "gjk::distance<float>: computes in float",
+          .prepare = prepare_all<float, float>};
+}
+
+Library core_uncertified() {
+  return {.name = "gjkscope, no proof",
+          .how = "gjk::distance, certify off",
+          .in_double = true,
+          .prepare = prepare_uncertified};
+}
+
+Library core_stepping() {
+  return {.name = "gjkscope, stepping",
+          .how = "gjk::step until it stops, nothing recorded",
+          .in_double = true,
+          .prepare = prepare_stepping};
+}
+
+std::vector<Library> libraries() {
+  return {
+      core_double(), core_float(),
+#ifdef GJKSCOPE_BOX2D_2
+      box2d_2(),
+#endif
+#ifdef GJKSCOPE_BOX2D_3
+      box2d_3(),
+#endif
+#ifdef GJKSCOPE_CCD
+      libccd(),
+#endif
+#ifdef GJKSCOPE_FCL
+      fcl_own(),     fcl_libccd(),
+#endif
+#ifdef GJKSCOPE_BULLET
+      bullet(),
+#endif
+  };
+}
+
+}  // namespace bench

@@ -1,0 +1,45 @@
+#pragma once
+// Libraries on trial: what each answers to pairs of a family, held against the exact truth.
+
+#include <cstdint>
+#include <vector>
+
+#include "libraries.hpp"
+
+namespace bench {
+
+struct Case {
+  Pair pair;
+  bool overlap = false;   ///< They share a point,
+  bool touching = false;  ///< but none of their difference's interior.
+  long double distance = 0;
+  long double scale = 0;  ///< Largest distance between a vertex of X and one of Y.
+};
+
+[[nodiscard]] std::vector<Case> cases_of(families::Family family,
+                                         families::Representation representation, std::size_t count,
+                                         std::uint64_t seed);
+
+/// Relative errors beyond these count as failures.
+inline constexpr double kFloatLimit = 1e-3;
+inline constexpr double kDoubleLimit = 1e-9;
+
+inline constexpr int kSecondsPerQuery = 2;  ///< Of processor time; then a library is stopped.
+
+struct Tally {
+  int asked = 0;
+  int missed = 0;      ///< Overlaps called separated: more than 4 u * scale apart.
+  int invented = 0;    ///< Separated pairs called overlapping.
+  int inaccurate = 0;  ///< Relative errors beyond the limit.
+  int not_finite = 0;  ///< NaN, infinity.
+  int gave_up = 0;     ///< It said so, or threw.
+  int crashed = 0;     ///< Or ran for too long.
+  double worst = 0.0;  ///< Largest relative error.
+};
+
+[[nodiscard]] bool fits(const Library& library, const Pair& pair);
+
+/// Asks about the pairs that fit the library.
+[[nodiscard]] Tally tally(const Library& library, const std::vector<Case>& cases);
+
+}  // namespace bench
