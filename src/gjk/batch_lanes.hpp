@@ -1,0 +1,585 @@
+#pragma once
+// Eight pairs in lockstep: the memory layout of a group, and the loop over it for AVX2. See
+// batch.hpp for what it is good for and what it guarantees.
+
+#include <array>
+#include <cstdint>
+
+#include "gjk/gjk.hpp"
+
+#if (defined(__x86_64__) || defined(__i386__)) && defined(__GNUC__)
+#define GJKSCOPE_HAS_LANES 1
+#include <immintrin.h>
+#else
+#define GJKSCOPE_HAS_LANES 0
+#endif
+
+namespace gjk {
+
+/// The answer to one pair of a batch: the members of `Result`, in float.
+struct BatchResult {
+  Vec<float, 2> x = Vec<float, 2>::Zero();  ///< Witness point on X, world coordinates.
+  Vec<float, 2> y = Vec<float, 2>::Zero();  ///< Witness point on Y.
+  float distance = ScalarTraits<float>::no_length();
+  float lower = ScalarTraits<float>::no_length();  ///< lower <= exact distance <= upper
+  float upper = ScalarTraits<float>::no_length();
+  Verdict verdict = Verdict::none;
+  Error error = Error::none;
+  std::uint8_t iterations = 0;
+  bool from_scalar = false;  ///< The lanes could not prove an answer; `gjk::distance` gave it.
+};
+
+namespace detail {
+
+inline constexpr int kLaneCount = 8;
+
+/// One number of each pair.
+struct alignas(32) Eight {
+  std::array<float, kLaneCount> lane = {};
+};
+
+/// Eight pairs. Vertices lie outside, as x, y of vertex 0, x, y of vertex 1 ...; shapes of fewer
+/// vertices repeat their last. They are relative to the shape's centre, exactly (see `centre_of`).
+struct BatchGroup {
+  std::array<Eight, 4> x_rotation = {};  ///< Row by row.
+  std::array<Eight, 4> y_rotation = {};
+  std::array<Eight, 2> x_translation = {};
+  std::array<Eight, 2> y_translation = {};
+  std::array<Eight, 2> x_centre = {};
+  std::array<Eight, 2> y_centre = {};
+  Eight reach;            ///< Bounds |x| + |y|, over the turned vertices, in the largest-coordinate
+                          ///< norm; NaN bars the lane.
+  bool centred = false;   ///< Some centre is not 0.
+  bool x_turned = false;  ///< Some rotation of X is not the identity.
+  int x_count = 0;        ///< Of the largest shape.
+  int y_count = 0;
+  int pair_count = 0;
+  std::array<int, kLaneCount> pairs = {};  ///< Which pair each lane holds.
+  std::size_t first_x = 0;                 ///< Where the vertices start.
+  std::size_t first_y = 0;
+};
+
+/// Progress of the float run that may be rounding: kFloatNoise u scale |d|_1.
+inline constexpr float kFloatNoise = 8.0f;
+/// Areas of the float run that may be rounding: kFloatAreaNoise u scale^2.
+inline constexpr float kFloatAreaNoise = 64.0f;
+/// The same in double: a difference w = y - x errs by 4 roundings ...
+inline constexpr double kLengthNoise = 24.0;
+inline constexpr double kAreaNoise = 64.0;
+/// What the bounds may lie apart, relative to the distance: 2^-25, half an ulp of a float.
+inline constexpr double kWidth = 0x1p-25;
+/// Scales whose squares, times the unit roundoff, float can hold.
+inline constexpr float kLeastScale = 0x1p-32f;
+inline constexpr float kLargestScale = 0x1p60f;
+inline constexpr int kFloatCap = 24;
+inline constexpr int kDoubleCap = 6;
+
+#if GJKSCOPE_HAS_LANES
+
+[[nodiscard]] inline bool has_lanes() { return __builtin_cpu_supports("avx2") != 0; }
+
+namespace lanes {
+
+#define GJKSCOPE_LANES __attribute__((target("avx2"), always_inline)) inline
+
+/// Eight floats; as a mask, all bits of a lane or none.
+struct Floats {
+  __m256 v;
+};
+GJKSCOPE_LANES Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator*(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator/(Floats a, Floats b) { return {_mm256_div_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator&(Floats a, Floats b) { return {_mm256_and_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator|(Floats a, Floats b) { return {_mm256_or_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator^(Floats a, Floats b) { return {_mm256_xor_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats operator<(Floats a, Floats b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+GJKSCOPE_LANES Floats and_not(Floats a, Floats b) { return {_mm256_andnot_ps(b.v, a.v)}; }
+GJKSCOPE_LANES Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
+GJKSCOPE_LANES Floats select(Floats mask, Floats yes, Floats no) {
+  return {_mm256_blendv_ps(no.v, yes.v, mask.v)};
+}
+GJKSCOPE_LANES int bits(Floats mask) { return _mm256_movemask_ps(mask.v); }
+GJKSCOPE_LANES Floats fill(float a, Floats) { return {_mm256_set1_ps(a)}; }
+GJKSCOPE_LANES Floats load(const Eight& a, int, Floats) { return {_mm256_load_ps(a.lane.data())}; }
+
+/// Four doubles: one half of a group.
+struct Doubles {
+  __m256d v;
+};
+GJKSCOPE_LANES Doubles operator+(Doubles a, Doubles b) { return {_mm256_add_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator-(Doubles a, Doubles b) { return {_mm256_sub_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator*(Doubles a, Doubles b) { return {_mm256_mul_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator/(Doubles a, Doubles b) { return {_mm256_div_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator&(Doubles a, Doubles b) { return {_mm256_and_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator|(Doubles a, Doubles b) { return {_mm256_or_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator^(Doubles a, Doubles b) { return {_mm256_xor_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator<(Doubles a, Doubles b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
+}
+GJKSCOPE_LANES Doubles and_not(Doubles a, Doubles b) { return {_mm256_andnot_pd(b.v, a.v)}; }
+GJKSCOPE_LANES Doubles max(Doubles a, Doubles b) { return {_mm256_max_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles select(Doubles mask, Doubles yes, Doubles no) {
+  return {_mm256_blendv_pd(no.v, yes.v, mask.v)};
+}
+GJKSCOPE_LANES Doubles sqrt(Doubles a) { return {_mm256_sqrt_pd(a.v)}; }
+GJKSCOPE_LANES int bits(Doubles mask) { return _mm256_movemask_pd(mask.v); }
+GJKSCOPE_LANES Doubles fill(double a, Doubles) { return {_mm256_set1_pd(a)}; }
+GJKSCOPE_LANES Doubles load(const Eight& a, int half, Doubles) {
+  return {_mm256_cvtps_pd(_mm_load_ps(a.lane.data() + 4 * half))};
+}
+
+GJKSCOPE_LANES Doubles widen(Floats a, int half) {
+  return {_mm256_cvtps_pd(half == 0 ? _mm256_castps256_ps128(a.v) : _mm256_extractf128_ps(a.v, 1))};
+}
+GJKSCOPE_LANES Doubles widen_mask(Floats mask, int half) {
+  const __m128i low = _mm_castps_si128(half == 0 ? _mm256_castps256_ps128(mask.v)
+                                                 : _mm256_extractf128_ps(mask.v, 1));
+  return {_mm256_castsi256_pd(_mm256_cvtepi32_epi64(low))};
+}
+GJKSCOPE_LANES Floats join(__m128 low, __m128 high) {
+  return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
+}
+GJKSCOPE_LANES Floats narrow(Doubles low, Doubles high) {
+  return join(_mm256_cvtpd_ps(low.v), _mm256_cvtpd_ps(high.v));
+}
+GJKSCOPE_LANES __m128 narrow_mask(Doubles mask) {
+  const __m256 pairs = _mm256_castpd_ps(mask.v);
+  return _mm_shuffle_ps(_mm256_castps256_ps128(pairs), _mm256_extractf128_ps(pairs, 1), 0x88);
+}
+
+template <class F>
+GJKSCOPE_LANES F negative(F a) {
+  return a ^ fill(-0.0f, F{});
+}
+template <class F>
+GJKSCOPE_LANES F magnitude(F a) {
+  return and_not(a, fill(-0.0f, F{}));
+}
+
+/// A vector of each pair.
+template <class F>
+struct Plane {
+  F x, y;
+};
+template <class F>
+GJKSCOPE_LANES Plane<F> operator+(Plane<F> a, Plane<F> b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class F>
+GJKSCOPE_LANES Plane<F> operator-(Plane<F> a, Plane<F> b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class F>
+GJKSCOPE_LANES Plane<F> operator*(F a, Plane<F> b) {
+  return {a * b.x, a * b.y};
+}
+template <class F>
+GJKSCOPE_LANES Plane<F> negative(Plane<F> a) {
+  return {negative(a.x), negative(a.y)};
+}
+template <class F>
+GJKSCOPE_LANES F dot(Plane<F> a, Plane<F> b) {
+  return a.x * b.x + a.y * b.y;
+}
+template <class F>
+GJKSCOPE_LANES F cross(Plane<F> a, Plane<F> b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class F>
+GJKSCOPE_LANES Plane<F> select(F mask, Plane<F> yes, Plane<F> no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
+}
+template <class F>
+GJKSCOPE_LANES Plane<F> load(const std::array<Eight, 2>& a, int half, F kind) {
+  return {load(a[0], half, kind), load(a[1], half, kind)};
+}
+
+template <class F>
+struct Turn {
+  Plane<F> row_0, row_1;
+};
+template <class F>
+GJKSCOPE_LANES Turn<F> load_turn(const std::array<Eight, 4>& a, int half, F kind) {
+  return {{load(a[0], half, kind), load(a[1], half, kind)},
+          {load(a[2], half, kind), load(a[3], half, kind)}};
+}
+template <bool kTurned, class F>
+GJKSCOPE_LANES Plane<F> turned(const Turn<F>& turn, Plane<F> local) {
+  if constexpr (!kTurned) return local;
+  return {dot(turn.row_0, local), dot(turn.row_1, local)};
+}
+template <bool kTurned, class F>
+GJKSCOPE_LANES Plane<F> turned_back(const Turn<F>& turn, Plane<F> world) {
+  if constexpr (!kTurned) return world;
+  return {turn.row_0.x * world.x + turn.row_1.x * world.y,
+          turn.row_0.y * world.x + turn.row_1.y * world.y};
+}
+
+/// A vertex of Z with the two vertices that made it, in their shapes' frames.
+template <class F>
+struct Point {
+  Plane<F> w, x, y;
+};
+template <class F>
+GJKSCOPE_LANES Point<F> select(F mask, const Point<F>& yes, const Point<F>& no) {
+  return {select(mask, yes.w, no.w), select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
+}
+
+/// What one kind of number needs to know of a group.
+template <class F>
+struct Frame {
+  const BatchGroup* group;
+  const Eight* x;
+  const Eight* y;
+  int half;
+  Turn<F> x_turn, y_turn;
+  Plane<F> offset;  ///< From the centre of X to that of Y.
+};
+
+template <class F>
+GJKSCOPE_LANES Plane<F> vertex(const Eight* vertices, int i, int half) {
+  return {load(vertices[2 * i], half, F{}), load(vertices[2 * i + 1], half, F{})};
+}
+
+/// The slides' scan, which carries the vertex along instead of its index: nothing to gather later.
+template <class F>
+GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, int half, Plane<F> d) {
+  Plane<F> best = vertex<F>(vertices, 0, half);
+  F best_value = dot(d, best);
+  for (int i = 1; i < count; ++i) {
+    const Plane<F> candidate = vertex<F>(vertices, i, half);
+    const F value = dot(d, candidate);
+    best = select(best_value < value, candidate, best);
+    best_value = max(best_value, value);
+  }
+  return best;
+}
+template <class F>
+GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, int half, Plane<F> d) {
+  F best = dot(d, vertex<F>(vertices, 0, half));
+  for (int i = 1; i < count; ++i) best = max(best, dot(d, vertex<F>(vertices, i, half)));
+  return best;
+}
+
+template <bool kXTurned, class F>
+GJKSCOPE_LANES Point<F> point(const Frame<F>& frame, Plane<F> x, Plane<F> y) {
+  return {turned<true>(frame.y_turn, y) - turned<kXTurned>(frame.x_turn, x) + frame.offset, x, y};
+}
+template <bool kXTurned, class F>
+GJKSCOPE_LANES Point<F> support(const Frame<F>& frame, Plane<F> d) {
+  const Plane<F> x = farthest(frame.x, frame.group->x_count, frame.half,
+                              turned_back<kXTurned>(frame.x_turn, negative(d)));
+  const Plane<F> y =
+      farthest(frame.y, frame.group->y_count, frame.half, turned_back<true>(frame.y_turn, d));
+  return point<kXTurned>(frame, x, y);
+}
+/// max of dot(d, z) over Z.
+template <bool kXTurned, class F>
+GJKSCOPE_LANES F support_value(const Frame<F>& frame, Plane<F> d) {
+  const F x = farthest_value(frame.x, frame.group->x_count, frame.half,
+                             turned_back<kXTurned>(frame.x_turn, negative(d)));
+  const F y =
+      farthest_value(frame.y, frame.group->y_count, frame.half, turned_back<true>(frame.y_turn, d));
+  return (x + y) + dot(d, frame.offset);
+}
+
+/// Where O lies with respect to the triangle ABC, C being the newest vertex: in the region of AC,
+/// of CB, inside, or else in that of C. Regions without C are out of the question: C lies nearer to
+/// O than AB along d. O lies to the left of AB, so turn_a > 0 where O lies to the left of CA, and
+/// turn_b > 0 where it lies to the left of BC.
+template <class F>
+struct Regions {
+  F ac, cb, inside;
+  F turn_a, turn_b;  ///< Twice the areas OCA and OBC.
+};
+template <class F>
+GJKSCOPE_LANES Regions<F> regions(Plane<F> c, Plane<F> ca, Plane<F> cb) {
+  const F zero = fill(0.0f, F{});
+  Regions<F> out;
+  out.turn_a = cross(c, ca);
+  out.turn_b = cross(cb, c);
+  const F left_a = zero < out.turn_a;
+  const F left_b = zero < out.turn_b;
+  out.inside = left_a & left_b;
+  out.ac = and_not(dot(c, ca) < zero, left_a);
+  out.cb = and_not(and_not(dot(c, cb) < zero, left_b), out.ac);
+  return out;
+}
+
+template <class F>
+GJKSCOPE_LANES Plane<F> left_normal(Plane<F> a) {
+  return {negative(a.y), a.x};
+}
+
+/// The centre of Y seen from that of X. Shapes far from their own origin make it a small difference
+/// of large numbers, hence the error-free sums (Knuth's TwoSum); products of floats are exact.
+GJKSCOPE_LANES void add(Doubles& sum, Doubles& error, Doubles term) {
+  const Doubles total = sum + term;
+  const Doubles part = total - sum;
+  error = error + ((sum - (total - part)) + (term - part));
+  sum = total;
+}
+GJKSCOPE_LANES Plane<Doubles> centre_offset(const BatchGroup& group, int half) {
+  const Plane<Doubles> x = load(group.x_translation, half, Doubles{});
+  const Plane<Doubles> y = load(group.y_translation, half, Doubles{});
+  if (!group.centred) return y - x;
+  const Turn<Doubles> x_turn = load_turn(group.x_rotation, half, Doubles{});
+  const Turn<Doubles> y_turn = load_turn(group.y_rotation, half, Doubles{});
+  const Plane<Doubles> x_centre = load(group.x_centre, half, Doubles{});
+  const Plane<Doubles> y_centre = load(group.y_centre, half, Doubles{});
+  Plane<Doubles> sum = y;
+  Plane<Doubles> error = {fill(0.0, Doubles{}), fill(0.0, Doubles{})};
+  add(sum.x, error.x, negative(x.x));
+  add(sum.x, error.x, y_turn.row_0.x * y_centre.x);
+  add(sum.x, error.x, y_turn.row_0.y * y_centre.y);
+  add(sum.x, error.x, negative(x_turn.row_0.x * x_centre.x));
+  add(sum.x, error.x, negative(x_turn.row_0.y * x_centre.y));
+  add(sum.y, error.y, negative(x.y));
+  add(sum.y, error.y, y_turn.row_1.x * y_centre.x);
+  add(sum.y, error.y, y_turn.row_1.y * y_centre.y);
+  add(sum.y, error.y, negative(x_turn.row_1.x * x_centre.x));
+  add(sum.y, error.y, negative(x_turn.row_1.y * x_centre.y));
+  return sum + error;
+}
+
+/// What is known of a group, or of half a group.
+template <class F>
+struct Answer {
+  F proven;
+  F overlapping;
+  F distance;
+  Plane<F> x, y;  ///< Witness points, in the shapes' frames.
+};
+
+/// Lanes where the triangle ABC holds O beyond rounding (`area_noise`), and is not so thin that
+/// rounding tears the witness points apart (`length_noise`).
+template <class F>
+GJKSCOPE_LANES void note_overlap(Answer<F>& answer, F inside, F area_noise, F length_noise,
+                                 const Regions<F>& found, const Point<F>& a, const Point<F>& b,
+                                 const Point<F>& c) {
+  const F turn_c = cross(a.w, b.w);
+  const F unit = fill(1.0f, F{}) / (found.turn_a + found.turn_b + turn_c);
+  const F u = found.turn_b * unit;
+  const F v = found.turn_a * unit;
+  const F w = turn_c * unit;
+  const Plane<F> torn = u * a.w + v * b.w + w * c.w;
+  const F sure = inside & (area_noise < found.turn_a) & (area_noise < found.turn_b) &
+                 (area_noise < turn_c) & (magnitude(torn.x) < length_noise) &
+                 (magnitude(torn.y) < length_noise);
+  answer.x = select(sure, u * a.x + v * b.x + w * c.x, answer.x);
+  answer.y = select(sure, u * a.y + v * b.y + w * c.y, answer.y);
+  answer.distance = select(sure, fill(0.0f, F{}), answer.distance);
+  answer.overlapping = answer.overlapping | sure;
+  answer.proven = answer.proven | sure;
+}
+
+/// From the segment AB that the float run ended with to an answer in double with bounds: they
+/// mostly prove it at once. Where they do not, GJK goes on.
+template <bool kXTurned>
+GJKSCOPE_LANES Answer<Doubles> finish(const Frame<Doubles>& frame, Plane<Doubles> ax,
+                                      Plane<Doubles> ay, Plane<Doubles> bx, Plane<Doubles> by,
+                                      Doubles scale, Doubles wanted) {
+  using F = Doubles;
+  const F zero = fill(0.0, F{});
+  const F rounding = fill(kLengthNoise * 0x1p-53, F{}) * scale;
+  const F area_rounding = fill(kAreaNoise * 0x1p-53, F{}) * scale * scale;
+  Answer<F> answer = {zero, zero, zero, {zero, zero}, {zero, zero}};
+  Point<F> a = point<kXTurned>(frame, ax, ay);
+  Point<F> b = point<kXTurned>(frame, bx, by);
+  for (int iteration = 0;; ++iteration) {
+    const Plane<F> edge = b.w - a.w;
+    const F along_a = negative(dot(a.w, edge));
+    const F along_b = dot(b.w, edge);
+    const F before = zero < along_a;
+    const F on_edge = before & (zero < along_b);
+    const Plane<F> end = select(before, b.w, a.w);
+    Plane<F> d = select(on_edge, left_normal(edge), negative(end));
+    F height = negative(dot(d, select(on_edge, a.w, end)));
+    const F flip = height & fill(-0.0, F{});
+    d = {d.x ^ flip, d.y ^ flip};
+    height = height ^ flip;
+    const F length = sqrt(dot(d, d));
+    const F reciprocal = fill(1.0, F{}) / length;
+    const F plane = negative(support_value<kXTurned>(frame, d));
+    const F proven = and_not(
+        (height * fill(1.0 - kWidth, F{}) + rounding * length < plane) & wanted, answer.proven);
+    const F weight =
+        select(on_edge, along_a * reciprocal * reciprocal, select(before, fill(1.0, F{}), zero));
+    answer.distance = select(proven, height * reciprocal, answer.distance);
+    answer.x = select(proven, a.x + weight * (b.x - a.x), answer.x);
+    answer.y = select(proven, a.y + weight * (b.y - a.y), answer.y);
+    answer.proven = answer.proven | proven;
+    if (bits(and_not(wanted, answer.proven)) == 0 || iteration == kDoubleCap) return answer;
+
+    const Point<F> first = select(on_edge, select(flip, b, a), select(before, b, a));
+    b = select(on_edge, select(flip, a, b), first);
+    a = first;
+    const Point<F> c = support<kXTurned>(frame, d);
+    const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
+    note_overlap(answer, and_not(found.inside & wanted, answer.proven), area_rounding,
+                 fill(0x1p-24, F{}) * scale, found, a, b, c);
+    const F stay = answer.proven | found.inside;
+    a = select(found.ac | stay, a, c);
+    b = select(found.cb | stay, b, c);
+  }
+}
+
+/// Rows to columns.
+GJKSCOPE_LANES void transpose(__m256 (&r)[8]) {
+  __m256 s[8];
+  for (int i = 0; i < 8; i += 2) {
+    s[i] = _mm256_unpacklo_ps(r[i], r[i + 1]);
+    s[i + 1] = _mm256_unpackhi_ps(r[i], r[i + 1]);
+  }
+  __m256 t[8];
+  for (int i = 0; i < 8; i += 4) {
+    t[i] = _mm256_shuffle_ps(s[i], s[i + 2], 0x44);
+    t[i + 1] = _mm256_shuffle_ps(s[i], s[i + 2], 0xee);
+    t[i + 2] = _mm256_shuffle_ps(s[i + 1], s[i + 3], 0x44);
+    t[i + 3] = _mm256_shuffle_ps(s[i + 1], s[i + 3], 0xee);
+  }
+  for (int i = 0; i < 4; ++i) {
+    r[i] = _mm256_permute2f128_ps(t[i], t[i + 4], 0x20);
+    r[i + 4] = _mm256_permute2f128_ps(t[i], t[i + 4], 0x31);
+  }
+}
+
+static_assert(sizeof(BatchResult) == sizeof(Eight) && offsetof(BatchResult, verdict) == 28 &&
+              offsetof(BatchResult, iterations) == 30);
+
+template <bool kXTurned>
+__attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const Eight* vertices,
+                                                 BatchResult* results) {
+  using F = Floats;
+  const F zero = fill(0.0f, F{});
+  const Plane<Doubles> offset_low = centre_offset(group, 0);
+  const Plane<Doubles> offset_high = centre_offset(group, 1);
+  Frame<F> frame;
+  frame.group = &group;
+  frame.x = vertices + group.first_x;
+  frame.y = vertices + group.first_y;
+  frame.half = 0;
+  frame.x_turn = load_turn(group.x_rotation, 0, F{});
+  frame.y_turn = load_turn(group.y_rotation, 0, F{});
+  frame.offset = {narrow(offset_low.x, offset_high.x), narrow(offset_low.y, offset_high.y)};
+
+  const F scale = load(group.reach, 0, F{}) +
+                  max(magnitude(frame.offset.x), magnitude(frame.offset.y)) * fill(1.000001f, F{});
+  const F wanted = (fill(kLeastScale, F{}) < scale) & (scale < fill(kLargestScale, F{}));
+  const F noise = fill(kFloatNoise * 0x1p-24f, F{}) * scale;
+  const F area_noise = fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale;
+
+  Answer<F> answer = {zero, zero, zero, {zero, zero}, {zero, zero}};
+  Point<F> a = support<kXTurned>(frame, negative(frame.offset));
+  Point<F> b = a;
+  Plane<F> d = negative(a.w);
+  F open = wanted;
+  __m256i iterations = _mm256_set1_epi32(1);
+  for (int iteration = 0; iteration < kFloatCap; ++iteration) {
+    const Point<F> c = support<kXTurned>(frame, d);
+    const Plane<F> ca = a.w - c.w;
+    const Plane<F> cb = b.w - c.w;
+    open = open & (noise * (magnitude(d.x) + magnitude(d.y)) < negative(dot(d, ca)));
+    if (bits(open) == 0) break;
+    iterations = _mm256_sub_epi32(iterations, _mm256_castps_si256(open.v));
+    const Regions<F> found = regions(c.w, ca, cb);
+    const F inside = open & found.inside;
+    if (bits(inside) != 0) {
+      note_overlap(answer, inside, area_noise, fill(2 * 0x1p-24f, F{}) * scale, found, a, b, c);
+      open = and_not(open, inside);
+    }
+    const F closed = and_not(wanted, open);
+    a = select(found.ac | closed, a, c);
+    b = select(found.cb | closed, b, c);
+    d = select(found.ac | found.cb, left_normal(b.w - a.w), negative(c.w));
+  }
+
+  const F rest = and_not(wanted, answer.proven);
+  if (bits(rest) != 0) {
+    Answer<Doubles> halves[2];
+    for (int half = 0; half < 2; ++half) {
+      Frame<Doubles> exact;
+      exact.group = &group;
+      exact.x = frame.x;
+      exact.y = frame.y;
+      exact.half = half;
+      exact.x_turn = load_turn(group.x_rotation, half, Doubles{});
+      exact.y_turn = load_turn(group.y_rotation, half, Doubles{});
+      exact.offset = half == 0 ? offset_low : offset_high;
+      halves[half] = finish<kXTurned>(
+          exact, {widen(a.x.x, half), widen(a.x.y, half)}, {widen(a.y.x, half), widen(a.y.y, half)},
+          {widen(b.x.x, half), widen(b.x.y, half)}, {widen(b.y.x, half), widen(b.y.y, half)},
+          widen(scale, half), widen_mask(rest, half));
+    }
+    const F proven = join(narrow_mask(halves[0].proven), narrow_mask(halves[1].proven));
+    answer.x =
+        select(proven,
+               Plane<F>{narrow(halves[0].x.x, halves[1].x.x), narrow(halves[0].x.y, halves[1].x.y)},
+               answer.x);
+    answer.y =
+        select(proven,
+               Plane<F>{narrow(halves[0].y.x, halves[1].y.x), narrow(halves[0].y.y, halves[1].y.y)},
+               answer.y);
+    answer.distance =
+        select(proven, narrow(halves[0].distance, halves[1].distance), answer.distance);
+    answer.overlapping = answer.overlapping | join(narrow_mask(halves[0].overlapping),
+                                                   narrow_mask(halves[1].overlapping));
+    answer.proven = answer.proven | proven;
+  }
+
+  Plane<F> x = answer.x;
+  Plane<F> y = answer.y;
+  if (group.centred) {
+    x = x + load(group.x_centre, 0, F{});
+    y = y + load(group.y_centre, 0, F{});
+  }
+  x = turned<kXTurned>(frame.x_turn, x) + load(group.x_translation, 0, F{});
+  y = turned<true>(frame.y_turn, y) + load(group.y_translation, 0, F{});
+
+  // The neighbours of a positive float are one away when read as an integer.
+  const __m256i step = _mm256_srli_epi32(_mm256_castps_si256((zero < answer.distance).v), 31);
+  const __m256i distance = _mm256_castps_si256(answer.distance.v);
+  const __m256i verdict =
+      _mm256_and_si256(_mm256_castps_si256(answer.overlapping.v),
+                       _mm256_set1_epi32(static_cast<int>(Verdict::overlapping)));
+  __m256 rows[8] = {
+      x.x.v,
+      x.y.v,
+      y.x.v,
+      y.y.v,
+      answer.distance.v,
+      _mm256_castsi256_ps(_mm256_sub_epi32(distance, step)),
+      _mm256_castsi256_ps(_mm256_add_epi32(distance, step)),
+      _mm256_castsi256_ps(_mm256_or_si256(verdict, _mm256_slli_epi32(iterations, 16)))};
+  transpose(rows);
+  for (int i = 0; i < kLaneCount; ++i) {
+    if (i < group.pair_count) {
+      _mm256_storeu_ps(reinterpret_cast<float*>(&results[group.pairs[i]]), rows[i]);
+    }
+  }
+  return bits(answer.proven);
+}
+
+#undef GJKSCOPE_LANES
+
+}  // namespace lanes
+
+/// Answers the pairs of a group that the lanes can prove, and says which: bit i for lane i.
+[[nodiscard]] inline int solve_group(const BatchGroup& group, const Eight* vertices,
+                                     BatchResult* results) {
+  return group.x_turned ? lanes::solve<true>(group, vertices, results)
+                        : lanes::solve<false>(group, vertices, results);
+}
+
+#else
+
+[[nodiscard]] inline bool has_lanes() { return false; }
+[[nodiscard]] inline int solve_group(const BatchGroup&, const Eight*, BatchResult*) { return 0; }
+
+#endif
+
+}  // namespace detail
+}  // namespace gjk
