@@ -55,8 +55,8 @@ class Batch {
   /// Copies the vertices. Returns the index of the pair: 0, 1, 2 ...
   int add(const Query<float, 2>& query) {
     const int pair = size();
-    const int x_class = size_class(query.x.vertices);
-    const int y_class = size_class(query.y.vertices);
+    int x_class = size_class(query.x.vertices);
+    int y_class = size_class(query.y.vertices);
     if (x_class == kNoClass || y_class == kNoClass) {
       places_.push_back({-1, static_cast<int>(odd_.size())});
       odd_.push_back({pair,
@@ -66,6 +66,11 @@ class Batch {
                       query.y.pose});
       return pair;
     }
+    // Blocks of 3 vertices serve groups of triangles and less, blocks of 4 all others.
+    if (x_class != y_class) {
+      x_class = std::max(x_class, 1);
+      y_class = std::max(y_class, 1);
+    }
     int& open = open_groups_[x_class * kClassCount + y_class];
     if (open < 0) {
       open = static_cast<int>(groups_.size());
@@ -73,6 +78,9 @@ class Batch {
       packed.group.first_x = vertices_.size();
       packed.group.first_y = packed.group.first_x + 2 * kClassSizes[x_class];
       vertices_.resize(packed.group.first_y + 2 * kClassSizes[y_class]);
+      packed.group.x_count = kClassSizes[x_class];
+      packed.group.y_count = kClassSizes[y_class];
+      packed.group.block = x_class == 0 ? 3 : 4;
     }
     const int index = open;
     Packed& packed = groups_[index];
@@ -83,8 +91,6 @@ class Batch {
     places_.push_back({index, lane});
     packed.x_sizes[lane] = static_cast<std::uint8_t>(query.x.vertices.size());
     packed.y_sizes[lane] = static_cast<std::uint8_t>(query.y.vertices.size());
-    group.x_count = std::max(group.x_count, static_cast<int>(packed.x_sizes[lane]));
-    group.y_count = std::max(group.y_count, static_cast<int>(packed.y_sizes[lane]));
     packed.x_radius[lane] =
         pack(query.x.vertices, lane, kClassSizes[x_class], group.first_x, group.x_centre);
     packed.y_radius[lane] =
@@ -172,7 +178,7 @@ class Batch {
   };
 
   /// Shapes share groups with shapes of about their size: each costs its group's largest.
-  static constexpr std::array<int, 3> kClassSizes = {4, 8, kMaxLaneVertices};
+  static constexpr std::array<int, 5> kClassSizes = {3, 4, 8, 12, kMaxLaneVertices};
   static constexpr int kClassCount = static_cast<int>(kClassSizes.size());
   static constexpr int kNoClass = -1;
   [[nodiscard]] static int size_class(Vertices vertices) {
@@ -290,7 +296,8 @@ class Batch {
   std::vector<detail::Eight> vertices_;
   std::vector<Odd> odd_;
   std::vector<Place> places_;
-  std::array<int, kClassCount* kClassCount> open_groups_ = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
+  /// The group of each pair of classes that has lanes left, or -1.
+  std::vector<int> open_groups_ = std::vector<int>(std::size_t{kClassCount} * kClassCount, -1);
 };
 
 }  // namespace gjk

@@ -53,6 +53,7 @@ struct BatchGroup {
   bool x_turned = false;  ///< Some rotation of X is not the identity.
   int x_count = 0;        ///< Of the largest shape.
   int y_count = 0;
+  int block = 0;  ///< Their common divisor, 3 or 4.
   int pair_count = 0;
   std::array<int, kLaneCount> pairs = {};  ///< Which pair each lane holds.
   std::size_t first_x = 0;                 ///< Where the vertices start.
@@ -151,6 +152,10 @@ GJKSCOPE_LANES __m128 narrow_mask(Doubles mask) {
 }
 
 template <class F>
+GJKSCOPE_LANES F all(F) {
+  return fill(0.0f, F{}) < fill(1.0f, F{});
+}
+template <class F>
 GJKSCOPE_LANES F negative(F a) {
   return a ^ fill(-0.0f, F{});
 }
@@ -245,44 +250,60 @@ GJKSCOPE_LANES Plane<F> vertex(const Eight* vertices, int i, int half) {
 }
 
 /// The slides' scan, which carries the vertex along instead of its index: nothing to gather later.
-template <class F>
+/// `count` is a multiple of kBlock, whose loop the compiler unrolls.
+template <int kBlock, class F>
 GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, int half, Plane<F> d) {
   Plane<F> best = vertex<F>(vertices, 0, half);
   F best_value = dot(d, best);
-  for (int i = 1; i < count; ++i) {
-    const Plane<F> candidate = vertex<F>(vertices, i, half);
-    const F value = dot(d, candidate);
-    best = select(best_value < value, candidate, best);
-    best_value = max(best_value, value);
+  for (int block = 0;;) {
+    for (int i = block == 0 ? 1 : 0; i < kBlock; ++i) {
+      const Plane<F> candidate = vertex<F>(vertices + 2 * block, i, half);
+      const F value = dot(d, candidate);
+      best = select(best_value < value, candidate, best);
+      best_value = max(best_value, value);
+    }
+    block += kBlock;
+    if (block >= count) return best;
+  }
+}
+template <int kBlock, class F>
+GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, int half, Plane<F> d) {
+  F best = dot(d, vertex<F>(vertices, 0, half));
+  for (int i = 1; i < kBlock; ++i) best = max(best, dot(d, vertex<F>(vertices, i, half)));
+  for (int block = kBlock; block < count; block += kBlock) {
+    for (int i = 0; i < kBlock; ++i) {
+      best = max(best, dot(d, vertex<F>(vertices + 2 * block, i, half)));
+    }
   }
   return best;
 }
-template <class F>
-GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, int half, Plane<F> d) {
-  F best = dot(d, vertex<F>(vertices, 0, half));
-  for (int i = 1; i < count; ++i) best = max(best, dot(d, vertex<F>(vertices, i, half)));
-  return best;
-}
 
-template <bool kXTurned, class F>
-GJKSCOPE_LANES Point<F> point(const Frame<F>& frame, Plane<F> x, Plane<F> y) {
-  return {turned<true>(frame.y_turn, y) - turned<kXTurned>(frame.x_turn, x) + frame.offset, x, y};
+/// How a group is to be read, known to the compiler.
+template <bool kXTurned_, int kBlock_>
+struct Layout {
+  static constexpr bool kXTurned = kXTurned_;  ///< Rotations of X are not all the identity.
+  static constexpr int kBlock = kBlock_;       ///< Vertex counts are multiples of it.
+};
+
+template <class L, class F>
+GJKSCOPE_LANES Plane<F> difference(const Frame<F>& frame, Plane<F> x, Plane<F> y) {
+  return turned<true>(frame.y_turn, y) - turned<L::kXTurned>(frame.x_turn, x) + frame.offset;
 }
-template <bool kXTurned, class F>
+template <class L, class F>
 GJKSCOPE_LANES Point<F> support(const Frame<F>& frame, Plane<F> d) {
-  const Plane<F> x = farthest(frame.x, frame.group->x_count, frame.half,
-                              turned_back<kXTurned>(frame.x_turn, negative(d)));
-  const Plane<F> y =
-      farthest(frame.y, frame.group->y_count, frame.half, turned_back<true>(frame.y_turn, d));
-  return point<kXTurned>(frame, x, y);
+  const Plane<F> d_x = turned_back<L::kXTurned>(frame.x_turn, negative(d));
+  const Plane<F> d_y = turned_back<true>(frame.y_turn, d);
+  const Plane<F> x = farthest<L::kBlock>(frame.x, frame.group->x_count, frame.half, d_x);
+  const Plane<F> y = farthest<L::kBlock>(frame.y, frame.group->y_count, frame.half, d_y);
+  return {difference<L>(frame, x, y), x, y};
 }
 /// max of dot(d, z) over Z.
-template <bool kXTurned, class F>
+template <class L, class F>
 GJKSCOPE_LANES F support_value(const Frame<F>& frame, Plane<F> d) {
-  const F x = farthest_value(frame.x, frame.group->x_count, frame.half,
-                             turned_back<kXTurned>(frame.x_turn, negative(d)));
-  const F y =
-      farthest_value(frame.y, frame.group->y_count, frame.half, turned_back<true>(frame.y_turn, d));
+  const Plane<F> d_x = turned_back<L::kXTurned>(frame.x_turn, negative(d));
+  const Plane<F> d_y = turned_back<true>(frame.y_turn, d);
+  const F x = farthest_value<L::kBlock>(frame.x, frame.group->x_count, frame.half, d_x);
+  const F y = farthest_value<L::kBlock>(frame.y, frame.group->y_count, frame.half, d_y);
   return (x + y) + dot(d, frame.offset);
 }
 
@@ -345,21 +366,11 @@ GJKSCOPE_LANES Plane<Doubles> centre_offset(const BatchGroup& group, int half) {
   return sum + error;
 }
 
-/// What is known of a group, or of half a group.
-template <class F>
-struct Answer {
-  F proven;
-  F overlapping;
-  F distance;
-  Plane<F> x, y;  ///< Witness points, in the shapes' frames.
-};
-
 /// Lanes where the triangle ABC holds O beyond rounding (`area_noise`), and is not so thin that
-/// rounding tears the witness points apart (`length_noise`).
+/// rounding tears the witness points apart (`length_noise`). There, A and B become the witness.
 template <class F>
-GJKSCOPE_LANES void note_overlap(Answer<F>& answer, F inside, F area_noise, F length_noise,
-                                 const Regions<F>& found, const Point<F>& a, const Point<F>& b,
-                                 const Point<F>& c) {
+GJKSCOPE_LANES F overlap(F inside, F area_noise, F length_noise, const Regions<F>& found,
+                         Point<F>& a, Point<F>& b, const Point<F>& c) {
   const F turn_c = cross(a.w, b.w);
   const F unit = fill(1.0f, F{}) / (found.turn_a + found.turn_b + turn_c);
   const F u = found.turn_b * unit;
@@ -369,61 +380,127 @@ GJKSCOPE_LANES void note_overlap(Answer<F>& answer, F inside, F area_noise, F le
   const F sure = inside & (area_noise < found.turn_a) & (area_noise < found.turn_b) &
                  (area_noise < turn_c) & (magnitude(torn.x) < length_noise) &
                  (magnitude(torn.y) < length_noise);
-  answer.x = select(sure, u * a.x + v * b.x + w * c.x, answer.x);
-  answer.y = select(sure, u * a.y + v * b.y + w * c.y, answer.y);
-  answer.distance = select(sure, fill(0.0f, F{}), answer.distance);
-  answer.overlapping = answer.overlapping | sure;
-  answer.proven = answer.proven | sure;
+  a.x = select(sure, u * a.x + v * b.x + w * c.x, a.x);
+  a.y = select(sure, u * a.y + v * b.y + w * c.y, a.y);
+  b.x = select(sure, a.x, b.x);
+  b.y = select(sure, a.y, b.y);
+  return sure;
 }
 
-/// From the segment AB that the float run ended with to an answer in double with bounds: they
-/// mostly prove it at once. Where they do not, GJK goes on.
-template <bool kXTurned>
-GJKSCOPE_LANES Answer<Doubles> finish(const Frame<Doubles>& frame, Plane<Doubles> ax,
-                                      Plane<Doubles> ay, Plane<Doubles> bx, Plane<Doubles> by,
-                                      Doubles scale, Doubles wanted) {
+/// The point of the segment AB nearest to O, the support plane there, and whether the two prove the
+/// distance: |height| / |d| bounds it from above, plane / |d| from below.
+struct Foot {
+  Doubles proven;
+  Doubles distance;
+  Doubles weight;   ///< Of B.
+  Doubles on_edge;  ///< Strictly between A and B.
+  Doubles at_b;
+  Doubles right;  ///< O lies to the right of AB.
+  Plane<Doubles> d;
+};
+template <class L>
+GJKSCOPE_LANES Foot find_foot(const Frame<Doubles>& frame, Plane<Doubles> a, Plane<Doubles> b,
+                              Doubles scale) {
   using F = Doubles;
   const F zero = fill(0.0, F{});
-  const F rounding = fill(kLengthNoise * 0x1p-53, F{}) * scale;
-  const F area_rounding = fill(kAreaNoise * 0x1p-53, F{}) * scale * scale;
-  Answer<F> answer = {zero, zero, zero, {zero, zero}, {zero, zero}};
-  Point<F> a = point<kXTurned>(frame, ax, ay);
-  Point<F> b = point<kXTurned>(frame, bx, by);
-  for (int iteration = 0;; ++iteration) {
-    const Plane<F> edge = b.w - a.w;
-    const F along_a = negative(dot(a.w, edge));
-    const F along_b = dot(b.w, edge);
-    const F before = zero < along_a;
-    const F on_edge = before & (zero < along_b);
-    const Plane<F> end = select(before, b.w, a.w);
-    Plane<F> d = select(on_edge, left_normal(edge), negative(end));
-    F height = negative(dot(d, select(on_edge, a.w, end)));
-    const F flip = height & fill(-0.0, F{});
-    d = {d.x ^ flip, d.y ^ flip};
-    height = height ^ flip;
-    const F length = sqrt(dot(d, d));
-    const F reciprocal = fill(1.0, F{}) / length;
-    const F plane = negative(support_value<kXTurned>(frame, d));
-    const F proven = and_not(
-        (height * fill(1.0 - kWidth, F{}) + rounding * length < plane) & wanted, answer.proven);
-    const F weight =
-        select(on_edge, along_a * reciprocal * reciprocal, select(before, fill(1.0, F{}), zero));
-    answer.distance = select(proven, height * reciprocal, answer.distance);
-    answer.x = select(proven, a.x + weight * (b.x - a.x), answer.x);
-    answer.y = select(proven, a.y + weight * (b.y - a.y), answer.y);
-    answer.proven = answer.proven | proven;
-    if (bits(and_not(wanted, answer.proven)) == 0 || iteration == kDoubleCap) return answer;
+  const F one = fill(1.0, F{});
+  Foot foot;
+  const Plane<F> edge = b - a;
+  const F along = negative(dot(a, edge));
+  const F beyond_a = zero < along;
+  const F before_b = zero < dot(b, edge);
+  foot.on_edge = beyond_a & before_b;
+  foot.at_b = and_not(beyond_a, before_b);
+  const Plane<F> end = select(foot.at_b, b, a);
+  foot.d = select(foot.on_edge, left_normal(edge), negative(end));
+  const F signed_height = negative(dot(foot.d, end));
+  const F sign = signed_height & fill(-0.0, F{});
+  foot.right = signed_height < zero;
+  foot.d = {foot.d.x ^ sign, foot.d.y ^ sign};
+  const F height = signed_height ^ sign;
+  const F length = sqrt(dot(foot.d, foot.d));
+  const F reciprocal = one / length;
+  foot.distance = height * reciprocal;
+  foot.weight = select(foot.on_edge, along * (reciprocal * reciprocal), foot.at_b & one);
+  const F rounding = scale * fill(kLengthNoise * 0x1p-53, F{});
+  const F plane = negative(support_value<L>(frame, foot.d));
+  foot.proven = height * fill(1.0 - kWidth, F{}) + rounding * length < plane;
+  return foot;
+}
 
-    const Point<F> first = select(on_edge, select(flip, b, a), select(before, b, a));
-    b = select(on_edge, select(flip, a, b), first);
-    a = first;
-    const Point<F> c = support<kXTurned>(frame, d);
+/// What the lanes come to: witness points are (1 - weight) a + weight b.
+struct Ends {
+  Point<Floats> a, b;  ///< Without w.
+  Floats weight, distance;
+  Floats proven, overlapping;
+};
+GJKSCOPE_LANES void put(Floats& whole, int half, Doubles mask, Doubles value) {
+  float* four = reinterpret_cast<float*>(&whole) + 4 * half;
+  _mm_store_ps(four, _mm_blendv_ps(_mm_load_ps(four), _mm256_cvtpd_ps(value.v), narrow_mask(mask)));
+}
+GJKSCOPE_LANES void put(Plane<Floats>& whole, int half, Doubles mask, Plane<Doubles> value) {
+  put(whole.x, half, mask, value.x);
+  put(whole.y, half, mask, value.y);
+}
+GJKSCOPE_LANES void put_mask(Floats& whole, int half, Doubles mask) {
+  float* four = reinterpret_cast<float*>(&whole) + 4 * half;
+  _mm_store_ps(four, _mm_or_ps(_mm_load_ps(four), narrow_mask(mask)));
+}
+GJKSCOPE_LANES void put(Ends& ends, int half, Doubles mask, const Point<Doubles>& a,
+                        const Point<Doubles>& b, Doubles weight, Doubles distance) {
+  put(ends.a.x, half, mask, a.x);
+  put(ends.a.y, half, mask, a.y);
+  put(ends.b.x, half, mask, b.x);
+  put(ends.b.y, half, mask, b.y);
+  put(ends.weight, half, mask, weight);
+  put(ends.distance, half, mask, distance);
+  put_mask(ends.proven, half, mask);
+}
+
+GJKSCOPE_LANES Plane<Doubles> widen(Plane<Floats> a, int half) {
+  return {widen(a.x, half), widen(a.y, half)};
+}
+template <class L>
+GJKSCOPE_LANES Point<Doubles> widen(const Frame<Doubles>& frame, const Point<Floats>& a) {
+  const Plane<Doubles> x = widen(a.x, frame.half);
+  const Plane<Doubles> y = widen(a.y, frame.half);
+  return {difference<L>(frame, x, y), x, y};
+}
+
+/// GJK in double for the lanes `open`, from the segments that the float run ended with. Few groups
+/// need it.
+template <class L>
+__attribute__((target("avx2"), noinline)) void refine(const Frame<Doubles>& frame, Doubles open,
+                                                      Doubles scale, Ends& ends) {
+  using F = Doubles;
+  const int half = frame.half;
+  const F zero = fill(0.0, F{});
+  const F area_noise = fill(kAreaNoise * 0x1p-53, F{}) * scale * scale;
+  const F length_noise = fill(0x1p-24, F{}) * scale;
+  Point<F> a = widen<L>(frame, ends.a);
+  Point<F> b = widen<L>(frame, ends.b);
+  for (int iteration = 0; iteration < kDoubleCap; ++iteration) {
+    const Foot foot = find_foot<L>(frame, a.w, b.w, scale);
+    const F proven = open & foot.proven;
+    put(ends, half, proven, a, b, foot.weight, foot.distance);
+    open = and_not(open, proven);
+    if (bits(open) == 0) return;
+
+    // O to the left of AB, and both the same vertex where the foot is one.
+    const Point<F> start = select(foot.on_edge & foot.right, b, a);
+    const Point<F> end = select(foot.right, a, b);
+    const F at_a = and_not(and_not(all(F{}), foot.on_edge), foot.at_b);
+    a = select(foot.at_b, b, start);
+    b = select(at_a, a, select(foot.on_edge, end, b));
+
+    const Point<F> c = support<L>(frame, foot.d);
     const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
-    note_overlap(answer, and_not(found.inside & wanted, answer.proven), area_rounding,
-                 fill(0x1p-24, F{}) * scale, found, a, b, c);
-    const F stay = answer.proven | found.inside;
-    a = select(found.ac | stay, a, c);
-    b = select(found.cb | stay, b, c);
+    const F sure = overlap(open & found.inside, area_noise, length_noise, found, a, b, c);
+    put(ends, half, sure, a, b, zero, zero);
+    put_mask(ends.overlapping, half, sure);
+    open = and_not(open, sure);
+    a = select(found.ac | found.inside, a, c);
+    b = select(found.cb | found.inside, b, c);
   }
 }
 
@@ -450,45 +527,57 @@ GJKSCOPE_LANES void transpose(__m256 (&r)[8]) {
 static_assert(sizeof(BatchResult) == sizeof(Eight) && offsetof(BatchResult, verdict) == 28 &&
               offsetof(BatchResult, iterations) == 30);
 
-template <bool kXTurned>
+template <class L>
+GJKSCOPE_LANES Frame<Doubles> double_frame(const BatchGroup& group, const Eight* vertices, int half,
+                                           Plane<Doubles> offset) {
+  return {&group,
+          vertices + group.first_x,
+          vertices + group.first_y,
+          half,
+          load_turn(group.x_rotation, half, Doubles{}),
+          load_turn(group.y_rotation, half, Doubles{}),
+          offset};
+}
+
+template <class L>
 __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const Eight* vertices,
                                                  BatchResult* results) {
   using F = Floats;
   const F zero = fill(0.0f, F{});
   const Plane<Doubles> offset_low = centre_offset(group, 0);
   const Plane<Doubles> offset_high = centre_offset(group, 1);
-  Frame<F> frame;
-  frame.group = &group;
-  frame.x = vertices + group.first_x;
-  frame.y = vertices + group.first_y;
-  frame.half = 0;
-  frame.x_turn = load_turn(group.x_rotation, 0, F{});
-  frame.y_turn = load_turn(group.y_rotation, 0, F{});
-  frame.offset = {narrow(offset_low.x, offset_high.x), narrow(offset_low.y, offset_high.y)};
-
+  const Frame<F> frame = {
+      &group,
+      vertices + group.first_x,
+      vertices + group.first_y,
+      0,
+      load_turn(group.x_rotation, 0, F{}),
+      load_turn(group.y_rotation, 0, F{}),
+      {narrow(offset_low.x, offset_high.x), narrow(offset_low.y, offset_high.y)}};
   const F scale = load(group.reach, 0, F{}) +
                   max(magnitude(frame.offset.x), magnitude(frame.offset.y)) * fill(1.000001f, F{});
   const F wanted = (fill(kLeastScale, F{}) < scale) & (scale < fill(kLargestScale, F{}));
-  const F noise = fill(kFloatNoise * 0x1p-24f, F{}) * scale;
-  const F area_noise = fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale;
+  const F noise = fill(-kFloatNoise * 0x1p-24f, F{}) * scale;
 
-  Answer<F> answer = {zero, zero, zero, {zero, zero}, {zero, zero}};
-  Point<F> a = support<kXTurned>(frame, negative(frame.offset));
+  Point<F> a = support<L>(frame, negative(frame.offset));
   Point<F> b = a;
   Plane<F> d = negative(a.w);
   F open = wanted;
+  F overlapping = zero;
   __m256i iterations = _mm256_set1_epi32(1);
   for (int iteration = 0; iteration < kFloatCap; ++iteration) {
-    const Point<F> c = support<kXTurned>(frame, d);
+    const Point<F> c = support<L>(frame, d);
     const Plane<F> ca = a.w - c.w;
     const Plane<F> cb = b.w - c.w;
-    open = open & (noise * (magnitude(d.x) + magnitude(d.y)) < negative(dot(d, ca)));
+    open = open & (dot(d, ca) < noise * (magnitude(d.x) + magnitude(d.y)));
     if (bits(open) == 0) break;
     iterations = _mm256_sub_epi32(iterations, _mm256_castps_si256(open.v));
     const Regions<F> found = regions(c.w, ca, cb);
     const F inside = open & found.inside;
     if (bits(inside) != 0) {
-      note_overlap(answer, inside, area_noise, fill(2 * 0x1p-24f, F{}) * scale, found, a, b, c);
+      overlapping =
+          overlapping | overlap(inside, fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale,
+                                fill(2 * 0x1p-24f, F{}) * scale, found, a, b, c);
       open = and_not(open, inside);
     }
     const F closed = and_not(wanted, open);
@@ -497,62 +586,50 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
     d = select(found.ac | found.cb, left_normal(b.w - a.w), negative(c.w));
   }
 
-  const F rest = and_not(wanted, answer.proven);
+  Ends ends = {a, b, zero, zero, overlapping, overlapping};
+  const F rest = and_not(wanted, overlapping);
   if (bits(rest) != 0) {
-    Answer<Doubles> halves[2];
-    for (int half = 0; half < 2; ++half) {
-      Frame<Doubles> exact;
-      exact.group = &group;
-      exact.x = frame.x;
-      exact.y = frame.y;
-      exact.half = half;
-      exact.x_turn = load_turn(group.x_rotation, half, Doubles{});
-      exact.y_turn = load_turn(group.y_rotation, half, Doubles{});
-      exact.offset = half == 0 ? offset_low : offset_high;
-      halves[half] = finish<kXTurned>(
-          exact, {widen(a.x.x, half), widen(a.x.y, half)}, {widen(a.y.x, half), widen(a.y.y, half)},
-          {widen(b.x.x, half), widen(b.x.y, half)}, {widen(b.y.x, half), widen(b.y.y, half)},
-          widen(scale, half), widen_mask(rest, half));
+    const Frame<Doubles> low = double_frame<L>(group, vertices, 0, offset_low);
+    const Frame<Doubles> high = double_frame<L>(group, vertices, 1, offset_high);
+    const Foot foot_low =
+        find_foot<L>(low, widen<L>(low, a).w, widen<L>(low, b).w, widen(scale, 0));
+    const Foot foot_high =
+        find_foot<L>(high, widen<L>(high, a).w, widen<L>(high, b).w, widen(scale, 1));
+    const F proven = rest & join(narrow_mask(foot_low.proven), narrow_mask(foot_high.proven));
+    ends.weight = proven & narrow(foot_low.weight, foot_high.weight);
+    ends.distance = proven & narrow(foot_low.distance, foot_high.distance);
+    ends.proven = overlapping | proven;
+    const F unproven = and_not(rest, proven);
+    const int which = bits(unproven);
+    if (which != 0) {
+      if ((which & 0x0f) != 0) refine<L>(low, widen_mask(unproven, 0), widen(scale, 0), ends);
+      if ((which & 0xf0) != 0) refine<L>(high, widen_mask(unproven, 1), widen(scale, 1), ends);
     }
-    const F proven = join(narrow_mask(halves[0].proven), narrow_mask(halves[1].proven));
-    answer.x =
-        select(proven,
-               Plane<F>{narrow(halves[0].x.x, halves[1].x.x), narrow(halves[0].x.y, halves[1].x.y)},
-               answer.x);
-    answer.y =
-        select(proven,
-               Plane<F>{narrow(halves[0].y.x, halves[1].y.x), narrow(halves[0].y.y, halves[1].y.y)},
-               answer.y);
-    answer.distance =
-        select(proven, narrow(halves[0].distance, halves[1].distance), answer.distance);
-    answer.overlapping = answer.overlapping | join(narrow_mask(halves[0].overlapping),
-                                                   narrow_mask(halves[1].overlapping));
-    answer.proven = answer.proven | proven;
   }
 
-  Plane<F> x = answer.x;
-  Plane<F> y = answer.y;
+  Plane<F> x = ends.a.x + ends.weight * (ends.b.x - ends.a.x);
+  Plane<F> y = ends.a.y + ends.weight * (ends.b.y - ends.a.y);
   if (group.centred) {
     x = x + load(group.x_centre, 0, F{});
     y = y + load(group.y_centre, 0, F{});
   }
-  x = turned<kXTurned>(frame.x_turn, x) + load(group.x_translation, 0, F{});
+  x = turned<L::kXTurned>(frame.x_turn, x) + load(group.x_translation, 0, F{});
   y = turned<true>(frame.y_turn, y) + load(group.y_translation, 0, F{});
 
   // The neighbours of a positive float are one away when read as an integer.
-  const __m256i step = _mm256_srli_epi32(_mm256_castps_si256((zero < answer.distance).v), 31);
-  const __m256i distance = _mm256_castps_si256(answer.distance.v);
+  const __m256i one = _mm256_srli_epi32(_mm256_castps_si256((zero < ends.distance).v), 31);
+  const __m256i distance = _mm256_castps_si256(ends.distance.v);
   const __m256i verdict =
-      _mm256_and_si256(_mm256_castps_si256(answer.overlapping.v),
+      _mm256_and_si256(_mm256_castps_si256(ends.overlapping.v),
                        _mm256_set1_epi32(static_cast<int>(Verdict::overlapping)));
   __m256 rows[8] = {
       x.x.v,
       x.y.v,
       y.x.v,
       y.y.v,
-      answer.distance.v,
-      _mm256_castsi256_ps(_mm256_sub_epi32(distance, step)),
-      _mm256_castsi256_ps(_mm256_add_epi32(distance, step)),
+      ends.distance.v,
+      _mm256_castsi256_ps(_mm256_sub_epi32(distance, one)),
+      _mm256_castsi256_ps(_mm256_add_epi32(distance, one)),
       _mm256_castsi256_ps(_mm256_or_si256(verdict, _mm256_slli_epi32(iterations, 16)))};
   transpose(rows);
   for (int i = 0; i < kLaneCount; ++i) {
@@ -560,7 +637,7 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
       _mm256_storeu_ps(reinterpret_cast<float*>(&results[group.pairs[i]]), rows[i]);
     }
   }
-  return bits(answer.proven);
+  return bits(ends.proven);
 }
 
 #undef GJKSCOPE_LANES
@@ -570,8 +647,13 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
 /// Answers the pairs of a group that the lanes can prove, and says which: bit i for lane i.
 [[nodiscard]] inline int solve_group(const BatchGroup& group, const Eight* vertices,
                                      BatchResult* results) {
-  return group.x_turned ? lanes::solve<true>(group, vertices, results)
-                        : lanes::solve<false>(group, vertices, results);
+  using lanes::Layout;
+  if (group.block == 3) {
+    return group.x_turned ? lanes::solve<Layout<true, 3>>(group, vertices, results)
+                          : lanes::solve<Layout<false, 3>>(group, vertices, results);
+  }
+  return group.x_turned ? lanes::solve<Layout<true, 4>>(group, vertices, results)
+                        : lanes::solve<Layout<false, 4>>(group, vertices, results);
 }
 
 #else
