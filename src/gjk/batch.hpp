@@ -81,6 +81,7 @@ class Batch {
       packed.group.x_count = kClassSizes[x_class];
       packed.group.y_count = kClassSizes[y_class];
       packed.group.block = x_class == 0 ? 3 : 4;
+      packed.group.rounds = kRounds[std::max(x_class, y_class)];
     }
     const int index = open;
     Packed& packed = groups_[index];
@@ -179,6 +180,10 @@ class Batch {
 
   /// Shapes share groups with shapes of about their size: each costs its group's largest.
   static constexpr std::array<int, 5> kClassSizes = {3, 4, 8, 12, kMaxLaneVertices};
+#ifndef KR
+#define KR 3,3,4,5,5
+#endif
+  static constexpr std::array<int, 5> kRounds = {KR};
   static constexpr int kClassCount = static_cast<int>(kClassSizes.size());
   static constexpr int kNoClass = -1;
   [[nodiscard]] static int size_class(Vertices vertices) {

@@ -54,6 +54,7 @@ struct BatchGroup {
   int x_count = 0;        ///< Of the largest shape.
   int y_count = 0;
   int block = 0;  ///< Their common divisor, 3 or 4.
+  int rounds = 0;
   int pair_count = 0;
   std::array<int, kLaneCount> pairs = {};  ///< Which pair each lane holds.
   std::size_t first_x = 0;                 ///< Where the vertices start.
@@ -104,51 +105,70 @@ GJKSCOPE_LANES Floats select(Floats mask, Floats yes, Floats no) {
 }
 GJKSCOPE_LANES int bits(Floats mask) { return _mm256_movemask_ps(mask.v); }
 GJKSCOPE_LANES Floats fill(float a, Floats) { return {_mm256_set1_ps(a)}; }
-GJKSCOPE_LANES Floats load(const Eight& a, int, Floats) { return {_mm256_load_ps(a.lane.data())}; }
+GJKSCOPE_LANES Floats load(const Eight& a, Floats) { return {_mm256_load_ps(a.lane.data())}; }
 
-/// Four doubles: one half of a group.
+/// Eight doubles.
 struct Doubles {
-  __m256d v;
+  __m256d low, high;
 };
-GJKSCOPE_LANES Doubles operator+(Doubles a, Doubles b) { return {_mm256_add_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator-(Doubles a, Doubles b) { return {_mm256_sub_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator*(Doubles a, Doubles b) { return {_mm256_mul_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator/(Doubles a, Doubles b) { return {_mm256_div_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator&(Doubles a, Doubles b) { return {_mm256_and_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator|(Doubles a, Doubles b) { return {_mm256_or_pd(a.v, b.v)}; }
-GJKSCOPE_LANES Doubles operator^(Doubles a, Doubles b) { return {_mm256_xor_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles operator+(Doubles a, Doubles b) {
+  return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator-(Doubles a, Doubles b) {
+  return {_mm256_sub_pd(a.low, b.low), _mm256_sub_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator*(Doubles a, Doubles b) {
+  return {_mm256_mul_pd(a.low, b.low), _mm256_mul_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator/(Doubles a, Doubles b) {
+  return {_mm256_div_pd(a.low, b.low), _mm256_div_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator&(Doubles a, Doubles b) {
+  return {_mm256_and_pd(a.low, b.low), _mm256_and_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator|(Doubles a, Doubles b) {
+  return {_mm256_or_pd(a.low, b.low), _mm256_or_pd(a.high, b.high)};
+}
+GJKSCOPE_LANES Doubles operator^(Doubles a, Doubles b) {
+  return {_mm256_xor_pd(a.low, b.low), _mm256_xor_pd(a.high, b.high)};
+}
 GJKSCOPE_LANES Doubles operator<(Doubles a, Doubles b) {
-  return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
+  return {_mm256_cmp_pd(a.low, b.low, _CMP_LT_OQ), _mm256_cmp_pd(a.high, b.high, _CMP_LT_OQ)};
 }
-GJKSCOPE_LANES Doubles and_not(Doubles a, Doubles b) { return {_mm256_andnot_pd(b.v, a.v)}; }
-GJKSCOPE_LANES Doubles max(Doubles a, Doubles b) { return {_mm256_max_pd(a.v, b.v)}; }
+GJKSCOPE_LANES Doubles and_not(Doubles a, Doubles b) {
+  return {_mm256_andnot_pd(b.low, a.low), _mm256_andnot_pd(b.high, a.high)};
+}
+GJKSCOPE_LANES Doubles max(Doubles a, Doubles b) {
+  return {_mm256_max_pd(a.low, b.low), _mm256_max_pd(a.high, b.high)};
+}
 GJKSCOPE_LANES Doubles select(Doubles mask, Doubles yes, Doubles no) {
-  return {_mm256_blendv_pd(no.v, yes.v, mask.v)};
+  return {_mm256_blendv_pd(no.low, yes.low, mask.low),
+          _mm256_blendv_pd(no.high, yes.high, mask.high)};
 }
-GJKSCOPE_LANES Doubles sqrt(Doubles a) { return {_mm256_sqrt_pd(a.v)}; }
-GJKSCOPE_LANES int bits(Doubles mask) { return _mm256_movemask_pd(mask.v); }
-GJKSCOPE_LANES Doubles fill(double a, Doubles) { return {_mm256_set1_pd(a)}; }
-GJKSCOPE_LANES Doubles load(const Eight& a, int half, Doubles) {
-  return {_mm256_cvtps_pd(_mm_load_ps(a.lane.data() + 4 * half))};
+GJKSCOPE_LANES Doubles sqrt(Doubles a) { return {_mm256_sqrt_pd(a.low), _mm256_sqrt_pd(a.high)}; }
+GJKSCOPE_LANES Doubles fill(double a, Doubles) { return {_mm256_set1_pd(a), _mm256_set1_pd(a)}; }
+GJKSCOPE_LANES Doubles load(const Eight& a, Doubles) {
+  return {_mm256_cvtps_pd(_mm_load_ps(a.lane.data())),
+          _mm256_cvtps_pd(_mm_load_ps(a.lane.data() + 4))};
 }
 
-GJKSCOPE_LANES Doubles widen(Floats a, int half) {
-  return {_mm256_cvtps_pd(half == 0 ? _mm256_castps256_ps128(a.v) : _mm256_extractf128_ps(a.v, 1))};
+GJKSCOPE_LANES Doubles widen(Floats a) {
+  return {_mm256_cvtps_pd(_mm256_castps256_ps128(a.v)),
+          _mm256_cvtps_pd(_mm256_extractf128_ps(a.v, 1))};
 }
-GJKSCOPE_LANES Doubles widen_mask(Floats mask, int half) {
-  const __m128i low = _mm_castps_si128(half == 0 ? _mm256_castps256_ps128(mask.v)
-                                                 : _mm256_extractf128_ps(mask.v, 1));
-  return {_mm256_castsi256_pd(_mm256_cvtepi32_epi64(low))};
+GJKSCOPE_LANES Floats narrow(Doubles a) {
+  return {_mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(a.low)),
+                               _mm256_cvtpd_ps(a.high), 1)};
 }
-GJKSCOPE_LANES Floats join(__m128 low, __m128 high) {
-  return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
+GJKSCOPE_LANES Doubles widen_mask(Floats mask) {
+  const __m256i bits_of = _mm256_castps_si256(mask.v);
+  return {_mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_castsi256_si128(bits_of))),
+          _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_extracti128_si256(bits_of, 1)))};
 }
-GJKSCOPE_LANES Floats narrow(Doubles low, Doubles high) {
-  return join(_mm256_cvtpd_ps(low.v), _mm256_cvtpd_ps(high.v));
-}
-GJKSCOPE_LANES __m128 narrow_mask(Doubles mask) {
-  const __m256 pairs = _mm256_castpd_ps(mask.v);
-  return _mm_shuffle_ps(_mm256_castps256_ps128(pairs), _mm256_extractf128_ps(pairs, 1), 0x88);
+GJKSCOPE_LANES Floats narrow_mask(Doubles mask) {
+  const __m256 mixed =
+      _mm256_shuffle_ps(_mm256_castpd_ps(mask.low), _mm256_castpd_ps(mask.high), 0x88);
+  return {_mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0xd8))};
 }
 
 template <class F>
@@ -198,8 +218,8 @@ GJKSCOPE_LANES Plane<F> select(F mask, Plane<F> yes, Plane<F> no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
 }
 template <class F>
-GJKSCOPE_LANES Plane<F> load(const std::array<Eight, 2>& a, int half, F kind) {
-  return {load(a[0], half, kind), load(a[1], half, kind)};
+GJKSCOPE_LANES Plane<F> load(const std::array<Eight, 2>& a, F kind) {
+  return {load(a[0], kind), load(a[1], kind)};
 }
 
 template <class F>
@@ -207,9 +227,8 @@ struct Turn {
   Plane<F> row_0, row_1;
 };
 template <class F>
-GJKSCOPE_LANES Turn<F> load_turn(const std::array<Eight, 4>& a, int half, F kind) {
-  return {{load(a[0], half, kind), load(a[1], half, kind)},
-          {load(a[2], half, kind), load(a[3], half, kind)}};
+GJKSCOPE_LANES Turn<F> load_turn(const std::array<Eight, 4>& a, F kind) {
+  return {{load(a[0], kind), load(a[1], kind)}, {load(a[2], kind), load(a[3], kind)}};
 }
 template <bool kTurned, class F>
 GJKSCOPE_LANES Plane<F> turned(const Turn<F>& turn, Plane<F> local) {
@@ -239,40 +258,47 @@ struct Frame {
   const BatchGroup* group;
   const Eight* x;
   const Eight* y;
-  int half;
   Turn<F> x_turn, y_turn;
   Plane<F> offset;  ///< From the centre of X to that of Y.
 };
 
 template <class F>
-GJKSCOPE_LANES Plane<F> vertex(const Eight* vertices, int i, int half) {
-  return {load(vertices[2 * i], half, F{}), load(vertices[2 * i + 1], half, F{})};
+GJKSCOPE_LANES Plane<F> vertex(const Eight* vertices, int i) {
+  return {load(vertices[2 * i], F{}), load(vertices[2 * i + 1], F{})};
 }
 
 /// The slides' scan, which carries the vertex along instead of its index: nothing to gather later.
 /// `count` is a multiple of kBlock, whose loop the compiler unrolls.
-template <int kBlock, class F>
-GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, int half, Plane<F> d) {
-  Plane<F> best = vertex<F>(vertices, 0, half);
-  F best_value = dot(d, best);
-  for (int block = 0;;) {
-    for (int i = block == 0 ? 1 : 0; i < kBlock; ++i) {
-      const Plane<F> candidate = vertex<F>(vertices + 2 * block, i, half);
-      const F value = dot(d, candidate);
-      best = select(best_value < value, candidate, best);
-      best_value = max(best_value, value);
-    }
-    block += kBlock;
-    if (block >= count) return best;
-  }
+template <class F>
+struct Best {
+  Plane<F> vertex;
+  F value;
+};
+template <class F>
+GJKSCOPE_LANES void scan(Best<F>& best, const Eight* vertices, int i, Plane<F> d) {
+  const Plane<F> candidate = vertex<F>(vertices, i);
+  const F value = dot(d, candidate);
+  best.vertex = select(best.value < value, candidate, best.vertex);
+  best.value = max(best.value, value);
 }
 template <int kBlock, class F>
-GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, int half, Plane<F> d) {
-  F best = dot(d, vertex<F>(vertices, 0, half));
-  for (int i = 1; i < kBlock; ++i) best = max(best, dot(d, vertex<F>(vertices, i, half)));
+GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, Plane<F> d) {
+  Best<F> best;
+  best.vertex = vertex<F>(vertices, 0);
+  best.value = dot(d, best.vertex);
+  for (int i = 1; i < kBlock; ++i) scan(best, vertices, i, d);
+  for (int block = kBlock; block < count; block += kBlock) {
+    for (int i = 0; i < kBlock; ++i) scan(best, vertices + 2 * block, i, d);
+  }
+  return best.vertex;
+}
+template <int kBlock, class F>
+GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, Plane<F> d) {
+  F best = dot(d, vertex<F>(vertices, 0));
+  for (int i = 1; i < kBlock; ++i) best = max(best, dot(d, vertex<F>(vertices, i)));
   for (int block = kBlock; block < count; block += kBlock) {
     for (int i = 0; i < kBlock; ++i) {
-      best = max(best, dot(d, vertex<F>(vertices + 2 * block, i, half)));
+      best = max(best, dot(d, vertex<F>(vertices + 2 * block, i)));
     }
   }
   return best;
@@ -293,8 +319,8 @@ template <class L, class F>
 GJKSCOPE_LANES Point<F> support(const Frame<F>& frame, Plane<F> d) {
   const Plane<F> d_x = turned_back<L::kXTurned>(frame.x_turn, negative(d));
   const Plane<F> d_y = turned_back<true>(frame.y_turn, d);
-  const Plane<F> x = farthest<L::kBlock>(frame.x, frame.group->x_count, frame.half, d_x);
-  const Plane<F> y = farthest<L::kBlock>(frame.y, frame.group->y_count, frame.half, d_y);
+  const Plane<F> x = farthest<L::kBlock>(frame.x, frame.group->x_count, d_x);
+  const Plane<F> y = farthest<L::kBlock>(frame.y, frame.group->y_count, d_y);
   return {difference<L>(frame, x, y), x, y};
 }
 /// max of dot(d, z) over Z.
@@ -302,8 +328,8 @@ template <class L, class F>
 GJKSCOPE_LANES F support_value(const Frame<F>& frame, Plane<F> d) {
   const Plane<F> d_x = turned_back<L::kXTurned>(frame.x_turn, negative(d));
   const Plane<F> d_y = turned_back<true>(frame.y_turn, d);
-  const F x = farthest_value<L::kBlock>(frame.x, frame.group->x_count, frame.half, d_x);
-  const F y = farthest_value<L::kBlock>(frame.y, frame.group->y_count, frame.half, d_y);
+  const F x = farthest_value<L::kBlock>(frame.x, frame.group->x_count, d_x);
+  const F y = farthest_value<L::kBlock>(frame.y, frame.group->y_count, d_y);
   return (x + y) + dot(d, frame.offset);
 }
 
@@ -343,14 +369,14 @@ GJKSCOPE_LANES void add(Doubles& sum, Doubles& error, Doubles term) {
   error = error + ((sum - (total - part)) + (term - part));
   sum = total;
 }
-GJKSCOPE_LANES Plane<Doubles> centre_offset(const BatchGroup& group, int half) {
-  const Plane<Doubles> x = load(group.x_translation, half, Doubles{});
-  const Plane<Doubles> y = load(group.y_translation, half, Doubles{});
+GJKSCOPE_LANES Plane<Doubles> centre_offset(const BatchGroup& group) {
+  const Plane<Doubles> x = load(group.x_translation, Doubles{});
+  const Plane<Doubles> y = load(group.y_translation, Doubles{});
   if (!group.centred) return y - x;
-  const Turn<Doubles> x_turn = load_turn(group.x_rotation, half, Doubles{});
-  const Turn<Doubles> y_turn = load_turn(group.y_rotation, half, Doubles{});
-  const Plane<Doubles> x_centre = load(group.x_centre, half, Doubles{});
-  const Plane<Doubles> y_centre = load(group.y_centre, half, Doubles{});
+  const Turn<Doubles> x_turn = load_turn(group.x_rotation, Doubles{});
+  const Turn<Doubles> y_turn = load_turn(group.y_rotation, Doubles{});
+  const Plane<Doubles> x_centre = load(group.x_centre, Doubles{});
+  const Plane<Doubles> y_centre = load(group.y_centre, Doubles{});
   Plane<Doubles> sum = y;
   Plane<Doubles> error = {fill(0.0, Doubles{}), fill(0.0, Doubles{})};
   add(sum.x, error.x, negative(x.x));
@@ -434,57 +460,47 @@ struct Ends {
   Floats weight, distance;
   Floats proven, overlapping;
 };
-GJKSCOPE_LANES void put(Floats& whole, int half, Doubles mask, Doubles value) {
-  float* four = reinterpret_cast<float*>(&whole) + 4 * half;
-  _mm_store_ps(four, _mm_blendv_ps(_mm_load_ps(four), _mm256_cvtpd_ps(value.v), narrow_mask(mask)));
+GJKSCOPE_LANES void put(Plane<Floats>& whole, Floats mask, Plane<Doubles> value) {
+  whole = select(mask, Plane<Floats>{narrow(value.x), narrow(value.y)}, whole);
 }
-GJKSCOPE_LANES void put(Plane<Floats>& whole, int half, Doubles mask, Plane<Doubles> value) {
-  put(whole.x, half, mask, value.x);
-  put(whole.y, half, mask, value.y);
-}
-GJKSCOPE_LANES void put_mask(Floats& whole, int half, Doubles mask) {
-  float* four = reinterpret_cast<float*>(&whole) + 4 * half;
-  _mm_store_ps(four, _mm_or_ps(_mm_load_ps(four), narrow_mask(mask)));
-}
-GJKSCOPE_LANES void put(Ends& ends, int half, Doubles mask, const Point<Doubles>& a,
-                        const Point<Doubles>& b, Doubles weight, Doubles distance) {
-  put(ends.a.x, half, mask, a.x);
-  put(ends.a.y, half, mask, a.y);
-  put(ends.b.x, half, mask, b.x);
-  put(ends.b.y, half, mask, b.y);
-  put(ends.weight, half, mask, weight);
-  put(ends.distance, half, mask, distance);
-  put_mask(ends.proven, half, mask);
+GJKSCOPE_LANES void put(Ends& ends, Doubles lanes, const Point<Doubles>& a, const Point<Doubles>& b,
+                        Doubles weight, Doubles distance) {
+  const Floats mask = narrow_mask(lanes);
+  put(ends.a.x, mask, a.x);
+  put(ends.a.y, mask, a.y);
+  put(ends.b.x, mask, b.x);
+  put(ends.b.y, mask, b.y);
+  ends.weight = select(mask, narrow(weight), ends.weight);
+  ends.distance = select(mask, narrow(distance), ends.distance);
+  ends.proven = ends.proven | mask;
 }
 
-GJKSCOPE_LANES Plane<Doubles> widen(Plane<Floats> a, int half) {
-  return {widen(a.x, half), widen(a.y, half)};
-}
 template <class L>
 GJKSCOPE_LANES Point<Doubles> widen(const Frame<Doubles>& frame, const Point<Floats>& a) {
-  const Plane<Doubles> x = widen(a.x, frame.half);
-  const Plane<Doubles> y = widen(a.y, frame.half);
+  const Plane<Doubles> x = {widen(a.x.x), widen(a.x.y)};
+  const Plane<Doubles> y = {widen(a.y.x), widen(a.y.y)};
   return {difference<L>(frame, x, y), x, y};
 }
 
 /// GJK in double for the lanes `open`, from the segments that the float run ended with. Few groups
 /// need it.
 template <class L>
-__attribute__((target("avx2"), noinline)) void refine(const Frame<Doubles>& frame, Doubles open,
-                                                      Doubles scale, Ends& ends) {
+__attribute__((target("avx2"), noinline)) void refine(const Frame<Doubles>& frame, Floats lanes,
+                                                      Floats scale_of, Ends& ends) {
   using F = Doubles;
-  const int half = frame.half;
   const F zero = fill(0.0, F{});
+  const F scale = widen(scale_of);
   const F area_noise = fill(kAreaNoise * 0x1p-53, F{}) * scale * scale;
   const F length_noise = fill(0x1p-24, F{}) * scale;
+  F open = widen_mask(lanes);
   Point<F> a = widen<L>(frame, ends.a);
   Point<F> b = widen<L>(frame, ends.b);
   for (int iteration = 0; iteration < kDoubleCap; ++iteration) {
     const Foot foot = find_foot<L>(frame, a.w, b.w, scale);
     const F proven = open & foot.proven;
-    put(ends, half, proven, a, b, foot.weight, foot.distance);
+    put(ends, proven, a, b, foot.weight, foot.distance);
     open = and_not(open, proven);
-    if (bits(open) == 0) return;
+    if (bits(narrow_mask(open)) == 0) return;
 
     // O to the left of AB, and both the same vertex where the foot is one.
     const Point<F> start = select(foot.on_edge & foot.right, b, a);
@@ -496,8 +512,8 @@ __attribute__((target("avx2"), noinline)) void refine(const Frame<Doubles>& fram
     const Point<F> c = support<L>(frame, foot.d);
     const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
     const F sure = overlap(open & found.inside, area_noise, length_noise, found, a, b, c);
-    put(ends, half, sure, a, b, zero, zero);
-    put_mask(ends.overlapping, half, sure);
+    put(ends, sure, a, b, zero, zero);
+    ends.overlapping = ends.overlapping | narrow_mask(sure);
     open = and_not(open, sure);
     a = select(found.ac | found.inside, a, c);
     b = select(found.cb | found.inside, b, c);
@@ -527,15 +543,14 @@ GJKSCOPE_LANES void transpose(__m256 (&r)[8]) {
 static_assert(sizeof(BatchResult) == sizeof(Eight) && offsetof(BatchResult, verdict) == 28 &&
               offsetof(BatchResult, iterations) == 30);
 
-template <class L>
-GJKSCOPE_LANES Frame<Doubles> double_frame(const BatchGroup& group, const Eight* vertices, int half,
-                                           Plane<Doubles> offset) {
+template <class F>
+GJKSCOPE_LANES Frame<F> make_frame(const BatchGroup& group, const Eight* vertices,
+                                   Plane<F> offset) {
   return {&group,
           vertices + group.first_x,
           vertices + group.first_y,
-          half,
-          load_turn(group.x_rotation, half, Doubles{}),
-          load_turn(group.y_rotation, half, Doubles{}),
+          load_turn(group.x_rotation, F{}),
+          load_turn(group.y_rotation, F{}),
           offset};
 }
 
@@ -544,77 +559,54 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
                                                  BatchResult* results) {
   using F = Floats;
   const F zero = fill(0.0f, F{});
-  const Plane<Doubles> offset_low = centre_offset(group, 0);
-  const Plane<Doubles> offset_high = centre_offset(group, 1);
-  const Frame<F> frame = {
-      &group,
-      vertices + group.first_x,
-      vertices + group.first_y,
-      0,
-      load_turn(group.x_rotation, 0, F{}),
-      load_turn(group.y_rotation, 0, F{}),
-      {narrow(offset_low.x, offset_high.x), narrow(offset_low.y, offset_high.y)}};
-  const F scale = load(group.reach, 0, F{}) +
+  const Plane<Doubles> offset = centre_offset(group);
+  const Frame<F> frame = make_frame<F>(group, vertices, {narrow(offset.x), narrow(offset.y)});
+  const F scale = load(group.reach, F{}) +
                   max(magnitude(frame.offset.x), magnitude(frame.offset.y)) * fill(1.000001f, F{});
   const F wanted = (fill(kLeastScale, F{}) < scale) & (scale < fill(kLargestScale, F{}));
-  const F noise = fill(-kFloatNoise * 0x1p-24f, F{}) * scale;
 
   Point<F> a = support<L>(frame, negative(frame.offset));
   Point<F> b = a;
   Plane<F> d = negative(a.w);
-  F open = wanted;
-  F overlapping = zero;
-  __m256i iterations = _mm256_set1_epi32(1);
-  for (int iteration = 0; iteration < kFloatCap; ++iteration) {
+  const int rounds = group.rounds;
+  F inside = zero;
+  for (int round = 0; round < rounds; ++round) {
     const Point<F> c = support<L>(frame, d);
-    const Plane<F> ca = a.w - c.w;
-    const Plane<F> cb = b.w - c.w;
-    open = open & (dot(d, ca) < noise * (magnitude(d.x) + magnitude(d.y)));
-    if (bits(open) == 0) break;
-    iterations = _mm256_sub_epi32(iterations, _mm256_castps_si256(open.v));
-    const Regions<F> found = regions(c.w, ca, cb);
-    const F inside = open & found.inside;
-    if (bits(inside) != 0) {
-      overlapping =
-          overlapping | overlap(inside, fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale,
-                                fill(2 * 0x1p-24f, F{}) * scale, found, a, b, c);
-      open = and_not(open, inside);
-    }
-    const F closed = and_not(wanted, open);
-    a = select(found.ac | closed, a, c);
-    b = select(found.cb | closed, b, c);
-    d = select(found.ac | found.cb, left_normal(b.w - a.w), negative(c.w));
+    const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
+    a = select(found.ac | found.inside, a, c);
+    b = select(found.cb | found.inside, b, c);
+    d = select(found.ac | found.cb | found.inside, left_normal(b.w - a.w), negative(c.w));
+    inside = found.inside;
+  }
+  F overlapping = zero;
+  if (bits(inside & wanted) != 0) {
+    const Point<F> c = support<L>(frame, d);
+    const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
+    overlapping = overlap(inside & wanted, fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale,
+                          fill(2 * 0x1p-24f, F{}) * scale, found, a, b, c);
   }
 
   Ends ends = {a, b, zero, zero, overlapping, overlapping};
   const F rest = and_not(wanted, overlapping);
   if (bits(rest) != 0) {
-    const Frame<Doubles> low = double_frame<L>(group, vertices, 0, offset_low);
-    const Frame<Doubles> high = double_frame<L>(group, vertices, 1, offset_high);
-    const Foot foot_low =
-        find_foot<L>(low, widen<L>(low, a).w, widen<L>(low, b).w, widen(scale, 0));
-    const Foot foot_high =
-        find_foot<L>(high, widen<L>(high, a).w, widen<L>(high, b).w, widen(scale, 1));
-    const F proven = rest & join(narrow_mask(foot_low.proven), narrow_mask(foot_high.proven));
-    ends.weight = proven & narrow(foot_low.weight, foot_high.weight);
-    ends.distance = proven & narrow(foot_low.distance, foot_high.distance);
+    const Frame<Doubles> exact = make_frame<Doubles>(group, vertices, offset);
+    const Foot foot = find_foot<L>(exact, widen<L>(exact, a).w, widen<L>(exact, b).w, widen(scale));
+    const F proven = rest & narrow_mask(foot.proven);
+    ends.weight = proven & narrow(foot.weight);
+    ends.distance = proven & narrow(foot.distance);
     ends.proven = overlapping | proven;
     const F unproven = and_not(rest, proven);
-    const int which = bits(unproven);
-    if (which != 0) {
-      if ((which & 0x0f) != 0) refine<L>(low, widen_mask(unproven, 0), widen(scale, 0), ends);
-      if ((which & 0xf0) != 0) refine<L>(high, widen_mask(unproven, 1), widen(scale, 1), ends);
-    }
+    if (bits(unproven) != 0) refine<L>(exact, unproven, scale, ends);
   }
 
   Plane<F> x = ends.a.x + ends.weight * (ends.b.x - ends.a.x);
   Plane<F> y = ends.a.y + ends.weight * (ends.b.y - ends.a.y);
   if (group.centred) {
-    x = x + load(group.x_centre, 0, F{});
-    y = y + load(group.y_centre, 0, F{});
+    x = x + load(group.x_centre, F{});
+    y = y + load(group.y_centre, F{});
   }
-  x = turned<L::kXTurned>(frame.x_turn, x) + load(group.x_translation, 0, F{});
-  y = turned<true>(frame.y_turn, y) + load(group.y_translation, 0, F{});
+  x = turned<L::kXTurned>(frame.x_turn, x) + load(group.x_translation, F{});
+  y = turned<true>(frame.y_turn, y) + load(group.y_translation, F{});
 
   // The neighbours of a positive float are one away when read as an integer.
   const __m256i one = _mm256_srli_epi32(_mm256_castps_si256((zero < ends.distance).v), 31);
@@ -622,15 +614,14 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
   const __m256i verdict =
       _mm256_and_si256(_mm256_castps_si256(ends.overlapping.v),
                        _mm256_set1_epi32(static_cast<int>(Verdict::overlapping)));
-  __m256 rows[8] = {
-      x.x.v,
-      x.y.v,
-      y.x.v,
-      y.y.v,
-      ends.distance.v,
-      _mm256_castsi256_ps(_mm256_sub_epi32(distance, one)),
-      _mm256_castsi256_ps(_mm256_add_epi32(distance, one)),
-      _mm256_castsi256_ps(_mm256_or_si256(verdict, _mm256_slli_epi32(iterations, 16)))};
+  __m256 rows[8] = {x.x.v,
+                    x.y.v,
+                    y.x.v,
+                    y.y.v,
+                    ends.distance.v,
+                    _mm256_castsi256_ps(_mm256_sub_epi32(distance, one)),
+                    _mm256_castsi256_ps(_mm256_add_epi32(distance, one)),
+                    _mm256_castsi256_ps(verdict)};
   transpose(rows);
   for (int i = 0; i < kLaneCount; ++i) {
     if (i < group.pair_count) {
