@@ -181,7 +181,7 @@ class Batch {
   /// Shapes share groups with shapes of about their size: each costs its group's largest.
   static constexpr std::array<int, 5> kClassSizes = {3, 4, 8, 12, kMaxLaneVertices};
 #ifndef KR
-#define KR 3,3,4,5,5
+#define KR 3, 3, 4, 5, 5
 #endif
   static constexpr std::array<int, 5> kRounds = {KR};
   static constexpr int kClassCount = static_cast<int>(kClassSizes.size());
@@ -219,10 +219,11 @@ class Batch {
       const float middle = centre_of(vertices, axis);
       centre[axis].lane[lane] = middle;
       for (int i = 0; i < room; ++i) {
-        const std::size_t source = std::min(static_cast<std::size_t>(i), vertices.size() - 1);
-        const float coordinate = vertices[source][axis] - middle;
+        const bool exists = i < static_cast<int>(vertices.size());
+        const float coordinate =
+            exists ? vertices[i][axis] - middle : std::numeric_limits<float>::quiet_NaN();
         vertices_[first + 2 * i + axis].lane[lane] = coordinate;
-        radius = std::max(radius, std::abs(coordinate));
+        if (exists) radius = std::max(radius, std::abs(coordinate));
       }
     }
     return radius;

@@ -62,7 +62,7 @@ struct BatchGroup {
 };
 
 /// Progress of the float run that may be rounding: kFloatNoise u scale |d|_1.
-inline constexpr float kFloatNoise = 8.0f;
+inline constexpr float kFloatNoise = 16.0f;
 /// Areas of the float run that may be rounding: kFloatAreaNoise u scale^2.
 inline constexpr float kFloatAreaNoise = 64.0f;
 /// The same in double: a difference w = y - x errs by 4 roundings ...
@@ -70,6 +70,7 @@ inline constexpr double kLengthNoise = 24.0;
 inline constexpr double kAreaNoise = 64.0;
 /// What the bounds may lie apart, relative to the distance: 2^-25, half an ulp of a float.
 inline constexpr double kWidth = 0x1p-25;
+inline constexpr float kLeastGap = 0x1p-23f;
 /// Scales whose squares, times the unit roundoff, float can hold.
 inline constexpr float kLeastScale = 0x1p-32f;
 inline constexpr float kLargestScale = 0x1p60f;
@@ -97,6 +98,9 @@ GJKSCOPE_LANES Floats operator|(Floats a, Floats b) { return {_mm256_or_ps(a.v, 
 GJKSCOPE_LANES Floats operator^(Floats a, Floats b) { return {_mm256_xor_ps(a.v, b.v)}; }
 GJKSCOPE_LANES Floats operator<(Floats a, Floats b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+GJKSCOPE_LANES Floats operator==(Floats a, Floats b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)};
 }
 GJKSCOPE_LANES Floats and_not(Floats a, Floats b) { return {_mm256_andnot_ps(b.v, a.v)}; }
 GJKSCOPE_LANES Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
@@ -279,7 +283,7 @@ GJKSCOPE_LANES void scan(Best<F>& best, const Eight* vertices, int i, Plane<F> d
   const Plane<F> candidate = vertex<F>(vertices, i);
   const F value = dot(d, candidate);
   best.vertex = select(best.value < value, candidate, best.vertex);
-  best.value = max(best.value, value);
+  best.value = max(value, best.value);
 }
 template <int kBlock, class F>
 GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, Plane<F> d) {
@@ -295,13 +299,27 @@ GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, Plane<F> d) {
 template <int kBlock, class F>
 GJKSCOPE_LANES F farthest_value(const Eight* vertices, int count, Plane<F> d) {
   F best = dot(d, vertex<F>(vertices, 0));
-  for (int i = 1; i < kBlock; ++i) best = max(best, dot(d, vertex<F>(vertices, i)));
+  for (int i = 1; i < kBlock; ++i) best = max(dot(d, vertex<F>(vertices, i)), best);
   for (int block = kBlock; block < count; block += kBlock) {
-    for (int i = 0; i < kBlock; ++i) {
-      best = max(best, dot(d, vertex<F>(vertices + 2 * block, i)));
-    }
+    for (int i = 0; i < kBlock; ++i) best = max(dot(d, vertex<F>(vertices + 2 * block, i)), best);
   }
   return best;
+}
+/// Adds the vertices that lie beyond `level` along d.
+template <int kBlock>
+GJKSCOPE_LANES __m256i count_beyond(const Eight* vertices, int count, Plane<Floats> d, Floats level,
+                                    __m256i total) {
+  for (int i = 0; i < kBlock; ++i) {
+    const Floats beyond = level < dot(d, vertex<Floats>(vertices, i));
+    total = _mm256_sub_epi32(total, _mm256_castps_si256(beyond.v));
+  }
+  for (int block = kBlock; block < count; block += kBlock) {
+    for (int i = 0; i < kBlock; ++i) {
+      const Floats beyond = level < dot(d, vertex<Floats>(vertices + 2 * block, i));
+      total = _mm256_sub_epi32(total, _mm256_castps_si256(beyond.v));
+    }
+  }
+  return total;
 }
 
 /// How a group is to be read, known to the compiler.
@@ -413,20 +431,18 @@ GJKSCOPE_LANES F overlap(F inside, F area_noise, F length_noise, const Regions<F
   return sure;
 }
 
-/// The point of the segment AB nearest to O, the support plane there, and whether the two prove the
-/// distance: |height| / |d| bounds it from above, plane / |d| from below.
+/// The point of the segment AB nearest to O.
 struct Foot {
-  Doubles proven;
-  Doubles distance;
-  Doubles weight;   ///< Of B.
   Doubles on_edge;  ///< Strictly between A and B.
   Doubles at_b;
-  Doubles right;  ///< O lies to the right of AB.
-  Plane<Doubles> d;
+  Doubles right;     ///< O lies to the right of AB.
+  Plane<Doubles> d;  ///< From there to O; not of unit length.
+  Doubles height;    ///< distance |d|
+  Doubles length;    ///< |d|
+  Doubles distance;
+  Doubles weight;  ///< Of B.
 };
-template <class L>
-GJKSCOPE_LANES Foot find_foot(const Frame<Doubles>& frame, Plane<Doubles> a, Plane<Doubles> b,
-                              Doubles scale) {
+GJKSCOPE_LANES Foot find_foot(Plane<Doubles> a, Plane<Doubles> b) {
   using F = Doubles;
   const F zero = fill(0.0, F{});
   const F one = fill(1.0, F{});
@@ -443,15 +459,52 @@ GJKSCOPE_LANES Foot find_foot(const Frame<Doubles>& frame, Plane<Doubles> a, Pla
   const F sign = signed_height & fill(-0.0, F{});
   foot.right = signed_height < zero;
   foot.d = {foot.d.x ^ sign, foot.d.y ^ sign};
-  const F height = signed_height ^ sign;
-  const F length = sqrt(dot(foot.d, foot.d));
-  const F reciprocal = one / length;
-  foot.distance = height * reciprocal;
+  foot.height = signed_height ^ sign;
+  foot.length = sqrt(dot(foot.d, foot.d));
+  const F reciprocal = one / foot.length;
+  foot.distance = foot.height * reciprocal;
   foot.weight = select(foot.on_edge, along * (reciprocal * reciprocal), foot.at_b & one);
-  const F rounding = scale * fill(kLengthNoise * 0x1p-53, F{});
-  const F plane = negative(support_value<L>(frame, foot.d));
-  foot.proven = height * fill(1.0 - kWidth, F{}) + rounding * length < plane;
   return foot;
+}
+
+/// Lanes where the support plane at the foot proves the distance: height / |d| bounds it from
+/// above, plane / |d| from below.
+template <class L>
+GJKSCOPE_LANES Doubles proven_by_plane(const Frame<Doubles>& frame, const Foot& foot,
+                                       Doubles scale) {
+  const Doubles plane = negative(support_value<L>(frame, foot.d));
+  const Doubles rounding = scale * fill(kLengthNoise * 0x1p-53, Doubles{}) * foot.length;
+  return foot.height * fill(1.0 - kWidth, Doubles{}) + rounding < plane;
+}
+
+template <class F>
+GJKSCOPE_LANES F equal(Plane<F> a, Plane<F> b) {
+  return (a.x == b.x) & (a.y == b.y);
+}
+
+/// The same in float, where it is so clear that rounding cannot matter: no vertex reaches as far
+/// along d as those that made the foot, which are two, or three for an edge. Then all of Z lies
+/// beyond the foot. Parallel edges do not pass.
+template <class L>
+GJKSCOPE_LANES Floats proven_by_count(const Frame<Floats>& frame, const Foot& foot,
+                                      const Point<Floats>& a, const Point<Floats>& b, Floats reach,
+                                      Floats scale) {
+  const Floats on_edge = narrow_mask(foot.on_edge);
+  const Floats same_x = equal(a.x, b.x);
+  const Floats same_y = equal(a.y, b.y);
+  const Plane<Floats> d = {narrow(foot.d.x), narrow(foot.d.y)};
+  const Plane<Floats> d_x = turned_back<L::kXTurned>(frame.x_turn, negative(d));
+  const Plane<Floats> d_y = turned_back<true>(frame.y_turn, d);
+  const Floats noise =
+      reach * fill(kFloatNoise * 0x1p-24f, Floats{}) * (magnitude(d.x) + magnitude(d.y));
+  const Floats x_level = dot(d_x, a.x) - noise;
+  const Floats y_level = dot(d_y, a.y) - noise;
+  __m256i count = _mm256_castps_si256(on_edge.v);
+  count = count_beyond<L::kBlock>(frame.x, frame.group->x_count, d_x, x_level, count);
+  count = count_beyond<L::kBlock>(frame.y, frame.group->y_count, d_y, y_level, count);
+  const Floats only_foot = {_mm256_castsi256_ps(_mm256_cmpeq_epi32(count, _mm256_set1_epi32(2)))};
+  return only_foot & select(on_edge, same_x | same_y, same_x & same_y) &
+         (scale * fill(kLeastGap, Floats{}) < narrow(foot.distance));
 }
 
 /// What the lanes come to: witness points are (1 - weight) a + weight b.
@@ -496,8 +549,8 @@ __attribute__((target("avx2"), noinline)) void refine(const Frame<Doubles>& fram
   Point<F> a = widen<L>(frame, ends.a);
   Point<F> b = widen<L>(frame, ends.b);
   for (int iteration = 0; iteration < kDoubleCap; ++iteration) {
-    const Foot foot = find_foot<L>(frame, a.w, b.w, scale);
-    const F proven = open & foot.proven;
+    const Foot foot = find_foot(a.w, b.w);
+    const F proven = open & proven_by_plane<L>(frame, foot, scale);
     put(ends, proven, a, b, foot.weight, foot.distance);
     open = and_not(open, proven);
     if (bits(narrow_mask(open)) == 0) return;
@@ -561,8 +614,9 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
   const F zero = fill(0.0f, F{});
   const Plane<Doubles> offset = centre_offset(group);
   const Frame<F> frame = make_frame<F>(group, vertices, {narrow(offset.x), narrow(offset.y)});
-  const F scale = load(group.reach, F{}) +
-                  max(magnitude(frame.offset.x), magnitude(frame.offset.y)) * fill(1.000001f, F{});
+  const F reach = load(group.reach, F{});
+  const F scale =
+      reach + max(magnitude(frame.offset.x), magnitude(frame.offset.y)) * fill(1.000001f, F{});
   const F wanted = (fill(kLeastScale, F{}) < scale) & (scale < fill(kLargestScale, F{}));
 
   Point<F> a = support<L>(frame, negative(frame.offset));
@@ -590,8 +644,8 @@ __attribute__((target("avx2"))) inline int solve(const BatchGroup& group, const 
   const F rest = and_not(wanted, overlapping);
   if (bits(rest) != 0) {
     const Frame<Doubles> exact = make_frame<Doubles>(group, vertices, offset);
-    const Foot foot = find_foot<L>(exact, widen<L>(exact, a).w, widen<L>(exact, b).w, widen(scale));
-    const F proven = rest & narrow_mask(foot.proven);
+    const Foot foot = find_foot(widen<L>(exact, a).w, widen<L>(exact, b).w);
+    const F proven = rest & proven_by_count<L>(frame, foot, a, b, reach, scale);
     ends.weight = proven & narrow(foot.weight);
     ends.distance = proven & narrow(foot.distance);
     ends.proven = overlapping | proven;
