@@ -1,0 +1,311 @@
+// The batch answers as the scalar code does: same verdict, a distance less than one ulp from the
+// exact one, bounds that hold; in lanes and in plain code, for any mix of pairs.
+
+#include "gjk/batch.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include "check.hpp"
+#include "random_pairs.hpp"
+
+namespace {
+
+using gjk::Batch;
+using gjk::BatchResult;
+using gjk::Error;
+using gjk::Instructions;
+using gjk::Vec;
+using gjk::Verdict;
+using random_pairs::Family;
+using random_pairs::Pair;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+std::vector<Vec<double, 2>> widened(const std::vector<Vec<float, 2>>& vertices) {
+  std::vector<Vec<double, 2>> out;
+  for (const Vec<float, 2>& vertex : vertices) out.push_back(vertex.cast<double>());
+  return out;
+}
+gjk::Pose<double, 2> widened(const gjk::Pose<float, 2>& pose) {
+  return {pose.rotation.cast<double>(), pose.translation.cast<double>()};
+}
+gjk::Result<double, 2> scalar(const Pair<float>& pair) {
+  const auto x = widened(pair.x);
+  const auto y = widened(pair.y);
+  return gjk::distance(gjk::Query<double, 2>{{x, widened(pair.x_pose)}, {y, widened(pair.y_pose)}});
+}
+
+/// Distance of two floats, counted in floats.
+long steps_between(float a, float b) {
+  std::int32_t a_bits = 0;
+  std::int32_t b_bits = 0;
+  std::memcpy(&a_bits, &a, sizeof a);
+  std::memcpy(&b_bits, &b, sizeof b);
+  return std::labs(static_cast<long>(a_bits) - static_cast<long>(b_bits));
+}
+
+/// The largest distance of a coordinate from any other, and from the world's origin.
+double reach(const Pair<float>& pair) {
+  double largest = 0;
+  for (const auto* shape : {&pair.x, &pair.y}) {
+    for (const Vec<float, 2>& vertex : *shape) {
+      largest = std::max(largest, static_cast<double>(gjk::norm_1(vertex)));
+    }
+  }
+  return largest + static_cast<double>(gjk::norm_1(pair.x_pose.translation)) +
+         static_cast<double>(gjk::norm_1(pair.y_pose.translation));
+}
+
+void check_answer(const Pair<float>& pair, const BatchResult& actual) {
+  const gjk::Result<double, 2> expected = scalar(pair);
+  CHECK_EQ(expected.error, actual.error);
+  if (expected.error != Error::none) return;
+  CHECK(static_cast<double>(actual.lower) <= expected.upper);
+  CHECK(static_cast<double>(actual.upper) >= expected.lower);
+  CHECK(actual.lower <= actual.distance && actual.distance <= actual.upper);
+  if (expected.verdict == Verdict::undecided) return;  // the lanes' bounds may be closer
+  CHECK_EQ(expected.verdict == Verdict::separated, actual.verdict == Verdict::separated);
+  CHECK(steps_between(static_cast<float>(expected.distance), actual.distance) <= 1);
+  if (!actual.from_scalar) {
+    const bool apart = actual.verdict == Verdict::separated;
+    CHECK_EQ(apart ? 1 : 0, steps_between(actual.lower, actual.distance));
+    CHECK_EQ(apart ? 1 : 0, steps_between(actual.upper, actual.distance));
+  }
+  const double rounding = 8 * 0x1p-24 * reach(pair);
+  const double between = (actual.y - actual.x).cast<double>().norm();
+  CHECK_NEAR(static_cast<double>(actual.distance), between, rounding);
+}
+
+struct Share {
+  Family family;
+  double handed_over;  ///< At most.
+  double separated;    ///< At least; and as many that are not.
+};
+
+TEST(families, "every family gets the scalar code's answers, from lanes and from plain code") {
+  constexpr int kPairs = 10000;
+  constexpr std::uint64_t kSeed = 31;
+  // Touching shapes cannot be proved by rounded arithmetic: segments on one line and grids.
+  constexpr Share kShares[] = {
+      {Family::polygons, 0.001, 0.2}, {Family::points, 0.001, 0.05}, {Family::segments, 0.2, 0.2},
+      {Family::clouds, 0.001, 0.2},   {Family::grid, 0.2, 0.2},      {Family::parallel, 0.01, 0.2},
+      {Family::needle, 0.001, 0.2},   {Family::tiny, 0.001, 0.05},   {Family::offset, 0.01, 0.1},
+      {Family::ratio, 0.001, 0.1},    {Family::posed, 0.001, 0.2}};
+  for (const Share& share : kShares) {
+    random_pairs::Source random(kSeed);
+    std::vector<Pair<float>> pairs;
+    Batch batch;
+    for (int i = 0; i < kPairs; ++i) {
+      pairs.push_back(random.pair<float>(share.family));
+      CHECK_EQ(i, batch.add(pairs.back().query()));
+    }
+    const auto name = random_pairs::kFamilyNames[static_cast<std::size_t>(share.family)];
+    std::vector<BatchResult> results(kPairs);
+    const int handed_over = batch.distance(results);
+    std::vector<BatchResult> plain(kPairs);
+    CHECK_EQ(kPairs, batch.distance(plain, Instructions::plain));
+    int separated = 0;
+    int from_scalar = 0;
+    for (int i = 0; i < kPairs; ++i) {
+      const check::Context context("family", name, "seed", kSeed, "pair", i);
+      check_answer(pairs[i], results[i]);
+      check_answer(pairs[i], plain[i]);
+      CHECK(plain[i].from_scalar);
+      separated += results[i].verdict == Verdict::separated ? 1 : 0;
+      from_scalar += results[i].from_scalar ? 1 : 0;
+    }
+    std::printf("  %-9s handed over %5d of %d, separated %5d\n", name.data(), handed_over, kPairs,
+                separated);
+    const check::Context context("family", name);
+    CHECK_EQ(from_scalar, handed_over);
+    if (gjk::detail::has_lanes()) CHECK(handed_over <= share.handed_over * kPairs);
+    CHECK(separated >= share.separated * kPairs);
+    CHECK(kPairs - separated >= share.separated * kPairs);
+  }
+}
+
+TEST(counts, "any number of pairs, groups left unfilled included") {
+  constexpr std::uint64_t kSeed = 32;
+  for (const int count : {0, 1, 7, 8, 9, 16, 17}) {
+    random_pairs::Source random(kSeed);
+    std::vector<Pair<float>> pairs;
+    Batch batch;
+    for (int i = 0; i < count; ++i) {
+      pairs.push_back(random.pair<float>(Family::posed));
+      batch.add(pairs.back().query());
+    }
+    CHECK_EQ(count, batch.size());
+    std::vector<BatchResult> results(count + 1);
+    CHECK_EQ(gjk::detail::has_lanes() ? 0 : count, batch.distance(results));
+    for (int i = 0; i < count; ++i) {
+      const check::Context context("pairs", count, "pair", i);
+      check_answer(pairs[i], results[i]);
+    }
+    CHECK_EQ(Verdict::none, results[count].verdict);
+  }
+}
+
+TEST(mixed, "points, polygons of any size and refused queries share a batch") {
+  constexpr std::uint64_t kSeed = 33;
+  random_pairs::Source random(kSeed);
+  std::vector<Pair<float>> pairs;
+  for (int i = 0; i < 2000; ++i) {
+    Pair<float> pair;
+    pair.x = random.polygon<float>(random.among(1, 40), 1.0, random.between(-2, 2), 0);
+    pair.y = random.polygon<float>(random.among(1, 40), 1.0, random.between(-2, 2), 0);
+    switch (i % 10) {
+      case 3:
+        pair.x.clear();
+        break;
+      case 4:
+        pair.y.clear();
+        break;
+      case 5:
+        pair.x.back()[1] = kNaN;
+        break;
+      case 6:
+        pair.y_pose.rotation(1, 0) = kInfinity;
+        break;
+      case 7:
+        pair.x_pose.translation[0] = kNaN;
+        break;
+      case 8:
+        pair.y.front()[0] = kInfinity;
+        break;
+      default:
+        break;
+    }
+    pairs.push_back(pair);
+  }
+  for (const Instructions instructions : {Instructions::best, Instructions::plain}) {
+    Batch batch;
+    for (const Pair<float>& pair : pairs) batch.add(pair.query());
+    std::vector<BatchResult> results(pairs.size());
+    batch.distance(results, instructions);
+    std::array<int, 16> errors = {};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const check::Context context("seed", kSeed, "pair", i);
+      check_answer(pairs[i], results[i]);
+      ++errors[static_cast<std::size_t>(results[i].error)];
+    }
+    CHECK_EQ(200, errors[static_cast<std::size_t>(Error::x_has_no_vertices)]);
+    CHECK_EQ(200, errors[static_cast<std::size_t>(Error::y_has_no_vertices)]);
+    CHECK_EQ(400, errors[static_cast<std::size_t>(Error::x_not_finite)]);
+    CHECK_EQ(400, errors[static_cast<std::size_t>(Error::y_not_finite)]);
+  }
+}
+
+TEST(huge, "shapes too large for the lanes are answered by the scalar code") {
+  random_pairs::Source random(34);
+  Pair<float> pair;
+  pair.x = random.polygon<float>(gjk::kMaxLaneVertices + 1, 1.0, 0, 0);
+  pair.y = random.polygon<float>(3, 1.0, 3, 0);
+  Batch batch;
+  batch.add(pair.query());
+  pair.x.pop_back();
+  batch.add(pair.query());
+  std::array<BatchResult, 2> results;
+  batch.distance(results);
+  CHECK(results[0].from_scalar);
+  CHECK_EQ(!gjk::detail::has_lanes(), results[1].from_scalar);
+}
+
+TEST(moving, "moved pairs answer as pairs made there") {
+  constexpr std::uint64_t kSeed = 35;
+  constexpr int kPairs = 3000;
+  random_pairs::Source random(kSeed);
+  std::vector<Pair<float>> pairs;
+  Batch moved;
+  for (int i = 0; i < kPairs; ++i) {
+    pairs.push_back(random.pair<float>(i % 2 == 0 ? Family::polygons : Family::clouds));
+    if (i % 100 == 0) pairs.back().x = random.polygon<float>(30, 1.0, 0, 0);
+    moved.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(kPairs);
+  std::vector<BatchResult> fresh_results(kPairs);
+  for (int frame = 0; frame < 4; ++frame) {
+    Batch fresh;
+    for (int i = 0; i < kPairs; ++i) {
+      const Pair<float> posed = random.pair<float>(Family::posed);
+      pairs[i].x_pose = frame == 0 ? gjk::Pose<float, 2>{} : posed.x_pose;
+      pairs[i].y_pose = posed.y_pose;
+      if (frame == 2 && i % 50 == 0) pairs[i].x_pose.translation[1] = kNaN;
+      moved.move(i, pairs[i].x_pose, pairs[i].y_pose);
+      fresh.add(pairs[i].query());
+    }
+    moved.distance(results);
+    fresh.distance(fresh_results);
+    for (int i = 0; i < kPairs; ++i) {
+      const check::Context context("seed", kSeed, "frame", frame, "pair", i);
+      check_answer(pairs[i], results[i]);
+      CHECK_EQ(fresh_results[i].error, results[i].error);
+      if (results[i].error == Error::none) CHECK_EQ(fresh_results[i].distance, results[i].distance);
+    }
+  }
+}
+
+TEST(far, "shapes far from the origin keep their digits, whatever their poses") {
+  constexpr std::uint64_t kSeed = 36;
+  random_pairs::Source random(kSeed);
+  Batch batch;
+  std::vector<Pair<float>> pairs;
+  for (int i = 0; i < 5000; ++i) {
+    Pair<float> pair = random.pair<float>(Family::posed);
+    // Vertices far from their own origin, and a pose that brings them back near the other shape.
+    const double far = std::pow(10.0, random.between(2, 6));
+    for (Vec<float, 2>& vertex : pair.y) vertex[0] += static_cast<float>(far);
+    pair.y_pose.translation -= pair.y_pose.rotation.col(0) * static_cast<float>(far);
+    if (i % 2 == 0) {
+      const Vec<float, 2> both = random.vector<float>(random.between(-1e6, 1e6), 1e5);
+      pair.x_pose.translation += both;
+      pair.y_pose.translation += both;
+    }
+    pairs.push_back(pair);
+    batch.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(pairs.size());
+  const int handed_over = batch.distance(results);
+  int separated = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    check_answer(pairs[i], results[i]);
+    separated += results[i].verdict == Verdict::separated ? 1 : 0;
+  }
+  std::printf("  handed over %d, separated %d\n", handed_over, separated);
+  if (gjk::detail::has_lanes()) CHECK(handed_over < 50);
+  CHECK(separated > 1000 && separated < 4900);
+}
+
+TEST(scales, "a power of two times all coordinates is the same power of two times the answer") {
+  constexpr std::uint64_t kSeed = 37;
+  for (const int exponent : {-60, -30, -20, -1, 1, 20, 50, 59, 62}) {
+    random_pairs::Source random(kSeed);
+    Batch batch;
+    Batch scaled;
+    for (int i = 0; i < 200; ++i) {
+      Pair<float> pair = random.pair<float>(Family::posed);
+      batch.add(pair.query());
+      for (auto* shape : {&pair.x, &pair.y}) {
+        for (Vec<float, 2>& vertex : *shape) vertex *= std::ldexp(1.0f, exponent);
+      }
+      pair.x_pose.translation *= std::ldexp(1.0f, exponent);
+      pair.y_pose.translation *= std::ldexp(1.0f, exponent);
+      scaled.add(pair.query());
+    }
+    std::array<BatchResult, 200> results;
+    std::array<BatchResult, 200> scaled_results;
+    batch.distance(results);
+    scaled.distance(scaled_results);
+    for (int i = 0; i < 200; ++i) {
+      const check::Context context("seed", kSeed, "exponent", exponent, "pair", i);
+      CHECK_EQ(results[i].verdict, scaled_results[i].verdict);
+      // Where the scale sends one of them to the scalar code, they may differ by an ulp.
+      CHECK(steps_between(std::ldexp(results[i].distance, exponent), scaled_results[i].distance) <=
+            (results[i].from_scalar == scaled_results[i].from_scalar ? 0 : 1));
+    }
+  }
+}
+
+}  // namespace
