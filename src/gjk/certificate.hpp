@@ -15,8 +15,8 @@ enum class Verdict : std::uint8_t {
   touching,     ///< Distance 0, but some support plane of Z passes through O: the least motion in
                 ///< some direction parts the shapes.
   overlapping,  ///< Distance 0, and O is an inner point of Z.
-  undecided,    ///< The bounds leave it open: the run gave up, or its scalar has no exact arithmetic.
-  none,         ///< The query was refused.
+  undecided,  ///< The bounds leave it open: the run gave up, or its scalar has no exact arithmetic.
+  none,       ///< The query was refused.
 };
 
 /// The answer, with its certificate: lower <= exact distance <= upper, rounding included.
@@ -59,28 +59,50 @@ template <class N, class R, class S>
   return {N{scaled_y[0]} - N{scaled_x[0]}, N{scaled_y[1]} - N{scaled_x[1]}};
 }
 
+/// The length of a vector whose squares may underflow.
+template <class R>
+[[nodiscard]] R careful_length(const R& x, const R& y) {
+  const R size = std::max(magnitude(x), magnitude(y));
+  if (size == R(0)) return size;
+  const int exponent = ScalarTraits<R>::is_in_range(size) ? 0 : ScalarTraits<R>::exponent(size);
+  const auto scaled = [&](const R& a) { return ScalarTraits<R>::scaled(a, -exponent); };
+  const R in_unit = length(Vec<R, 2>(scaled(x), scaled(y)));
+  return ScalarTraits<R>::scaled(in_unit, exponent);
+}
+
+/// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
+/// the determinant, three times in the length, the quotient, and the bound.
+template <class R>
+inline constexpr R kCarefulRoundings = R(6);
+
 /// Distance of O from the feature of Z, vertex or line through an edge, that the simplex names, in
-/// the run's unit: nothing rounds before the last few operations when N is exact, and little when it
-/// is a DoubleWord. Negative when O lies on that side of the edge to which perpendicular(edge)
+/// the run's unit: nothing rounds before the last few operations when N is exact, and little when
+/// it is a DoubleWord. Negative when O lies on that side of the edge to which perpendicular(edge)
 /// points.
 template <class N, class R, class S>
 [[nodiscard]] R careful_distance(const Query<S, 2>& query, const Prepared<R, 2>& prepared,
                                  const Simplex<R, 2>& simplex) {
-  const auto size = [](const N& x, const N& y) {
-    return length(Vec<R, 2>(R(rounded(x)), R(rounded(y))));
-  };
   const std::array<N, 2> a = careful_vertex<N>(query, prepared, simplex.vertices[0].pair);
-  if (simplex.count == 1) return size(a[0], a[1]);
+  if (simplex.count == 1) return R(careful_length(rounded(a[0]), rounded(a[1])));
   const std::array<N, 2> b = careful_vertex<N>(query, prepared, simplex.vertices[1].pair);
   const N edge_x = b[0] - a[0];
   const N edge_y = b[1] - a[1];
-  return R(rounded(a[0] * edge_y - a[1] * edge_x)) / size(edge_x, edge_y);
+  return R(rounded(a[0] * edge_y - a[1] * edge_x) /
+           careful_length(rounded(edge_x), rounded(edge_y)));
+}
+
+/// The largest coordinate of the simplex.
+template <class R, int D>
+[[nodiscard]] R largest_coordinate(const Simplex<R, D>& simplex) {
+  R size(0);
+  for (int i = 0; i < simplex.count; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
+  return size;
 }
 
 /// The weights put P at O, but for the least that rounding can do.
 template <class R, int D>
-[[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
-  const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
+[[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex) {
+  const R rounding = ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
   return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
 }
 
@@ -106,34 +128,36 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
 /// Witness points, in the world, from the pairs and weights of a simplex. Only the last addition
 /// rounds more than the size of the shapes calls for.
 template <class R, class S, int D>
-void set_witness_points(Result<R, D>& out, const Query<S, D>& query) {
+void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
+                        const Prepared<R, D>& prepared) {
   const Simplex<R, D>& simplex = out.simplex;
-  R sum(0);
-  for (int i = 0; i < simplex.count; ++i) sum = sum + simplex.weights[i];
-  const auto point = [&](const Shape<S, D>& shape, auto index) {
-    const auto vertex = [&](int i) {
-      return converted<R, S, D>(shape.vertices[index(simplex.vertices[i].pair)]);
-    };
-    const Vec<R, D> first = vertex(0);
+  R sum = simplex.weights[0];
+  for (int i = 1; i < simplex.count; ++i) sum = sum + simplex.weights[i];
+  const auto set = [&](Vec<R, D>& point, const Shape<S, D>& shape, int VertexPair::*index,
+                       bool turned) {
+    const auto& first = converted<R, S, D>(shape.vertices[simplex.vertices[0].pair.*index]);
     Vec<R, D> from_first = Vec<R, D>::Zero();
     for (int i = 1; i < simplex.count; ++i) {
-      from_first = from_first + Vec<R, D>((vertex(i) - first) * R(simplex.weights[i] / sum));
+      const auto& vertex = converted<R, S, D>(shape.vertices[simplex.vertices[i].pair.*index]);
+      from_first = from_first + Vec<R, D>((vertex - first) * R(simplex.weights[i] / sum));
     }
-    const Pose<S, D>& pose = shape.pose;
-    if (pose.is_identity()) return Vec<R, D>(first + from_first);
-    return Vec<R, D>(pose.template rotated<R>(Vec<R, D>(first + from_first)) +
-                     converted<R, S, D>(pose.translation));
+    const Vec<R, D> local = first + from_first;
+    point = turned ? shape.pose.template rotated<R>(local) : local;
+    if (!prepared.in_world) point = point + converted<R, S, D>(shape.pose.translation);
   };
-  out.x = point(query.x, [](VertexPair pair) { return pair.x; });
-  out.y = point(query.y, [](VertexPair pair) { return pair.y; });
+  set(out.x, query.x, &VertexPair::x, prepared.x_turned);
+  set(out.y, query.y, &VertexPair::y, prepared.y_turned);
 }
 
-/// True when every weight of the full simplex around O is positive beyond doubt: a determinant of
-/// vertices below `reach` in length errs by less than 4 D D! u (2 reach)^D.
+/// True when every weight of the full simplex around O is positive beyond doubt: a determinant of D
+/// vertices, none longer than r and each in doubt by e + u r, errs by less than r^(D-1) (D e +
+/// 8 D D! u r).
 template <class R, int D>
 [[nodiscard]] bool surely_inside(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
-  R error = R(4 * D) * ScalarTraits<R>::unit_roundoff();
-  for (int i = 1; i <= D; ++i) error = error * R(2 * i) * prepared.reach;
+  const R r = ScalarTraits<R>::from(D == 2 ? 1.5 : 1.8) * largest_coordinate(simplex);
+  R error =
+      R(D) * prepared.vertex_error + R(D == 2 ? 32 : 144) * ScalarTraits<R>::unit_roundoff() * r;
+  for (int i = 1; i < D; ++i) error = error * r;
   Barycentric<R, D> coordinates;
   volume_coordinates(simplex, coordinates);
   for (int i = 0; i <= D; ++i) {
@@ -151,8 +175,8 @@ struct Bounds {
   bool tight = false;  ///< As close as rounding lets them be. Else rounding led the run astray.
 };
 
-/// How many vertices may lie as far along a direction as vertices `i` and `j`, for all that rounding
-/// lets one know.
+/// How many vertices may lie as far along a direction as vertices `i` and `j`, for all that
+/// rounding lets one know.
 template <class R, class S, int D>
 [[nodiscard]] int count_as_far(const Along<R, S, D>& along, int i, int j, const R& error) {
   const R certainly_nearer = std::min(along(i), along(j)) - error;
@@ -169,7 +193,7 @@ template <class R, class S>
 [[nodiscard]] bool is_certainly_farthest(const Simplex<R, 2>& simplex, const Vec<R, 2>& d,
                                          const R& angle, const Query<S, 2>& query,
                                          const Prepared<R, 2>& prepared) {
-  const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.reach);
+  const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.extent);
   const VertexPair first = simplex.vertices[0].pair;
   const VertexPair last = simplex.vertices[simplex.count - 1].pair;
   return count_as_far(along_x(query, prepared, d), first.x, last.x, error) *
@@ -183,8 +207,9 @@ template <class R, class S>
 /// of vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
 /// vertices that P lies between may be the wrong ones, unless all others are certainly farther.
 template <class R, class S>
-[[nodiscard]] Bounds<R> bounds_outside(const State<R, 2>& state, const Query<S, 2>& query,
-                                       const Prepared<R, 2>& prepared) {
+[[nodiscard, gnu::flatten]] Bounds<R> bounds_outside(const State<R, 2>& state,
+                                                     const Query<S, 2>& query,
+                                                     const Prepared<R, 2>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
   const Simplex<R, 2>& simplex = state.best;
   const Vec<R, 2>& a = simplex.vertices[0].w;
@@ -203,12 +228,17 @@ template <class R, class S>
   out.lower = std::max(R(ScalarTraits<R>::root(state.plane_distance_sq) - plane_error), R(0));
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  // The largest vertex of Z is no smaller than this, or than `reach`, that of a box, over 1.5.
-  const R allowed = u * std::max(R(14) * size, R(9.5) * prepared.reach);
-  const bool wide = allowed < plane_error + error;
+  // The largest vertex of Z is no smaller than `size`, nor than box_reach over the root of 2.
+  R allowed = R(14) * u * size;
+  const R width = magnitude(to_line) + error - out.lower;
+  bool wide = allowed < width;
+  if (wide) {
+    allowed = std::max(allowed, R(R(9.5) * u * box_reach(query, prepared)));
+    wide = allowed < width;
+  }
   if (near || wide || (prepared.in_world && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);
-    error = R(4) * u * magnitude(to_line) + prepared.careful_error;
+    error = kCarefulRoundings<R> * u * magnitude(to_line) + prepared.careful_error;
   }
   out.distance = magnitude(to_line);
   out.upper = out.distance + error;
@@ -237,7 +267,8 @@ template <class R, class S, int D>
 [[nodiscard]] Bounds<R> bounds(const State<R, D>& state, const Query<S, D>& query,
                                const Prepared<R, D>& prepared) {
   Bounds<R> out;
-  const R error = prepared.vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
+  const R error =
+      prepared.vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
   if (state.best.count == D + 1) {
     out.tight = true;
     if (!surely_inside(state.best, prepared)) out.upper = error;

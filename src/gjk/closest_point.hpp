@@ -241,7 +241,8 @@ void find_region(State<S, D>& state, Rec& record) {
   };
   const bool found = [&]<int... I>(std::integer_sequence<int, I...>) {
     return (... || taken(std::integral_constant<RegionCondition, kList.conditions[I]>::value));
-  }(std::make_integer_sequence<int, kList.count>{});
+  }
+  (std::make_integer_sequence<int, kList.count>{});
   if (found) return;
   const Face nearest = nearest_face(simplex, table);
   if constexpr (Rec::kOn) {

@@ -38,8 +38,7 @@ template <class R>
   const DoubleWord<R> x = split(a);
   const DoubleWord<R> y = split(b);
   const R product = a * b;
-  const R error =
-      R(R(R(x.hi * y.hi) - product) + R(x.hi * y.lo) + R(x.lo * y.hi)) + R(x.lo * y.lo);
+  const R error = R(R(R(x.hi * y.hi) - product) + R(x.hi * y.lo) + R(x.lo * y.hi)) + R(x.lo * y.lo);
   return {product, error};
 }
 

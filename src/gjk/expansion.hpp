@@ -49,9 +49,8 @@ class Expansion {
     auto next_b = b.components_.begin();
     double sum = 0.0;
     while (next_a != a.components_.end() || next_b != b.components_.end()) {
-      const bool from_a =
-          next_b == b.components_.end() ||
-          (next_a != a.components_.end() && std::abs(*next_a) < std::abs(*next_b));
+      const bool from_a = next_b == b.components_.end() ||
+                          (next_a != a.components_.end() && std::abs(*next_a) < std::abs(*next_b));
       const DoubleWord<double> step = exact_sum(sum, from_a ? *next_a++ : *next_b++);
       out.append(step.lo);
       sum = step.hi;

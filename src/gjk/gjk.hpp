@@ -121,6 +121,23 @@ template <class R, class S, int D>
   while (state.stop == StopReason::running) step(state, query, options, prepared, none);
   return state;
 }
+/// The same, with all of the phases in one function and without asking after each which one is
+/// next: that would take as long as the phases.
+template <class R, class S, int D>
+[[nodiscard, gnu::flatten]] State<R, D> run_inline(const Query<S, D>& query, const Options& options,
+                                                   const Prepared<R, D>& prepared) {
+  State<R, D> state = start(query, options, prepared);
+  NoRecord none;
+  while (state.stop == StopReason::running) {
+    find_closest_point(state, options, none);
+    cull(state, options, none);
+    if (state.phase == Phase::direction) build_direction(state, options, none);
+    if (state.phase == Phase::support) find_support(state, query, prepared, none);
+    run_stop_tests(state, options, prepared, none);
+    if (state.stop == StopReason::running) add_support(state);
+  }
+  return state;
+}
 
 /// `state` is the end of an exact run that found P = O. True when some support plane of Z passes
 /// through O.
@@ -153,7 +170,8 @@ template <class R, class S>
 /// Exact products need room for all their digits: true when no coordinate is so much smaller than
 /// the run's unit that a product of it could underflow.
 template <class R, class S>
-[[nodiscard]] bool has_exact_products(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
+[[nodiscard, gnu::noinline]] bool has_exact_products(const Query<S, 2>& query,
+                                                     const Prepared<R, 2>& prepared) {
   // Products of up to two coordinates in the world, of up to four numbers when poses turn them.
   const double least = prepared.in_world ? 0x1p-400 : 0x1p-200;
   const double unit = static_cast<double>(prepared.unit);
@@ -175,13 +193,17 @@ template <class R, class S>
   return true;
 }
 
-/// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in `out`.
+/// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in
+/// `out`.
 template <class R, class S>
-void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R, 2>& prepared,
-            Result<R, 2>& out, Bounds<R>& bounds) {
+[[gnu::noinline]] void settle(const State<R, 2>& state, const Query<S, 2>& query,
+                              const Prepared<R, 2>& prepared, Result<R, 2>& out,
+                              Bounds<R>& bounds) {
   using Traits = ScalarTraits<R>;
   Prepared<Expansion, 2> exact;
   exact.exponent = prepared.exponent;
+  exact.x_turned = prepared.x_turned;
+  exact.y_turned = prepared.y_turned;
   exact.in_world = prepared.in_world;
   exact.offset = exact.in_unit(converted<Expansion, S, 2>(query.y.pose.translation)) -
                  exact.in_unit(converted<Expansion, S, 2>(query.x.pose.translation));
@@ -204,7 +226,7 @@ void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R
   } else {
     out.verdict = Verdict::separated;
     bounds.distance = magnitude(careful_distance<Expansion>(query, prepared, out.simplex));
-    const R few = R(5) * Traits::unit_roundoff();
+    const R few = kCarefulRoundings<R> * Traits::unit_roundoff();
     bounds.lower = bounds.distance * (R(1) - few);
     bounds.upper = bounds.distance * (R(1) + few);
   }
@@ -230,8 +252,8 @@ template <class R>
 ///
 /// The loop rounds, and rounding can fool it. But its answer can be checked: P bounds the distance
 /// from above, the best support plane from below. Where these bounds do not prove whether the
-/// shapes overlap, or are wider than rounding explains, the last simplex starts another run in exact
-/// arithmetic. That is rare, so it costs next to nothing, and makes the verdict exact.
+/// shapes overlap, or are wider than rounding explains, the last simplex starts another run in
+/// exact arithmetic. That is rare, so it costs next to nothing, and makes the verdict exact.
 template <class R, class S, int D>
 [[nodiscard]] Result<R, D> result(const State<R, D>& state, const Query<S, D>& query,
                                   const Options& options, const Prepared<R, D>& prepared) {
@@ -248,9 +270,9 @@ template <class R, class S, int D>
     out.distance = std::max(Traits::root(state.best_sq), Traits::root(state.plane_distance_sq));
     out.lower = Traits::root_below(state.plane_distance_sq);
     out.upper = Traits::root_above(state.best_sq);
-    out.verdict = at_origin                               ? Verdict::overlapping
+    out.verdict = at_origin                        ? Verdict::overlapping
                   : R(0) < state.plane_distance_sq ? Verdict::separated
-                                                          : Verdict::undecided;
+                                                   : Verdict::undecided;
     if constexpr (D == 2) {
       if (at_origin && detail::touches(state, query, prepared)) out.verdict = Verdict::touching;
     }
@@ -259,24 +281,31 @@ template <class R, class S, int D>
     if (R(0) < bounds.lower) {
       out.verdict = Verdict::separated;
     } else {
-      out.verdict = bounds.upper == R(0) ? Verdict::overlapping : Verdict::undecided;
+      const bool inside = bounds.upper == R(0) && state.best.count == D + 1;
+      out.verdict = inside ? Verdict::overlapping : Verdict::undecided;
     }
     if constexpr (D == 2 && std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
       const bool proved = out.verdict != Verdict::undecided;
       const bool wide = options.tolerance == 0.0 && !bounds.tight;
-      const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
+      const bool ended =
+          state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
       if (options.certify && ended && (!proved || wide) &&
           detail::has_exact_products(query, prepared)) {
         detail::settle(state, query, prepared, out, bounds);
       }
-      if (out.simplex.count == 3 && !out.settled && !detail::is_at_origin(out.simplex, prepared)) {
+      if (out.simplex.count == 3 && !out.settled && !detail::is_at_origin(out.simplex)) {
         detail::set_careful_weights(out.simplex, query, prepared);
       }
     }
-    out.distance = Traits::scaled(bounds.distance, prepared.exponent);
+    out.distance = bounds.distance;
+    out.lower = bounds.lower;
+    out.upper = bounds.upper;
+    if (prepared.exponent != 0) {
+      out.distance = Traits::scaled(bounds.distance, prepared.exponent);
+      out.lower = detail::scaled_below(bounds.lower, prepared.exponent);
+      out.upper = detail::scaled_above(bounds.upper, prepared.exponent);
+    }
     out.distance_sq = out.distance * out.distance;
-    out.lower = detail::scaled_below(bounds.lower, prepared.exponent);
-    out.upper = detail::scaled_above(bounds.upper, prepared.exponent);
     if (!Traits::is_finite(out.distance)) {
       Result<R, D> refused;
       refused.error = Error::overflow;
@@ -284,17 +313,17 @@ template <class R, class S, int D>
       return refused;
     }
   }
-  detail::set_witness_points(out, query);
+  detail::set_witness_points(out, query, prepared);
   return out;
 }
 
-/// Distance between two convex shapes, computed in R: distance<float>(query) stays in float. Allocates only where exact arithmetic has to
-/// settle the answer.
+/// Distance between two convex shapes, computed in R: distance<float>(query) stays in float.
+/// Allocates only where exact arithmetic has to settle the answer.
 template <class R = Default, class S, int D>
 [[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                   const Options& options = {}) {
   const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
-  return result(detail::run(query, options, prepared), query, options, prepared);
+  return result(detail::run_inline(query, options, prepared), query, options, prepared);
 }
 
 /// The same run, every phase recorded.

@@ -15,11 +15,11 @@ namespace gjk {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
-/// The same coordinates in another scalar.
+/// The same coordinates in another scalar; in the same one, the vector itself.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> converted(const Vec<S, D>& a) {
+[[nodiscard]] decltype(auto) converted(const Vec<S, D>& a) {
   if constexpr (std::is_same_v<R, S>) {
-    return a;
+    return (a);
   } else {
     Vec<R, D> out;
     for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::from(a[i]);

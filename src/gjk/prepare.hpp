@@ -19,25 +19,33 @@ struct Prepared {
   int exponent = 0;
   R unit = R(1);  ///< 2^-exponent, for scalars that round.
 
-  /// Both poses are the identity: differences of vertices round once.
-  bool in_world = false;
-  Vec<R, D> x_centre = Vec<R, D>::Zero();  ///< Points::centre, in the shape's own frame.
+  bool x_turned = false;  ///< The pose of X has a rotation.
+  bool y_turned = false;
+  bool in_world = false;  ///< Both poses are the identity: differences of vertices round once.
+  /// Some centre (Points::centre) is not its shape's own origin.
+  bool centred = false;
+  Vec<R, D> x_centre = Vec<R, D>::Zero();  ///< In the shape's own frame.
   Vec<R, D> y_centre = Vec<R, D>::Zero();
   /// From the centre of X to that of Y, in the world, in the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
 
   /// A vector in the run's unit.
   [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
-    if constexpr (ScalarTraits<R>::kExact) {
-      Vec<R, D> out;
-      for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::scaled(a[i], -exponent);
-      return out;
-    } else {
-      return a * unit;
+    if (exponent == 0) return a;
+    Vec<R, D> out;
+    for (int i = 0; i < D; ++i) {
+      if constexpr (ScalarTraits<R>::kExact) {
+        out[i] = ScalarTraits<R>::scaled(a[i], -exponent);
+      } else {
+        out[i] = a[i] * unit;
+      }
     }
+    return out;
   }
 
-  /// No point of Z is farther from O, in the run's unit.
+  /// In the run's unit: no two points of Z are farther apart than twice `extent`, none is farther
+  /// from O than `reach`.
+  R extent = R(0);
   R reach = R(0);
   /// Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
   /// against exact answers. 0 for exact scalars.
@@ -86,111 +94,127 @@ template <class N, class R, class S, int D>
   return out;
 }
 
-/// The size of a box around a box of size `size` that `pose` turns.
-template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> turned_box(const Pose<S, D>& pose, const Vec<R, D>& size) {
-  Vec<R, D> out = Vec<R, D>::Zero();
-  for (int row = 0; row < D; ++row) {
-    for (int column = 0; column < D; ++column) {
-      const R entry = ScalarTraits<R>::from(pose.rotation(row, column));
-      out[row] = out[row] + R(magnitude(entry) * size[column]);
-    }
-  }
-  return out;
-}
-
 /// How much longer than a vector its image under `pose` can be: 1 for a rotation.
 template <class R, class S, int D>
 [[nodiscard]] R stretch(const Pose<S, D>& pose) {
-  R most(1);
-  if (!pose.is_turned()) return most;
+  R most_sq(1);
   for (int i = 0; i < D; ++i) {
-    R row(0);
+    R row_sq(0);
     for (int k = 0; k < D; ++k) {
-      row = row + magnitude(dot<R, D>(converted<R, S, D>(pose.rotation.col(i)),
-                                      converted<R, S, D>(pose.rotation.col(k))));
+      row_sq = row_sq + magnitude(dot<R, D>(converted<R, S, D>(pose.rotation.col(i)),
+                                            converted<R, S, D>(pose.rotation.col(k))));
     }
-    most = std::max(most, ScalarTraits<R>::root(row));
+    most_sq = row_sq < most_sq ? most_sq : row_sq;  // lets a NaN through
   }
-  return most;
+  return (R(1) + most_sq) / R(2);  // at least the root, for numbers from 1 on
 }
 
-/// Fills in what is measured in the run's unit of length. Gives twice the largest coordinate that a
-/// point of Z can have.
+/// Fills in what is measured in the run's unit of length.
 template <class R, class S, int D>
-R measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
-  const R unit = prepared.unit;
-  const bool centred = !is_zero(prepared.x_centre) || !is_zero(prepared.y_centre);
-  if (centred) {
-    const auto offset =
-        careful_difference<DoubleWord<R>>(query, prepared.x_centre, prepared.y_centre, unit);
+void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
+  const R u = ScalarTraits<R>::unit_roundoff();
+  const Vec<S, D>& x_place = query.x.pose.translation;
+  const Vec<S, D>& y_place = query.y.pose.translation;
+  prepared.offset =
+      prepared.in_unit(converted<R, S, D>(y_place)) - prepared.in_unit(converted<R, S, D>(x_place));
+  R from_centres(0);
+  if (prepared.centred) {
+    const auto offset = careful_difference<DoubleWord<R>>(query, prepared.x_centre,
+                                                          prepared.y_centre, prepared.unit);
     for (int i = 0; i < D; ++i) prepared.offset[i] = offset[i].hi;
-  } else {
-    prepared.offset = converted<R, S, D>(query.y.pose.translation) * unit -
-                      converted<R, S, D>(query.x.pose.translation) * unit;
+    from_centres = length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
+                   length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
   }
-  // Twice the middle and the half size of a box around Z: halving could underflow.
-  Vec<R, D> middle = prepared.offset * R(2);
-  Vec<R, D> half = Vec<R, D>::Zero();
-  const auto add_box = [&](const Shape<S, D>& shape, const Vec<R, D>& centre, R sign) {
-    const Vec<R, D> low = converted<R, S, D>(shape.vertices.low()) - centre;
-    const Vec<R, D> high = converted<R, S, D>(shape.vertices.high()) - centre;
-    middle = middle + shape.pose.template rotated<R>((low + high) * R(sign * unit));
-    half = half + turned_box<R>(shape.pose, Vec<R, D>((high - low) * unit));
-  };
-  add_box(query.x, prepared.x_centre, R(-1));
-  add_box(query.y, prepared.y_centre, R(1));
-  const Vec<R, D> w = middle.cwiseAbs() + half;
-  prepared.reach = length(w) / R(2);
 
   // How many roundings, times what they are relative to. In the world a vertex of Z is a single
   // difference; else both vertices are centred and turned, subtracted, and moved by the offset. A
   // scan compares two dot products of a direction that was turned with vertices that were centred.
   // Turning a vector of length r rounds by at most (1 + sqrt(D)) u r.
-  const R u = ScalarTraits<R>::unit_roundoff();
-  R vertex_error = length(prepared.offset);
-  R scan_error(0);
-  for (const Shape<S, D>* shape : {&query.x, &query.y}) {
-    const R radius = ScalarTraits<R>::from(shape->vertices.radius()) * unit * stretch<R>(shape->pose);
-    const R moved = R((is_zero(shape->vertices.centre()) ? 0.0 : 1.0) +
-                      (shape->pose.is_turned() ? (D == 2 ? 2.5 : 2.8) : 0.0));
-    vertex_error = vertex_error + radius * R(R(1) + moved);
-    scan_error = scan_error + radius * R(R(2 * D) + R(2) * moved);
-  }
-  prepared.vertex_error = prepared.in_world ? R(0) : R(u * vertex_error);
-  prepared.scan_error = u * scan_error;
-  prepared.careful_error = R(64) * u * u * prepared.reach;
-  if (centred) {
-    const R far = length(query.x.pose.template rotated<R>(prepared.x_centre * unit)) +
-                  length(query.y.pose.template rotated<R>(prepared.y_centre * unit));
-    prepared.careful_error = prepared.careful_error + R(64) * u * u * far;
-  }
-  return gjk::is_finite(w) ? norm_max(w) : std::numeric_limits<R>::infinity();
+  const R far = length(prepared.offset);
+  const bool offset_is_exact = !prepared.centred && (is_zero(x_place) || is_zero(y_place));
+  R vertex_roundings = offset_is_exact ? R(0) : far;
+  R scan_roundings(0);
+  R extent(0);
+  const auto add = [&](const Shape<S, D>& shape, bool turned) {
+    R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit;
+    if (turned) radius = radius * stretch<R>(shape.pose);
+    const R moved =
+        R(is_zero(shape.vertices.centre()) ? 0 : 1) + (turned ? R(D == 2 ? 2.5 : 2.8) : R(0));
+    extent = extent + radius;
+    vertex_roundings = vertex_roundings + radius * (R(1) + moved);
+    scan_roundings = scan_roundings + radius * (R(2 * D) + R(2) * moved);
+  };
+  add(query.x, prepared.x_turned);
+  add(query.y, prepared.y_turned);
+  prepared.extent = extent;
+  prepared.reach = far + extent;
+  prepared.vertex_error = prepared.in_world ? R(0) : R(u * vertex_roundings);
+  prepared.scan_error = u * scan_roundings;
+  prepared.careful_error = R(64) * u * u * (prepared.reach + from_centres);
+}
+
+/// Of the box around Z: the distance of its farthest corner from O. In the plane less than 1.42
+/// times that of the farthest vertex of Z.
+template <class R, class S, int D>
+[[nodiscard]] R box_reach(const Query<S, D>& query, const Prepared<R, D>& prepared) {
+  Vec<R, D> low = prepared.offset;
+  Vec<R, D> high = prepared.offset;
+  const auto add = [&](const Shape<S, D>& shape, const Vec<R, D>& centre, bool negative) {
+    Vec<R, D> least = Vec<R, D>::Constant(std::numeric_limits<R>::max());
+    Vec<R, D> most = -least;
+    for (const Vec<S, D>& vertex : shape.vertices) {
+      const Vec<R, D> local = prepared.in_unit(converted<R, S, D>(vertex) - centre);
+      const Vec<R, D> placed = shape.pose.template rotated<R>(local);
+      least = least.cwiseMin(placed);
+      most = most.cwiseMax(placed);
+    }
+    low = low + (negative ? Vec<R, D>(-most) : least);
+    high = high + (negative ? Vec<R, D>(-least) : most);
+  };
+  add(query.x, prepared.x_centre, true);
+  add(query.y, prepared.y_centre, false);
+  return length(Vec<R, D>(low.cwiseAbs().cwiseMax(high.cwiseAbs())));
+}
+
+/// e with all coordinates of a shape, in its frame and in the world, below 2^(e + D).
+template <class R, class S, int D>
+[[nodiscard]] int coordinate_exponent(const Shape<S, D>& shape) {
+  using Traits = ScalarTraits<R>;
+  const auto exponent = [](const S& size) {
+    return S(0) < size ? Traits::exponent(Traits::from(size))
+                       : std::numeric_limits<R>::min_exponent;
+  };
+  const S local = std::max(norm_max(shape.vertices.low()), norm_max(shape.vertices.high()));
+  S turn(1);
+  for (int i = 0; i < D; ++i)
+    turn = std::max(turn, norm_max(Vec<S, D>(shape.pose.rotation.col(i))));
+  return std::max(exponent(local) + exponent(turn), exponent(norm_max(shape.pose.translation)));
 }
 
 /// Measures in a unit of length in which squares of coordinates neither overflow nor underflow.
 template <class R, class S, int D>
 [[nodiscard]] Error measure_in_good_unit(const Query<S, D>& query, Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
+  measure(query, prepared);
+  if (Traits::is_in_range(prepared.reach)) return Error::none;
+  if (!is_finite(query.x.pose)) return Error::x_not_finite;
+  if (!is_finite(query.y.pose)) return Error::y_not_finite;
+  // Squares in `measure` may have gone out of range: first a unit in which they do not.
   constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
-  const auto in_range = [](const R& size) {
-    return size == R(0) || (Traits::is_finite(size) &&
-                            Traits::exponent(size) >= Traits::kLeastExponent &&
-                            Traits::exponent(size) <= Traits::kLargestExponent);
+  const auto take_unit = [&](int exponent) {
+    prepared.exponent = std::clamp(exponent, -kLimit, kLimit);
+    prepared.unit = Traits::scaled(R(1), -prepared.exponent);
+    measure(query, prepared);
   };
-  R size = measure(query, prepared);
-  if (in_range(size)) return Error::none;
-  if (!Traits::is_finite(size)) {
-    prepared.exponent = kLimit;
-    prepared.unit = Traits::scaled(R(1), -kLimit);
-    size = measure(query, prepared);
-    if (!Traits::is_finite(size)) return Error::overflow;
+  take_unit(coordinate_exponent<R>(query.x) < coordinate_exponent<R>(query.y)
+                ? coordinate_exponent<R>(query.y)
+                : coordinate_exponent<R>(query.x));
+  if (prepared.reach == R(0)) return Error::none;
+  if (Traits::is_finite(prepared.reach)) {
+    take_unit(prepared.exponent + Traits::exponent(prepared.reach));
   }
-  prepared.exponent = std::clamp(prepared.exponent + Traits::exponent(size), -kLimit, kLimit);
-  prepared.unit = Traits::scaled(R(1), -prepared.exponent);
-  size = measure(query, prepared);
-  if (!Traits::is_finite(size)) return Error::overflow;
-  return in_range(size) ? Error::none : Error::underflow;
+  if (!Traits::is_finite(prepared.reach)) return Error::overflow;
+  return Traits::is_in_range(prepared.reach) ? Error::none : Error::underflow;
 }
 
 }  // namespace detail
@@ -205,20 +229,25 @@ template <class R, class S, int D>
   };
   if (query.x.vertices.empty()) return refuse(Error::x_has_no_vertices);
   if (query.y.vertices.empty()) return refuse(Error::y_has_no_vertices);
-  if (!query.x.vertices.is_finite() || !detail::is_finite(query.x.pose))
-    return refuse(Error::x_not_finite);
-  if (!query.y.vertices.is_finite() || !detail::is_finite(query.y.pose))
-    return refuse(Error::y_not_finite);
+  if (!query.x.vertices.is_finite()) return refuse(Error::x_not_finite);
+  if (!query.y.vertices.is_finite()) return refuse(Error::y_not_finite);
   if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
     return refuse(Error::bad_options);
   if (detail::bad_start(options, static_cast<int>(query.x.vertices.size()),
                         static_cast<int>(query.y.vertices.size()), D)) {
     return refuse(Error::bad_start);
   }
-  prepared.in_world = query.x.pose.is_identity() && query.y.pose.is_identity();
-  if constexpr (!ScalarTraits<R>::kExact) {
+  prepared.x_turned = query.x.pose.is_turned();
+  prepared.y_turned = query.y.pose.is_turned();
+  prepared.in_world = !prepared.x_turned && !prepared.y_turned &&
+                      is_zero(query.x.pose.translation) && is_zero(query.y.pose.translation);
+  if constexpr (ScalarTraits<R>::kExact) {
+    prepared.offset =
+        converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
+  } else {
     prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
     prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
+    prepared.centred = !is_zero(prepared.x_centre) || !is_zero(prepared.y_centre);
     prepared.error = detail::measure_in_good_unit(query, prepared);
   }
   return prepared;

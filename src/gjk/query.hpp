@@ -24,7 +24,10 @@ struct Pose {
   [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
     Vec<R, D> world;
     for (int row = 0; row < D; ++row) {
-      world[row] = dot<R, D>(converted<R, S, D>(rotation.row(row).transpose()), local);
+      world[row] = ScalarTraits<R>::from(rotation(row, 0)) * local[0];
+      for (int k = 1; k < D; ++k) {
+        world[row] = world[row] + R(ScalarTraits<R>::from(rotation(row, k)) * local[k]);
+      }
     }
     return world;
   }
@@ -33,27 +36,30 @@ struct Pose {
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
     Vec<R, D> local;
     for (int column = 0; column < D; ++column) {
-      local[column] = dot<R, D>(converted<R, S, D>(rotation.col(column)), world);
+      local[column] = ScalarTraits<R>::from(rotation(0, column)) * world[0];
+      for (int k = 1; k < D; ++k) {
+        local[column] = local[column] + R(ScalarTraits<R>::from(rotation(k, column)) * world[k]);
+      }
     }
     return local;
   }
-  [[nodiscard]] bool is_turned() const {
-    return rotation != Eigen::Matrix<S, D, D>::Identity();
-  }
+  [[nodiscard]] bool is_turned() const { return rotation != Eigen::Matrix<S, D, D>::Identity(); }
   [[nodiscard]] bool is_identity() const { return !is_turned() && gjk::is_zero(translation); }
 };
 
 /// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
-/// is wrapped, so that queries with the same shape at other poses do not look at every vertex again.
+/// is wrapped, so that queries with the same shape at other poses do not look at every vertex
+/// again.
 template <class S, int D>
 class Points {
  public:
   Points() = default;
   /// From anything that a span can view: std::vector, std::array, std::span. Not from a temporary.
   template <class Range>
-    requires(!std::is_same_v<Range, Points> &&
-             std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
-  Points(const Range& points) : points_(points) {  // NOLINT(google-explicit-constructor)
+  requires(!std::is_same_v<Range, Points> &&
+           std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
+      Points(const Range& points)
+      : points_(points) {  // NOLINT(google-explicit-constructor)
     if constexpr (!ScalarTraits<S>::kExact) {
       measure();
       ring_ = D == 2 && points_.size() >= kRingFrom && is_strictly_convex_ring();
@@ -120,13 +126,15 @@ class Points {
       const Vec<S, D> edge = points_[i + 1 == count ? 0 : i + 1] - points_[i];
       const S left = before[0] * edge[1];
       const S right = before[1] * edge[0];
-      const S rounding = S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
+      const S rounding =
+          S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
       if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
       turns += right < left ? 1 : -1;
       crossings += upwards(before) != upwards(edge) ? 1 : 0;
       before = edge;
     }
-    return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
+    return crossings == 2 &&
+           (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
   }
   static bool upwards(const Vec<S, D>& edge) {
     return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);

@@ -12,6 +12,16 @@
 
 namespace gjk {
 
+namespace detail {
+/// 2^exponent, where a double can hold it.
+[[nodiscard]] constexpr double power_of_two(int exponent) {
+  double power = 1.0;
+  for (; exponent > 0; --exponent) power *= 2.0;
+  for (; exponent < 0; ++exponent) power /= 2.0;
+  return power;
+}
+}  // namespace detail
+
 /// Floating-point scalars: Eigen::half, float, double, long double. Other types specialise this
 /// template.
 template <class S>
@@ -43,9 +53,7 @@ struct ScalarTraits {
 
   /// u: the largest relative error of one rounded operation. Zero for exact types. Made from the
   /// digits because Eigen 3.4 gives half a wrong epsilon (2^-13 for 2^-10).
-  [[nodiscard]] static S unit_roundoff() {
-    return S(std::ldexp(1.0, -std::numeric_limits<S>::digits));
-  }
+  [[nodiscard]] static S unit_roundoff() { return S(kRoundoff); }
 
   /// e with 2^e <= a < 2^(e+1), for positive a.
   [[nodiscard]] static int exponent(const S& a) { return std::ilogb(a); }
@@ -60,6 +68,15 @@ struct ScalarTraits {
   static constexpr int kLeastExponent =
       std::min((std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits) / 2, -1);
   static constexpr int kLargestExponent = (std::numeric_limits<S>::max_exponent - 6) / 2;
+  [[nodiscard]] static bool is_in_range(const S& size) {
+    return S(kLeastSize) <= size && size <= S(kLargestSize);
+  }
+
+ private:
+  static constexpr double kRoundoff = detail::power_of_two(-std::numeric_limits<S>::digits);
+  // long double reaches farther than this; nothing is lost by less.
+  static constexpr double kLeastSize = detail::power_of_two(std::max(kLeastExponent, -1000));
+  static constexpr double kLargestSize = detail::power_of_two(std::min(kLargestExponent, 1000));
 };
 
 /// Stands for the scalar in which `distance` and `trace` run unless told otherwise: that of the

@@ -125,7 +125,7 @@ struct State {
   /// Squared distance of the farthest support plane so far that has O on one side and all of Z on
   /// the other, as computed: rounding is not subtracted. 0: no plane has separated the shapes yet.
   S plane_distance_sq = S(0);
-  S plane_reach_sq = S(0);  ///< |w|^2 of its support point: what rounding is relative to.
+  S plane_reach_sq = S(0);     ///< |w|^2 of its support point: what rounding is relative to.
   bool touches_plane = false;  ///< Some support plane passes exactly through O.
 
   StopReason stop = StopReason::running;

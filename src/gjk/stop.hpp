@@ -66,9 +66,11 @@ void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S
   } else {
     test(StopReason::no_progress, !nearer, true, state.best_sq, state.p_sq);
   }
-  const S wanted = wanted_plane_distance_sq(state, options, prepared);
-  test(StopReason::within_tolerance, has_support && 0.0 < options.tolerance,
-       !(state.plane_distance_sq < wanted), wanted, state.plane_distance_sq);
+  const bool has_tolerance = has_support && 0.0 < options.tolerance;
+  const S wanted =
+      has_tolerance || Rec::kOn ? wanted_plane_distance_sq(state, options, prepared) : S(0);
+  test(StopReason::within_tolerance, has_tolerance, !(state.plane_distance_sq < wanted), wanted,
+       state.plane_distance_sq);
   test(StopReason::iteration_cap, has_support, options.iteration_cap <= state.iteration,
        S(options.iteration_cap), S(state.iteration));
 

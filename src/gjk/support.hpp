@@ -18,20 +18,22 @@ struct Along {
   const Vec<R, D>& centre;
   Vec<R, D> d;
 
-  /// `d` is in the run's unit, vertices are not. The direction makes up for it where a factor more or
-  /// less on each vertex would cost time.
-  Along(const Shape<S, D>& shape, const Prepared<R, D>& query_prepared,
+  Along(const Shape<S, D>& shape, const Prepared<R, D>& query_prepared, bool turned,
         const Vec<R, D>& shape_centre, const Vec<R, D>& world)
       : vertices(shape.vertices),
         prepared(query_prepared),
         centre(shape_centre),
-        d(shape.pose.template direction_to_local<R>(
-            ScalarTraits<R>::kExact ? world : query_prepared.in_unit(world))) {}
+        d(turned ? shape.pose.template direction_to_local<R>(world) : world) {
+    // `world` is in the run's unit, vertices are not. The direction makes up for it where a factor
+    // on each vertex would cost time.
+    if constexpr (!ScalarTraits<R>::kExact) d = prepared.in_unit(d);
+  }
 
   [[nodiscard]] R operator()(std::size_t i) const {
-    const Vec<R, D> vertex = converted<R, S, D>(vertices[i]);
+    const auto& vertex = converted<R, S, D>(vertices[i]);
     if constexpr (ScalarTraits<R>::kExact) return dot<R, D>(d, prepared.in_unit(vertex));
-    return dot<R, D>(d, vertex - centre);
+    if (prepared.centred) return dot<R, D>(d, vertex - centre);
+    return dot<R, D>(d, vertex);
   }
 };
 
@@ -39,12 +41,12 @@ struct Along {
 template <class R, class S, int D>
 [[nodiscard]] Along<R, S, D> along_x(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                      const Vec<R, D>& d) {
-  return {query.x, prepared, prepared.x_centre, -d};
+  return {query.x, prepared, prepared.x_turned, prepared.x_centre, -d};
 }
 template <class R, class S, int D>
 [[nodiscard]] Along<R, S, D> along_y(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                      const Vec<R, D>& d) {
-  return {query.y, prepared, prepared.y_centre, d};
+  return {query.y, prepared, prepared.y_turned, prepared.y_centre, d};
 }
 
 /// The vertex that lies farthest so far; of equal ones that with the lowest index.
@@ -60,39 +62,46 @@ struct Farthest {
     value = improves ? offered : value;
     return improves;
   }
+  /// For calls in the order of indices.
+  void offer_next(int i, const R& offered) {
+    const bool improves = value < offered;
+    index = improves ? i : index;
+    value = improves ? offered : value;
+  }
 };
 
-/// The slides' scan: the first vertex with the largest dot product (Catto 2010, slide "Support
-/// point code").
-template <class R, class S, int D, class Note>
-[[nodiscard]] int scan(const Along<R, S, D>& along, const Note& note) {
-  Farthest<R> farthest{0, along(0)};
-  note(0, farthest.value, true);
+/// The first vertex with the largest dot product (Catto 2010, slide "Support point code"). Vertices
+/// with even and with odd indices are scanned side by side, because each step of a scan waits for
+/// the one before it.
+template <class R, class S, int D>
+[[nodiscard]] int scan(const Along<R, S, D>& along) {
   const int count = static_cast<int>(along.vertices.size());
-  for (int i = 1; i < count; ++i) {
-    const R value = along(i);
-    const bool improves = farthest.value < value;
-    farthest.index = improves ? i : farthest.index;
-    farthest.value = improves ? value : farthest.value;
-    note(i, value, improves);
+  Farthest<R> even{0, along(0)};
+  Farthest<R> odd = even;
+  int i = 1;
+  for (; i + 1 < count; i += 2) {
+    odd.offer_next(i, along(i));
+    even.offer_next(i + 1, along(i + 1));
   }
-  return farthest.index;
+  if (i < count) odd.offer_next(i, along(i));
+  even.offer(odd.index, odd.value);
+  return even.index;
 }
 
 /// The vertex that `scan` would find, without looking at all of them. Along a direction the
 /// vertices of a convex ring rise to one summit and fall to one valley. From the best of some
-/// samples both ways down are followed until the fall is beyond rounding: by then everything that is
-/// as high as that sample has been seen.
-template <class R, class S, int D, class Note>
-[[nodiscard]] int climb(const Along<R, S, D>& along, const Note& note) {
+/// samples both ways down are followed until the fall is beyond rounding: by then everything that
+/// is as high as that sample has been seen.
+template <class R, class S, int D, class Visit>
+[[nodiscard]] int climb(const Along<R, S, D>& along, const Visit& visit) {
   const int count = static_cast<int>(along.vertices.size());
   int stride = 1;
   while (stride * stride < count) stride *= 2;
   Farthest<R> farthest{0, along(0)};
-  note(0, farthest.value, true);
+  visit(0);
   for (int i = stride; i < count; i += stride) {
-    const R value = along(i);
-    note(i, value, farthest.offer(i, value));
+    farthest.offer(i, along(i));
+    visit(i);
   }
   R rounding(0);  // of two dot products of centred vertices
   if constexpr (!ScalarTraits<R>::kExact) {
@@ -103,16 +112,37 @@ template <class R, class S, int D, class Note>
   for (const int towards : {1, count - 1}) {
     for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
       const R value = along(i);
-      note(i, value, farthest.offer(i, value));
+      farthest.offer(i, value);
+      visit(i);
       if (value < farthest.value - rounding) break;
     }
   }
   return farthest.index;
 }
 
-template <class R, class S, int D, class Note>
-[[nodiscard]] int farthest_vertex(const Along<R, S, D>& along, const Note& note) {
-  return along.vertices.is_ring() ? climb(along, note) : scan(along, note);
+template <class R, class S, int D>
+[[nodiscard]] int farthest_vertex(const Along<R, S, D>& along) {
+  return along.vertices.is_ring() ? climb(along, [](int) {}) : scan(along);
+}
+
+/// The vertices that `farthest_vertex` looks at, in its order.
+template <class R, class S, int D>
+[[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Along<R, S, D>& along) {
+  std::vector<ScanEntry<R>> entries;
+  const R at_centre = dot(along.d, along.centre);
+  Farthest<R> farthest;
+  const auto note = [&](int i) {
+    const R value = along(i);
+    const bool improves = entries.empty() || farthest.offer(i, value);
+    if (entries.empty()) farthest = {i, value};
+    entries.push_back({i, value + at_centre, improves});
+  };
+  if (along.vertices.is_ring()) {
+    static_cast<void>(climb(along, note));
+  } else {
+    for (int i = 0; i < static_cast<int>(along.vertices.size()); ++i) note(i);
+  }
+  return entries;
 }
 
 }  // namespace detail
@@ -122,20 +152,24 @@ template <class R, class S, int D, class Note>
 template <class R, class S, int D>
 [[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
                                                const Prepared<R, D>& prepared, VertexPair pair) {
-  const Vec<R, D> x = converted<R, S, D>(query.x.vertices[pair.x]);
-  const Vec<R, D> y = converted<R, S, D>(query.y.vertices[pair.y]);
+  const auto& x = converted<R, S, D>(query.x.vertices[pair.x]);
+  const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
   if (prepared.in_world) return {prepared.in_unit(y) - prepared.in_unit(x), pair};
-  const Vec<R, D> centred_x = prepared.in_unit(x - prepared.x_centre);
-  const Vec<R, D> centred_y = prepared.in_unit(y - prepared.y_centre);
-  const Vec<R, D> turned_x = query.x.pose.template rotated<R>(centred_x);
-  const Vec<R, D> turned_y = query.y.pose.template rotated<R>(centred_y);
-  return {(turned_y - turned_x) + prepared.offset, pair};
+  const auto placed = [&](const Shape<S, D>& shape, const Vec<R, D>& vertex, bool turned,
+                          const Vec<R, D>& centre) {
+    const Vec<R, D> local = prepared.centred ? Vec<R, D>(vertex - centre) : vertex;
+    const Vec<R, D> in_unit = prepared.in_unit(local);
+    return turned ? shape.pose.template rotated<R>(in_unit) : in_unit;
+  };
+  const Vec<R, D> placed_x = placed(query.x, x, prepared.x_turned, prepared.x_centre);
+  const Vec<R, D> placed_y = placed(query.y, y, prepared.y_turned, prepared.y_centre);
+  return {Vec<R, D>(placed_y - placed_x) + prepared.offset, pair};
 }
 
 namespace detail {
 
-/// What rounding may have added to the distance of the best support plane, in the run's unit: to its
-/// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
+/// What rounding may have added to the distance of the best support plane, in the run's unit: to
+/// its support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
 template <class R, int D>
 [[nodiscard]] R plane_error(const State<R, D>& state, const Prepared<R, D>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
@@ -163,19 +197,10 @@ void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R
                   Rec& record) {
   const Along<R, S, D> x = along_x(query, prepared, state.d);
   const Along<R, S, D> y = along_y(query, prepared, state.d);
-  const auto noting = [](std::vector<ScanEntry<R>>& entries, const Along<R, S, D>& along) {
-    return [&entries, at_centre = dot(along.d, along.centre)](int i, const R& value, bool improves) {
-      entries.push_back({i, value + at_centre, improves});
-    };
-  };
-  VertexPair pair;
+  const VertexPair pair{farthest_vertex(x), farthest_vertex(y)};
   if constexpr (Rec::kOn) {
-    pair.x = farthest_vertex(x, noting(record.scan_x, x));
-    pair.y = farthest_vertex(y, noting(record.scan_y, y));
-  } else {
-    const auto nothing = [](int, const R&, bool) {};
-    pair.x = farthest_vertex(x, nothing);
-    pair.y = farthest_vertex(y, nothing);
+    record.scan_x = scan_entries(x);
+    record.scan_y = scan_entries(y);
   }
   state.support = support_point(query, prepared, pair);
   state.support_value = dot(state.d, state.support.w);
