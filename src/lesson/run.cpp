@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lesson/load.hpp"
@@ -63,8 +64,9 @@ DistanceBounds bounds_after(const gjk::State<S, 2>& state, const gjk::Prepared<S
     const gjk::Simplex<S, 2>& nearest = found_nearer ? state.simplex : state.best;
     const bool inside = full && gjk::detail::surely_inside(nearest, prepared);
     const S upper = inside ? S(0) : S(Traits::root_above(upper_sq) + rounding);
-    return {widened(gjk::detail::scaled_below(lower, prepared.exponent)),
-            widened(gjk::detail::scaled_above(upper, prepared.exponent))};
+    const double largest = std::numeric_limits<double>::max();
+    return {std::min(gjk::detail::scaled_below(widened(lower), prepared.exponent), largest),
+            gjk::detail::scaled_above(widened(upper), prepared.exponent)};
   }
 }
 
@@ -168,6 +170,14 @@ double written_precision(double value) {
 
 }  // namespace
 
+std::string why_not_drawn(const PositionedRun& run) {
+  if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
+    return fmt::format("the run is refused: {}", name_of(error));
+  if (run.trace.prepared.exponent != 0)
+    return "squares of the shapes' sizes leave the range of a double";
+  return {};
+}
+
 const gjk::State<double, 2>& LessonRun::state(const Frame& frame) const {
   return frame.step < 0 ? run(frame).trace.initial : step(frame).after;
 }
@@ -204,10 +214,8 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
         {lesson.path, place.line, place.column, std::move(what), std::move(expected), ""});
   };
   for (const PositionedRun& positioned : run.runs) {
-    if (positioned.trace.result.error != gjk::Error::none) {
-      differ("shapes",
-             fmt::format("the run is refused: {}", name_of(positioned.trace.result.error)),
-             "shapes that GJK can answer for");
+    if (const std::string why = why_not_drawn(positioned); !why.empty()) {
+      differ("shapes", why, "shapes that GJK can answer for, and pictures can show");
       return problems;
     }
   }

@@ -12,8 +12,7 @@ namespace gjkscope {
 
 /// A trace in any scalar, widened to double. Exact for half, float and double; rounded to nearest
 /// for exact runs. Lengths are in the world's unit; only those of a double run whose squares would
-/// leave the range of a double are in units of 2^prepared.exponent, and no lesson file may ask for
-/// one (limits::kSmallest, limits::kLargest).
+/// leave the range of a double are in units of 2^prepared.exponent, and are not drawn.
 using WideTrace = gjk::Trace<double, 2>;
 
 /// What is proved of the distance, rounding included: lower <= exact distance <= upper.
@@ -29,8 +28,13 @@ struct PositionedRun {
   std::vector<Eigen::Vector2d> y_world;
   int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
   WideTrace trace;
-  std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit.
+  std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
+                                       ///< those of the result.
 };
+
+/// Why there is no picture of a run: GJK refused it, or its lengths are not in the world's unit.
+/// Empty for all others.
+[[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
 /// What one frame shows.
 struct Frame {
