@@ -168,10 +168,9 @@ class Exporter {
   bool add(const Lesson& lesson, std::size_t lesson_index, Progress& progress) {
     const LessonRun run = run_lesson(lesson);
     for (const PositionedRun& positioned : run.runs) {
-      if (positioned.trace.result.error != gjk::Error::none) {
+      if (const std::string why = why_not_drawn(positioned); !why.empty()) {
         throw std::runtime_error(
-            fmt::format("{}: GJK refuses the shapes ({}); `gjkscope check` says where", lesson.id,
-                        name_of(positioned.trace.result.error)));
+            fmt::format("{}: {}; `gjkscope check` says where", lesson.id, why));
       }
     }
     EffectGraph effects(run);

@@ -44,12 +44,11 @@ Json json_of(const gjk::Vec<S, 2>& point) {
   return Json::array({widened<S>(point[0]), widened<S>(point[1])});
 }
 
-/// Whether the shapes share a point. Where the run's own bounds do not prove it, exact arithmetic
-/// on the same coordinates decides.
+/// Whether the shapes share a point. Where the run left it undecided, exact arithmetic on the same
+/// coordinates decides.
 template <class S>
 bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S>& y) {
-  if (result.verdict == gjk::Verdict::separated) return false;
-  if (widened(result.upper) == 0.0) return true;
+  if (result.verdict != gjk::Verdict::undecided) return result.verdict != gjk::Verdict::separated;
   const auto exact = [](const Points<S>& points) {
     Points<Rational> out;
     for (const gjk::Vec<S, 2>& point : points) {
@@ -65,9 +64,9 @@ bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S
 std::string_view explained(gjk::Error error) {
   switch (error) {
     case gjk::Error::overflow:
-      return "products of the coordinates exceed the range of the scalar";
+      return "the distance exceeds the range of the scalar";
     case gjk::Error::underflow:
-      return "products of the coordinates are too small for the scalar";
+      return "the coordinates are too small for the scalar";
     case gjk::Error::x_not_finite:
       return "a coordinate of 'a' exceeds the range of the scalar";
     case gjk::Error::y_not_finite:
@@ -81,7 +80,7 @@ template <class S>
 Json solve(const Case& value, Json answer) {
   const Points<S> x = converted<S>(value.a);
   const Points<S> y = converted<S>(value.b);
-  const gjk::Result<S, 2> result = gjk::distance(gjk::Query<S, 2>{{x}, {y}});
+  const gjk::Result<S, 2> result = gjk::distance<S>(gjk::Query<S, 2>{{x}, {y}});
   if (result.error != gjk::Error::none) {
     answer["error"] = fmt::format("{}: {}", name_of(result.error), explained(result.error));
     return answer;
@@ -94,6 +93,7 @@ Json solve(const Case& value, Json answer) {
   }
   answer["overlap"] = overlap(result, x, y);
   answer["verdict"] = name_of(result.verdict);
+  answer["settled"] = result.settled;
   answer["a"] = json_of<S>(result.x);
   answer["b"] = json_of<S>(result.y);
   answer["iterations"] = result.iterations;

@@ -35,7 +35,7 @@ class TraceWriter {
  public:
   explicit TraceWriter(const LessonRun& run) : run_(run) {}
 
-  Json write() const {
+  Json write() {
     const Lesson& lesson = run_.lesson;
     Json out;
     out["format"] = "gjkscope-trace";
@@ -82,15 +82,17 @@ class TraceWriter {
     return out;
   }
 
-  Json one_run(const PositionedRun& value) const {
+  Json one_run(const PositionedRun& value) {
+    positioned_ = &value;
     Json out;
     out["position"] = point(value.position);
     out["x_world"] = points(value.x_world);
     out["y_world"] = points(value.y_world);
+    out["exponent"] = value.trace.prepared.exponent;
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();
-    for (const gjk::Step<double, 2>& step : value.trace.steps)
-      out["steps"].push_back(one_step(step));
+    for (std::size_t i = 0; i < value.trace.steps.size(); ++i)
+      out["steps"].push_back(one_step(value.trace.steps[i], value.bounds[i]));
     out["result"] = result(value.trace.result);
     return out;
   }
@@ -100,8 +102,8 @@ class TraceWriter {
     out["name"] = run_.pair_name(value.pair);
     out["pair"] = pair(value.pair);
     out["w"] = point(value.w);
-    out["x"] = point(value.x);
-    out["y"] = point(value.y);
+    out["x"] = point(positioned_->x_world[static_cast<std::size_t>(value.pair.x)]);
+    out["y"] = point(positioned_->y_world[static_cast<std::size_t>(value.pair.y)]);
     return out;
   }
 
@@ -137,6 +139,7 @@ class TraceWriter {
     out["best"] = simplex(value.best);
     out["best_sq"] = number(value.best_sq);
     out["plane_distance_sq"] = number(value.plane_distance_sq);
+    out["plane_reach_sq"] = number(value.plane_reach_sq);
     out["touches_plane"] = value.touches_plane;
     out["stop"] = name_of(value.stop);
     out["error"] = name_of(value.error);
@@ -144,7 +147,7 @@ class TraceWriter {
   }
 
   /// Only the members that the phase fills in.
-  Json one_step(const gjk::Step<double, 2>& step) const {
+  Json one_step(const gjk::Step<double, 2>& step, const DistanceBounds& bounds) const {
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
@@ -176,6 +179,8 @@ class TraceWriter {
         break;
     }
     out["after"] = state(step.after);
+    out["lower"] = number(bounds.lower);
+    out["upper"] = number(bounds.upper);
     return out;
   }
 
@@ -236,6 +241,7 @@ class TraceWriter {
     out["error"] = name_of(value.error);
     out["stop"] = name_of(value.stop);
     out["verdict"] = name_of(value.verdict);
+    out["settled"] = value.settled;
     out["distance"] = number(value.distance);
     out["lower"] = number(value.lower);
     out["upper"] = number(value.upper);
@@ -248,6 +254,7 @@ class TraceWriter {
   }
 
   const LessonRun& run_;
+  const PositionedRun* positioned_ = nullptr;  ///< The run being written.
 };
 
 }  // namespace

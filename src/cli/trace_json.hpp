@@ -8,7 +8,7 @@
 namespace gjkscope {
 
 /// Counts up when a key changes its meaning or goes away; new keys do not count.
-inline constexpr int kTraceFormatVersion = 1;
+inline constexpr int kTraceFormatVersion = 2;
 
 [[nodiscard]] std::string trace_json(const LessonRun& run);
 

@@ -75,6 +75,9 @@ class TraceText {
 
   void one_run(const PositionedRun& positioned) {
     const WideTrace& trace = positioned.trace;
+    if (const int exponent = trace.prepared.exponent; exponent != 0) {
+      line("unit", fmt::format("2^{}, of lengths other than bounds and result", exponent));
+    }
     if (trace.initial.stop != gjk::StopReason::failed) {
       out_ += "\nstart\n";
       const gjk::Simplex<double, 2>& simplex = trace.initial.simplex;
@@ -85,18 +88,20 @@ class TraceText {
     }
     const gjk::State<double, 2>* before = &trace.initial;
     int iteration = 0;
-    for (const gjk::Step<double, 2>& step : trace.steps) {
+    for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+      const gjk::Step<double, 2>& step = trace.steps[i];
       if (step.iteration != iteration) {
         iteration = step.iteration;
         out_ += fmt::format("\niteration {}\n", iteration);
       }
-      one_step(*before, step);
+      one_step(*before, step, positioned.bounds[i]);
       before = &step.after;
     }
     result(trace.result);
   }
 
-  void one_step(const gjk::State<double, 2>& before, const gjk::Step<double, 2>& step) {
+  void one_step(const gjk::State<double, 2>& before, const gjk::Step<double, 2>& step,
+                const DistanceBounds& bounds) {
     const gjk::State<double, 2>& after = step.after;
     const gjk::Record<double, 2>& record = step.record;
     switch (step.phase) {
@@ -119,8 +124,7 @@ class TraceText {
         break;
       case Phase::stop:
         for (const auto& test : record.stop_tests) stop_test(test);
-        line("", fmt::format("lower^2 = {}, upper^2 = {}", number(after.plane_distance_sq),
-                             number(after.best_sq)));
+        line("bounds", fmt::format("{} to {}", number(bounds.lower), number(bounds.upper)));
         break;
       case Phase::add:
         line("add", "simplex " + face(after.simplex, after.simplex.all()));
@@ -210,7 +214,8 @@ class TraceText {
       return;
     }
     line("stop", std::string(name_of(value.stop)));
-    line("verdict", std::string(name_of(value.verdict)));
+    line("verdict", fmt::format("{}{}", name_of(value.verdict),
+                                value.settled ? ", settled in exact arithmetic" : ""));
     line("distance", number(value.distance));
     line("bounds", fmt::format("{} to {}", number(value.lower), number(value.upper)));
     line("on " + run_.lesson.x.name, point(value.x));

@@ -25,7 +25,7 @@ BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const Lesson
   value.simplex = run.state({frame.run, closest_step(run, frame), -1}).simplex;
   if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex);
+    const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex, run.run(frame).exponent);
     const gjk::Barycentric<S, 2> coordinates = gjk::barycentric(simplex, simplex.all());
     if (!(S(0) < coordinates.denominator)) return;
     for (int i = 0; i < simplex.count; ++i) {

@@ -1,5 +1,7 @@
 #include "effects/direction_rules.hpp"
 
+#include <cmath>
+
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
 
@@ -15,13 +17,16 @@ DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run
   Value built;
   if (state.simplex.count != 2) return built;
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const gjk::Simplex<S, 2> simplex = narrowed<S>(state.simplex);
+    // In the run's own unit, as the run built its direction.
+    const int exponent = run.run(frame).exponent;
+    const gjk::Simplex<S, 2> simplex = narrowed<S>(state.simplex, exponent);
+    const gjk::Vec<S, 2> p = narrowed<S>(state.p * std::ldexp(1.0, -exponent));
     const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
     for (const gjk::DirectionRule rule :
          {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
-      const gjk::DirectionNote<S, 2> note =
-          gjk::detail::search_direction(simplex, narrowed<S>(state.p), rule);
-      built.push_back({rule, widened(note.d), widened(gjk::dot(note.d, edge))});
+      const gjk::DirectionNote<S, 2> note = gjk::detail::search_direction(simplex, p, rule);
+      built.push_back({rule, widened(note.d) * std::ldexp(1.0, exponent),
+                       std::ldexp(widened(gjk::dot(note.d, edge)), 2 * exponent)});
     }
   });
   return built;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lesson/load.hpp"
@@ -44,14 +46,44 @@ std::vector<Vector2d> world_vertices(const gjk::Shape<S, 2>& shape) {
   return out;
 }
 
+/// What a state proves by its support planes and by the nearest point of its simplices.
+template <class S>
+DistanceBounds bounds_after(const gjk::State<S, 2>& state, const gjk::Prepared<S, 2>& prepared) {
+  using Traits = gjk::ScalarTraits<S>;
+  // Phase closest has found P, cull makes it the best.
+  const bool found_nearer = state.previous == gjk::Phase::closest &&
+                            (state.best.count == 0 || state.p_sq < state.best_sq);
+  const S& upper_sq = found_nearer ? state.p_sq : state.best_sq;
+  if constexpr (Traits::kExact) {
+    return {Traits::root_below(state.plane_distance_sq), Traits::root_above(upper_sq)};
+  } else {
+    const S plane = Traits::root(state.plane_distance_sq);
+    const S lower = std::max(S(plane - gjk::detail::plane_error(state, prepared)), S(0));
+    const S rounding = prepared.vertex_error + S(16) * Traits::unit_roundoff() * prepared.reach;
+    const bool full = found_nearer ? gjk::vertex_count(state.region) == 3 : state.best.count == 3;
+    const gjk::Simplex<S, 2>& nearest = found_nearer ? state.simplex : state.best;
+    const bool inside = full && gjk::detail::surely_inside(nearest, prepared);
+    const S upper = inside ? S(0) : S(Traits::root_above(upper_sq) + rounding);
+    const double largest = std::numeric_limits<double>::max();
+    return {std::min(gjk::detail::scaled_below(widened(lower), prepared.exponent), largest),
+            gjk::detail::scaled_above(widened(upper), prepared.exponent)};
+  }
+}
+
 template <class S>
 PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
   const std::vector<gjk::Vec<S, 2>> x = vertices_of<S>(lesson.x);
   const std::vector<gjk::Vec<S, 2>> y = vertices_of<S>(lesson.y);
   const gjk::Query<S, 2> query{{x, pose_of<S>(lesson.x, position)},
                                {y, pose_of<S>(lesson.y, lesson.y.translate)}};
-  return {position, world_vertices(query.x), world_vertices(query.y),
-          widened(gjk::trace(query, lesson.options))};
+  const gjk::Trace<S, 2> trace = gjk::trace<S>(query, lesson.options);
+  std::vector<DistanceBounds> bounds;
+  for (const gjk::Step<S, 2>& step : trace.steps)
+    bounds.push_back(bounds_after(step.after, trace.prepared));
+  if (!bounds.empty() && trace.result.error == gjk::Error::none)
+    bounds.back() = {widened(trace.result.lower), widened(trace.result.upper)};
+  return {position,       world_vertices(query.x), world_vertices(query.y), trace.prepared.exponent,
+          widened(trace), std::move(bounds)};
 }
 
 PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
@@ -138,12 +170,24 @@ double written_precision(double value) {
 
 }  // namespace
 
+std::string why_not_drawn(const PositionedRun& run) {
+  if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
+    return fmt::format("the run is refused: {}", name_of(error));
+  if (run.trace.prepared.exponent != 0)
+    return "squares of the shapes' sizes leave the range of a double";
+  return {};
+}
+
 const gjk::State<double, 2>& LessonRun::state(const Frame& frame) const {
   return frame.step < 0 ? run(frame).trace.initial : step(frame).after;
 }
 
 const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
   return run(frame).trace.steps[frame.step];
+}
+
+const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
+  return run(frame).bounds[frame.step];
 }
 
 std::string LessonRun::pair_name(gjk::VertexPair pair) const {
@@ -170,10 +214,8 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
         {lesson.path, place.line, place.column, std::move(what), std::move(expected), ""});
   };
   for (const PositionedRun& positioned : run.runs) {
-    if (positioned.trace.result.error != gjk::Error::none) {
-      differ("shapes",
-             fmt::format("the run is refused: {}", name_of(positioned.trace.result.error)),
-             "shapes that GJK can answer for");
+    if (const std::string why = why_not_drawn(positioned); !why.empty()) {
+      differ("shapes", why, "shapes that GJK can answer for, and pictures can show");
       return problems;
     }
   }

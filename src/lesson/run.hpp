@@ -11,16 +11,30 @@
 namespace gjkscope {
 
 /// A trace in any scalar, widened to double. Exact for half, float and double; rounded to nearest
-/// for exact runs.
+/// for exact runs. Lengths are in the world's unit; only those of a double run whose squares would
+/// leave the range of a double are in units of 2^prepared.exponent, and are not drawn.
 using WideTrace = gjk::Trace<double, 2>;
+
+/// What is proved of the distance, rounding included: lower <= exact distance <= upper.
+struct DistanceBounds {
+  double lower = 0.0;
+  double upper = 0.0;
+};
 
 /// One GJK run: where X stood, and what happened.
 struct PositionedRun {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< Translation of X.
   std::vector<Eigen::Vector2d> x_world;
   std::vector<Eigen::Vector2d> y_world;
+  int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
   WideTrace trace;
+  std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
+                                       ///< those of the result.
 };
+
+/// Why there is no picture of a run: GJK refused it, or its lengths are not in the world's unit.
+/// Empty for all others.
+[[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
 /// What one frame shows.
 struct Frame {
@@ -39,8 +53,9 @@ struct LessonRun {
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
   /// The state that a frame shows: after its step, or the initial one.
   [[nodiscard]] const gjk::State<double, 2>& state(const Frame& frame) const;
-  /// The step of a frame; only where frame.step >= 0.
+  /// The step of a frame, and what is proved by then; only where frame.step >= 0.
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
+  [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".

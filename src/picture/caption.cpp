@@ -74,8 +74,8 @@ class Writer {
     if (knows_direction()) put("d", numbers_.point(state_.d));
     if (knows_support()) put("support", run_.pair_name(state_.support.pair));
     if (running) {
-      put("lower", numbers_(lower_bound(state_)));
-      put("upper", numbers_(upper_bound(state_)));
+      put("lower", numbers_(run_.bounds(frame_).lower));
+      put("upper", numbers_(run_.bounds(frame_).upper));
     }
     if (running && run_.step(frame_).phase == gjk::Phase::stop && ended()) {
       put("stop", std::string(name_of(state_.stop)));
@@ -349,10 +349,12 @@ class Writer {
     const std::string name = run_.pair_name(pair);
     if (run_.point_query()) {
       const auto& scan = run_.step(frame_).record.scan_y;
-      text.caption =
-          format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
-                 numbers_(scan[pair.y].value),
-                 scan.size() == 2 ? "larger of the two" : format("largest of all {}", scan.size()));
+      const auto farthest = std::find_if(scan.begin(), scan.end(),
+                                         [&](const auto& entry) { return entry.index == pair.y; });
+      const std::size_t count = run_.lesson.y.vertices.size();
+      text.caption = format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
+                            numbers_(farthest->value),
+                            count == 2 ? "larger of the two" : format("largest of all {}", count));
     } else {
       text.caption =
           format("{} lies farthest along d: {} is the support point of {}, {} that of {} along −d.",
@@ -370,25 +372,26 @@ class Writer {
   }
 
   void stop(FrameText& text) const {
-    const std::string bounds = format("The distance lies between {} and {}.",
-                                      numbers_(lower_bound(state_)), numbers_(upper_bound(state_)));
+    const auto& [lower, upper] = run_.bounds(frame_);
+    const std::string bounds =
+        format("The distance lies between {} and {}.", numbers_(lower), numbers_(upper));
     const std::string support = run_.pair_name(state_.support.pair);
     const std::string final_distance =
         format("The distance is {}.", numbers_(trace_.result.distance));
     switch (state_.stop) {
       case gjk::StopReason::running:
         text.caption = format("Go on: {} is new, and lies farther along d than P does.", support);
-        text.detail = lower_bound(state_) > 0.0
+        text.detail = lower > 0.0
                           ? bounds
                           : format("No line separates {} from {} yet, but P is at distance {}.", q_,
-                                   set_name(), numbers_(upper_bound(state_)));
+                                   set_name(), distance());
         return;
       case gjk::StopReason::repeated_support:
         text.caption =
             format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
                    support, set_name(), q_);
         text.detail = final_distance;
-        if (lower_bound(state_) > 0.0) {
+        if (lower > 0.0) {
           text.detail += format(
               " The dashed line proves it: it has all of {} on one side and {} on the other.",
               set_name(), q_);

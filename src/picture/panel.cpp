@@ -317,7 +317,7 @@ class PanelBuilder {
   // ---------------------------------------------------------------------------------------------------
 
   std::string condition(const gjk::detail::RegionList& order, int index) const {
-    const gjk::Face face = order.regions[index];
+    const gjk::Face face = order.conditions[index].face;
     const int size = gjk::vertex_count(face);
     const int count = state_.simplex.count;
     if (size == count) return count == 1 ? "only region" : "else";
@@ -338,7 +338,7 @@ class PanelBuilder {
   void tests() {
     heading("First true test wins");
     const gjk::detail::RegionList order =
-        gjk::detail::regions_in_order(state_.simplex.count, run_.lesson.options.region_order);
+        gjk::detail::list_regions(state_.simplex.count, run_.lesson.options.region_order);
     const auto& tried = region_tests();
     for (int i = 0; i < order.count; ++i) {
       const bool reached = i <= tests_reached() && i < static_cast<int>(tried.size());
@@ -356,7 +356,8 @@ class PanelBuilder {
             : holds  ? "✓"
                      : "✗",
             type::kStrong);
-      write(!reached ? "untried" : "body", left_ + 24.0, words_.face(order.regions[i]), name_style);
+      write(!reached ? "untried" : "body", left_ + 24.0, words_.face(order.conditions[i].face),
+            name_style);
       write(role, left_ + 78.0, condition(order, i), code);
       if (reached) write(role, right_, test_values(tried[i]), code, Align::right);
       y_ += kRow + 2.0;
@@ -368,11 +369,11 @@ class PanelBuilder {
     const int count = state_.simplex.count;
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     gjk::detail::RegionList order =
-        gjk::detail::regions_in_order(count, gjk::RegionOrder::vertices_first);
+        gjk::detail::list_regions(count, gjk::RegionOrder::vertices_first);
     if (count == 2)
-      std::swap(order.regions[0], order.regions[1]);  // A before B: this is no order of tests
+      std::swap(order.conditions[0], order.conditions[1]);  // A before B: this is no order of tests
     for (int i = 0; i < order.count; ++i) {
-      const gjk::Face face = order.regions[i];
+      const gjk::Face face = order.conditions[i].face;
       const bool current = phase() && face == state_.region;
       if (current) highlight("highlight.pass");
       write(current ? "pass" : "untried", left_, current ? "●" : "○", type::kBody);
@@ -550,9 +551,13 @@ class PanelBuilder {
     }
     constexpr int kShown = 6;
     for (int i = 0; i < static_cast<int>(names.size()) && i < kShown; ++i) {
-      const bool wins = !entries.empty() && entries[i].index == best;
+      // The scan of a large polygon does not look at every vertex.
+      const auto entry = std::find_if(entries.begin(), entries.end(),
+                                      [&](const auto& seen) { return seen.index == i; });
+      const bool wins = i == best;
       write(wins ? "support.label" : "body", x0, names[i], wins ? type::kStrong : type::kBody);
-      write(wins ? "support.label" : "code", x1, entries.empty() ? "–" : numbers_(entries[i].value),
+      write(wins ? "support.label" : "code", x1,
+            entry == entries.end() ? "–" : numbers_(entry->value),
             wins ? type::kCodeBold : type::kCode, Align::right);
       y_ += kTightRow;
     }
@@ -586,18 +591,13 @@ class PanelBuilder {
   void bounds() {
     write("heading", left_, "Distance lies in", type::kHeading);
     const bool known = frame_.step >= 0;
-    const double low = lower_bound(state_);
-    const double high = known ? upper_bound(state_) : 0.0;
+    const DistanceBounds bounds = known ? run_.bounds(frame_) : DistanceBounds{};
+    const double low = bounds.lower;
+    const double high = bounds.upper;
     write("code.current", right_, known ? format("[{}, {}]", numbers_(low), numbers_(high)) : "–",
           type::kCode, Align::right);
     y_ += 22.0;
-    double first_high = 0.0;
-    for (const gjk::Step<double, 2>& step : run_.run(frame_).trace.steps) {
-      if (step.after.best.count > 0) {
-        first_high = std::sqrt(step.after.best_sq);
-        break;
-      }
-    }
+    const double first_high = known ? run_.run(frame_).bounds.front().upper : 0.0;
     add("bounds.track", Box{{{left_, y_ - 8.0}, {right_, y_}}, 4.0});
     if (known && first_high > 0.0) {
       const auto at = [&](double v) {

@@ -84,6 +84,12 @@ class SceneBuilder {
 
   Point at(const Vector2d& view_point) const { return map_(view_point); }
   Point at_difference(const Vector2d& z) const { return map_(z + shift_); }
+  const Vector2d& vertex_of_x(const gjk::SupportPoint<double, 2>& vertex) const {
+    return positioned_.x_world[vertex.pair.x];
+  }
+  const Vector2d& vertex_of_y(const gjk::SupportPoint<double, 2>& vertex) const {
+    return positioned_.y_world[vertex.pair.y];
+  }
   Point vertex_at(int i) const { return at_difference(state_.simplex.vertices[i].w); }
 
   // Marks
@@ -450,8 +456,8 @@ class SceneBuilder {
       disk(role + ".vertex", at_difference(vertex.w), kSimplexRadius);
       if (!run_.point_query()) pair_label(vertex, role + ".label");
     } else {
-      disk(role + ".vertex", at(vertex.x), kSimplexRadius);
-      disk(role + ".vertex", at(vertex.y), kSimplexRadius);
+      disk(role + ".vertex", at(vertex_of_x(vertex)), kSimplexRadius);
+      disk(role + ".vertex", at(vertex_of_y(vertex)), kSimplexRadius);
     }
   }
 
@@ -477,8 +483,8 @@ class SceneBuilder {
     Vector2d x = Vector2d::Zero();
     Vector2d y = Vector2d::Zero();
     for (int i = 0; i < state_.simplex.count; ++i) {
-      x += state_.simplex.weights[i] * state_.simplex.vertices[i].x;
-      y += state_.simplex.weights[i] * state_.simplex.vertices[i].y;
+      x += state_.simplex.weights[i] * vertex_of_x(state_.simplex.vertices[i]);
+      y += state_.simplex.weights[i] * vertex_of_y(state_.simplex.vertices[i]);
     }
     line("closest.line", at(x), at(y));
     disk("closest", at(x), kClosestRadius);
@@ -530,8 +536,8 @@ class SceneBuilder {
 
   void search_between_shapes() {
     if (!has_support()) return;
-    search_arrow(at(state_.support.y), state_.d, kPairArrow, "d");
-    search_arrow(at(state_.support.x), -state_.d, kPairArrow, "−d");
+    search_arrow(at(vertex_of_y(state_.support)), state_.d, kPairArrow, "d");
+    search_arrow(at(vertex_of_x(state_.support)), -state_.d, kPairArrow, "−d");
     simplex_vertex(state_.support, "support");
   }
 

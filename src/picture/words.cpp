@@ -110,10 +110,12 @@ std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
 std::vector<gjk::RegionTerm<double>> SimplexWords::terms(
     const gjk::RegionTest<double>& test) const {
   std::vector<gjk::RegionTerm<double>> out = test.terms;
-  const auto regions =
-      gjk::detail::regions_in_order(simplex_.count, gjk::RegionOrder::vertices_first).regions;
+  const gjk::detail::RegionList order =
+      gjk::detail::list_regions(simplex_.count, gjk::RegionOrder::vertices_first);
   const auto place = [&](const gjk::RegionTerm<double>& term) {
-    return std::find(regions.begin(), regions.end(), term.face) - regions.begin();
+    int i = 0;
+    while (order.conditions[i].face != term.face) ++i;
+    return i;
   };
   std::stable_sort(out.begin(), out.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });
@@ -129,16 +131,6 @@ std::string SimplexWords::combination(gjk::Face face, const Numbers& numbers) co
     out += plain ? vertex(i) : fmt::format("({})", vertex(i));
   }
   return out;
-}
-
-double upper_bound(const gjk::State<double, 2>& state) {
-  const bool found_nearer = state.previous == gjk::Phase::closest &&
-                            (state.best.count == 0 || state.p_sq < state.best_sq);
-  return std::sqrt(found_nearer ? state.p_sq : state.best_sq);
-}
-
-double lower_bound(const gjk::State<double, 2>& state) {
-  return std::sqrt(state.plane_distance_sq);
 }
 
 std::string query_name(const LessonRun& run) {

@@ -54,11 +54,6 @@ class SimplexWords {
   bool cyclic_ = false;
 };
 
-/// Upper bound of the distance as a step shows it: the closest-point phase has found P, cull makes
-/// it the best.
-[[nodiscard]] double upper_bound(const gjk::State<double, 2>& state);
-[[nodiscard]] double lower_bound(const gjk::State<double, 2>& state);
-
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);
 

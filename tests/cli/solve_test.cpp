@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -48,6 +49,7 @@ TEST(Solve, AnswersWithDistanceBoundsAndWitnesses) {
   EXPECT_EQ(json({1.0, 1.0}), answer["a"]);
   EXPECT_EQ(json({2.0, 2.0}), answer["b"]);
   EXPECT_EQ("separated", answer["verdict"]);
+  EXPECT_EQ(false, answer["settled"].get<bool>());
   EXPECT_EQ("repeated-support", answer["stop"]);
   EXPECT_GE(answer["iterations"].get<int>(), 1);
 }
@@ -86,11 +88,13 @@ TEST(Solve, OverlapIsRightWhereTheRunCannotTell) {
   const std::string gap = R"({"a":[[0,0],[3,1]],"b":[["0x1.8p0","0x1.0000000000001p-1"]]})";
   const Solved apart = solve(gap);
   EXPECT_FALSE(apart.answers[0]["overlap"].get<bool>());
+  EXPECT_EQ("separated", apart.answers[0]["verdict"]);
   EXPECT_TRUE(solve(R"({"a":[[0,0],[3,1]],"b":[[1.5,0.5]]})").answers[0]["overlap"].get<bool>());
 }
 
 TEST(Solve, ErrorsAreAnswersToo) {
-  const Solved solved = solve("{\"a\":[]}\n" + kApart + "\n{\"a\":[[0,0]],\"b\":[[1e200,0]]}\n");
+  const Solved solved =
+      solve("{\"a\":[]}\n" + kApart + "\n{\"a\":[[-1e308,0]],\"b\":[[1e308,0]]}\n");
   EXPECT_EQ(kProblem, solved.exit_code);
   ASSERT_EQ(3u, solved.answers.size());
   EXPECT_TRUE(solved.answers[0].contains("error"));
@@ -100,11 +104,43 @@ TEST(Solve, ErrorsAreAnswersToo) {
   EXPECT_FALSE(solved.err.empty());
 }
 
-TEST(Solve, WhatDoubleCannotFloatCannotAndExactCan) {
+TEST(Solve, WhatFloatCannotHoldDoubleAndExactCan) {
   const std::string large = R"({"a":[[0,0]],"b":[[3e200,4e200]]})";
   EXPECT_TRUE(solve(large, ScalarKind::single).answers[0].contains("error"));
-  EXPECT_TRUE(solve(large).answers[0].contains("error"));
+  EXPECT_DOUBLE_EQ(5e200, solve(large).answers[0]["distance"].get<double>());
   EXPECT_DOUBLE_EQ(5e200, solve(large, ScalarKind::exact).answers[0]["distance"].get<double>());
+}
+
+TEST(Solve, EachScalarComputesInItself) {
+  const std::string tenths = R"({"a":[[0,0]],"b":[[0.3,0.7]]})";
+  const double single = solve(tenths, ScalarKind::single).answers[0]["distance"].get<double>();
+  EXPECT_EQ(single, static_cast<double>(static_cast<float>(single)));
+  EXPECT_NE(single, solve(tenths).answers[0]["distance"].get<double>());
+  const double half = solve(tenths, ScalarKind::half).answers[0]["distance"].get<double>();
+  EXPECT_EQ(half, std::ldexp(std::round(std::ldexp(half, 11)), -11)) << "11 digits";
+}
+
+TEST(Solve, ReportedHardCasesHaveRightAnswers) {
+  int overlapping = 0;
+  int apart = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
+    const std::string text = test::read_file(entry.path().string());
+    const json told = json::parse(text);
+    if (told["dimension"] != 2) continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    for (const ScalarKind scalar : {ScalarKind::double_, ScalarKind::exact}) {
+      const json answer = solve(text, scalar).answers[0];
+      EXPECT_EQ(told["expected_overlap"], answer["overlap"]);
+      EXPECT_NE("undecided", answer["verdict"]);
+      EXPECT_DOUBLE_EQ(told["expected_distance"].get<double>(), answer["distance"].get<double>());
+      EXPECT_LE(answer["lower"], told["expected_distance"]);
+      EXPECT_GE(answer["upper"], told["expected_distance"]);
+    }
+    ++(told["expected_overlap"].get<bool>() ? overlapping : apart);
+  }
+  EXPECT_GE(overlapping, 5);
+  EXPECT_GE(apart, 5);
 }
 
 TEST(Solve, MutatedCasesAreAnsweredOrRefusedOneObjectALine) {

@@ -87,7 +87,7 @@ TEST(TraceJson, IsCompleteFromStartToStop) {
   for (const std::string& text : {kPentagon, kOverlap}) {
     const json document = json::parse(trace(text, true).out);
     EXPECT_EQ("gjkscope-trace", document["format"]);
-    EXPECT_EQ(1, document["version"]);
+    EXPECT_EQ(2, document["version"]);
     ASSERT_EQ(1u, document["runs"].size());
     const json& run = document["runs"][0];
     EXPECT_EQ("closest", run["steps"].front()["phase"]);
@@ -98,12 +98,43 @@ TEST(TraceJson, IsCompleteFromStartToStop) {
 }
 
 TEST(TraceJson, ARefusedQueryIsSaid) {
-  const Traced refused = trace(R"({"a":[[0,0]],"b":[[1e200,0]]})", true);
+  const Traced refused = trace(R"({"a":[[0,0]],"b":[[1e-7,0]]})", true, ScalarKind::half);
   EXPECT_EQ(kProblem, refused.exit_code);
   const json document = json::parse(refused.out);
-  EXPECT_EQ("overflow", document["runs"][0]["result"]["error"]);
+  EXPECT_EQ("underflow", document["runs"][0]["result"]["error"]);
   EXPECT_TRUE(document["runs"][0]["result"]["distance"]["value"].is_null());
   EXPECT_TRUE(document["runs"][0]["steps"].empty());
+}
+
+TEST(TraceJson, ExtremeCoordinatesHaveAUnit) {
+  for (const std::string& text : {kPentagon, kOverlap}) {
+    EXPECT_EQ(0, json::parse(trace(text, true).out)["runs"][0]["exponent"]);
+  }
+  const Traced small = trace(R"({"a":[[0,0]],"b":[[3e-200,4e-200]]})", true);
+  EXPECT_EQ(kDone, small.exit_code);
+  const json run = json::parse(small.out)["runs"][0];
+  const int exponent = run["exponent"].get<int>();
+  const json& step = run["steps"].back();
+  const double p = std::sqrt(step["after"]["p_sq"]["value"].get<double>());
+  EXPECT_DOUBLE_EQ(5e-200, std::ldexp(p, exponent));
+  EXPECT_NEAR(5e-200, step["lower"]["value"].get<double>(), 1e-214);
+  EXPECT_DOUBLE_EQ(5e-200, run["result"]["distance"]["value"].get<double>());
+}
+
+TEST(TraceJson, BoundsCloseInOnTheResult) {
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    const json run = json::parse(trace(kPentagon, true, scalar).out)["runs"][0];
+    const auto value = [](const json& of, const char* key) {
+      return of[key]["value"].get<double>();
+    };
+    const json& first = run["steps"].front();
+    const json& last = run["steps"].back();
+    EXPECT_LT(value(first, "lower"), value(last, "lower"));
+    EXPECT_GT(value(first, "upper"), value(last, "upper"));
+    EXPECT_EQ(run["result"]["lower"], last["lower"]);
+    EXPECT_EQ(run["result"]["upper"], last["upper"]);
+  }
 }
 
 TEST(TraceText, TellsEveryPhase) {

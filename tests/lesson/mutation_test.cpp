@@ -289,22 +289,95 @@ TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
   for (int s = 0; s < kSlips; ++s) EXPECT_GE(beyond_syntax[s], 10) << "slip " << s;
 }
 
+/// The full lesson with other shapes, in another scalar.
+std::string lesson_of_size(const std::string& scalar, const std::string& x, const std::string& y) {
+  std::string text = testing::kFullLesson;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("\"float\"", "\"" + scalar + "\"");
+  replace("[[0.0, 1.0], [1, 1], [1, \"0x1.8p-3\"]]", x);
+  replace("[[4, 0], [6, 0], [5, 2]]", y);
+  replace("translate = [0.5, 0.0]", "translate = [0, 0]");
+  replace("points = [[0, 0], [1, 1]]", "points = [[0, 0], [0, 0]]");
+  replace("until = \"stop\"\n", "");
+  return text;
+}
+
+/// In half precision the distance of these is infinite, and those are too small for any unit.
+const std::string kFar = lesson_of_size("half", "[[-60000, 0], [-60000, 1], [-60000, 2]]",
+                                        "[[60000, 0], [60000, 1], [60000, 2]]");
+const std::string kTiny = lesson_of_size("half", "[[0, 0], [1e-7, 0], [0, 1e-7]]",
+                                         "[[5e-7, 0], [5e-7, 1e-7], [6e-7, 0]]");
+
 TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
-  // In half precision, products of coordinates of this size are infinite.
-  std::string large = testing::kFullLesson;
-  large.replace(large.find("\"float\""), 7, "\"half\"");
-  large.replace(large.find("[4, 0]"), 6, "[60000, 0]");
-  large.erase(large.find("until = \"stop\"\n"), 15);
-  for (const std::string& granularity : names_of<Granularity>()) {
-    SCOPED_TRACE(granularity);
-    std::string text = large;
-    text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
-    const LoadedLesson loaded = parse_lesson(text, "large.toml", testing::effects_of_views());
+  for (const auto& [shapes, error] :
+       {std::pair(kFar, gjk::Error::overflow), std::pair(kTiny, gjk::Error::underflow)}) {
+    for (const std::string& granularity : names_of<Granularity>()) {
+      SCOPED_TRACE(granularity);
+      std::string text = shapes;
+      text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
+      const LoadedLesson loaded = parse_lesson(text, "large.toml", testing::effects_of_views());
+      ASSERT_TRUE(loaded.lesson);
+      const LessonRun run = run_lesson(*loaded.lesson);
+      EXPECT_EQ(run.runs.back().trace.result.error, error);
+      EXPECT_EQ(check_expectation(run).size(), 1u);
+      expect_sound(run);
+    }
+  }
+}
+
+TEST(ShapesOfAnotherUnit, AreAnsweredAndNotDrawn) {
+  const LoadedLesson loaded =
+      parse_lesson(lesson_of_size("double", "[[0, 0], [1e-200, 0], [0, 1e-200]]",
+                                  "[[4e-200, 0], [4e-200, 1e-200], [5e-200, 0]]"),
+                   "tiny.toml", testing::effects_of_views());
+  ASSERT_TRUE(loaded.lesson);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  const PositionedRun& positioned = run.runs.back();
+  EXPECT_EQ(positioned.trace.result.error, gjk::Error::none);
+  EXPECT_NE(positioned.trace.prepared.exponent, 0);
+  EXPECT_EQ(check_expectation(run).size(), 1u);
+  expect_sound(run);
+}
+
+/// Every step's bounds hold the answer, in every scalar and in whatever unit the run computed.
+TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
+  const std::string shapes[] = {
+      lesson_of_size("exact", "[[0, 1], [1, 1], [1, 0.1875]]", "[[4, 0], [6, 0.25], [5, 2]]"),
+      lesson_of_size("exact", "[[0, 100], [100, 100], [100, 18]]",
+                     "[[95, 0], [600, 3], [500, 200]]"),
+      lesson_of_size("exact", "[[0, 1], [3, 1], [1, 0.125]]", "[[2, 0.75], [6, 0.5], [5, 2]]")};
+  for (const std::string& text : shapes) {
+    LoadedLesson loaded = parse_lesson(text, "bounds.toml", testing::effects_of_views());
     ASSERT_TRUE(loaded.lesson);
-    const LessonRun run = run_lesson(*loaded.lesson);
-    EXPECT_EQ(run.runs.back().trace.result.error, gjk::Error::overflow);
-    EXPECT_EQ(check_expectation(run).size(), 1u);
-    expect_sound(run);
+    Lesson& lesson = *loaded.lesson;
+    lesson.x.rotate_degrees = 0.0;
+    lesson.y.rotate_degrees = 0.0;
+    lesson.options = {};
+    const double exact = run_lesson(lesson).runs[0].trace.result.distance;
+    int units = 0;
+    for (const ScalarKind scalar :
+         {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+      lesson.scalar = scalar;
+      const PositionedRun run = run_lesson(lesson).runs[0];
+      units += run.exponent != 0 ? 1 : 0;
+      ASSERT_EQ(run.bounds.size(), run.trace.steps.size());
+      for (std::size_t i = 0; i < run.bounds.size(); ++i) {
+        SCOPED_TRACE(fmt::format("{}, step {}", name_of(scalar), i));
+        const DistanceBounds& bounds = run.bounds[i];
+        EXPECT_LE(bounds.lower, exact);
+        EXPECT_GE(bounds.upper, exact);
+        const gjk::State<double, 2>& state = run.trace.steps[i].after;
+        EXPECT_NEAR(state.p_sq, state.p.squaredNorm(), 2e-3 * state.p_sq);
+        for (int k = 0; k < state.simplex.count; ++k) {
+          const gjk::VertexPair pair = state.simplex.vertices[k].pair;
+          EXPECT_EQ(state.simplex.vertices[k].w, run.y_world[static_cast<std::size_t>(pair.y)] -
+                                                     run.x_world[static_cast<std::size_t>(pair.x)]);
+        }
+      }
+    }
+    EXPECT_EQ(units, text == shapes[1] ? 1 : 0) << "half needs another unit for large shapes";
   }
 }
 
