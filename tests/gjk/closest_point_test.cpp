@@ -266,11 +266,4 @@ TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P tha
   CHECK_EQ(gjk::Phase::stop, stale.phase);
 }
 
-TEST(overflow, "a weight or a length that overflows is an error, not a point") {
-  gjk::State<float, 2> state = state_of<float, 2>({{1e30f, 1e30f}, {-1e30f, 1e30f}});
-  gjk::NoRecord none;
-  gjk::detail::find_closest_point(state, {}, none);
-  CHECK_EQ(gjk::Error::overflow, state.error);
-}
-
 }  // namespace

@@ -83,7 +83,7 @@ TEST(not_nearer, "no progress: P came no nearer") {
   state.p_sq = 4;
   state.best_sq = 4;
   gjk::Record<double, 2> record;
-  gjk::detail::run_stop_tests(state, {}, record);
+  gjk::detail::run_stop_tests(state, {}, gjk::Prepared<double, 2>{}, record);
   CHECK_EQ(StopReason::no_progress, state.stop);
 }
 
