@@ -2,6 +2,8 @@
 
 #include "gjk/support.hpp"
 
+#include <algorithm>
+
 #include "check.hpp"
 #include "families.hpp"
 
@@ -32,6 +34,97 @@ TEST(scan_first, "the scan takes the first vertex with the largest dot product")
     CHECK_EQ(values[i], record.scan_y[i].value);
     CHECK_EQ(improves[i], record.scan_y[i].improves);
   }
+}
+
+/// `count` corners of an ellipse, `flatness` times as high as wide, turned and moved.
+template <class S>
+std::vector<Vec<S, 2>> ellipse(families::Source& random, int count, double flatness) {
+  std::vector<Vec<S, 2>> out;
+  const double turn = random.between(0, 6.283185307179586);
+  const double far = random.with_chance(0.5) ? 0 : random.magnitude(1, 1e3);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + random.between(0, 0.5)) / count;
+    const double x = std::cos(angle);
+    const double y = flatness * std::sin(angle);
+    out.emplace_back(static_cast<S>(x * std::cos(turn) - y * std::sin(turn) + far),
+                     static_cast<S>(x * std::sin(turn) + y * std::cos(turn) - far));
+  }
+  if (random.with_chance(0.5)) std::reverse(out.begin(), out.end());
+  return out;
+}
+
+struct Climbs {
+  long count = 0;
+  long looked_at = 0;  ///< Vertices, and how many there were.
+  long vertices = 0;
+};
+/// Directions of all kinds; most lie across an edge, where two vertices and more come close.
+template <class R, class S>
+Climbs check_climbs(std::uint64_t seed, double least_flatness) {
+  Climbs climbs;
+  families::Source random(seed);
+  for (int i = 0; i < 600; ++i) {
+    const int most_octave = i % 20 == 0 ? 12 : 8;
+    const int count = i % 7 == 0 ? (1 << random.among(5, most_octave))
+                                 : random.among(32, 1 << random.among(6, most_octave));
+    const auto list = ellipse<S>(random, count, random.magnitude(least_flatness, 1));
+    const std::vector<Vec<S, 2>> origin = {{0, 0}};
+    const gjk::Query<S, 2> query{{origin}, {list}};
+    if (!query.y.vertices.is_ring()) continue;
+    const auto prepared = gjk::prepare<R>(query, {});
+    for (int k = 0; k < 40; ++k) {
+      const check::Context context("seed", seed, "ring", i, "corners", count, "direction", k);
+      Vec<R, 2> d(static_cast<R>(random.between(-1, 1)), static_cast<R>(random.between(-1, 1)));
+      if (k < 4) d = Vec<R, 2>(k == 0 ? 1 : k == 1 ? -1 : 0, k == 2 ? 1 : k == 3 ? -1 : 0);
+      if (k > 12) {
+        const auto at = static_cast<std::size_t>(random.among(0, count - 1));
+        const Vec<S, 2> edge = list[(at + 1) % list.size()] - list[at];
+        d = Vec<R, 2>(static_cast<R>(edge[1]), -static_cast<R>(edge[0]));
+        if (k % 2 == 0) d = -d;
+      }
+      const auto along = gjk::detail::along_y(query, prepared, d);
+      long looked_at = 0;
+      const int found = gjk::detail::climb(along, [&](int, const R&, bool) { ++looked_at; });
+      CHECK_EQ(gjk::detail::scan(along, [](int, const R&, bool) {}), found);
+      ++climbs.count;
+      climbs.looked_at += looked_at;
+      climbs.vertices += count;
+    }
+  }
+  return climbs;
+}
+
+TEST(climbing,
+     "on rings of 32 to 4096 corners, near-flat ones too, the climb finds what a scan does") {
+  const Climbs round = check_climbs<double, double>(51, 0.2);
+  const Climbs flat = check_climbs<double, double>(52, 1e-9);
+  const Climbs in_float = check_climbs<float, float>(53, 1e-3);
+  const Climbs mixed = check_climbs<double, float>(54, 1e-3);
+  for (const Climbs& climbs : {round, flat, in_float, mixed}) {
+    std::printf("  %ld climbs, %ld of %ld vertices\n", climbs.count, climbs.looked_at,
+                climbs.vertices);
+    CHECK(climbs.count > 4000);
+  }
+  CHECK(round.looked_at * 4 < round.vertices);
+}
+
+TEST(climb_notes, "a climb notes the vertices that it looked at, with their values") {
+  families::Source random(55);
+  const auto list = ellipse<double>(random, 1024, 0.7);
+  const std::vector<Vec<double, 2>> origin = {{0, 0}};
+  const gjk::Query<double, 2> query{{origin}, {list}};
+  gjk::State<double, 2> state;
+  state.d = Vec<double, 2>(0.3, -0.8);
+  gjk::Record<double, 2> record;
+  gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
+  CHECK(record.scan_y.size() < 100);
+  double best = -std::numeric_limits<double>::infinity();
+  for (const gjk::ScanEntry<double>& entry : record.scan_y) {
+    CHECK_NEAR(gjk::dot(state.d, list[entry.index]), entry.value, 1e-12);
+    CHECK(!entry.improves || entry.value > best);
+    best = std::max(best, entry.value);
+  }
+  CHECK_NEAR(best, gjk::dot(state.d, list[state.support.pair.y]), 1e-12);
 }
 
 TEST(convention, "Z = Y - X: a support point is y - x in the world, with both indices") {
