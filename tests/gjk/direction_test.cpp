@@ -117,6 +117,8 @@ TEST(on_edge, "with O on the edge the normal's sign is arbitrary, and that is no
   gjk::Record<double, 2> record;
   gjk::detail::build_direction(state, {}, record);
   CHECK(record.direction.sign_is_arbitrary);
+  CHECK(!record.direction.flipped);
+  CHECK(state.d == record.direction.normal);
   CHECK(!gjk::is_zero(state.d));
   CHECK_EQ(Phase::support, state.phase);
 }

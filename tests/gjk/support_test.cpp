@@ -17,7 +17,7 @@ gjk::SupportPoint<R, 2> support_point(const families::Pair<S>& pair, gjk::Vertex
 }
 
 TEST(scan_first, "the scan takes the first vertex with the largest dot product") {
-  const std::vector<Vec<double, 2>> vertices = {{1, 0}, {3, 1}, {3, -1}, {0, 0}};
+  const std::vector<Vec<double, 2>> vertices = {{11, 9}, {13, 10}, {13, 8}, {10, 9}};
   const std::vector<Vec<double, 2>> point = {{0, 0}};
   const gjk::Query<double, 2> query{{point}, {vertices}};
   const auto prepared = gjk::prepare<double>(query, {});
@@ -27,7 +27,7 @@ TEST(scan_first, "the scan takes the first vertex with the largest dot product")
   gjk::detail::find_support(state, query, prepared, record);
   CHECK_EQ(1, state.support.pair.y);
   CHECK_EQ(std::size_t{4}, record.scan_y.size());
-  const double values[] = {2, 6, 6, 0};
+  const double values[] = {22, 26, 26, 20};  // measured from the origin, not from the centre
   const bool improves[] = {true, true, false, false};
   for (int i = 0; i < 4; ++i) {
     CHECK_EQ(i, record.scan_y[i].index);
@@ -118,6 +118,7 @@ TEST(climb_notes, "a climb notes the vertices that it looked at, with their valu
   gjk::Record<double, 2> record;
   gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
   CHECK(record.scan_y.size() < 100);
+  CHECK_EQ(32, record.scan_y[1].index);  // samples are as far apart as there are
   double best = -std::numeric_limits<double>::infinity();
   for (const gjk::ScanEntry<double>& entry : record.scan_y) {
     CHECK_NEAR(gjk::dot(state.d, list[entry.index]), entry.value, 1e-12);
@@ -176,6 +177,9 @@ TEST(plane, "a support plane with O beyond it is noted, unless a farther one is 
   state.support_value = -6;
   gjk::detail::note_support_plane(state);
   CHECK_EQ(9.0, state.plane_distance_sq);
+  CHECK_EQ(58.0, state.plane_reach_sq);
+  state.support.w = Vec<double, 2>(3, 1);  // as far
+  gjk::detail::note_support_plane(state);
   CHECK_EQ(58.0, state.plane_reach_sq);
   state.support.w = Vec<double, 2>(2, 1);
   state.support_value = -4;
