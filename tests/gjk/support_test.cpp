@@ -108,6 +108,42 @@ TEST(climbing,
   CHECK(round.looked_at * 4 < round.vertices);
 }
 
+/// A parabola whose corners are bent by as little as doubles allow, closed by a corner above.
+std::vector<Vec<double, 2>> flat_chain(families::Source& random, int count) {
+  std::vector<Vec<double, 2>> out;
+  const long slope = (1L << 41) + (static_cast<long>(random.among(0, 1 << 30)) << 11) + 1;
+  const int bend = random.among(1, 2);
+  for (long i = -count / 2; i <= count / 2; ++i) {
+    const auto y = static_cast<double>(i * slope + bend * i * i);
+    out.emplace_back(static_cast<double>(i) * 0x1p-11, y * 0x1p-53);
+  }
+  out.emplace_back(-1, 2);
+  return out;
+}
+
+TEST(flat_climbs,
+     "where many vertices lie as far up to rounding, the climb looks beyond them all") {
+  families::Source random(56);
+  int rings = 0;
+  for (int i = 0; i < 400; ++i) {
+    const auto list = flat_chain(random, random.among(2000, 4000));
+    const std::vector<Vec<double, 2>> origin = {{0, 0}};
+    const gjk::Query<double, 2> query{{origin}, {list}};
+    if (!query.y.vertices.is_ring()) continue;
+    ++rings;
+    const auto prepared = gjk::prepare<double>(query, {});
+    for (int k = 0; k < 20; ++k) {
+      const check::Context context("seed", 56, "ring", i, "direction", k);
+      const auto at = static_cast<std::size_t>(random.among(0, static_cast<int>(list.size()) - 3));
+      const Vec<double, 2> edge = list[at + 1] - list[at];
+      const auto along = gjk::detail::along_y(query, prepared, Vec<double, 2>(edge[1], -edge[0]));
+      const auto ignore = [](int, const double&, bool) {};
+      CHECK_EQ(gjk::detail::scan(along, ignore), gjk::detail::climb(along, ignore));
+    }
+  }
+  CHECK(rings > 100);
+}
+
 TEST(climb_notes, "a climb notes the vertices that it looked at, with their values") {
   families::Source random(55);
   const auto list = ellipse<double>(random, 1024, 0.7);
