@@ -258,6 +258,19 @@ TEST(weights, "weights are positive in P's face, add up to 1, and are 0 elsewher
   }
 }
 
+TEST(divisors, "segments divide by the squared length, larger faces by the sum of their parts") {
+  gjk::Simplex<double, 2> simplex = state_of<double, 2>({{1, 0}, {0, 1}, {2, 2}}).simplex;
+  gjk::Barycentric<double, 2> coordinates;
+  coordinates.numerator = {1, 1, 2};
+  coordinates.denominator = 8;
+  gjk::detail::set_weights(simplex, 0b011, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0.125, 0.125, 0}));
+  gjk::detail::set_weights(simplex, 0b111, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0.25, 0.25, 0.5}));
+  gjk::detail::set_weights(simplex, 0b100, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0, 0, 1}));
+}
+
 TEST(zero_terms, "a coordinate that is 0 counts, and is noted, as not positive") {
   const Closest found = closest({{0, 1}, {2, 1}, {5, 3}});
   CHECK_EQ(0b001, static_cast<int>(found.region));
@@ -278,6 +291,10 @@ TEST(believed, "weights of a full simplex are believed when P comes within 12 u 
     coordinates.numerator = {0.5 + beside, 0.5 - beside, 0};
     return gjk::detail::weights_reach_origin(simplex, coordinates);
   };
+  const auto tall = state_of<double, 2>({{1, 0}, {-1, 0}, {0, 8}}).simplex;
+  gjk::Barycentric<double, 2> beside;
+  beside.numerator = {0.5 + 0x1p-49, 0.5 - 0x1p-49, 0};
+  CHECK(gjk::detail::weights_reach_origin(tall, beside));
   for (const double size : {1.0, 8.0}) {
     CHECK(believed(size, 0));
     CHECK(believed(size, 0x1.4p-51));
