@@ -111,7 +111,7 @@ void check_grid(int size, int pairs, std::uint64_t seed, const gjk::Options& opt
       for (const Vec<S, 2>& b : y) z.push_back(difference(a, b));
     }
     const Exact exact = exact_distance(z);
-    const gjk::Result<S, 2> result = gjk::distance(gjk::Query<S, 2>{{x}, {y}}, options);
+    const gjk::Result<S, 2> result = gjk::distance<S>(gjk::Query<S, 2>{{x}, {y}}, options);
     ++counts.exact[static_cast<int>(exact.verdict)];
     const check::Context context("seed", seed, "grid", size, "pair", i, "bytes", sizeof(S));
     CHECK(compare_square(static_cast<double>(result.lower), exact) <= 0);

@@ -210,6 +210,165 @@ TEST(rounding, "when rounding leaves every test false the nearest face is taken,
   CHECK(happened > 50);
 }
 
+std::vector<int> faces(int vertices, gjk::RegionOrder order) {
+  std::vector<int> out;
+  const gjk::detail::RegionList list = gjk::detail::list_regions(vertices, order);
+  for (int i = 0; i < list.count; ++i) out.push_back(list.conditions[i].face);
+  return out;
+}
+
+TEST(lists, "every face is listed once, in the order that was asked for") {
+  using gjk::RegionOrder;
+  using Faces = std::vector<int>;
+  for (int vertices = 1; vertices <= 4; ++vertices) {
+    const check::Context context("vertices", vertices);
+    for (const auto order : {RegionOrder::vertices_first, RegionOrder::edges_first}) {
+      Faces sorted = faces(vertices, order);
+      CHECK_EQ((std::size_t{1} << vertices) - 1, sorted.size());
+      std::sort(sorted.begin(), sorted.end());
+      for (std::size_t i = 0; i < sorted.size(); ++i) CHECK_EQ(static_cast<int>(i) + 1, sorted[i]);
+    }
+  }
+  CHECK((faces(2, RegionOrder::edges_first) == Faces{3, 2, 1}));
+  CHECK((faces(3, RegionOrder::edges_first) == Faces{3, 6, 5, 1, 2, 4, 7}));
+  CHECK((faces(4, RegionOrder::vertices_first) ==
+         Faces{1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15}));
+}
+
+TEST(weights, "weights are positive in P's face, add up to 1, and are 0 elsewhere") {
+  constexpr std::uint64_t kSeed = 5;
+  families::Source random(kSeed);
+  for (int i = 0; i < 5000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    std::vector<Vec<double, 2>> points;
+    for (int k = 0; k < 3; ++k) points.emplace_back(random.between(-1, 1), random.between(-1, 1));
+    gjk::State<double, 2> state = state_of<double, 2>(points);
+    gjk::NoRecord none;
+    gjk::detail::find_closest_point(state, {}, none);
+    double sum = 0;
+    Vec<double, 2> p = Vec<double, 2>::Zero();
+    for (int k = 0; k < 3; ++k) {
+      CHECK_EQ(gjk::contains(state.region, k), state.simplex.weights[k] > 0);
+      CHECK(state.simplex.weights[k] >= 0);
+      sum += state.simplex.weights[k];
+      p += state.simplex.weights[k] * points[k];
+    }
+    CHECK_NEAR(1.0, sum, 1e-15);
+    CHECK_NEAR(0.0, (p - state.p).norm(), 1e-12);
+  }
+}
+
+TEST(divisors, "segments divide by the squared length, larger faces by the sum of their parts") {
+  gjk::Simplex<double, 2> simplex = state_of<double, 2>({{1, 0}, {0, 1}, {2, 2}}).simplex;
+  gjk::Barycentric<double, 2> coordinates;
+  coordinates.numerator = {1, 1, 2};
+  coordinates.denominator = 8;
+  gjk::detail::set_weights(simplex, 0b011, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0.125, 0.125, 0}));
+  gjk::detail::set_weights(simplex, 0b111, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0.25, 0.25, 0.5}));
+  gjk::detail::set_weights(simplex, 0b100, coordinates);
+  CHECK((simplex.weights == std::array<double, 3>{0, 0, 1}));
+}
+
+TEST(zero_terms, "a coordinate that is 0 counts, and is noted, as not positive") {
+  const Closest found = closest({{0, 1}, {2, 1}, {5, 3}});
+  CHECK_EQ(0b001, static_cast<int>(found.region));
+  int zeros = 0;
+  for (const gjk::RegionTerm<double>& term : found.tests[0].terms) {
+    CHECK(!term.wants_positive);
+    CHECK(term.holds);
+    zeros += term.numerator == 0 ? 1 : 0;
+  }
+  CHECK_EQ(1, zeros);
+}
+
+TEST(believed, "weights of a full simplex are believed when P comes within 12 u of O, by size") {
+  const auto believed = [](double size, double beside) {
+    const auto simplex =
+        state_of<double, 2>({{size, 0}, {-size, 0}, {0, size}}).simplex;  // P = (2 beside size, 0)
+    gjk::Barycentric<double, 2> coordinates;
+    coordinates.numerator = {0.5 + beside, 0.5 - beside, 0};
+    return gjk::detail::weights_reach_origin(simplex, coordinates);
+  };
+  const auto tall = state_of<double, 2>({{1, 0}, {-1, 0}, {0, 8}}).simplex;
+  gjk::Barycentric<double, 2> beside;
+  beside.numerator = {0.5 + 0x1p-49, 0.5 - 0x1p-49, 0};
+  CHECK(gjk::detail::weights_reach_origin(tall, beside));
+  for (const double size : {1.0, 8.0}) {
+    CHECK(believed(size, 0));
+    CHECK(believed(size, 0x1.4p-51));
+    CHECK(believed(size, 0x1.8p-51));
+    CHECK(!believed(size, 0x1.cp-51));
+    CHECK(!believed(size, 1e-3));
+  }
+}
+
+TEST(nearest, "the nearest face is the first of those whose P is nearest") {
+  const auto nearest = [](const std::vector<Vec<double, 2>>& points) {
+    const auto simplex = state_of<double, 2>(points).simplex;
+    const gjk::detail::CoordinateTable<double, 2, 3> table(simplex);
+    return static_cast<int>(gjk::detail::nearest_face(simplex, table));
+  };
+  CHECK_EQ(0b001, nearest({{1, 1}, {1, 1}, {3, 4}}));
+  CHECK_EQ(0b010, nearest({{3, 4}, {1, 1}, {1, 1}}));
+  CHECK_EQ(0b100, nearest({{3, 4}, {1, 7}, {1, 1}}));
+  CHECK_EQ(0b011, nearest({{-1, 1}, {1, 1}, {0, 5}}));
+  CHECK_EQ(0b101, nearest({{-1, 1}, {0, 5}, {1, 1}}));
+  CHECK_EQ(0b110, nearest({{0, 5}, {-1, 1}, {1, 1}}));
+  CHECK_EQ(0b111, nearest({{0, 5}, {-1, -1}, {1, -1}}));
+}
+
+TEST(thin, "a thin triangle around O is taken or not, but no answer lies farther than its width") {
+  constexpr std::uint64_t kSeed = 6;
+  families::Source random(kSeed);
+  int full = 0;
+  int edges = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    const double width = random.magnitude(1e-8, 1e-3);
+    const double angle = random.between(0, 6.283185307179586);
+    std::vector<Vec<float, 2>> points;
+    for (const Vec<double, 2>& p : {Vec<double, 2>(-1, 0), Vec<double, 2>(1, width),
+                                    Vec<double, 2>(random.between(-1, 1), -width)}) {
+      points.emplace_back(static_cast<float>(p[0] * std::cos(angle) - p[1] * std::sin(angle)),
+                          static_cast<float>(p[0] * std::sin(angle) + p[1] * std::cos(angle)));
+    }
+    gjk::State<float, 2> state = state_of<float, 2>(points);
+    gjk::Record<float, 2> record;
+    gjk::detail::find_closest_point(state, {}, record);
+    CHECK(std::sqrt(state.p_sq) <= width + 1e-6);
+    const bool is_full = state.region == 0b111;
+    if (is_full) CHECK(!record.no_region_held);
+    ++(is_full ? full : edges);
+  }
+  CHECK(full > 5000);
+  CHECK(edges > 1000);
+}
+
+TEST(triangles_in_space, "a triangle in space has the same seven regions") {
+  constexpr std::uint64_t kSeed = 7;
+  families::Source random(kSeed);
+  std::set<int> regions;
+  for (int i = 0; i < 5000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    const Vec<double, 3> centre(random.between(-1, 1), random.between(-1, 1), 0.5);
+    std::vector<Vec<double, 3>> points;
+    for (int k = 0; k < 3; ++k) {
+      points.push_back(centre + Vec<double, 3>(random.between(-1, 1), random.between(-1, 1),
+                                               random.between(-0.3, 0.3)));
+    }
+    gjk::State<double, 3> state = state_of<double, 3>(points);
+    gjk::NoRecord none;
+    gjk::detail::find_closest_point(state, {}, none);
+    regions.insert(state.region);
+    for (const Vec<double, 3>& point : points) {
+      CHECK(state.p.dot(point) >= state.p.squaredNorm() - 1e-9);
+    }
+  }
+  CHECK_EQ(std::size_t{7}, regions.size());
+}
+
 TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point is the least") {
   constexpr std::uint64_t kSeed = 4;
   families::Source random(kSeed);
@@ -264,13 +423,18 @@ TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P tha
   gjk::detail::find_closest_point(stale, {}, none);
   gjk::detail::cull(stale, {}, none);
   CHECK_EQ(gjk::Phase::stop, stale.phase);
-}
 
-TEST(overflow, "a weight or a length that overflows is an error, not a point") {
-  gjk::State<float, 2> state = state_of<float, 2>({{1e30f, 1e30f}, {-1e30f, 1e30f}});
-  gjk::NoRecord none;
-  gjk::detail::find_closest_point(state, {}, none);
-  CHECK_EQ(gjk::Error::overflow, state.error);
+  for (const double best_sq :
+       {0.0, 25.0}) {  // in exact arithmetic P comes nearer until it is there
+    gjk::State<gjk::Expansion, 2> exact;
+    exact.simplex.count = 1;
+    exact.region = 1;
+    exact.p_sq = gjk::Expansion(25.0);
+    exact.best.count = 1;
+    exact.best_sq = gjk::Expansion(best_sq);
+    gjk::detail::cull(exact, {}, none);
+    CHECK_EQ(best_sq > 0 ? gjk::Phase::direction : gjk::Phase::stop, exact.phase);
+  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ bool same_bits(const T& a, const T& b) {
 }
 template <class S>
 bool same_bits(const gjk::SupportPoint<S, 2>& a, const gjk::SupportPoint<S, 2>& b) {
-  return same_bits(a.w, b.w) && same_bits(a.x, b.x) && same_bits(a.y, b.y) && a.pair == b.pair;
+  return same_bits(a.w, b.w) && a.pair == b.pair;
 }
 template <class S>
 bool same_bits(const gjk::Simplex<S, 2>& a, const gjk::Simplex<S, 2>& b) {
@@ -35,15 +35,16 @@ bool same_bits(const gjk::State<S, 2>& a, const gjk::State<S, 2>& b) {
          a.error == b.error && same_bits(a.simplex, b.simplex) && same_bits(a.p, b.p) &&
          same_bits(a.p_sq, b.p_sq) && same_bits(a.d, b.d) && same_bits(a.support, b.support) &&
          same_bits(a.support_value, b.support_value) && same_bits(a.best, b.best) &&
-         same_bits(a.best_sq, b.best_sq) && same_bits(a.plane_distance_sq, b.plane_distance_sq);
+         same_bits(a.best_sq, b.best_sq) && same_bits(a.plane_distance_sq, b.plane_distance_sq) &&
+         same_bits(a.plane_reach_sq, b.plane_reach_sq);
 }
 template <class S>
 bool same_bits(const gjk::Result<S, 2>& a, const gjk::Result<S, 2>& b) {
   return a.error == b.error && a.stop == b.stop && a.verdict == b.verdict &&
-         a.iterations == b.iterations && same_bits(a.distance, b.distance) &&
-         same_bits(a.lower, b.lower) && same_bits(a.upper, b.upper) &&
-         same_bits(a.distance_sq, b.distance_sq) && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
-         same_bits(a.simplex, b.simplex);
+         a.settled == b.settled && a.iterations == b.iterations &&
+         same_bits(a.distance, b.distance) && same_bits(a.lower, b.lower) &&
+         same_bits(a.upper, b.upper) && same_bits(a.distance_sq, b.distance_sq) &&
+         same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.simplex, b.simplex);
 }
 
 /// Half of the pairs run with the default options, the others with mixed ones.
@@ -71,11 +72,11 @@ gjk::Options random_options(families::Source& random, int x_count, int y_count) 
 template <class S>
 const char* difference(const gjk::Query<S, 2>& query, const gjk::Options& options,
                        gjk::Result<S, 2>& answer) {
-  answer = gjk::distance(query, options);
-  const gjk::Trace<S, 2> trace = gjk::trace(query, options);
+  answer = gjk::distance<S>(query, options);
+  const gjk::Trace<S, 2> trace = gjk::trace<S>(query, options);
   if (!same_bits(answer, trace.result)) return "result of distance() and of trace()";
 
-  const gjk::Prepared<S> prepared = gjk::prepare(query, options);
+  const gjk::Prepared<S, 2> prepared = gjk::prepare<S>(query, options);
   gjk::State<S, 2> state = gjk::start(query, options, prepared);
   if (!same_bits(state, trace.initial)) return "initial state";
   gjk::NoRecord none;
@@ -88,7 +89,8 @@ const char* difference(const gjk::Query<S, 2>& query, const gjk::Options& option
     if (!same_bits(state, trace.steps[i].after)) return "state after a step";
   }
   if (i != trace.steps.size()) return "number of steps";
-  if (!same_bits(gjk::result(state, prepared), answer)) return "result of the steps";
+  if (!same_bits(gjk::result(state, query, options, prepared), answer))
+    return "result of the steps";
   return nullptr;
 }
 

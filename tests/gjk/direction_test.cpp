@@ -40,7 +40,7 @@ const gjk::Step<float, 2>* first(const gjk::Trace<float, 2>& trace, Phase phase)
 
 TEST(slides_weights, "the slides' segment has u = 0.28366947, v = 0.71633047, to the last digit") {
   const SlidesExample example;
-  const auto trace = gjk::trace(example.query(), example.options);
+  const auto trace = gjk::trace<float>(example.query(), example.options);
   const gjk::Step<float, 2>* closest = first(trace, Phase::closest);
   CHECK(closest != nullptr);
   CHECK_EQ(std::string("0.28366947"), printed(closest->after.simplex.weights[0]));
@@ -50,7 +50,7 @@ TEST(slides_weights, "the slides' segment has u = 0.28366947, v = 0.71633047, to
 TEST(slides_bad, "d = O - P is [-0.021008447, 0] and not orthogonal: dot(d, B-A) = 3.2457051e-06") {
   SlidesExample example;
   example.options.direction_rule = DirectionRule::towards_origin;
-  const auto trace = gjk::trace(example.query(), example.options);
+  const auto trace = gjk::trace<float>(example.query(), example.options);
   const gjk::Step<float, 2>* direction = first(trace, Phase::direction);
   CHECK(direction != nullptr);
   const Vec<float, 2> d = direction->after.d;
@@ -63,7 +63,7 @@ TEST(slides_bad, "d = O - P is [-0.021008447, 0] and not orthogonal: dot(d, B-A)
 
 TEST(slides_good, "the perpendicular direction of the same segment is orthogonal exactly") {
   const SlidesExample example;
-  const auto trace = gjk::trace(example.query(), example.options);
+  const auto trace = gjk::trace<float>(example.query(), example.options);
   const gjk::Step<float, 2>* direction = first(trace, Phase::direction);
   CHECK(direction != nullptr);
   const Vec<float, 2> edge = example.segment[1] - example.segment[0];
@@ -117,6 +117,8 @@ TEST(on_edge, "with O on the edge the normal's sign is arbitrary, and that is no
   gjk::Record<double, 2> record;
   gjk::detail::build_direction(state, {}, record);
   CHECK(record.direction.sign_is_arbitrary);
+  CHECK(!record.direction.flipped);
+  CHECK(state.d == record.direction.normal);
   CHECK(!gjk::is_zero(state.d));
   CHECK_EQ(Phase::support, state.phase);
 }

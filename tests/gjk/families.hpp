@@ -97,6 +97,20 @@ template <class To, class From>
   return out;
 }
 
+/// Largest distance between a vertex of X and one of Y.
+template <class S>
+[[nodiscard]] double scale_of(const Pair<S>& pair) {
+  double scale = 0;
+  for (const Vec<S, 2>& x : pair.x) {
+    for (const Vec<S, 2>& y : pair.y) {
+      const Vec<S, 2> z = (pair.y_pose.rotated(y) - pair.x_pose.rotated(x)) +
+                          (pair.y_pose.translation - pair.x_pose.translation);
+      scale = std::max(scale, std::hypot(static_cast<double>(z[0]), static_cast<double>(z[1])));
+    }
+  }
+  return scale;
+}
+
 /// The pair's distance, computed in R.
 template <class R, class S>
 [[nodiscard]] gjk::Result<R, 2> run(const Pair<S>& pair) {

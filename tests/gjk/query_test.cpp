@@ -1,6 +1,10 @@
-// Poses, and the options a query starts with.
+// Poses, what is measured of points, and the options a query starts with.
 
 #include "gjk/query.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "check.hpp"
 
@@ -38,6 +42,139 @@ TEST(space, "poses turn in space, too") {
   CHECK_EQ(-2.0f, turned[0]);
   CHECK_EQ(1.0f, turned[1]);
   CHECK_EQ(3.0f, turned[2]);
+}
+
+template <class S>
+using List = std::vector<Vec<S, 2>>;
+template <class S>
+gjk::Points<S, 2> points(const List<S>& list) {
+  return {list};
+}
+
+TEST(measured, "points know their box, their centre and their radius") {
+  const List<double> far = {{10, 4}, {14, 4}, {12, 7}};
+  CHECK((points(far).low() == Vec<double, 2>(10, 4)));
+  CHECK((points(far).high() == Vec<double, 2>(14, 7)));
+  CHECK((points(far).centre() == Vec<double, 2>(12, 5.5)));
+  CHECK_EQ(2.5, points(far).radius());
+  const List<double> around = {{-1, -2}, {3, 1}, {0, 4}};  // their origin is as good as the middle
+  CHECK((points(around).centre() == Vec<double, 2>(0, 0)));
+  CHECK_EQ(4.0, points(around).radius());
+  const List<double> edge = {{0, -1}, {4, 1}};  // the middle is as far as they reach
+  CHECK((points(edge).centre() == Vec<double, 2>(0, 0)));
+  const List<double> low = {{-14, -7}, {-10, -4}};
+  CHECK((points(low).centre() == Vec<double, 2>(-12, -5.5)));
+}
+
+TEST(measured_extremes, "radii neither overflow nor underflow where points do not") {
+  for (const int k : {-1070, -600, 600, 1019}) {
+    const check::Context context("k", k);
+    const double unit = std::ldexp(1.0, k);
+    const List<double> shape = {{-3 * unit, 4 * unit}, {3 * unit, -4 * unit}, {0, 0}};
+    CHECK_EQ(std::ldexp(5.0, k), points(shape).radius());
+    CHECK(points(shape).is_finite());
+  }
+  CHECK_EQ(0.0, points<double>({{0, 0}, {0, 0}}).radius());
+  CHECK_EQ(0.0, points<double>({{7, 7}}).radius());
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CHECK(!points<double>({{0, 0}, {0, bad}, {1, 1}}).is_finite());
+  }
+}
+
+/// `count` points on a circle around (x, y), counter-clockwise.
+template <class S>
+List<S> circle(int count, double x = 0, double y = 0) {
+  List<S> out;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + 0.25) / count;
+    out.emplace_back(static_cast<S>(x + std::cos(angle)), static_cast<S>(y + std::sin(angle)));
+  }
+  return out;
+}
+
+TEST(rings, "convex polygons of 32 and more corners are rings, in either sense, from any corner") {
+  CHECK(!points(circle<double>(31)).is_ring());
+  for (const int count : {32, 33, 100, 1024, 4096}) {
+    for (const int first : {0, 1, count / 3, count - 1}) {
+      const check::Context context("corners", count, "first", first);
+      List<double> list = circle<double>(count, 3, -5);
+      std::rotate(list.begin(), list.begin() + first, list.end());
+      CHECK(points(list).is_ring());
+      std::reverse(list.begin(), list.end());
+      CHECK(points(list).is_ring());
+    }
+  }
+  CHECK(points(circle<float>(32)).is_ring());
+  CHECK(points(circle<float>(256)).is_ring());
+}
+
+TEST(axis_edges, "edges along the axes do not hide that a polygon goes round once") {
+  for (const bool across : {false, true}) {
+    List<double> list;  // the upper and the lower half of a circle, with flat top and bottom
+    for (const int side : {1, -1}) {
+      for (int i = 0; i < 32; ++i) {
+        const double angle = 3.141592653589793 * (i + 0.5) / 32;
+        list.emplace_back(side * std::cos(angle), side * std::sin(angle));
+      }
+    }
+    if (across) {
+      for (Vec<double, 2>& p : list) p = {-p[1], p[0]};
+    }
+    CHECK(points(list).is_ring());
+    std::reverse(list.begin(), list.end());
+    CHECK(points(list).is_ring());
+  }
+}
+
+TEST(no_rings, "a dent, a straight or repeated corner, or more turns than one make no ring") {
+  const List<double> good = circle<double>(64);
+  CHECK(points(good).is_ring());
+  const auto without_ring = [&](const char* what, const List<double>& list) {
+    for (std::size_t first = 0; first < list.size(); ++first) {
+      const check::Context context(what, "first", first);
+      List<double> turned = list;
+      std::rotate(turned.begin(), turned.begin() + static_cast<long>(first), turned.end());
+      CHECK(!points(turned).is_ring());
+    }
+  };
+  List<double> bad = good;
+  bad[20] *= 0.99;
+  without_ring("dent", bad);
+  bad = good;
+  bad.insert(bad.begin() + 7, (bad[6] + bad[7]) / 2);
+  without_ring("straight corner", bad);
+  bad = good;
+  bad.insert(bad.begin() + 7, bad[7]);
+  without_ring("repeated corner", bad);
+  bad = good;
+  std::swap(bad[3], bad[40]);
+  without_ring("two corners exchanged", bad);
+  bad = good;
+  bad.insert(bad.end(), good.begin(), good.end());
+  without_ring("twice round", bad);
+  const List<double> odd = circle<double>(65);
+  bad.clear();
+  for (std::size_t i = 0; i < odd.size(); ++i) bad.push_back(odd[2 * i % odd.size()]);
+  without_ring("star", bad);
+  without_ring("one point", List<double>(40, {1, 2}));
+  bad.clear();
+  for (int i = 0; i < 40; ++i) bad.emplace_back(i, 2 * i);
+  without_ring("line", bad);
+}
+
+TEST(flat_rings, "a corner that rounding could have bent is none") {
+  // A chord of the circle with its middle pushed out by `bend`.
+  const auto bent = [](double bend) {
+    List<double> list = circle<double>(64, 2, 3);
+    const Vec<double, 2> middle = (list[6] + list[7]) / 2;
+    const Vec<double, 2> outwards = middle - Vec<double, 2>(2, 3);
+    list.insert(list.begin() + 7, Vec<double, 2>(middle + outwards * bend));
+    return list;
+  };
+  CHECK(points(bent(1e-4)).is_ring());
+  CHECK(points(bent(1e-13)).is_ring());
+  CHECK(!points(bent(1e-17)).is_ring());
+  CHECK(!points(bent(-1e-13)).is_ring());
 }
 
 TEST(defaults, "the default options are the slides': vertices first, start at the first vertices") {

@@ -39,8 +39,6 @@ void check_traits() {
   const S u = Traits::unit_roundoff();
   CHECK_EQ(S(1), S(S(1) + u));
   CHECK(S(1) < S(S(1) + S(3) * u));
-  CHECK(S(0) < Traits::smallest());
-  CHECK_EQ(S(0), S(Traits::smallest() * S(0.25)));
   CHECK(Traits::is_finite(std::numeric_limits<S>::max()));
   CHECK(!Traits::is_finite(std::numeric_limits<S>::infinity()));
   CHECK(!Traits::is_finite(S(-std::numeric_limits<S>::infinity())));
@@ -48,20 +46,72 @@ void check_traits() {
   CHECK(Traits::no_length() != Traits::no_length());
 }
 
-TEST(traits, "u, the smallest number, finiteness and no_length are what they say") {
+TEST(traits, "u, finiteness and no_length are what they say") {
   check_traits<float>();
   check_traits<double>();
   check_traits<long double>();
   check_traits<Eigen::half>();
 }
 
-TEST(lost_products, "scales whose squared rounding error vanishes are told apart") {
-  CHECK(!gjk::ScalarTraits<float>::loses_products(1e-6f));
-  CHECK(gjk::ScalarTraits<float>::loses_products(1e-20f));
-  CHECK(!gjk::ScalarTraits<double>::loses_products(1e-100));
-  CHECK(gjk::ScalarTraits<double>::loses_products(1e-150));
-  CHECK(!gjk::ScalarTraits<Eigen::half>::loses_products(Eigen::half(1.0f)));
-  CHECK(gjk::ScalarTraits<Eigen::half>::loses_products(Eigen::half(0.01f)));
+template <class S>
+void check_powers() {
+  using Traits = gjk::ScalarTraits<S>;
+  using Limits = std::numeric_limits<S>;
+  for (int e = Limits::min_exponent - Limits::digits; e < Limits::max_exponent; ++e) {
+    const check::Context context("exponent", e);
+    const S power = Traits::scaled(S(1), e);
+    CHECK(S(0) < power);
+    CHECK_EQ(e, Traits::exponent(power));
+    CHECK_EQ(S(1), Traits::scaled(power, -e));
+    if (e >= Limits::min_exponent) {
+      CHECK_EQ(e, Traits::exponent(S(power * S(1.75))));
+      CHECK_EQ(S(1.75), Traits::scaled(S(power * S(1.75)), -e));
+    }
+  }
+}
+
+TEST(powers, "exponent and scaled take numbers apart and put them together, denormals included") {
+  check_powers<float>();
+  check_powers<double>();
+  check_powers<long double>();
+  check_powers<Eigen::half>();
+}
+
+/// The last digit of the product of two numbers of all digits, as small as u times the size.
+template <class S>
+bool keeps_products(int exponent) {
+  using Traits = gjk::ScalarTraits<S>;
+  const S least = Traits::scaled(S(1), exponent - std::numeric_limits<S>::digits);
+  const S last_digit = Traits::scaled(S(1), 1 - std::numeric_limits<S>::digits);
+  return S(0) < S(S(least * last_digit) * S(least * last_digit));
+}
+
+template <class S>
+void check_good_sizes(bool smallest_keeps) {
+  using Traits = gjk::ScalarTraits<S>;
+  CHECK_EQ(smallest_keeps, keeps_products<S>(Traits::kLeastExponent));
+  CHECK(!keeps_products<S>(Traits::kLeastExponent - 2));
+  const auto squares_are_finite = [](int exponent) {
+    const S size = Traits::scaled(S(1.75), exponent);
+    return Traits::is_finite(S(S(4) * S(size * size)));
+  };
+  CHECK(squares_are_finite(Traits::kLargestExponent));
+  CHECK(!squares_are_finite(Traits::kLargestExponent + 3));
+}
+
+TEST(good_sizes, "sizes between 2^kLeastExponent and 2^kLargestExponent square without loss") {
+  check_good_sizes<float>(true);
+  check_good_sizes<double>(true);
+  check_good_sizes<long double>(true);
+  check_good_sizes<Eigen::half>(false);  // it has 5 bits of exponent: there is no such size
+}
+
+TEST(default_scalar, "float and half run in double unless told otherwise") {
+  CHECK(std::is_same_v<double, gjk::RunScalar<gjk::Default, Eigen::half>>);
+  CHECK(std::is_same_v<double, gjk::RunScalar<gjk::Default, float>>);
+  CHECK(std::is_same_v<double, gjk::RunScalar<gjk::Default, double>>);
+  CHECK(std::is_same_v<long double, gjk::RunScalar<gjk::Default, long double>>);
+  CHECK(std::is_same_v<float, gjk::RunScalar<float, double>>);
 }
 
 }  // namespace

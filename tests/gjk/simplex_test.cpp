@@ -19,6 +19,8 @@ gjk::Simplex<double, D> simplex_of(const std::vector<Vec<double, D>>& points) {
 TEST(faces, "bit i of a face stands for vertex i") {
   CHECK_EQ(0, gjk::vertex_count(Face(0)));
   CHECK_EQ(2, gjk::vertex_count(Face(0b101)));
+  CHECK_EQ(1, gjk::vertex_count(Face(0b1000)));
+  CHECK_EQ(4, gjk::vertex_count(Face(0b1111)));
   CHECK(gjk::contains(0b101, 2));
   CHECK(!gjk::contains(0b101, 1));
   CHECK_EQ(4, static_cast<int>(gjk::face_of(2)));
@@ -62,6 +64,15 @@ TEST(degenerate, "a face without length or area counts all its coordinates as no
   CHECK_EQ(0.0, points.denominator);
   const auto line = gjk::barycentric(simplex_of<2>({{-1, -1}, {0, 0}, {2, 2}}), 0b111);
   for (int i = 0; i < 3; ++i) CHECK_EQ(0.0, line.numerator[i]);
+  const auto beside = gjk::barycentric(simplex_of<2>({{-1, 1}, {0, 1}, {2, 1}}), 0b111);
+  for (int i = 0; i < 3; ++i) CHECK_EQ(0.0, beside.numerator[i]);
+  CHECK_EQ(0.0, beside.denominator);
+}
+
+TEST(vertex, "a vertex alone has all the weight") {
+  const auto vertex = gjk::barycentric(simplex_of<2>({{9, 9}, {-1, 2}, {3, 2}}), 0b010);
+  CHECK_EQ(1.0, vertex.denominator);
+  for (int i = 0; i < 3; ++i) CHECK_EQ(i == 1 ? 1.0 : 0.0, vertex.numerator[i]);
 }
 
 TEST(subfaces, "coordinates of a sub-face are those of the smaller simplex") {
@@ -99,6 +110,10 @@ TEST(weighted, "the weighted point of a vertex is the vertex, to the last bit") 
   simplex.weights[0] = 0.5;
   simplex.weights[1] = 0.5;
   CHECK_NEAR(0.2, gjk::weighted_point(simplex, 0b11)[0], 1e-16);
+  auto triangle = simplex_of<2>({{4, 0}, {0, 8}, {16, 4}});
+  triangle.weights = {0.25, 0.5, 0.25};
+  CHECK((gjk::weighted_point(triangle, 0b111) == Vec<double, 2>(5, 5)));
+  CHECK((gjk::weighted_point(triangle, 0b101) == Vec<double, 2>(5, 1)));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(not_nearer, "no progress: P came no nearer") {
   state.p_sq = 4;
   state.best_sq = 4;
   gjk::Record<double, 2> record;
-  gjk::detail::run_stop_tests(state, {}, record);
+  gjk::detail::run_stop_tests(state, {}, gjk::Prepared<double, 2>{}, record);
   CHECK_EQ(StopReason::no_progress, state.stop);
 }
 
@@ -160,6 +160,123 @@ TEST(listed, "tests after the one that holds are listed, not tried; disabled one
     }
     CHECK_EQ(held, step.after.stop != StopReason::running);
   }
+}
+
+/// After a support phase that found `support` along d, from a simplex of two vertices.
+gjk::State<double, 2> after_support(gjk::VertexPair support) {
+  gjk::State<double, 2> state;
+  state.simplex.count = 2;
+  state.simplex.vertices[0] = {{-1, 2}, {0, 4}};
+  state.simplex.vertices[1] = {{1, 2}, {3, 0}};
+  state.d = Vec<double, 2>(0, -1);
+  state.support.w = Vec<double, 2>(5, 1);
+  state.support.pair = support;
+  state.support_value = -1;
+  state.previous = gjk::Phase::support;
+  state.phase = gjk::Phase::stop;
+  return state;
+}
+template <class S>
+gjk::Record<S, 2> stop_tests(gjk::State<S, 2>& state, const gjk::Options& options = {},
+                             const gjk::Prepared<S, 2>& prepared = {}) {
+  gjk::Record<S, 2> record;
+  gjk::detail::run_stop_tests(state, options, prepared, record);
+  return record;
+}
+
+TEST(repeats_any, "a support repeats when both of its vertices are those of any simplex vertex") {
+  for (const gjk::VertexPair pair : {gjk::VertexPair{0, 4}, gjk::VertexPair{3, 0}}) {
+    gjk::State<double, 2> state = after_support(pair);
+    const auto record = stop_tests(state);
+    CHECK_EQ(StopReason::repeated_support, state.stop);
+    CHECK_EQ(pair.x == 0 ? 0.0 : 1.0, record.stop_tests[2].left);
+  }
+  for (const gjk::VertexPair pair : {gjk::VertexPair{0, 0}, gjk::VertexPair{3, 4}}) {
+    gjk::State<double, 2> state = after_support(pair);
+    const auto record = stop_tests(state);
+    CHECK_EQ(StopReason::running, state.stop);
+    CHECK_EQ(gjk::Phase::add, state.phase);
+    CHECK_EQ(-1.0, record.stop_tests[2].left);
+  }
+}
+
+TEST(values, "progress is compared with the vertex that lies farthest along d") {
+  for (const int farther : {0, 1}) {
+    gjk::State<double, 2> state = after_support({7, 7});
+    state.simplex.vertices[farther].w[1] = 1.5;
+    CHECK_EQ(-1.5, stop_tests(state).stop_tests[3].right);
+    CHECK_EQ(StopReason::running, state.stop);
+    state = after_support({7, 7});
+    state.simplex.vertices[farther].w[1] = 1;  // as far as the support point
+    stop_tests(state);
+    CHECK_EQ(StopReason::no_progress, state.stop);
+    CHECK_EQ(gjk::Phase::stop, state.phase);
+  }
+}
+
+TEST(which, "what can be tested depends on the phase that led to the stop phase") {
+  const auto enabled = [](gjk::Phase previous, int count) {
+    gjk::State<double, 2> state = after_support({7, 7});
+    state.previous = previous;
+    state.simplex.count = count;
+    std::string out;
+    gjk::Options options;
+    options.tolerance = 0.1;
+    for (const auto& test : stop_tests(state, options).stop_tests) out += test.enabled ? '1' : '0';
+    return out;
+  };
+  // Origin inside, zero direction, repeated, no progress, tolerance, cap.
+  CHECK_EQ(std::string("111111"), enabled(gjk::Phase::support, 2));
+  CHECK_EQ(std::string("110000"), enabled(gjk::Phase::direction, 2));
+  CHECK_EQ(std::string("100100"), enabled(gjk::Phase::cull, 2));
+  CHECK_EQ(std::string("100000"), enabled(gjk::Phase::cull, 3));
+  gjk::State<double, 2> state = after_support({7, 7});
+  CHECK(!stop_tests(state).stop_tests[4].enabled);  // without a tolerance
+}
+
+TEST(tolerance_met, "a tolerance is met when it is met exactly") {
+  gjk::Options options;
+  options.tolerance = 0.5;
+  for (const double plane_sq : {0.9999, 1.0, 1.0001}) {
+    gjk::State<gjk::Expansion, 2> state;
+    state.previous = gjk::Phase::support;
+    state.simplex.count = 1;
+    state.simplex.vertices[0].w = {gjk::Expansion(2.0), gjk::Expansion(0.0)};
+    state.simplex.vertices[0].pair = {9, 9};
+    state.d = {gjk::Expansion(-1.0), gjk::Expansion(0.0)};
+    state.support_value = gjk::Expansion(-1.0);
+    state.best_sq = gjk::Expansion(4.0);
+    state.plane_distance_sq = gjk::Expansion(plane_sq);
+    stop_tests(state, options);
+    CHECK_EQ(plane_sq < 1 ? StopReason::running : StopReason::within_tolerance, state.stop);
+  }
+}
+
+TEST(tolerance_rounding, "both errors count: that of the upper bound and that of the plane") {
+  constexpr float kU = 0x1p-24f;
+  gjk::Options options;
+  options.tolerance = 0.5;
+  gjk::State<float, 2> state;
+  state.best_sq = 4;
+  state.plane_distance_sq = 1;
+  const auto wanted = [&](const gjk::Prepared<float, 2>& prepared) {
+    return std::sqrt(gjk::detail::wanted_plane_distance_sq(state, options, prepared));
+  };
+  gjk::Prepared<float, 2> prepared;
+  CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);
+  prepared.vertex_error = 0x1p-4f;  // half of it in the upper bound, all of it in the plane
+  CHECK_NEAR(1.0f + 0x1.8p-4f, wanted(prepared), 20 * kU);
+  prepared = {};
+  prepared.scan_error = 0x1p-4f;
+  CHECK_NEAR(1.0f + 0x1p-4f, wanted(prepared), 20 * kU);
+  prepared = {};
+  prepared.reach = 0x1p20f;
+  CHECK_NEAR(1.0f + 8 * kU * 0x1p20f, wanted(prepared), 20 * kU);
+  prepared = {};
+  state.plane_reach_sq = 0x1p36f;
+  CHECK_NEAR(1.0f + 3 * kU * 0x1p18f, wanted(prepared), 20 * kU);
+  state.plane_distance_sq = 0x1p36f;
+  CHECK_NEAR(1.0f + 7 * kU * 0x1p18f, wanted(prepared), 20 * kU);
 }
 
 TEST(switched_off, "a stop rule switched off does not end the run; the next one does") {

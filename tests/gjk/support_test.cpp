@@ -1,6 +1,8 @@
-// Phase "support": the scan, the difference of two vertices, and the plane that it proves.
+// Phase "support": scan and climb, the difference of two vertices, and the plane that it proves.
 
 #include "gjk/support.hpp"
+
+#include <algorithm>
 
 #include "check.hpp"
 #include "families.hpp"
@@ -9,31 +11,165 @@ namespace {
 
 using gjk::Vec;
 
+template <class R, class S>
+gjk::SupportPoint<R, 2> support_point(const families::Pair<S>& pair, gjk::VertexPair indices) {
+  return gjk::support_point(pair.query(), gjk::prepare<R>(pair.query(), {}), indices);
+}
+
 TEST(scan_first, "the scan takes the first vertex with the largest dot product") {
-  const std::vector<Vec<double, 2>> vertices = {{1, 0}, {3, 1}, {3, -1}, {0, 0}};
-  std::vector<gjk::ScanEntry<double>> entries;
-  const int best = gjk::detail::scan<true, double, 2>(vertices, Vec<double, 2>(2, 0), &entries);
-  CHECK_EQ(1, best);
-  CHECK_EQ(std::size_t{4}, entries.size());
-  const double values[] = {2, 6, 6, 0};
+  const std::vector<Vec<double, 2>> vertices = {{11, 9}, {13, 10}, {13, 8}, {10, 9}};
+  const std::vector<Vec<double, 2>> point = {{0, 0}};
+  const gjk::Query<double, 2> query{{point}, {vertices}};
+  const auto prepared = gjk::prepare<double>(query, {});
+  gjk::State<double, 2> state;
+  state.d = Vec<double, 2>(2, 0);
+  gjk::Record<double, 2> record;
+  gjk::detail::find_support(state, query, prepared, record);
+  CHECK_EQ(1, state.support.pair.y);
+  CHECK_EQ(std::size_t{4}, record.scan_y.size());
+  const double values[] = {22, 26, 26, 20};  // measured from the origin, not from the centre
   const bool improves[] = {true, true, false, false};
   for (int i = 0; i < 4; ++i) {
-    CHECK_EQ(i, entries[i].index);
-    CHECK_EQ(values[i], entries[i].value);
-    CHECK_EQ(improves[i], entries[i].improves);
+    CHECK_EQ(i, record.scan_y[i].index);
+    CHECK_EQ(values[i], record.scan_y[i].value);
+    CHECK_EQ(improves[i], record.scan_y[i].improves);
   }
 }
 
-TEST(convention, "Z = Y - X: a support point keeps y - x, both vertices and both indices") {
-  const std::vector<Vec<double, 2>> x = {{1, 1}, {2, 5}};
-  const std::vector<Vec<double, 2>> y = {{7, 3}, {4, 4}, {9, 9}};
-  gjk::Query<double, 2> query{{x}, {y}};
-  query.x.pose.translation = Vec<double, 2>(10, 0);
-  const auto point = gjk::detail::support_point(query, {1, 2});
+/// `count` corners of an ellipse, `flatness` times as high as wide, turned and moved.
+template <class S>
+std::vector<Vec<S, 2>> ellipse(families::Source& random, int count, double flatness) {
+  std::vector<Vec<S, 2>> out;
+  const double turn = random.between(0, 6.283185307179586);
+  const double far = random.with_chance(0.5) ? 0 : random.magnitude(1, 1e3);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + random.between(0, 0.5)) / count;
+    const double x = std::cos(angle);
+    const double y = flatness * std::sin(angle);
+    out.emplace_back(static_cast<S>(x * std::cos(turn) - y * std::sin(turn) + far),
+                     static_cast<S>(x * std::sin(turn) + y * std::cos(turn) - far));
+  }
+  if (random.with_chance(0.5)) std::reverse(out.begin(), out.end());
+  return out;
+}
+
+struct Climbs {
+  long count = 0;
+  long looked_at = 0;  ///< Vertices, and how many there were.
+  long vertices = 0;
+};
+/// Directions of all kinds; most lie across an edge, where two vertices and more come close.
+template <class R, class S>
+Climbs check_climbs(std::uint64_t seed, double least_flatness) {
+  Climbs climbs;
+  families::Source random(seed);
+  for (int i = 0; i < 600; ++i) {
+    const int most_octave = i % 20 == 0 ? 12 : 8;
+    const int count = i % 7 == 0 ? (1 << random.among(5, most_octave))
+                                 : random.among(32, 1 << random.among(6, most_octave));
+    const auto list = ellipse<S>(random, count, random.magnitude(least_flatness, 1));
+    const std::vector<Vec<S, 2>> origin = {{0, 0}};
+    const gjk::Query<S, 2> query{{origin}, {list}};
+    if (!query.y.vertices.is_ring()) continue;
+    const auto prepared = gjk::prepare<R>(query, {});
+    for (int k = 0; k < 40; ++k) {
+      const check::Context context("seed", seed, "ring", i, "corners", count, "direction", k);
+      Vec<R, 2> d(static_cast<R>(random.between(-1, 1)), static_cast<R>(random.between(-1, 1)));
+      if (k < 4) d = Vec<R, 2>(k == 0 ? 1 : k == 1 ? -1 : 0, k == 2 ? 1 : k == 3 ? -1 : 0);
+      if (k > 12) {
+        const auto at = static_cast<std::size_t>(random.among(0, count - 1));
+        const Vec<S, 2> edge = list[(at + 1) % list.size()] - list[at];
+        d = Vec<R, 2>(static_cast<R>(edge[1]), -static_cast<R>(edge[0]));
+        if (k % 2 == 0) d = -d;
+      }
+      const auto along = gjk::detail::along_y(query, prepared, d);
+      long looked_at = 0;
+      const int found = gjk::detail::climb(along, [&](int, const R&, bool) { ++looked_at; });
+      CHECK_EQ(gjk::detail::scan(along, [](int, const R&, bool) {}), found);
+      ++climbs.count;
+      climbs.looked_at += looked_at;
+      climbs.vertices += count;
+    }
+  }
+  return climbs;
+}
+
+TEST(climbing,
+     "on rings of 32 to 4096 corners, near-flat ones too, the climb finds what a scan does") {
+  const Climbs round = check_climbs<double, double>(51, 0.2);
+  const Climbs flat = check_climbs<double, double>(52, 1e-9);
+  const Climbs in_float = check_climbs<float, float>(53, 1e-3);
+  const Climbs mixed = check_climbs<double, float>(54, 1e-3);
+  for (const Climbs& climbs : {round, flat, in_float, mixed}) {
+    std::printf("  %ld climbs, %ld of %ld vertices\n", climbs.count, climbs.looked_at,
+                climbs.vertices);
+    CHECK(climbs.count > 4000);
+  }
+  CHECK(round.looked_at * 4 < round.vertices);
+}
+
+/// A parabola whose corners are bent by as little as doubles allow, closed by a corner above.
+std::vector<Vec<double, 2>> flat_chain(families::Source& random, int count) {
+  std::vector<Vec<double, 2>> out;
+  const long slope = (1L << 41) + (static_cast<long>(random.among(0, 1 << 30)) << 11) + 1;
+  const int bend = random.among(1, 2);
+  for (long i = -count / 2; i <= count / 2; ++i) {
+    const auto y = static_cast<double>(i * slope + bend * i * i);
+    out.emplace_back(static_cast<double>(i) * 0x1p-11, y * 0x1p-53);
+  }
+  out.emplace_back(-1, 2);
+  return out;
+}
+
+TEST(flat_climbs,
+     "where many vertices lie as far up to rounding, the climb looks beyond them all") {
+  families::Source random(56);
+  int rings = 0;
+  for (int i = 0; i < 400; ++i) {
+    const auto list = flat_chain(random, random.among(2000, 4000));
+    const std::vector<Vec<double, 2>> origin = {{0, 0}};
+    const gjk::Query<double, 2> query{{origin}, {list}};
+    if (!query.y.vertices.is_ring()) continue;
+    ++rings;
+    const auto prepared = gjk::prepare<double>(query, {});
+    for (int k = 0; k < 20; ++k) {
+      const check::Context context("seed", 56, "ring", i, "direction", k);
+      const auto at = static_cast<std::size_t>(random.among(0, static_cast<int>(list.size()) - 3));
+      const Vec<double, 2> edge = list[at + 1] - list[at];
+      const auto along = gjk::detail::along_y(query, prepared, Vec<double, 2>(edge[1], -edge[0]));
+      const auto ignore = [](int, const double&, bool) {};
+      CHECK_EQ(gjk::detail::scan(along, ignore), gjk::detail::climb(along, ignore));
+    }
+  }
+  CHECK(rings > 100);
+}
+
+TEST(climb_notes, "a climb notes the vertices that it looked at, with their values") {
+  families::Source random(55);
+  const auto list = ellipse<double>(random, 1024, 0.7);
+  const std::vector<Vec<double, 2>> origin = {{0, 0}};
+  const gjk::Query<double, 2> query{{origin}, {list}};
+  gjk::State<double, 2> state;
+  state.d = Vec<double, 2>(0.3, -0.8);
+  gjk::Record<double, 2> record;
+  gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
+  CHECK(record.scan_y.size() < 100);
+  CHECK_EQ(32, record.scan_y[1].index);  // samples are as far apart as there are
+  double best = -std::numeric_limits<double>::infinity();
+  for (const gjk::ScanEntry<double>& entry : record.scan_y) {
+    CHECK_NEAR(gjk::dot(state.d, list[entry.index]), entry.value, 1e-12);
+    CHECK(!entry.improves || entry.value > best);
+    best = std::max(best, entry.value);
+  }
+  CHECK_NEAR(best, gjk::dot(state.d, list[state.support.pair.y]), 1e-12);
+}
+
+TEST(convention, "Z = Y - X: a support point is y - x in the world, with both indices") {
+  families::Pair<double> pair{{{1, 1}, {2, 5}}, {{7, 3}, {4, 4}, {9, 9}}};
+  pair.x_pose.translation = Vec<double, 2>(10, 0);
+  const auto point = support_point<double>(pair, {1, 2});
   CHECK_EQ(-3.0, point.w[0]);
   CHECK_EQ(4.0, point.w[1]);
-  CHECK_EQ(12.0, point.x[0]);
-  CHECK_EQ(9.0, point.y[0]);
   CHECK((point.pair == gjk::VertexPair{1, 2}));
 }
 
@@ -47,7 +183,7 @@ TEST(farthest, "support(Z, d) = support(Y, d) - support(X, -d) is the farthest p
     gjk::State<double, 2> state;
     state.d = Vec<double, 2>(random.among(-3, 3), random.among(-3, 3));
     gjk::NoRecord none;
-    gjk::detail::find_support(state, query, gjk::prepare(query, {}), none);
+    gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), none);
     for (const Vec<double, 2>& x : pair.x) {
       for (const Vec<double, 2>& y : pair.y) {
         CHECK(gjk::dot<double, 2>(state.d, y - x) <= state.support_value);
@@ -62,35 +198,46 @@ TEST(translation, "a huge translation common to both poses cancels to the last b
   for (int i = 0; i < 2000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     auto pair = random.pair<float>(families::Family::random);
-    const gjk::SupportPoint<float, 2> near = gjk::detail::support_point(pair.query(), {0, 0});
+    pair.x_pose.translation = pair.y_pose.translation = Vec<float, 2>(1, 0);
+    const auto near = support_point<float>(pair, {0, 0});
     pair.x_pose.translation = pair.y_pose.translation = Vec<float, 2>(1e9f, -3e8f);
-    const gjk::SupportPoint<float, 2> far = gjk::detail::support_point(pair.query(), {0, 0});
+    const auto far = support_point<float>(pair, {0, 0});
     CHECK(near.w == far.w);
   }
 }
 
-TEST(plane, "a support plane with O beyond it is a lower bound, less the rounding error") {
+TEST(plane, "a support plane with O beyond it is noted, unless a farther one is known") {
   gjk::State<double, 2> state;
   state.d = Vec<double, 2>(-2, 0);  // length does not matter
   state.support.w = Vec<double, 2>(3, 7);
   state.support_value = -6;
-  gjk::detail::note_support_plane(state, gjk::Prepared<double>{10.0, gjk::Error::none});
-  CHECK(state.plane_distance_sq < 9.0);
-  CHECK_NEAR(9.0, state.plane_distance_sq, 1e-12);
-  const double before = state.plane_distance_sq;
-  state.support_value = -4;  // a nearer plane does not lower the bound
-  gjk::detail::note_support_plane(state, gjk::Prepared<double>{10.0, gjk::Error::none});
-  CHECK_EQ(before, state.plane_distance_sq);
+  gjk::detail::note_support_plane(state);
+  CHECK_EQ(9.0, state.plane_distance_sq);
+  CHECK_EQ(58.0, state.plane_reach_sq);
+  state.support.w = Vec<double, 2>(3, 1);  // as far
+  gjk::detail::note_support_plane(state);
+  CHECK_EQ(58.0, state.plane_reach_sq);
+  state.support.w = Vec<double, 2>(2, 1);
+  state.support_value = -4;
+  gjk::detail::note_support_plane(state);
+  CHECK_EQ(9.0, state.plane_distance_sq);
+  CHECK_EQ(58.0, state.plane_reach_sq);
 }
 
-TEST(no_plane, "a plane through O, or within rounding of it, proves nothing") {
+TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; nor does d = 0") {
   gjk::State<double, 2> state;
+  state.support.w = Vec<double, 2>(3, 7);
   state.d = Vec<double, 2>(-1, 0);
-  for (const double value : {0.0, 1.0, -1e-16}) {
+  for (const double value : {0.0, 1.0}) {
     state.support_value = value;
-    gjk::detail::note_support_plane(state, gjk::Prepared<double>{10.0, gjk::Error::none});
+    gjk::detail::note_support_plane(state);
     CHECK_EQ(0.0, state.plane_distance_sq);
+    CHECK_EQ(0.0, state.plane_reach_sq);
   }
+  state.d = Vec<double, 2>::Zero();
+  state.support_value = -1;
+  gjk::detail::note_support_plane(state);
+  CHECK_EQ(0.0, state.plane_distance_sq);
 }
 
 }  // namespace
