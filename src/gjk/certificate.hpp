@@ -125,25 +125,35 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
   for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
 }
 
-/// Witness points, in the world, from the pairs and weights of a simplex. Only the last addition
-/// rounds more than the size of the shapes calls for.
+/// Witness points, in the world, from the pairs and weights of a simplex. They are put together from
+/// the vertex of the largest weight, so that little rounds but the last addition.
 template <class R, class S, int D>
 void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
                         const Prepared<R, D>& prepared) {
+  using W = RunScalar<Default, R>;
   const Simplex<R, D>& simplex = out.simplex;
   R sum = simplex.weights[0];
-  for (int i = 1; i < simplex.count; ++i) sum = sum + simplex.weights[i];
+  int base = 0;
+  for (int i = 1; i < simplex.count; ++i) {
+    sum = sum + simplex.weights[i];
+    if (simplex.weights[base] < simplex.weights[i]) base = i;
+  }
   const auto set = [&](Vec<R, D>& point, const Shape<S, D>& shape, int VertexPair::*index,
                        bool turned) {
-    const auto& first = converted<R, S, D>(shape.vertices[simplex.vertices[0].pair.*index]);
-    Vec<R, D> from_first = Vec<R, D>::Zero();
-    for (int i = 1; i < simplex.count; ++i) {
-      const auto& vertex = converted<R, S, D>(shape.vertices[simplex.vertices[i].pair.*index]);
-      from_first = from_first + Vec<R, D>((vertex - first) * R(simplex.weights[i] / sum));
+    const auto vertex = [&](int i) -> decltype(auto) {
+      return converted<W, S, D>(shape.vertices[simplex.vertices[i].pair.*index]);
+    };
+    const auto& from = vertex(base);
+    Vec<W, D> beyond = Vec<W, D>::Zero();
+    for (int i = 0; i < simplex.count; ++i) {
+      if (i == base) continue;
+      const W weight = ScalarTraits<W>::from(R(simplex.weights[i] / sum));
+      beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
     }
-    const Vec<R, D> local = first + from_first;
-    point = turned ? shape.pose.template rotated<R>(local) : local;
-    if (!prepared.in_world) point = point + converted<R, S, D>(shape.pose.translation);
+    const Vec<W, D> local = from + beyond;
+    Vec<W, D> world = turned ? shape.pose.template rotated<W>(local) : local;
+    if (!prepared.in_world) world = world + converted<W, S, D>(shape.pose.translation);
+    for (int i = 0; i < D; ++i) point[i] = static_cast<R>(world[i]);
   };
   set(out.x, query.x, &VertexPair::x, prepared.x_turned);
   set(out.y, query.y, &VertexPair::y, prepared.y_turned);

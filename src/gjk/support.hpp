@@ -23,16 +23,13 @@ struct Along {
       : vertices(shape.vertices),
         prepared(query_prepared),
         centre(shape_centre),
-        d(turned ? shape.pose.template direction_to_local<R>(world) : world) {
-    // `world` is in the run's unit, vertices are not. The direction makes up for it where a factor
-    // on each vertex would cost time.
-    if constexpr (!ScalarTraits<R>::kExact) d = prepared.in_unit(d);
-  }
+        d(turned ? shape.pose.template direction_to_local<R>(world) : world) {}
 
   [[nodiscard]] R operator()(std::size_t i) const {
     const auto& vertex = converted<R, S, D>(vertices[i]);
-    if constexpr (ScalarTraits<R>::kExact) return dot<R, D>(d, prepared.in_unit(vertex));
-    if (prepared.centred) return dot<R, D>(d, vertex - centre);
+    if (prepared.centred || prepared.exponent != 0) {
+      return dot<R, D>(d, prepared.in_unit(vertex - centre));
+    }
     return dot<R, D>(d, vertex);
   }
 };
