@@ -72,8 +72,7 @@ template <class R>
 
 /// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
 /// the determinant, three times in the length, the quotient, and the bound.
-template <class R>
-inline constexpr R kCarefulRoundings = R(6);
+inline constexpr int kCarefulRoundings = 6;
 
 /// Distance of O from the feature of Z, vertex or line through an edge, that the simplex names, in
 /// the run's unit: nothing rounds before the last few operations when N is exact, and little when
@@ -125,8 +124,8 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
   for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
 }
 
-/// Witness points, in the world, from the pairs and weights of a simplex. They are put together from
-/// the vertex of the largest weight, so that little rounds but the last addition.
+/// Witness points, in the world, from the pairs and weights of a simplex. They are put together
+/// from the vertex of the largest weight, so that little rounds but the last addition.
 template <class R, class S, int D>
 void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
                         const Prepared<R, D>& prepared) {
@@ -248,7 +247,7 @@ template <class R, class S>
   }
   if (near || wide || (prepared.in_world && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);
-    error = kCarefulRoundings<R> * u * magnitude(to_line) + prepared.careful_error;
+    error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error;
   }
   out.distance = magnitude(to_line);
   out.upper = out.distance + error;

@@ -174,34 +174,43 @@ template <class R, class S>
                                                      const Prepared<R, 2>& prepared) {
   // Products of up to two coordinates in the world, of up to four numbers when poses turn them.
   const double least = prepared.in_world ? 0x1p-400 : 0x1p-200;
-  const double unit = static_cast<double>(prepared.unit);
-  const auto has_room = [&](const S& value, double factor) {
-    const double size = std::abs(static_cast<double>(value)) * factor;
-    return size == 0.0 || (least <= size && size <= 1.0 / least);
+  const auto has_room = [&](const S& value, int exponent) {
+    const double size = std::abs(std::ldexp(static_cast<double>(value), -exponent));
+    return value == S(0) || (least <= size && size <= 1.0 / least);
   };
   for (const Shape<S, 2>* shape : {&query.x, &query.y}) {
     for (int i = 0; i < 4; ++i) {
-      if (!has_room(shape->pose.rotation(i / 2, i % 2), 1.0)) return false;
+      if (!has_room(shape->pose.rotation(i / 2, i % 2), 0)) return false;
     }
     for (int k = 0; k < 2; ++k) {
-      if (!has_room(shape->pose.translation[k], unit)) return false;
+      if (!has_room(shape->pose.translation[k], prepared.exponent)) return false;
     }
     for (const Vec<S, 2>& vertex : shape->vertices) {
-      if (!has_room(vertex[0], unit) || !has_room(vertex[1], unit)) return false;
+      if (!has_room(vertex[0], prepared.exponent) || !has_room(vertex[1], prepared.exponent))
+        return false;
     }
   }
   return true;
 }
 
 /// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in
-/// `out`.
+/// `out`. Leaves it as it is when exact arithmetic has no room for the query.
 template <class R, class S>
 [[gnu::noinline]] void settle(const State<R, 2>& state, const Query<S, 2>& query,
                               const Prepared<R, 2>& prepared, Result<R, 2>& out,
                               Bounds<R>& bounds) {
   using Traits = ScalarTraits<R>;
+  // In a unit about as large as Z, so that any power of two times the same query ends the same way.
+  Prepared<R, 2> near_one = prepared;
+  if (R(0) < prepared.reach) {
+    constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
+    near_one.exponent =
+        std::clamp(prepared.exponent + Traits::exponent(prepared.reach), -kLimit, kLimit);
+    near_one.unit = Traits::scaled(R(1), -near_one.exponent);
+  }
+  if (!has_exact_products(query, near_one)) return;
   Prepared<Expansion, 2> exact;
-  exact.exponent = prepared.exponent;
+  exact.exponent = near_one.exponent;
   exact.x_turned = prepared.x_turned;
   exact.y_turned = prepared.y_turned;
   exact.in_world = prepared.in_world;
@@ -225,8 +234,9 @@ template <class R, class S>
     out.verdict = touches(end, query, exact) ? Verdict::touching : Verdict::overlapping;
   } else {
     out.verdict = Verdict::separated;
-    bounds.distance = magnitude(careful_distance<Expansion>(query, prepared, out.simplex));
-    const R few = kCarefulRoundings<R> * Traits::unit_roundoff();
+    const R distance = magnitude(careful_distance<Expansion>(query, near_one, out.simplex));
+    bounds.distance = Traits::scaled(distance, near_one.exponent - prepared.exponent);
+    const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
     bounds.lower = bounds.distance * (R(1) - few);
     bounds.upper = bounds.distance * (R(1) + few);
   }
@@ -289,8 +299,7 @@ template <class R, class S, int D>
       const bool wide = options.tolerance == 0.0 && !bounds.tight;
       const bool ended =
           state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
-      if (options.certify && ended && (!proved || wide) &&
-          detail::has_exact_products(query, prepared)) {
+      if (options.certify && ended && (!proved || wide)) {
         detail::settle(state, query, prepared, out, bounds);
       }
       if (out.simplex.count == 3 && !out.settled && !detail::is_at_origin(out.simplex)) {

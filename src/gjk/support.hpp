@@ -103,7 +103,7 @@ template <class R, class S, int D, class Visit>
   R rounding(0);  // of two dot products of centred vertices
   if constexpr (!ScalarTraits<R>::kExact) {
     rounding = R(R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff()) * norm_1(along.d) *
-               ScalarTraits<R>::from(along.vertices.radius());
+               ScalarTraits<R>::from(along.vertices.radius()) * along.prepared.unit;
   }
   const int summit = farthest.index;
   for (const int towards : {1, count - 1}) {
@@ -126,7 +126,7 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 [[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Along<R, S, D>& along) {
   std::vector<ScanEntry<R>> entries;
-  const R at_centre = dot(along.d, along.centre);
+  const R at_centre = dot(along.d, along.prepared.in_unit(along.centre));
   Farthest<R> farthest;
   const auto note = [&](int i) {
     const R value = along(i);
