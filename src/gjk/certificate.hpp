@@ -53,7 +53,7 @@ template <class N, class R, class S>
                                               const Prepared<R, 2>& prepared, VertexPair pair) {
   const Vec<R, 2> x = converted<R, S, 2>(query.x.vertices[pair.x]);
   const Vec<R, 2> y = converted<R, S, 2>(query.y.vertices[pair.y]);
-  if (!prepared.in_world) return careful_difference<N>(query, x, y, prepared.unit);
+  if (!prepared.same_frame) return careful_difference<N>(query, x, y, prepared.unit);
   const Vec<R, 2> scaled_x = x * prepared.unit;
   const Vec<R, 2> scaled_y = y * prepared.unit;
   return {N{scaled_y[0]} - N{scaled_x[0]}, N{scaled_y[1]} - N{scaled_x[1]}};
@@ -151,7 +151,7 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
     }
     const Vec<W, D> local = from + beyond;
     Vec<W, D> world = turned ? shape.pose.template rotated<W>(local) : local;
-    if (!prepared.in_world) world = world + converted<W, S, D>(shape.pose.translation);
+    world = world + converted<W, S, D>(shape.pose.translation);
     for (int i = 0; i < D; ++i) point[i] = static_cast<R>(world[i]);
   };
   set(out.x, query.x, &VertexPair::x, prepared.x_turned);
@@ -238,14 +238,14 @@ template <class R, class S>
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
   // The largest vertex of Z is no smaller than `size`, nor than box_reach over the root of 2.
-  R allowed = R(14) * u * size;
+  R allowed = R(15.5) * u * size;
   const R width = magnitude(to_line) + error - out.lower;
   bool wide = allowed < width;
   if (wide) {
-    allowed = std::max(allowed, R(R(9.5) * u * box_reach(query, prepared)));
+    allowed = std::max(allowed, R(R(10.9) * u * box_reach(query, prepared)));
     wide = allowed < width;
   }
-  if (near || wide || (prepared.in_world && R(16) * magnitude(to_line) < prepared.reach)) {
+  if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);
     error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error;
   }

@@ -173,7 +173,7 @@ template <class R, class S>
 [[nodiscard, gnu::noinline]] bool has_exact_products(const Query<S, 2>& query,
                                                      const Prepared<R, 2>& prepared) {
   // Products of up to two coordinates in the world, of up to four numbers when poses turn them.
-  const double least = prepared.in_world ? 0x1p-400 : 0x1p-200;
+  const double least = prepared.same_frame ? 0x1p-400 : 0x1p-200;
   const auto has_room = [&](const S& value, int exponent) {
     const double size = std::abs(std::ldexp(static_cast<double>(value), -exponent));
     return value == S(0) || (least <= size && size <= 1.0 / least);
@@ -213,7 +213,7 @@ template <class R, class S>
   exact.exponent = near_one.exponent;
   exact.x_turned = prepared.x_turned;
   exact.y_turned = prepared.y_turned;
-  exact.in_world = prepared.in_world;
+  exact.same_frame = prepared.same_frame;
   exact.offset = exact.in_unit(converted<Expansion, S, 2>(query.y.pose.translation)) -
                  exact.in_unit(converted<Expansion, S, 2>(query.x.pose.translation));
   Options options;

@@ -21,7 +21,7 @@ struct Prepared {
 
   bool x_turned = false;  ///< The pose of X has a rotation.
   bool y_turned = false;
-  bool in_world = false;  ///< Both poses are the identity: differences of vertices round once.
+  bool same_frame = false;  ///< One pose moves both, unturned: differences of vertices round once.
   /// Some centre (Points::centre) is not its shape's own origin.
   bool centred = false;
   Vec<R, D> x_centre = Vec<R, D>::Zero();  ///< In the shape's own frame.
@@ -113,10 +113,14 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
-  const Vec<S, D>& x_place = query.x.pose.translation;
-  const Vec<S, D>& y_place = query.y.pose.translation;
-  prepared.offset =
-      prepared.in_unit(converted<R, S, D>(y_place)) - prepared.in_unit(converted<R, S, D>(x_place));
+  const Vec<R, D> x_place = prepared.in_unit(converted<R, S, D>(query.x.pose.translation));
+  const Vec<R, D> y_place = prepared.in_unit(converted<R, S, D>(query.y.pose.translation));
+  bool is_exact = !prepared.centred;
+  for (int i = 0; i < D; ++i) {
+    const DoubleWord<R> offset = exact_sum(y_place[i], R(-x_place[i]));
+    prepared.offset[i] = offset.hi;
+    is_exact = is_exact && offset.lo == R(0);
+  }
   R from_centres(0);
   if (prepared.centred) {
     const auto offset = careful_difference<DoubleWord<R>>(query, prepared.x_centre,
@@ -131,8 +135,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   // scan compares two dot products of a direction that was turned with vertices that were centred.
   // Turning a vector of length r rounds by at most (1 + sqrt(D)) u r.
   const R far = length(prepared.offset);
-  const bool offset_is_exact = !prepared.centred && (is_zero(x_place) || is_zero(y_place));
-  R vertex_roundings = offset_is_exact ? R(0) : far;
+  R vertex_roundings = is_exact ? R(0) : far;
   R scan_roundings(0);
   R extent(0);
   const auto add = [&](const Shape<S, D>& shape, bool turned) {
@@ -148,7 +151,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   add(query.y, prepared.y_turned);
   prepared.extent = extent;
   prepared.reach = far + extent;
-  prepared.vertex_error = prepared.in_world ? R(0) : R(u * vertex_roundings);
+  prepared.vertex_error = prepared.same_frame ? R(0) : R(u * vertex_roundings);
   prepared.scan_error = u * scan_roundings;
   prepared.careful_error = R(64) * u * u * (prepared.reach + from_centres);
 }
@@ -231,16 +234,10 @@ template <class R, class S, int D>
   if (query.y.vertices.empty()) return refuse(Error::y_has_no_vertices);
   if (!query.x.vertices.is_finite()) return refuse(Error::x_not_finite);
   if (!query.y.vertices.is_finite()) return refuse(Error::y_not_finite);
-  if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
-    return refuse(Error::bad_options);
-  if (detail::bad_start(options, static_cast<int>(query.x.vertices.size()),
-                        static_cast<int>(query.y.vertices.size()), D)) {
-    return refuse(Error::bad_start);
-  }
   prepared.x_turned = query.x.pose.is_turned();
   prepared.y_turned = query.y.pose.is_turned();
-  prepared.in_world = !prepared.x_turned && !prepared.y_turned &&
-                      is_zero(query.x.pose.translation) && is_zero(query.y.pose.translation);
+  prepared.same_frame = !prepared.x_turned && !prepared.y_turned &&
+                        query.x.pose.translation == query.y.pose.translation;
   if constexpr (ScalarTraits<R>::kExact) {
     prepared.offset =
         converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
@@ -248,7 +245,14 @@ template <class R, class S, int D>
     prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
     prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
     prepared.centred = !is_zero(prepared.x_centre) || !is_zero(prepared.y_centre);
-    prepared.error = detail::measure_in_good_unit(query, prepared);
+    const Error error = detail::measure_in_good_unit(query, prepared);
+    if (error != Error::none) return refuse(error);
+  }
+  if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
+    return refuse(Error::bad_options);
+  if (detail::bad_start(options, static_cast<int>(query.x.vertices.size()),
+                        static_cast<int>(query.y.vertices.size()), D)) {
+    return refuse(Error::bad_start);
   }
   return prepared;
 }

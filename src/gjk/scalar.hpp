@@ -62,21 +62,21 @@ struct ScalarTraits {
     return static_cast<S>(std::ldexp(a, exponent));
   }
 
-  /// Sizes 2^e, kLeastExponent <= e <= kLargestExponent, whose products keep all digits that could
+  /// Sizes from 2^kLeastExponent to 2^kLargestExponent, whose products keep all digits that could
   /// matter: those of two numbers as small as u times the size lose none, and sums of some products
-  /// of two stay finite.
-  static constexpr int kLeastExponent =
-      std::min((std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits) / 2, -1);
-  static constexpr int kLargestExponent = (std::numeric_limits<S>::max_exponent - 6) / 2;
+  /// of two stay finite. (long double has room for more; the powers are made as doubles.)
+  static constexpr int kLeastExponent = std::clamp(
+      (std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits) / 2, -1000, -1);
+  static constexpr int kLargestExponent =
+      std::min((std::numeric_limits<S>::max_exponent - 6) / 2, 1000);
   [[nodiscard]] static bool is_in_range(const S& size) {
     return S(kLeastSize) <= size && size <= S(kLargestSize);
   }
 
  private:
   static constexpr double kRoundoff = detail::power_of_two(-std::numeric_limits<S>::digits);
-  // long double reaches farther than this; nothing is lost by less.
-  static constexpr double kLeastSize = detail::power_of_two(std::max(kLeastExponent, -1000));
-  static constexpr double kLargestSize = detail::power_of_two(std::min(kLargestExponent, 1000));
+  static constexpr double kLeastSize = detail::power_of_two(kLeastExponent);
+  static constexpr double kLargestSize = detail::power_of_two(kLargestExponent);
 };
 
 /// Stands for the scalar in which `distance` and `trace` run unless told otherwise: that of the

@@ -151,7 +151,7 @@ template <class R, class S, int D>
                                                const Prepared<R, D>& prepared, VertexPair pair) {
   const auto& x = converted<R, S, D>(query.x.vertices[pair.x]);
   const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
-  if (prepared.in_world) return {prepared.in_unit(y) - prepared.in_unit(x), pair};
+  if (prepared.same_frame) return {prepared.in_unit(y) - prepared.in_unit(x), pair};
   const auto placed = [&](const Shape<S, D>& shape, const Vec<R, D>& vertex, bool turned,
                           const Vec<R, D>& centre) {
     const Vec<R, D> local = prepared.centred ? Vec<R, D>(vertex - centre) : vertex;

@@ -93,10 +93,9 @@ void check_units() {
     const Pair<S> pair = points_apart(Traits::scaled(S(1), e));
     const gjk::Prepared<S, 2> found = prepared<S>(pair);
     CHECK_EQ(Error::none, found.error);
-    const int size = e + 1;  // of twice the coordinate
-    const bool good = Traits::kLeastExponent <= size && size <= Traits::kLargestExponent;
+    const bool good = Traits::kLeastExponent <= e && e <= Traits::kLargestExponent;
     const int limit = Limits::max_exponent - 3;
-    CHECK_EQ(good ? 0 : std::clamp(size, -limit, limit), found.exponent);
+    CHECK_EQ(good ? 0 : std::clamp(e, -limit, limit), found.exponent);
     CHECK_EQ(S(1), Traits::scaled(found.unit, found.exponent));
     CHECK_EQ(Traits::scaled(S(1), e - found.exponent), found.reach);
     CHECK_EQ(found.reach, gjk::support_point(pair.query(), found, {0, 0}).w[0]);
@@ -129,14 +128,14 @@ TEST(centres, "shapes around their own origin keep it, others are measured from 
   CHECK((found.x_centre == Vec<double, 2>(0, 0)));
   CHECK((found.y_centre == Vec<double, 2>(1, 7)));
   CHECK((found.offset == Vec<double, 2>(1, 7)));
-  CHECK(found.in_world);
+  CHECK(found.same_frame);
   Pair<double> moved = pair;
   moved.x_pose.translation = {0, 5};
-  CHECK(!prepared<double>(moved).in_world);
+  CHECK(!prepared<double>(moved).same_frame);
   CHECK((prepared<double>(moved).offset == Vec<double, 2>(1, 2)));
   moved = pair;
   moved.y_pose.rotation << 0, -1, 1, 0;
-  CHECK(!prepared<double>(moved).in_world);
+  CHECK(!prepared<double>(moved).same_frame);
   CHECK((prepared<double>(moved).offset == Vec<double, 2>(-7, 1)));
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -28,7 +29,8 @@ constexpr Color kFill{0, 160, 80, 255};
 
 /// Plain styles in colours that occur nowhere else.
 Theme test_theme() {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gjkscope-paint";
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("gjkscope-paint-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "test.toml") << R"(
 [roles]

@@ -1,6 +1,7 @@
 #include "picture/theme.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -96,8 +97,8 @@ Color over(const Color& top, const Color& bottom) {
 class ThemeFile : public testing::Test {
  protected:
   std::string error_of(const std::string& text) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "gjkscope-themes";
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
+                                         ("gjkscope-themes-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "mine.toml") << text;
     try {

@@ -1,6 +1,7 @@
 #include "picture/type.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -19,7 +20,8 @@ const Fonts& fonts() {
 }
 
 std::filesystem::path temporary(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / name;
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / (std::to_string(::getpid()) + name);
   std::ofstream(path) << text;
   return path;
 }
