@@ -44,7 +44,6 @@ struct Pose {
     return local;
   }
   [[nodiscard]] bool is_turned() const { return rotation != Eigen::Matrix<S, D, D>::Identity(); }
-  [[nodiscard]] bool is_identity() const { return !is_turned() && gjk::is_zero(translation); }
 };
 
 /// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
@@ -80,7 +79,8 @@ class Points {
   /// The point that the points are measured from: their own origin, or the middle when they lie
   /// around neither, so that rounding follows their size and not their place.
   [[nodiscard]] const Vec<S, D>& centre() const { return centre_; }
-  /// Distance from `centre` to the farthest point, up to a rounding or two.
+  /// Distance from `centre` to the farthest point, up to a rounding or two; no denormal is too
+  /// small.
   [[nodiscard]] const S& radius() const { return radius_; }
   /// The points are the corners of a convex polygon, in order, none on the line through its
   /// neighbours. Looked for in the plane, from kRingFrom points on.
@@ -113,7 +113,10 @@ class Points {
       }
       radius_sq = std::max(radius_sq, dot(scaled, scaled));
     }
-    radius_ = ScalarTraits<S>::scaled(ScalarTraits<S>::root(radius_sq), exponent);
+    const S radius = ScalarTraits<S>::root(radius_sq);
+    radius_ = ScalarTraits<S>::scaled(radius, exponent);
+    const bool below = ScalarTraits<S>::scaled(radius_, -exponent) < radius;
+    if (below) radius_ = radius_ + std::numeric_limits<S>::denorm_min();
   }
 
   /// All turns go the same way beyond rounding, and the edges go round once.

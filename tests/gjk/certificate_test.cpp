@@ -331,7 +331,7 @@ constexpr std::array<Bar, kFamilyCount> kBars = {{
     {14.8, 5.12},   // grid
     {66.0, 0.02},   // identical
     {0.4, 0.5},     // inside
-    {1.2, 3.56},    // posed
+    {1.2, 4.9},     // posed
     {3.7, 6.55},    // needle
     {0.5, 3.95},    // needle-polygon
     {28.0, 3.84},   // parallel
