@@ -180,10 +180,7 @@ class Batch {
 
   /// Shapes share groups with shapes of about their size: each costs its group's largest.
   static constexpr std::array<int, 5> kClassSizes = {3, 4, 8, 12, kMaxLaneVertices};
-#ifndef KR
-#define KR 3, 3, 4, 5, 5
-#endif
-  static constexpr std::array<int, 5> kRounds = {KR};
+  static constexpr std::array<int, 5> kRounds = {3, 3, 4, 5, 5};
   static constexpr int kClassCount = static_cast<int>(kClassSizes.size());
   static constexpr int kNoClass = -1;
   [[nodiscard]] static int size_class(Vertices vertices) {
