@@ -63,10 +63,15 @@ struct ScalarTraits {
   }
 
   /// Sizes from 2^kLeastExponent to 2^kLargestExponent, whose products keep all digits that could
-  /// matter: those of two numbers as small as u times the size lose none, and sums of some products
-  /// of two stay finite. (long double has room for more; the powers are made as doubles.)
-  static constexpr int kLeastExponent = std::clamp(
-      (std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits) / 2, -1000, -1);
+  /// matter: those of two numbers as small as u^kSmallest times the size lose none, and sums of
+  /// some products of two stay finite. (long double has room for more; the powers are made as
+  /// doubles.)
+  static constexpr int kSmallest = std::numeric_limits<S>::max_exponent < 1024 ? 1 : 3;
+  static constexpr int kLeastExponent =
+      std::clamp((std::numeric_limits<S>::min_exponent +
+                  (2 * kSmallest + 1) * std::numeric_limits<S>::digits) /
+                     2,
+                 -1000, -1);
   static constexpr int kLargestExponent =
       std::min((std::numeric_limits<S>::max_exponent - 6) / 2, 1000);
   [[nodiscard]] static bool is_in_range(const S& size) {

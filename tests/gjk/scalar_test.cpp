@@ -77,11 +77,13 @@ TEST(powers, "exponent and scaled take numbers apart and put them together, deno
   check_powers<Eigen::half>();
 }
 
-/// The last digit of the product of two numbers of all digits, as small as u times the size.
+/// The last digit of the product of two numbers of all digits, as small as u^kSmallest times the
+/// size.
 template <class S>
 bool keeps_products(int exponent) {
   using Traits = gjk::ScalarTraits<S>;
-  const S least = Traits::scaled(S(1), exponent - std::numeric_limits<S>::digits);
+  const S least =
+      Traits::scaled(S(1), exponent - Traits::kSmallest * std::numeric_limits<S>::digits);
   const S last_digit = Traits::scaled(S(1), 1 - std::numeric_limits<S>::digits);
   return S(0) < S(S(least * last_digit) * S(least * last_digit));
 }
