@@ -53,17 +53,19 @@ template <class S, int D>
 class Points {
  public:
   Points() = default;
+  // NOLINTBEGIN(google-explicit-constructor): a list of points stands for its hull.
   /// From anything that a span can view: std::vector, std::array, std::span. Not from a temporary.
   template <class Range>
   requires(!std::is_same_v<Range, Points> &&
            std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
       Points(const Range& points)
-      : points_(points) {  // NOLINT(google-explicit-constructor)
+      : points_(points) {
     if constexpr (!ScalarTraits<S>::kExact) {
       measure();
       ring_ = D == 2 && points_.size() >= kRingFrom && is_strictly_convex_ring();
     }
   }
+  // NOLINTEND(google-explicit-constructor)
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool empty() const { return points_.empty(); }
