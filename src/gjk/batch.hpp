@@ -5,8 +5,8 @@
 // The run has two parts:
 //
 //   1. GJK in float: all shapes relative to their own centres, so that a common offset costs no
-//      digits; regions by signs, directions without division, as in the scalar code. A lane closes
-//      when the support point brings no more progress than rounding could.
+//      digits; regions by signs, directions without division, as in the scalar code. All lanes go
+//      as many rounds as shapes of their size need.
 //   2. The segment that a lane ended with, in double. Vertices are floats, so differences and
 //      products of them are exact or nearly so. One support call gives the plane that bounds the
 //      distance from below, the segment bounds it from above. Where both agree to half an ulp of
@@ -150,7 +150,8 @@ class Batch {
       }
     }
     for (const Odd& odd : odd_) {
-      results[odd.pair] = scalar_answer({{odd.x, odd.x_pose}, {odd.y, odd.y_pose}});
+      results[odd.pair] =
+          rounded(gjk::distance(Query<float, 2>{{odd.x, odd.x_pose}, {odd.y, odd.y_pose}}));
       ++handed_over;
     }
     return handed_over;
@@ -183,11 +184,8 @@ class Batch {
   static constexpr std::array<int, 5> kRounds = {3, 3, 4, 5, 5};
   static constexpr int kClassCount = static_cast<int>(kClassSizes.size());
   static constexpr int kNoClass = -1;
-  [[nodiscard]] static int size_class(Vertices vertices) {
-    if (vertices.empty()) return kNoClass;
-    for (const Vec<float, 2>& vertex : vertices) {
-      if (!is_finite(vertex)) return kNoClass;
-    }
+  [[nodiscard]] static int size_class(const Points<float, 2>& vertices) {
+    if (vertices.empty() || !vertices.is_finite()) return kNoClass;
     for (int i = 0; i < kClassCount; ++i) {
       if (vertices.size() <= static_cast<std::size_t>(kClassSizes[i])) return i;
     }
@@ -197,19 +195,15 @@ class Batch {
   /// A number that can be subtracted from all the coordinates exactly (Sterbenz: neither is more
   /// than twice the other). Where there is none, the coordinates are about as large as the shape
   /// anyway, and it is 0.
-  [[nodiscard]] static float centre_of(Vertices vertices, int axis) {
-    float low = vertices[0][axis];
-    float high = low;
-    for (const Vec<float, 2>& vertex : vertices) {
-      low = std::min(low, vertex[axis]);
-      high = std::max(high, vertex[axis]);
-    }
+  [[nodiscard]] static float centre_of(const Points<float, 2>& vertices, int axis) {
+    const float low = vertices.low()[axis];
+    const float high = vertices.high()[axis];
     const bool exact = (low > 0.0f && high <= 2.0f * low) || (high < 0.0f && low >= 2.0f * high);
     return exact ? low + (high - low) / 2.0f : 0.0f;
   }
 
   /// Returns the largest coordinate relative to the centre.
-  float pack(Vertices vertices, int lane, int room, std::size_t first,
+  float pack(const Points<float, 2>& vertices, int lane, int room, std::size_t first,
              std::array<detail::Eight, 2>& centre) {
     float radius = 0.0f;
     for (int axis = 0; axis < 2; ++axis) {
@@ -228,10 +222,7 @@ class Batch {
 
   /// How much the pose can enlarge the largest coordinate; NaN when it is not finite.
   [[nodiscard]] static float stretch(const Pose<float, 2>& pose) {
-    if (!is_finite<float, 2>(pose.rotation.col(0)) || !is_finite<float, 2>(pose.rotation.col(1)) ||
-        !is_finite(pose.translation)) {
-      return std::numeric_limits<float>::quiet_NaN();
-    }
+    if (!detail::is_finite(pose)) return std::numeric_limits<float>::quiet_NaN();
     return std::max(norm_1<float, 2>(pose.rotation.row(0).transpose()),
                     norm_1<float, 2>(pose.rotation.row(1).transpose()));
   }
@@ -254,25 +245,11 @@ class Batch {
       for (int i = 0; i < 2; ++i) out.translation[i] = translation[i].lane[lane];
       return out;
     };
-    return scalar_answer({{unpack(x, packed.x_sizes[lane], group.first_x, group.x_centre),
-                           pose(group.x_rotation, group.x_translation)},
-                          {unpack(y, packed.y_sizes[lane], group.first_y, group.y_centre),
-                           pose(group.y_rotation, group.y_translation)}});
-  }
-
-  /// Where every pair goes that the lanes leave: the scalar code, in double.
-  [[nodiscard]] static BatchResult scalar_answer(const Query<float, 2>& query) {
-    const auto widened = [](const Shape<float, 2>& shape, std::vector<Vec<double, 2>>& vertices) {
-      for (const Vec<float, 2>& vertex : shape.vertices) {
-        vertices.push_back(vertex.template cast<double>());
-      }
-      return Shape<double, 2>{vertices,
-                              {shape.pose.rotation.template cast<double>(),
-                               shape.pose.translation.template cast<double>()}};
-    };
-    std::vector<Vec<double, 2>> x;
-    std::vector<Vec<double, 2>> y;
-    return rounded(gjk::distance(Query<double, 2>{widened(query.x, x), widened(query.y, y)}));
+    return rounded(gjk::distance(
+        Query<float, 2>{{unpack(x, packed.x_sizes[lane], group.first_x, group.x_centre),
+                         pose(group.x_rotation, group.x_translation)},
+                        {unpack(y, packed.y_sizes[lane], group.first_y, group.y_centre),
+                         pose(group.y_rotation, group.y_translation)}}));
   }
 
   [[nodiscard]] static BatchResult rounded(const Result<double, 2>& result) {

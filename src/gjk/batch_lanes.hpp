@@ -38,8 +38,9 @@ struct alignas(32) Eight {
   std::array<float, kLaneCount> lane = {};
 };
 
-/// Eight pairs. Vertices lie outside, as x, y of vertex 0, x, y of vertex 1 ...; shapes of fewer
-/// vertices repeat their last. They are relative to the shape's centre, exactly (see `centre_of`).
+/// Eight pairs. Vertices lie outside, as x, y of vertex 0, x, y of vertex 1 ...; where a shape has
+/// fewer there are NaNs, which no comparison takes. They are relative to the shape's centre,
+/// exactly (see `centre_of`).
 struct BatchGroup {
   std::array<Eight, 4> x_rotation = {};  ///< Row by row.
   std::array<Eight, 4> y_rotation = {};
@@ -74,7 +75,6 @@ inline constexpr float kLeastGap = 0x1p-23f;
 /// Scales whose squares, times the unit roundoff, float can hold.
 inline constexpr float kLeastScale = 0x1p-32f;
 inline constexpr float kLargestScale = 0x1p60f;
-inline constexpr int kFloatCap = 24;
 inline constexpr int kDoubleCap = 6;
 
 #if GJKSCOPE_HAS_LANES
