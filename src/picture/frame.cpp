@@ -8,6 +8,7 @@
 #include "picture/caption.hpp"
 #include "picture/panel.hpp"
 #include "picture/stage.hpp"
+#include "picture/timeline.hpp"
 
 namespace gjkscope {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// The side panel and the timeline.
+// The side panel.
 
 #include "effects/graph.hpp"
 #include "picture/picture.hpp"
@@ -10,9 +10,5 @@ namespace gjkscope {
 [[nodiscard]] std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects,
                                             const Frame& frame, const Fonts& fonts,
                                             const Rect& card);
-
-/// All frames of the lesson as ticks, grouped, the current one marked.
-[[nodiscard]] std::vector<Mark> timeline_marks(const LessonRun& run, int current,
-                                               const Fonts& fonts, const Rect& area);
 
 }  // namespace gjkscope

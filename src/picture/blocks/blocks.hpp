@@ -1,0 +1,28 @@
+#pragma once
+// The blocks of the panel: one family a file. Each writes from the current row downwards.
+
+#include "picture/panel_builder.hpp"
+
+namespace gjkscope::blocks {
+
+// pseudocode.cpp
+void pseudocode(PanelBuilder& panel);
+
+// regions.cpp
+void tests(PanelBuilder& panel);
+void regions(PanelBuilder& panel);
+
+// weights.cpp
+void weights(PanelBuilder& panel);
+void linear_system(PanelBuilder& panel);
+
+// run.cpp
+void simplex(PanelBuilder& panel);
+void scan(PanelBuilder& panel);
+void bounds(PanelBuilder& panel);
+void direction_rules(PanelBuilder& panel);
+
+// difference.cpp
+void pairs(PanelBuilder& panel);
+
+}  // namespace gjkscope::blocks

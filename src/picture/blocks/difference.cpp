@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+
+using fmt::format;
+using namespace rows;
+
+void pairs(PanelBuilder& panel) {
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  const int per_x = static_cast<int>(positioned.y_world.size());
+  const int all = static_cast<int>(positioned.x_world.size()) * per_x;
+  panel.heading("Z = { y − x }: every pair");
+  constexpr int kMost = 16;
+  for (int i = 0; i < std::min(all, kMost); ++i) {
+    const gjk::VertexPair pair{i / per_x, i % per_x};
+    const bool made = i < panel.frame.detail;
+    const bool current = i == panel.frame.detail - 1;
+    if (current) panel.highlight();
+    const std::string role = !made ? "untried" : current ? "code.current" : "code";
+    const TextStyle style = current ? type::kCodeBold : type::kCode;
+    panel.write(role, panel.left, panel.run.pair_name(pair), style);
+    if (made)
+      panel.write(role, panel.right,
+                  panel.numbers.point(positioned.y_world[pair.y] - positioned.x_world[pair.x]),
+                  style, Align::right);
+    panel.y += kTightRow + 2.0;
+    if ((i + 1) % per_x == 0) panel.y += 8.0;
+  }
+  if (all > kMost) {
+    panel.write("body.muted", panel.left, format("and {} more", all - kMost), type::kBody);
+    panel.y += kRow;
+  }
+}
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,96 @@
+#include <array>
+#include <cmath>
+
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using namespace rows;
+
+std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& order, int index) {
+  const gjk::Face face = order.conditions[index].face;
+  const int size = gjk::vertex_count(face);
+  const int count = panel.state.simplex.count;
+  if (size == count) return count == 1 ? "only region" : "else";
+  gjk::RegionTest<double> test{face, {}, false};
+  for (int i = 0; i < count; ++i) {
+    if (!gjk::contains(face, i))
+      test.terms.push_back({static_cast<gjk::Face>(face | gjk::face_of(i)), i});
+  }
+  std::string out;
+  for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
+    if (!out.empty()) out += " and ";
+    out += panel.words.coordinate(term.face, term.vertex) + " ≤ 0";
+  }
+  if (size == 2) out += ", u, v > 0";
+  return out;
+}
+
+}  // namespace
+
+void tests(PanelBuilder& panel) {
+  panel.heading("First true test wins");
+  const gjk::detail::RegionList order =
+      gjk::detail::list_regions(panel.state.simplex.count, panel.run.lesson.options.region_order);
+  const auto& tried = panel.region_tests();
+  for (int i = 0; i < order.count; ++i) {
+    const bool reached = i <= panel.tests_reached() && i < static_cast<int>(tried.size());
+    const bool holds = reached && tried[i].holds;
+    const bool current = reached && i == panel.tests_reached();
+    if (current) panel.highlight(holds ? "highlight.pass" : "highlight");
+    const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
+    const TextStyle code = current ? type::kCodeBold : type::kCode;
+    const std::string role = !reached ? "untried" : current ? "code.current" : "code";
+    panel.write(!reached ? "untried"
+                : holds  ? "pass"
+                         : "fail",
+                panel.left,
+                !reached ? "·"
+                : holds  ? "✓"
+                         : "✗",
+                type::kStrong);
+    panel.write(!reached ? "untried" : "body", panel.left + 24.0,
+                panel.words.face(order.conditions[i].face), name_style);
+    panel.write(role, panel.left + 78.0, condition(panel, order, i), code);
+    if (reached) panel.write(role, panel.right, panel.test_values(tried[i]), code, Align::right);
+    panel.y += kRow + 2.0;
+  }
+}
+
+void regions(PanelBuilder& panel) {
+  panel.heading("Closest feature");
+  const int count = panel.state.simplex.count;
+  constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
+  gjk::detail::RegionList order =
+      gjk::detail::list_regions(count, gjk::RegionOrder::vertices_first);
+  if (count == 2)
+    std::swap(order.conditions[0], order.conditions[1]);  // A before B: this is no order of tests
+  for (int i = 0; i < order.count; ++i) {
+    const gjk::Face face = order.conditions[i].face;
+    const bool current = panel.phase() && face == panel.state.region;
+    if (current) panel.highlight("highlight.pass");
+    panel.write(current ? "pass" : "untried", panel.left, current ? "●" : "○", type::kBody);
+    panel.write(current ? "body" : "body.muted", panel.left + 24.0,
+                std::string(kKinds[gjk::vertex_count(face)]),
+                current ? type::kStrong : type::kBody);
+    panel.write(current ? "body" : "body.muted", panel.left + 104.0, panel.words.face(face),
+                current ? type::kStrong : type::kBody);
+    if (current) {
+      const std::string p = gjk::vertex_count(face) == 3
+                                ? "P = Q"
+                                : "P = " + panel.words.combination(face, panel.numbers);
+      panel.write("code.current", panel.right, p, type::kCodeBold, Align::right);
+    }
+    panel.y += kRow + 2.0;
+  }
+  panel.y += 4.0;
+  if (panel.phase()) {
+    panel.write("heading", panel.left, "distance", type::kHeading);
+    panel.write("code.current", panel.right, panel.numbers(std::sqrt(panel.state.p_sq)),
+                type::kCodeBold, Align::right);
+    panel.y += kRow;
+  }
+}
+
+}  // namespace gjkscope::blocks

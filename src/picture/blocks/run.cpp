@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "effects/direction_rules.hpp"
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using fmt::format;
+using gjk::Phase;
+using namespace rows;
+
+bool weights_known(const PanelBuilder& panel) {
+  return panel.phase() && *panel.phase() != Phase::add;
+}
+
+void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries,
+             const std::vector<std::string>& names, double x0, double x1,
+             const std::string& title) {
+  panel.write("heading", x0, title, type::kHeading);
+  panel.y += kRow;
+  int best = -1;
+  for (const auto& entry : entries) {
+    if (entry.improves) best = entry.index;
+  }
+  constexpr int kShown = 6;
+  for (int i = 0; i < static_cast<int>(names.size()) && i < kShown; ++i) {
+    // The scan of a large polygon does not look at every vertex.
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [&](const auto& seen) { return seen.index == i; });
+    const bool wins = i == best;
+    panel.write(wins ? "support.label" : "body", x0, names[i], wins ? type::kStrong : type::kBody);
+    panel.write(wins ? "support.label" : "code", x1,
+                entry == entries.end() ? "–" : panel.numbers(entry->value),
+                wins ? type::kCodeBold : type::kCode, Align::right);
+    panel.y += kTightRow;
+  }
+  if (names.size() > kShown) {
+    panel.write("body.muted", x0, format("and {} more", names.size() - kShown), type::kBody);
+    panel.y += kTightRow;
+  }
+}
+
+}  // namespace
+
+void simplex(PanelBuilder& panel) {
+  panel.write("heading", panel.left, "Simplex", type::kHeading);
+  const double x0 = panel.left + 152.0;
+  panel.write("heading", x0, "weight", type::kHeading);
+  panel.y += kRow;
+  const double name_at = panel.left + 24.0;
+  const double middle = 0.5 * panel.fonts.cap_height(type::kStrong);
+  int rows = 0;
+  for (int i = 0; i < panel.state.simplex.count; ++i, ++rows) {
+    panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
+    panel.write("strong", name_at, panel.words.vertex(i), type::kStrong);
+    const bool has_weight = weights_known(panel);
+    const double weight = panel.state.simplex.weights[i];
+    const std::string number = has_weight ? panel.numbers.weight(weight) : "–";
+    const double number_width = std::max(62.0, panel.fonts.width(type::kCode, number));
+    panel.bar(x0, panel.right - number_width - 16.0, 0.0, 1.0, has_weight ? weight : 0.0,
+              "weight.bar");
+    panel.write("code.current", panel.right, number, type::kCode, Align::right);
+    panel.y += kRow;
+  }
+  if (panel.phase() == Phase::cull) {
+    for (const auto& vertex : panel.run.step(panel.frame).record.dropped) {
+      panel.add("dropped", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
+      panel.write("body.muted", name_at, panel.run.pair_name(vertex.pair), type::kStrong);
+      panel.write("body.muted", x0, "dropped: weight 0", type::kBody);
+      panel.y += kRow;
+      ++rows;
+    }
+  }
+  if (panel.knows_support()) {
+    panel.add("support", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
+    panel.write("support.label", name_at, panel.run.pair_name(panel.state.support.pair),
+                type::kStrong);
+    const bool known = panel.state.stop == gjk::StopReason::repeated_support;
+    const bool decided = panel.phase() == Phase::stop;
+    panel.write("support.label", x0,
+                !decided                                       ? "support point"
+                : known                                        ? "in S already: stop"
+                : panel.state.stop == gjk::StopReason::running ? "new: goes on"
+                                                               : "support point",
+                type::kBody);
+    panel.y += kRow;
+    ++rows;
+  }
+  // Blocks below keep their place while the simplex grows and shrinks.
+  for (; rows < 4; ++rows) panel.y += kRow;
+}
+
+void scan(PanelBuilder& panel) {
+  static const std::vector<gjk::ScanEntry<double>> none;
+  const gjk::Record<double, 2>* record = nullptr;
+  if (panel.phase() == Phase::support) record = &panel.run.step(panel.frame).record;
+  if (panel.stop_follows_support())
+    record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
+  const double top = panel.y;
+  if (panel.run.point_query()) {
+    scan_of(panel, record ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
+            panel.right, "Support scan: dot(d, vertex)");
+    return;
+  }
+  const double middle = 0.5 * (panel.left + panel.right);
+  scan_of(panel, record ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
+          middle - 14.0, "dot(d, Y)");
+  const double bottom = panel.y;
+  panel.y = top;
+  scan_of(panel, record ? record->scan_x : none, panel.run.lesson.x.vertex_names, middle + 14.0,
+          panel.right, "dot(−d, X)");
+  panel.y = std::max(panel.y, bottom);
+}
+
+void bounds(PanelBuilder& panel) {
+  panel.write("heading", panel.left, "Distance lies in", type::kHeading);
+  const bool known = panel.frame.step >= 0;
+  const DistanceBounds bounds = known ? panel.run.bounds(panel.frame) : DistanceBounds{};
+  const double low = bounds.lower;
+  const double high = bounds.upper;
+  panel.write("code.current", panel.right,
+              known ? format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",
+              type::kCode, Align::right);
+  panel.y += 22.0;
+  const double first_high = known ? panel.run.run(panel.frame).bounds.front().upper : 0.0;
+  panel.add("bounds.track", Box{{{panel.left, panel.y - 8.0}, {panel.right, panel.y}}, 4.0});
+  if (known && first_high > 0.0) {
+    const auto at = [&](double v) {
+      return panel.left + std::min(v / first_high, 1.0) * (panel.right - panel.left);
+    };
+    double a = at(low);
+    double b = at(high);
+    if (b - a < 4.0) a = std::max(panel.left, 0.5 * (a + b) - 2.0), b = a + 4.0;
+    panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
+    panel.y += 18.0;
+    const bool close = b - a < 110.0;
+    const double line_at = close ? a - 6.0 : a;
+    if (low > 0.0) {
+      panel.write("body.muted", std::max(line_at, panel.left + 80.0), "support line", type::kTick,
+                  Align::right);
+    }
+    panel.write("body.muted", std::min(b, panel.right - 12.0), "P", type::kTick,
+                close && low > 0.0 ? Align::left : Align::center);
+  } else {
+    panel.y += 18.0;
+  }
+  panel.y += kRow;
+}
+
+void direction_rules(PanelBuilder& panel) {
+  panel.heading("Two ways to build d");
+  const bool built = panel.state.simplex.count == 2 && panel.phase() &&
+                     *panel.phase() != Phase::closest && *panel.phase() != Phase::cull;
+  static const DirectionRules::Value none;
+  const DirectionRules::Value& rules =
+      built ? panel.effects.get<DirectionRules>(panel.frame) : none;
+  const std::string edge = panel.state.simplex.count == 2
+                               ? panel.words.vertex(1) + " − " + panel.words.vertex(0)
+                               : "edge";
+  for (const gjk::DirectionRule rule :
+       {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
+    const bool towards = rule == gjk::DirectionRule::towards_origin;
+    panel.write("strong", panel.left, towards ? "d = Q − P" : format("d = cross({}, z)", edge),
+                type::kStrong);
+    const bool used = panel.run.lesson.options.direction_rule == rule;
+    panel.write("body.muted", panel.right, used ? "used by this run" : "for comparison",
+                type::kTick, Align::right);
+    panel.y += kRow;
+    const auto found =
+        std::find_if(rules.begin(), rules.end(), [&](const auto& b) { return b.rule == rule; });
+    const bool known = found != rules.end();
+    panel.write("code", panel.left + 12.0, "d", type::kCode);
+    panel.write("code.current", panel.right, known ? panel.numbers.point(found->d) : "–",
+                type::kCode, Align::right);
+    panel.y += kTightRow;
+    panel.write("code", panel.left + 12.0, format("dot(d, {})", edge), type::kCode);
+    panel.write(known && found->dot_with_edge == 0.0 ? "pass"
+                : known                              ? "fail"
+                                                     : "code",
+                panel.right, known ? panel.numbers(found->dot_with_edge) : "–", type::kCodeBold,
+                Align::right);
+    panel.y += kTightRow;
+    panel.write("body.muted", panel.left + 12.0,
+                !known                        ? ""
+                : found->dot_with_edge == 0.0 ? "exactly perpendicular"
+                                              : "not perpendicular: round-off of P",
+                type::kBody);
+    panel.y += kRow + 6.0;
+  }
+}
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "effects/barycentric.hpp"
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using Eigen::Vector2d;
+using fmt::format;
+using namespace rows;
+
+constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+
+}  // namespace
+
+void weights(PanelBuilder& panel) {
+  const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
+  const int count = value.simplex.count;
+  const bool point_query = panel.run.point_query();
+  panel.heading(count == 3   ? "Weights: fractional areas, signed"
+                : count == 2 ? "Weights: fractional lengths, signed"
+                             : "Weights");
+  if (value.weights.empty()) {
+    panel.write("body.muted", panel.left, "the simplex is degenerate: no coordinates", type::kBody);
+    panel.y += kRow;
+    return;
+  }
+  constexpr double kLow = -1.0;
+  constexpr double kHigh = 2.0;
+  const double x0 = panel.left + 28.0;
+  const double x1 = panel.right - 84.0;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double weight = value.weights[i];
+    sum += weight;
+    panel.write("strong", panel.left,
+                point_query ? std::string(kLetters[i])
+                            : panel.run.pair_name(value.simplex.vertices[i].pair),
+                type::kStrong);
+    panel.bar(x0, x1, kLow, kHigh, weight, weight < 0.0 ? "weight.negative" : "weight.bar");
+    panel.write("code.current", panel.right,
+                panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
+                                                               : panel.numbers.weight(weight),
+                type::kCodeBold, Align::right);
+    panel.y += 28.0;
+  }
+  panel.y -= 6.0;
+  for (const int tick : {-1, 0, 1, 2}) {
+    panel.write("body.muted", x0 + (tick - kLow) / (kHigh - kLow) * (x1 - x0), fixed(tick, 0),
+                type::kTick, Align::center);
+  }
+  panel.y += kRow + 2.0;
+  panel.write("body.muted", panel.left, count == 3 ? "u + v + w" : "u + v", type::kBody);
+  panel.write(
+      "code", panel.right,
+      panel.run.lesson.scalar == ScalarKind::double_ ? fixed(sum, 3) : panel.numbers.weight(sum),
+      type::kCode, Align::right);
+  panel.y += kRow;
+  if (!point_query) return;
+  const std::string& a = panel.run.lesson.y.vertex_names[0];
+  const std::string& b = panel.run.lesson.y.vertex_names[1];
+  const std::string q = query_name(panel.run);
+  const auto formula = [&](const std::string& text) {
+    panel.write("code", panel.left, text, type::kCode);
+    panel.y += kTightRow + 2.0;
+  };
+  if (count == 2) {
+    formula(format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+    formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+  }
+}
+
+void linear_system(PanelBuilder& panel) {
+  const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
+  if (value.simplex.count != 3) return;
+  panel.heading("The same as a linear system");
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  const Vector2d q = positioned.x_world[0];
+  constexpr double kColumn = 62.0;
+  const double top = panel.y;
+  for (int row = 0; row < 3; ++row) {
+    double x = panel.left + 58.0;
+    for (int column = 0; column < 3; ++column) {
+      const Vector2d vertex = value.simplex.vertices[column].w + q;
+      panel.write("code", x, row < 2 ? fixed(vertex[row], 2) : "1", type::kCode, Align::right);
+      x += kColumn;
+    }
+    panel.write("code.current", panel.left + 216.0, std::string(kLetters[row]), type::kCodeBold,
+                Align::center);
+    panel.write("code", panel.left + 252.0, row == 1 ? "=" : "", type::kCode, Align::center);
+    panel.write("code", panel.left + 334.0, row < 2 ? fixed(q[row], 2) : "1", type::kCode,
+                Align::right);
+    panel.y += kRow;
+  }
+  const auto bracket = [&](double x, double open) {
+    const double up = top - 16.0;
+    const double down = panel.y - kRow + 8.0;
+    panel.add("weight.axis", Polyline{{{x + open, up}, {x, up}, {x, down}, {x + open, down}}});
+  };
+  bracket(panel.left + 2.0, 5.0);
+  bracket(panel.left + 194.0, -5.0);
+  bracket(panel.left + 204.0, 5.0);
+  bracket(panel.left + 228.0, -5.0);
+  bracket(panel.left + 274.0, 5.0);
+  bracket(panel.left + 344.0, -5.0);
+}
+
+}  // namespace gjkscope::blocks

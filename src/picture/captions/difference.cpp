@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+
+using Eigen::Vector2d;
+using fmt::format;
+
+void pairs(const Story& story, FrameText& text) {
+  const int per_x = static_cast<int>(story.positioned.y_world.size());
+  const int all = static_cast<int>(story.positioned.x_world.size()) * per_x;
+  const std::string& x = story.run.lesson.x.name;
+  const std::string& y = story.run.lesson.y.name;
+  if (story.frame.detail == 0) {
+    text.caption =
+        format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
+               y, per_x, all / per_x, all);
+    text.detail =
+        "Each difference is a point of the right-hand view: the arrow from the vertex of X to "
+        "the vertex of Y, moved to O.";
+  } else if (story.frame.detail <= all) {
+    const gjk::VertexPair pair{(story.frame.detail - 1) / per_x, (story.frame.detail - 1) % per_x};
+    const Vector2d a = story.positioned.x_world[pair.x];
+    const Vector2d b = story.positioned.y_world[pair.y];
+    text.caption = format("{} = {} − {} = {}.", story.run.pair_name(pair), story.numbers.point(b),
+                          story.numbers.point(a), story.numbers.point(b - a));
+    text.detail = format("Point {} of {}: the arrow from {} to {}, moved so that it starts at O.",
+                         story.frame.detail, all, story.run.lesson.x.vertex_names[pair.x],
+                         story.run.lesson.y.vertex_names[pair.y]);
+  } else {
+    text.caption =
+        format("The hull of the {} points is the Minkowski difference Z = {} − {}.", all, y, x);
+    text.detail =
+        story.trace.result.distance > 0.0
+            ? format("O lies outside, at distance {}: exactly the distance between {} and {}.",
+                     story.numbers(story.trace.result.distance), x, y)
+            : format("O lies inside: {} and {} overlap.", x, y);
+  }
+}
+
+}  // namespace gjkscope::captions

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lesson/names.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+
+using fmt::format;
+
+void start(const Story& story, FrameText& text) {
+  if (story.state.stop == gjk::StopReason::failed) {
+    text.caption = format("The run is refused: {}.", name_of(story.state.error));
+    text.detail = "No distance is better than a wrong one.";
+    return;
+  }
+  const int count = story.state.simplex.count;
+  if (story.run.lesson.options.start_rule == gjk::StartRule::centre_to_centre) {
+    text.caption = format("Start with {}: the vertex farthest along the line between the centres.",
+                          story.words.face(story.state.simplex.all()));
+  } else if (count == 1) {
+    text.caption =
+        format("Start with {}: any vertex will do.", story.words.face(story.state.simplex.all()));
+  } else {
+    text.caption = format("Start with the {}.", story.simplex_name());
+  }
+  text.detail =
+      count == 1
+          ? "The simplex is this one point. First question: which of its points is closest to " +
+                story.q + "?"
+          : format("First question: which of its points is closest to {}?", story.q);
+}
+
+void cull(const Story& story, FrameText& text) {
+  const std::vector<gjk::SupportPoint<double, 2>>& dropped =
+      story.run.step(story.frame).record.dropped;
+  const gjk::Phase next = story.trace.steps[story.frame.step + 1].phase;
+  if (dropped.empty()) {
+    if (story.state.simplex.count == 1) {
+      text.caption =
+          format("Nothing to drop: the simplex is {} alone.", story.words.face(story.state.region));
+    } else if (story.state.simplex.count == 3) {
+      text.caption = "Nothing is dropped: all three vertices have weight.";
+    } else {
+      text.caption = "Nothing is dropped: both vertices have weight in P.";
+    }
+  } else {
+    std::string names;
+    for (const auto& vertex : dropped)
+      names += (names.empty() ? "" : " and ") + story.run.pair_name(vertex.pair);
+    text.caption = format("{} {} dropped: P lies on {}, so {} weight is 0.", names,
+                          dropped.size() == 1 ? "is" : "are",
+                          story.state.simplex.count == 1 ? story.words.face(story.state.region)
+                                                         : story.edge_name(story.state.region),
+                          dropped.size() == 1 ? "its" : "their");
+  }
+  if (next == gjk::Phase::stop) {
+    text.detail =
+        story.state.simplex.count == 3
+            ? format(
+                  "A triangle that contains {} cannot get closer: nothing is left to search for.",
+                  story.q)
+            : "P came no nearer than before: nothing is left to search for.";
+  } else {
+    text.detail = format("Next: a direction d in which to look for a point closer to {}.", story.q);
+  }
+}
+
+void direction(const Story& story, FrameText& text) {
+  const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
+  if (!(story.state.d.norm() > 0.0)) {
+    text.caption = format("d = 0: P is {} itself.", story.q);
+    text.detail = "There is no direction left to search in.";
+  } else if (!note.from_normal) {
+    text.caption =
+        format("d points from P to {}: look for a vertex that lies farther that way.", story.q);
+    text.detail = format("d = {} − P = {}.", story.q, story.numbers.point(story.state.d));
+  } else {
+    text.caption =
+        note.sign_is_arbitrary
+            ? format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
+                     story.edge_words(), story.q)
+            : format("d is perpendicular to {} and points to {}'s side.", story.edge_words(),
+                     story.q);
+    text.detail =
+        format("d = {} comes from the edge alone, without a division{}.",
+               story.numbers.point(story.state.d),
+               note.flipped ? format("; its sign was flipped, because dot(d, {} − {}) was negative",
+                                     story.q, story.words.vertex(0))
+                            : "");
+  }
+}
+
+void support(const Story& story, FrameText& text) {
+  const gjk::VertexPair pair = story.state.support.pair;
+  const std::string name = story.run.pair_name(pair);
+  if (story.run.point_query()) {
+    const auto& scan = story.run.step(story.frame).record.scan_y;
+    const auto farthest = std::find_if(scan.begin(), scan.end(),
+                                       [&](const auto& entry) { return entry.index == pair.y; });
+    const std::size_t count = story.run.lesson.y.vertices.size();
+    text.caption = format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
+                          story.numbers(farthest->value),
+                          count == 2 ? "larger of the two" : format("largest of all {}", count));
+  } else {
+    text.caption =
+        format("{} lies farthest along d: {} is the support point of {}, {} that of {} along −d.",
+               name, story.run.lesson.y.vertex_names[pair.y], story.run.lesson.y.name,
+               story.run.lesson.x.vertex_names[pair.x], story.run.lesson.x.name);
+  }
+  const bool known = std::any_of(story.state.simplex.vertices.begin(),
+                                 story.state.simplex.vertices.begin() + story.state.simplex.count,
+                                 [&](const auto& vertex) { return vertex.pair == pair; });
+  text.detail =
+      known ? format("It is in the simplex already: nothing of {} lies farther that way.",
+                     story.set_name())
+            : format("It is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
+                     story.set_name());
+}
+
+void stop(const Story& story, FrameText& text) {
+  const auto& [lower, upper] = story.run.bounds(story.frame);
+  const std::string bounds =
+      format("The distance lies between {} and {}.", story.numbers(lower), story.numbers(upper));
+  const std::string support = story.run.pair_name(story.state.support.pair);
+  const std::string final_distance =
+      format("The distance is {}.", story.numbers(story.trace.result.distance));
+  switch (story.state.stop) {
+    case gjk::StopReason::running:
+      text.caption = format("Go on: {} is new, and lies farther along d than P does.", support);
+      text.detail = lower > 0.0
+                        ? bounds
+                        : format("No line separates {} from {} yet, but P is at distance {}.",
+                                 story.q, story.set_name(), story.distance());
+      return;
+    case gjk::StopReason::repeated_support:
+      text.caption =
+          format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.", support,
+                 story.set_name(), story.q);
+      text.detail = final_distance;
+      if (lower > 0.0) {
+        text.detail +=
+            format(" The dashed line proves it: it has all of {} on one side and {} on the other.",
+                   story.set_name(), story.q);
+      }
+      return;
+    case gjk::StopReason::origin_inside:
+      text.caption = format("Stop: {} lies inside the triangle {}.", story.q,
+                            story.words.face(story.state.simplex.all()));
+      text.detail = "The distance is 0: the shapes overlap.";
+      return;
+    case gjk::StopReason::zero_direction:
+      text.caption = format("Stop: d = 0, because P is {}.", story.q);
+      text.detail = "The distance is 0.";
+      return;
+    case gjk::StopReason::no_progress:
+      text.caption =
+          story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
+              ? format("Stop: P came no nearer to {} than it was an iteration ago.", story.q)
+              : format("Stop: nothing of {} lies farther along d than the simplex does.",
+                       story.set_name());
+      text.detail = final_distance;
+      return;
+    case gjk::StopReason::within_tolerance:
+      text.caption = "Stop: the bounds are as close as was asked for.";
+      text.detail = bounds;
+      return;
+    case gjk::StopReason::iteration_cap:
+      text.caption = format("Stop: {} iterations are all that was allowed. This is no answer yet.",
+                            story.state.iteration);
+      text.detail = bounds;
+      return;
+    case gjk::StopReason::failed:
+      text.caption = format("The run is refused: {}.", name_of(story.state.error));
+      return;
+  }
+}
+
+void add(const Story& story, FrameText& text) {
+  const int count = story.state.simplex.count;
+  text.caption = format("{} joins the simplex, which is now the {}.", story.words.vertex(count - 1),
+                        story.simplex_name());
+  text.detail = format("Iteration {} asks again: which of its points is closest to {}?",
+                       story.state.iteration, story.q);
+}
+
+}  // namespace gjkscope::captions

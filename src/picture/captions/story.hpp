@@ -1,0 +1,68 @@
+#pragma once
+// What the captions of a frame are told with: its state, the names of things, and what is known by
+// then. Each family of captions is a file of this folder.
+
+#include <string>
+#include <vector>
+
+#include "picture/frame.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope {
+
+struct Story {
+  Story(const LessonRun& lesson_run, const Frame& shown);
+
+  [[nodiscard]] bool phase_is(gjk::Phase phase) const;
+  [[nodiscard]] bool ended() const { return state.stop != gjk::StopReason::running; }
+  [[nodiscard]] bool knows_p() const;
+  [[nodiscard]] bool knows_direction() const {
+    return phase_is(gjk::Phase::direction) || knows_support();
+  }
+  [[nodiscard]] bool knows_support() const;
+  [[nodiscard]] const std::vector<gjk::RegionTest<double>>& region_tests() const {
+    return run.step(frame).record.region_tests;
+  }
+
+  [[nodiscard]] Eigen::Vector2d p_world() const;
+  [[nodiscard]] std::string distance() const;
+  /// The polygon of a point query, or Z.
+  [[nodiscard]] std::string set_name() const;
+  [[nodiscard]] std::string simplex_name() const;
+  /// "P = 0.3 B + 0.7 C"
+  [[nodiscard]] std::string p_is() const;
+  [[nodiscard]] std::string edge_name(gjk::Face face) const;
+  [[nodiscard]] std::string edge_words() const { return edge_name(state.simplex.all()); }
+  [[nodiscard]] std::string weight(const gjk::RegionTerm<double>& term) const;
+  /// The same, positive numbers with a plus sign.
+  [[nodiscard]] std::string signed_weight(const gjk::RegionTerm<double>& term) const;
+
+  const LessonRun& run;
+  const Frame& frame;
+  const PositionedRun& positioned;
+  const WideTrace& trace;
+  const gjk::State<double, 2>& state;
+  Numbers numbers;
+  SimplexWords words;
+  std::string q;  ///< Name of the query point.
+};
+
+namespace captions {
+
+// regions.cpp
+void closest(const Story& story, FrameText& text);
+void region_test(const Story& story, FrameText& text);
+
+// run.cpp
+void start(const Story& story, FrameText& text);
+void cull(const Story& story, FrameText& text);
+void direction(const Story& story, FrameText& text);
+void support(const Story& story, FrameText& text);
+void stop(const Story& story, FrameText& text);
+void add(const Story& story, FrameText& text);
+
+// difference.cpp
+void pairs(const Story& story, FrameText& text);
+
+}  // namespace captions
+}  // namespace gjkscope

@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include "effects/minkowski.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+/// How many differences granularity "pairs" has made by this frame; all of them elsewhere.
+int pairs_made(const SceneBuilder& scene, int all) {
+  return scene.run.lesson.granularity == Granularity::pairs ? std::min(scene.frame.detail, all)
+                                                            : all;
+}
+bool hull_is_shown(const SceneBuilder& scene, int all) {
+  return scene.run.lesson.granularity != Granularity::pairs || scene.frame.detail > all;
+}
+
+}  // namespace
+
+void difference(SceneBuilder& scene) {
+  const bool wants_hull = calls_for(scene.view, MinkowskiHull::kName);
+  const bool wants_cloud = calls_for(scene.view, MinkowskiCloud::kName);
+  if (!wants_hull && !wants_cloud) return;
+  const int all =
+      static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
+  const bool names_all = all <= 12 && scene.run.lesson.granularity == Granularity::pairs;
+  if (wants_hull && hull_is_shown(scene, all)) {
+    const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
+    const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
+    std::vector<Point> points;
+    for (const int index : hull) points.push_back(scene.at(cloud[index].z));
+    scene.area("hull", points);
+    scene.outline(points);
+  }
+  if (wants_cloud && pairs_made(scene, all) > 0) {
+    const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
+    const int made = pairs_made(scene, all);
+    Point middle = Point::Zero();
+    for (const CloudPoint& point : cloud) middle += scene.at(point.z) / static_cast<double>(all);
+    for (int i = 0; i < made; ++i) {
+      const Point point = scene.at(cloud[i].z);
+      scene.disk("cloud.point", point, kCloudRadius);
+      if (names_all) {
+        const std::string name = scene.run.pair_name(cloud[i].pair);
+        scene.out.fixed_labels.push_back(scene.label("cloud:" + name, name, "cloud.label",
+                                                     type::kSmallVertex, point, kCloudRadius,
+                                                     point - middle));
+      }
+    }
+  }
+}
+
+/// Granularity "pairs": the pair that makes the newest difference, in both views.
+void pair_under_construction(SceneBuilder& scene) {
+  const int all =
+      static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
+  const int made = scene.frame.detail;
+  if (made > all) {
+    if (scene.view.kind == ViewKind::difference) {
+      scene.line("closest.line", scene.at(Vector2d::Zero()),
+                 scene.at(scene.positioned.trace.result.y - scene.positioned.trace.result.x));
+      scene.disk("closest",
+                 scene.at(scene.positioned.trace.result.y - scene.positioned.trace.result.x),
+                 kClosestRadius);
+    } else {
+      scene.line("closest.line", scene.at(scene.positioned.trace.result.x),
+                 scene.at(scene.positioned.trace.result.y));
+      scene.disk("closest", scene.at(scene.positioned.trace.result.x), kClosestRadius);
+      scene.disk("closest", scene.at(scene.positioned.trace.result.y), kClosestRadius);
+    }
+    return;
+  }
+  if (made < 1) return;
+  const int per_x = static_cast<int>(scene.positioned.y_world.size());
+  const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
+  const Vector2d x = scene.positioned.x_world[pair.x];
+  const Vector2d y = scene.positioned.y_world[pair.y];
+  if (scene.view.kind == ViewKind::world) {
+    scene.arrow("difference.arrow", scene.at(x), scene.at(y));
+    scene.disk("support", scene.at(x), kSimplexRadius);
+    scene.disk("support", scene.at(y), kSimplexRadius);
+  } else {
+    scene.arrow("difference.arrow", scene.at(Vector2d::Zero()), scene.at(y - x));
+    scene.disk("cloud.current", scene.at(y - x), kSimplexRadius);
+  }
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "effects/barycentric.hpp"
+#include "picture/layers/layers.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+/// Granularity "test" shows an area only while its sign decides: when the region of its edge is
+/// tested.
+bool measures_tested_edge(const SceneBuilder& scene, const BarycentricParts::Part& part) {
+  if (scene.run.lesson.granularity != Granularity::test || part.points.size() != 3) return true;
+  if (scene.frame.detail < 0) return false;
+  const gjk::Face tested =
+      scene.run.step(scene.frame).record.region_tests[scene.frame.detail].region;
+  return gjk::vertex_count(tested) == 2 && !gjk::contains(tested, part.vertex);
+}
+
+}  // namespace
+
+/// Lengths and areas in proportion to the barycentric coordinates.
+void parts(SceneBuilder& scene) {
+  if (!scene.tests_regions() || !scene.phase) return;
+  constexpr std::array<std::string_view, 3> kRoles = {"area.u", "area.v", "area.w"};
+  constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+  int side = 1;
+  for (const BarycentricParts::Part& part : scene.effects.get<BarycentricParts>(scene.frame)) {
+    if (!measures_tested_edge(scene, part)) continue;
+    std::vector<Point> points;
+    for (const Vector2d& point : part.points) points.push_back(scene.at_difference(point));
+    const std::string role = part.weight < 0.0 ? "area.negative" : std::string(kRoles[part.vertex]);
+    const std::string text = fmt::format("{} = {}", kLetters[part.vertex],
+                                         Numbers(scene.run.lesson).weight(part.weight));
+    if (points.size() == 3) {
+      scene.area(role, points);
+      scene.outline(points);
+      // Where the area is too thin for its label: outside of the simplex, at the edge that the
+      // area stands on.
+      // A negative area lies beyond that edge, up to Q.
+      const bool beyond = part.weight < 0.0;
+      const Point foot = beyond ? points[0] : Point(0.5 * (points[1] + points[2]));
+      const std::string id = fmt::format("part:{}{}", part.vertex, beyond ? ":beyond" : "");
+      LabelRequest outside =
+          scene.label(id + ":outside", text, "area.label", type::kSmallVertex, foot,
+                      beyond ? kPointRadius : 4.0, foot - scene.vertex_at(part.vertex));
+      outside.keeps_side = true;
+      scene.out.area_labels.push_back(
+          {id, text, "area.label", type::kSmallVertex, points, outside});
+    } else {
+      const Point along = points[1] - points[0];
+      if (along.norm() < 1.0) continue;
+      Point normal = Point(along.y(), -along.x()).normalized();
+      if (normal.y() < 0.0) normal = -normal;  // below the segment on screen, one row a weight
+      const Point offset = normal * kLengthOffset * side;
+      scene.line(role + ".length", points[0] + offset, points[1] + offset);
+      scene.out.moving_labels.push_back(
+          scene.label("part:" + std::to_string(part.vertex), text, "area.label", type::kSmallVertex,
+                      0.5 * (points[0] + points[1]) + offset, 3.0, normal));
+    }
+    ++side;
+  }
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "effects/voronoi.hpp"
+#include "picture/layers/layers.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+/// What the region tests have said of a face so far; granularity "test" reveals them one by one.
+enum class RegionFate { untried, rejected, testing, holds };
+RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
+  const auto& tests = scene.run.step(scene.frame).record.region_tests;
+  const bool gradual = scene.run.lesson.granularity == Granularity::test;
+  const int reached = gradual ? scene.frame.detail : static_cast<int>(tests.size()) - 1;
+  for (int i = 0; i <= reached; ++i) {
+    if (tests[i].region != face) continue;
+    if (tests[i].holds) return RegionFate::holds;
+    return i == reached && gradual ? RegionFate::testing : RegionFate::rejected;
+  }
+  return RegionFate::untried;
+}
+
+/// Each region's border once: the normals of every edge at its ends, outwards.
+void borders(SceneBuilder& scene) {
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
+  for (int i = 0; i < simplex.count; ++i) {
+    for (int j = i + 1; j < simplex.count; ++j) {
+      const Vector2d a = simplex.vertices[i].w + scene.shift;
+      const Vector2d b = simplex.vertices[j].w + scene.shift;
+      const Vector2d edge = b - a;
+      if (edge.norm() == 0.0) continue;
+      Vector2d outwards = Vector2d(edge.y(), -edge.x()).normalized();
+      const bool triangle = simplex.count == 3;
+      if (triangle && outwards.dot(simplex.vertices[3 - i - j].w + scene.shift - a) > 0.0)
+        outwards = -outwards;
+      for (const Vector2d& end : {a, b}) {
+        scene.line("region.border", scene.at(triangle ? end : Vector2d(end - reach * outwards)),
+                   scene.at(end + reach * outwards));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void regions(SceneBuilder& scene) {
+  if (!scene.phase || !scene.tests_regions()) return;
+  const SimplexWords words(scene.run, scene.state.simplex);
+  const bool gradual = scene.run.lesson.granularity == Granularity::test;
+  for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
+    std::vector<Vector2d> polygon = scene.map.visible();
+    for (const HalfPlane& half_plane : region.half_planes) {
+      polygon = clip(polygon, {half_plane.point + scene.shift, half_plane.normal});
+    }
+    if (polygon.empty()) continue;
+    std::vector<Point> points;
+    for (const Vector2d& corner : polygon) points.push_back(scene.at(corner));
+    constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
+    const RegionFate fate = fate_of(scene, region.face);
+    std::string role = fmt::format("region.{}", kKinds[gjk::vertex_count(region.face)]);
+    if (fate == RegionFate::holds) role = "region.active";
+    if (gradual && fate == RegionFate::rejected) role = "region.rejected";
+    if (fate == RegionFate::testing) role = "region.testing";
+    scene.area(std::move(role), points);
+    const bool interior = gjk::vertex_count(region.face) == 3;
+    const std::string name = interior ? "interior" : "region " + words.face(region.face);
+    scene.out.area_labels.push_back(
+        {"region:" + name, name, "region.label", type::kRegion, points, {}});
+  }
+  borders(scene);
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "effects/history.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+std::string subscript(int number) {
+  std::string out;
+  for (const char digit : std::to_string(number))
+    out += std::string("₀₁₂₃₄₅₆₇₈₉").substr(3 * (digit - '0'), 3);
+  return out;
+}
+
+void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex) {
+  if (scene.shows_difference) {
+    scene.disk("dropped", scene.at_difference(vertex.w), kRingRadius);
+    if (!scene.run.point_query()) scene.pair_label(vertex, "dropped.label");
+  }
+}
+
+Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
+
+void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
+                  const std::string& text) {
+  if (!(d.norm() > 0.0)) return;
+  const Point along = direction_on_screen(d);
+  const Point tip = from + length * along;
+  scene.arrow("direction", from, tip);
+  scene.out.moving_labels.push_back(
+      scene.label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
+}
+
+}  // namespace
+
+void history(SceneBuilder& scene) {
+  for (const History::Entry& entry : scene.effects.get<History>(scene.frame)) {
+    if (!scene.shows_difference) continue;
+    std::vector<Point> points;
+    for (int i = 0; i < entry.simplex.count; ++i)
+      points.push_back(scene.at_difference(entry.simplex.vertices[i].w));
+    if (points.size() > 1) {
+      scene.add("history.simplex", Polyline{points, points.size() > 2});
+      scene.outline(points);
+    }
+    const Point p = scene.at_difference(entry.p);
+    scene.add("history.closest", Disk{p, 3.5});
+    scene.out.obstacles.circles.push_back({p, 3.5});
+    scene.out.moving_labels.push_back(scene.label(fmt::format("history:{}", entry.iteration),
+                                                  fmt::format("P{}", subscript(entry.iteration)),
+                                                  "history.label", type::kSmallVertex, p, 3.5));
+  }
+}
+
+void simplex(SceneBuilder& scene) {
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const gjk::Face face = scene.knows_closest_point() ? scene.state.region : gjk::Face{0};
+  if (scene.shows_difference) {
+    std::vector<Point> points;
+    for (int i = 0; i < simplex.count; ++i) points.push_back(scene.vertex_at(i));
+    if (scene.shows_whole_simplex() && points.size() == 3) scene.area("simplex.fill", points);
+    for (int i = 0; i < simplex.count; ++i) {
+      for (int j = i + 1; j < simplex.count; ++j) {
+        const bool holds_p =
+            gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
+        if (holds_p || scene.shows_whole_simplex())
+          scene.line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
+      }
+    }
+  }
+  for (int i = 0; i < simplex.count; ++i) {
+    if (!scene.shows_whole_simplex() && !gjk::contains(face, i)) continue;
+    scene.simplex_vertex(simplex.vertices[i], "simplex");
+  }
+  if (scene.phase == gjk::Phase::cull) {
+    for (const gjk::SupportPoint<double, 2>& dropped : scene.run.step(scene.frame).record.dropped)
+      dropped_vertex(scene, dropped);
+  }
+}
+
+void closest_line(SceneBuilder& scene) {
+  if (scene.knows_closest_point() && !scene.reaches_query()) {
+    scene.line("closest.line", scene.at_difference(scene.state.p),
+               scene.at_difference(Vector2d::Zero()));
+  }
+}
+
+void closest_point(SceneBuilder& scene) {
+  if (!scene.knows_closest_point()) return;
+  const Point p = scene.at_difference(scene.state.p);
+  scene.disk("closest", p, kClosestRadius);
+  if (scene.reaches_query()) return;  // Q's label names both
+  scene.out.moving_labels.push_back(scene.label("P", "P", "closest.label", type::kVertex, p,
+                                                kPointRadius,
+                                                p - scene.at_difference(Vector2d::Zero())));
+}
+
+void witness_points(SceneBuilder& scene) {
+  if (!scene.knows_closest_point()) return;
+  Vector2d x = Vector2d::Zero();
+  Vector2d y = Vector2d::Zero();
+  for (int i = 0; i < scene.state.simplex.count; ++i) {
+    x += scene.state.simplex.weights[i] * scene.vertex_of_x(scene.state.simplex.vertices[i]);
+    y += scene.state.simplex.weights[i] * scene.vertex_of_y(scene.state.simplex.vertices[i]);
+  }
+  scene.line("closest.line", scene.at(x), scene.at(y));
+  scene.disk("closest", scene.at(x), kClosestRadius);
+  scene.disk("closest", scene.at(y), kClosestRadius);
+}
+
+void search(SceneBuilder& scene) {
+  if (scene.has_support()) {
+    const Point w = scene.at_difference(scene.state.support.w);
+    const Point along = direction_on_screen(scene.state.d);
+    const Point across(-along.y(), along.x());
+    const double reach = scene.map.area().size().norm();
+    scene.add("support.plane", Polyline{{w - reach * across, w + reach * across}});
+    scene.out.obstacles.segments.push_back({w - reach * across, w + reach * across});
+  }
+  if (scene.has_direction()) {
+    // An arrow as long as the way to O would hide O under its head.
+    const double way =
+        (scene.at_difference(scene.state.p) - scene.at_difference(Vector2d::Zero())).norm();
+    const double length =
+        way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
+    search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d, length, "d");
+  }
+  if (scene.has_support()) scene.simplex_vertex(scene.state.support, "support");
+}
+
+void search_between_shapes(SceneBuilder& scene) {
+  if (!scene.has_support()) return;
+  search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
+               "d");
+  search_arrow(scene, scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
+               "−d");
+  scene.simplex_vertex(scene.state.support, "support");
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,102 @@
+#include "picture/panel_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gjkscope {
+
+using namespace rows;
+using gjk::Phase;
+
+PanelBuilder::PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
+                           const Fonts& type_faces, const Rect& card)
+    : run(lesson_run),
+      effects(graph),
+      frame(shown),
+      fonts(type_faces),
+      state(run.state(frame)),
+      numbers(run.lesson),
+      words(run, state.simplex),
+      left(card.min.x() + kPad),
+      right(card.max.x() - kPad),
+      y(card.min.y() + 30.0) {}
+
+void PanelBuilder::add(std::string role, decltype(Mark::shape) shape) {
+  marks.push_back({std::move(role), std::move(shape)});
+}
+
+void PanelBuilder::write(std::string role, double x, std::string text, const TextStyle& style,
+                         Align align) {
+  add(std::move(role), Text{{x, y}, std::move(text), style, align});
+}
+
+void PanelBuilder::heading(std::string text) {
+  write("heading", left, std::move(text), type::kHeading);
+  y += kRow + 2.0;
+}
+
+void PanelBuilder::rule() {
+  y += kBlockGap - kRow + 2.0;
+  add("card.rule", Polyline{{{left, y}, {right, y}}});
+  y += kBlockGap + 9.0;
+}
+
+void PanelBuilder::highlight(const std::string& role) {
+  const double rise = fonts.cap_height(type::kCode);
+  add(role, Box{{{left - 8.0, y - rise - 6.5}, {right + 8.0, y + 6.5}}, 5.0});
+}
+
+void PanelBuilder::bar(double x0, double x1, double low, double high, double value,
+                       const std::string& role) {
+  const double middle = y - 0.5 * fonts.cap_height(type::kBody);
+  const auto at = [&](double v) {
+    return x0 + (std::clamp(v, low, high) - low) / (high - low) * (x1 - x0);
+  };
+  add("weight.track", Box{{{x0, middle - 6.0}, {x1, middle + 6.0}}, 3.0});
+  if (std::abs(at(value) - at(0.0)) >= 1.0) {
+    add(role, Box{{{std::min(at(0.0), at(value)), middle - 6.0},
+                   {std::max(at(0.0), at(value)), middle + 6.0}},
+                  2.0});
+  }
+  if (low < 0.0) add("weight.axis", Polyline{{{at(0.0), middle - 9.0}, {at(0.0), middle + 9.0}}});
+}
+
+std::optional<Phase> PanelBuilder::phase() const {
+  return frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase);
+}
+
+const std::vector<gjk::RegionTest<double>>& PanelBuilder::region_tests() const {
+  static const std::vector<gjk::RegionTest<double>> none;
+  return phase() == Phase::closest ? run.step(frame).record.region_tests : none;
+}
+
+int PanelBuilder::tests_reached() const {
+  return gradual() ? frame.detail : static_cast<int>(region_tests().size()) - 1;
+}
+
+bool PanelBuilder::stop_follows_support() const {
+  return phase() == Phase::stop && frame.step > 0 &&
+         run.run(frame).trace.steps[frame.step - 1].phase == Phase::support;
+}
+
+bool PanelBuilder::knows_support() const {
+  return phase() == Phase::support || stop_follows_support();
+}
+
+std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const {
+  std::string out;
+  // An edge test also repeats that the projections lie within the edge; the area's sign is what
+  // is new.
+  for (const gjk::RegionTerm<double>& term : words.terms(test)) {
+    if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2)
+      continue;
+    const double value = term.denominator > 0.0 ? term.numerator / term.denominator : 0.0;
+    if (gjk::vertex_count(test.region) == 3) continue;
+    if (!out.empty()) out += " ";
+    out +=
+        run.lesson.scalar == ScalarKind::double_ ? signed_fixed(value, 3) : numbers.weight(value);
+  }
+  return out;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,66 @@
+#pragma once
+// What the blocks of the panel are written with: rows downwards from the top of a card, and what
+// the frame's step knows.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "effects/graph.hpp"
+#include "picture/picture.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope {
+
+/// Distances in frame pixels.
+namespace rows {
+inline constexpr double kPad = 16.0;  // card edge to text
+inline constexpr double kRow = 23.0;  // base line to base line
+inline constexpr double kTightRow = 20.0;
+inline constexpr double kBlockGap = 15.0;  // around the rule between blocks
+}  // namespace rows
+
+/// Writes blocks (picture/blocks/) downwards from the top of a card.
+struct PanelBuilder {
+  PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
+               const Fonts& type_faces, const Rect& card);
+
+  // Writing
+  void add(std::string role, decltype(Mark::shape) shape);
+  /// On the current row.
+  void write(std::string role, double x, std::string text, const TextStyle& style,
+             Align align = Align::left);
+  void heading(std::string text);
+  /// Between two blocks.
+  void rule();
+  /// A box behind the current row.
+  void highlight(const std::string& role = "highlight");
+  /// A bar from zero, on a track from `low` to `high`.
+  void bar(double x0, double x1, double low, double high, double value, const std::string& role);
+
+  // The step
+  [[nodiscard]] std::optional<gjk::Phase> phase() const;
+  /// True where frames step through the region tests.
+  [[nodiscard]] bool gradual() const { return run.lesson.granularity == Granularity::test; }
+  [[nodiscard]] const std::vector<gjk::RegionTest<double>>& region_tests() const;
+  /// Index of the last region test that the frame shows.
+  [[nodiscard]] int tests_reached() const;
+  /// The numbers that decide a region test.
+  [[nodiscard]] std::string test_values(const gjk::RegionTest<double>& test) const;
+  [[nodiscard]] bool stop_follows_support() const;
+  [[nodiscard]] bool knows_support() const;
+
+  const LessonRun& run;
+  EffectGraph& effects;
+  const Frame& frame;
+  const Fonts& fonts;
+  const gjk::State<double, 2>& state;
+  Numbers numbers;
+  SimplexWords words;
+  double left;   ///< Of the text.
+  double right;  ///< Of the text.
+  double y;      ///< Base line of the current row.
+  std::vector<Mark> marks;
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,114 @@
+#include "picture/scene.hpp"
+
+#include <algorithm>
+
+namespace gjkscope {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+std::vector<Vector2d> StageMap::visible() const {
+  const Vector2d half = 0.5 * area_.size() / scale();
+  return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
+          camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
+}
+
+bool calls_for(const LessonView& view, std::string_view effect) {
+  return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
+}
+
+SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
+                           const LessonView& of_view, const StageMap& stage_map)
+    : run(lesson_run),
+      effects(graph),
+      frame(shown),
+      view(of_view),
+      map(stage_map),
+      positioned(run.run(frame)),
+      state(run.state(frame)),
+      shift(view.kind == ViewKind::world && run.point_query() ? positioned.x_world[0]
+                                                              : Vector2d(0.0, 0.0)),
+      shows_difference(view.kind == ViewKind::difference || run.point_query()),
+      phase(frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase)) {}
+
+void SceneBuilder::add(std::string role, decltype(Mark::shape) shape) {
+  out.marks.push_back({std::move(role), std::move(shape)});
+}
+
+void SceneBuilder::area(std::string role, const std::vector<Point>& points) {
+  add(std::move(role), Polygon{points});
+}
+
+void SceneBuilder::line(std::string role, const Point& a, const Point& b) {
+  add(std::move(role), Polyline{{a, b}});
+  out.obstacles.segments.push_back({a, b});
+}
+
+void SceneBuilder::outline(const std::vector<Point>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out.obstacles.segments.push_back({points[i], points[(i + 1) % points.size()]});
+  }
+}
+
+void SceneBuilder::disk(std::string role, const Point& center, double radius) {
+  add(std::move(role), Disk{center, radius});
+  out.obstacles.circles.push_back({center, radius});
+}
+
+void SceneBuilder::arrow(std::string role, const Point& from, const Point& to) {
+  add(std::move(role), Arrow{from, to});
+  out.obstacles.segments.push_back({from, to});
+  out.obstacles.circles.push_back({to, 6.0});
+}
+
+LabelRequest SceneBuilder::label(std::string id, std::string text, std::string role,
+                                 const TextStyle& style, const Point& anchor, double radius,
+                                 const Point& towards) const {
+  return {std::move(id), std::move(text),    std::move(role), style,
+          anchor,        radius + kLabelGap, towards};
+}
+
+void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role) {
+  const std::string name = run.pair_name(vertex.pair);
+  const Point point = at_difference(vertex.w);
+  Point middle = map.area().center();
+  out.fixed_labels.push_back(label("cloud:" + name, name, role, type::kSmallVertex, point,
+                                   kSimplexRadius, point - middle));
+}
+
+void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
+                                  const std::string& role) {
+  if (shows_difference) {
+    disk(role + ".vertex", at_difference(vertex.w), kSimplexRadius);
+    if (!run.point_query()) pair_label(vertex, role + ".label");
+  } else {
+    disk(role + ".vertex", at(vertex_of_x(vertex)), kSimplexRadius);
+    disk(role + ".vertex", at(vertex_of_y(vertex)), kSimplexRadius);
+  }
+}
+
+bool SceneBuilder::knows_closest_point() const {
+  if (!phase || phase == gjk::Phase::add) return false;
+  if (run.lesson.granularity != Granularity::test) return true;
+  return frame.detail == static_cast<int>(run.step(frame).record.region_tests.size()) - 1;
+}
+
+bool SceneBuilder::shows_whole_simplex() const {
+  return run.lesson.granularity == Granularity::phase ||
+         run.lesson.granularity == Granularity::iteration;
+}
+
+bool SceneBuilder::has_direction() const {
+  return phase == gjk::Phase::direction || phase == gjk::Phase::support ||
+         (phase == gjk::Phase::stop && !stopped_early());
+}
+bool SceneBuilder::has_support() const {
+  return phase == gjk::Phase::support || (phase == gjk::Phase::stop && !stopped_early());
+}
+
+bool SceneBuilder::stopped_early() const {
+  if (frame.step < 1) return true;
+  return positioned.trace.steps[frame.step - 1].phase != gjk::Phase::support;
+}
+
+}  // namespace gjkscope

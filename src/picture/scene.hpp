@@ -1,0 +1,132 @@
+#pragma once
+// What the layers of a stage are drawn with: the frame's state, where view coordinates are in the
+// frame, and marks that labels keep away from.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "effects/graph.hpp"
+#include "picture/labels.hpp"
+
+namespace gjkscope {
+
+/// From the coordinates of a view to the frame: uniform scale, y up becomes y down.
+class StageMap {
+ public:
+  /// Pixels from the stage's middle beyond which a point is moved in: a painter computes in single
+  /// precision, and what is out there is seen only as a line's direction.
+  static constexpr double kFarthest = 1e7;
+
+  /// Shows `camera.height` units over the height of `area`, centred.
+  StageMap(const Rect& area, const Camera& camera) : area_(area), camera_(camera) {}
+  [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
+  [[nodiscard]] Point operator()(const Eigen::Vector2d& v) const {
+    const Eigen::Vector2d d =
+        (scale() * (v - camera_.center)).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+    return area_.center() + Point(d.x(), -d.y());
+  }
+  [[nodiscard]] const Rect& area() const { return area_; }
+  /// Corners of what `area` shows, counter-clockwise, in view coordinates.
+  [[nodiscard]] std::vector<Eigen::Vector2d> visible() const;
+
+ private:
+  Rect area_;
+  Camera camera_;
+};
+
+/// What is drawn on a stage at one frame, labels not yet placed.
+struct Scene {
+  std::vector<Mark> marks;
+  std::vector<LabelRequest>
+      fixed_labels;  ///< Of things that stay where they are: one place for the whole lesson.
+  std::vector<LabelRequest> moving_labels;
+  std::vector<AreaLabelRequest> area_labels;
+  Obstacles obstacles;
+};
+
+/// Sizes of marks in frame pixels.
+namespace sizes {
+inline constexpr double kVertexRadius = 4.5;
+inline constexpr double kSimplexRadius = 6.5;
+inline constexpr double kPointRadius = 6.0;
+inline constexpr double kClosestRadius = 4.5;  // a simplex vertex under P stays visible as a ring
+inline constexpr double kCloudRadius = 3.0;
+inline constexpr double kOriginRadius = 9.0;
+inline constexpr double kRingRadius = 10.5;
+inline constexpr double kArrowLength = 76.0;
+inline constexpr double kShortArrow = 26.0;
+inline constexpr double kPairArrow =
+    54.0;  // d and −d at the shapes, which may be close to each other
+inline constexpr double kLabelGap = 7.0;
+inline constexpr double kLengthOffset = 13.0;  // of a fractional length from its segment
+}  // namespace sizes
+
+/// True when a lesson's view names this effect.
+[[nodiscard]] bool calls_for(const LessonView& view, std::string_view effect);
+
+/// Builds the scene of one view at one frame; each layer (picture/layers/) adds its marks and
+/// labels to `out`.
+struct SceneBuilder {
+  SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
+               const LessonView& of_view, const StageMap& stage_map);
+
+  // Positions
+  [[nodiscard]] Point at(const Eigen::Vector2d& view_point) const { return map(view_point); }
+  [[nodiscard]] Point at_difference(const Eigen::Vector2d& z) const { return map(z + shift); }
+  [[nodiscard]] const Eigen::Vector2d& vertex_of_x(
+      const gjk::SupportPoint<double, 2>& vertex) const {
+    return positioned.x_world[vertex.pair.x];
+  }
+  [[nodiscard]] const Eigen::Vector2d& vertex_of_y(
+      const gjk::SupportPoint<double, 2>& vertex) const {
+    return positioned.y_world[vertex.pair.y];
+  }
+  [[nodiscard]] Point vertex_at(int i) const { return at_difference(state.simplex.vertices[i].w); }
+
+  // Marks; all but areas are obstacles for labels, too
+  void add(std::string role, decltype(Mark::shape) shape);
+  void area(std::string role, const std::vector<Point>& points);
+  void line(std::string role, const Point& a, const Point& b);
+  /// The closed outline as an obstacle alone.
+  void outline(const std::vector<Point>& points);
+  void disk(std::string role, const Point& center, double radius);
+  void arrow(std::string role, const Point& from, const Point& to);
+  /// A label `radius` and a little away from its anchor, preferably on the side `towards`.
+  [[nodiscard]] LabelRequest label(std::string id, std::string text, std::string role,
+                                   const TextStyle& style, const Point& anchor, double radius,
+                                   const Point& towards = Point::Zero()) const;
+  /// A vertex of the difference; between polygons its two vertices in the world, and its name.
+  void simplex_vertex(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  void pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+
+  // What the frame's step knows
+  [[nodiscard]] bool tests_regions() const { return phase == gjk::Phase::closest || !phase; }
+  [[nodiscard]] bool knows_closest_point() const;
+  [[nodiscard]] bool reaches_query() const {
+    return knows_closest_point() && state.p.norm() == 0.0;
+  }
+  [[nodiscard]] bool shows_whole_simplex() const;
+  [[nodiscard]] bool has_direction() const;
+  [[nodiscard]] bool has_support() const;
+  /// True when the run went from cull or direction straight to the stop tests.
+  [[nodiscard]] bool stopped_early() const;
+
+  const LessonRun& run;
+  EffectGraph& effects;
+  const Frame& frame;
+  const LessonView& view;
+  const StageMap& map;
+  const PositionedRun& positioned;
+  const gjk::State<double, 2>& state;
+  /// From the difference to the view. A point query's difference is the polygon seen from Q: drawn
+  /// in the world it stands where the polygon is.
+  Eigen::Vector2d shift;
+  bool shows_difference;
+  std::optional<gjk::Phase> phase;
+  Scene out;
+};
+
+}  // namespace gjkscope

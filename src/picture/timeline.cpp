@@ -1,0 +1,154 @@
+#include "picture/timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "picture/words.hpp"
+
+namespace gjkscope {
+namespace {
+
+using fmt::format;
+
+struct Tick {
+  std::string label;
+  std::string short_label;  ///< Where the label is wider than the tick.
+  bool event = false;       ///< A vertex dropped, containment, the end.
+};
+struct Group {
+  std::string label;
+  std::vector<Tick> ticks;
+};
+
+std::vector<Group> timeline_groups(const LessonRun& run) {
+  std::vector<Group> groups;
+  const auto group = [&](const std::string& label) -> Group& {
+    if (groups.empty() || groups.back().label != label) groups.push_back({label, {}});
+    return groups.back();
+  };
+  const Granularity granularity = run.lesson.granularity;
+  const int per_x = static_cast<int>(run.lesson.y.vertices.size());
+  const int all = static_cast<int>(run.lesson.x.vertices.size()) * per_x;
+  for (const Frame& frame : run.frames) {
+    if (granularity == Granularity::path) {
+      const SimplexWords words(run, run.state(frame).simplex);
+      const gjk::Face face = run.state(frame).region;
+      group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face))
+          .ticks.push_back({});
+    } else if (granularity == Granularity::test) {
+      Group& position =
+          group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "ordered tests");
+      if (frame.detail < 0) {
+        position.ticks.push_back({"weights", "", false});
+      } else {
+        const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[frame.detail];
+        position.ticks.push_back(
+            {"region " + SimplexWords(run, run.state(frame).simplex).face(test.region),
+             SimplexWords(run, run.state(frame).simplex).face(test.region), test.holds});
+      }
+    } else if (granularity == Granularity::pairs) {
+      if (frame.detail == 0) {
+        group("start").ticks.push_back({});
+      } else if (frame.detail > all) {
+        group("hull").ticks.push_back({"Z", "", true});
+      } else {
+        const gjk::VertexPair pair{(frame.detail - 1) / per_x, (frame.detail - 1) % per_x};
+        group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]))
+            .ticks.push_back({run.pair_name(pair), "", false});
+      }
+    } else if (frame.step < 0) {
+      group("start").ticks.push_back({"S", "", false});
+    } else {
+      const gjk::Step<double, 2>& step = run.step(frame);
+      const bool event =
+          !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
+      constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
+                                                                           {"cull", "−"},
+                                                                           {"direction", "d"},
+                                                                           {"support", "w"},
+                                                                           {"stop?", "?"},
+                                                                           {"add", "+"}}};
+      const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
+      group(format("iteration {}", step.iteration))
+          .ticks.push_back({std::string(label), std::string(short_label), event});
+    }
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts& fonts,
+                                 const Rect& area) {
+  std::vector<Mark> marks;
+  const std::vector<Group> groups = timeline_groups(run);
+  const int count = static_cast<int>(run.frames.size());
+  constexpr double kGroupGap = 18.0;
+  constexpr double kTickGap = 5.0;
+  constexpr double kWidest = 116.0;
+  const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) +
+                      kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
+  const double width = std::min(kWidest, (area.size().x() - gaps) / count);
+  double x = area.min.x();
+  int index = 0;
+  const double bar_y = area.min.y() + 14.0;
+  double label_end = -1e9;
+  for (const Group& group : groups) {
+    const int first = index;
+    const double group_x = x;
+    for (const Tick& tick : group.ticks) {
+      const bool now = index == current;
+      const std::string role = now               ? "timeline.current"
+                               : index < current ? "timeline.done"
+                                                 : "timeline.ahead";
+      marks.push_back({role, Box{{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}}, 4.0}});
+      if (tick.event)
+        marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});
+      x += width + kTickGap;
+      ++index;
+    }
+    const double group_end = x - kTickGap;
+    x = group_end + kGroupGap;
+    const bool holds_current = current >= first && current < index;
+    const TextStyle style = holds_current ? type::kTickBold : type::kTick;
+    const double label_width = fonts.width(style, group.label);
+    // Labels of narrow groups would run into each other; the current one always shows.
+    if (holds_current ||
+        (group_x > label_end && label_width <= group_end - group_x + kGroupGap - 6.0)) {
+      marks.push_back({holds_current ? "timeline.label.current" : "timeline.label",
+                       Text{{group_x, area.min.y() + 4.0}, group.label, style, Align::left}});
+      label_end = group_x + label_width + 8.0;
+    }
+    if (!holds_current) continue;
+    // The current tick's label first, whole; the others as far as there is room beside it.
+    std::vector<std::pair<double, double>> taken;
+    const auto place = [&](int k, const std::string& label, bool now) {
+      const TextStyle tick_style = now ? type::kTickBold : type::kTick;
+      const double half = 0.5 * fonts.width(tick_style, label);
+      const double center = std::clamp(group_x + (k - first) * (width + kTickGap) + 0.5 * width,
+                                       area.min.x() + half, area.max.x() - half);
+      constexpr double kSpace = 6.0;
+      for (const auto& [low, high] : taken) {
+        if (center - half - kSpace < high && low < center + half + kSpace) return false;
+      }
+      if (!now && 2.0 * half > width + kTickGap) return false;
+      taken.emplace_back(center - half, center + half);
+      marks.push_back({now ? "timeline.tick.current" : "timeline.label",
+                       Text{{center, bar_y + 32.0}, label, tick_style, Align::center}});
+      return true;
+    };
+    const auto tick_at = [&](int k) -> const Tick& {
+      return group.ticks[static_cast<std::size_t>(k - first)];
+    };
+    place(current, tick_at(current).label, true);
+    for (int k = first; k < index; ++k) {
+      if (k != current && !place(k, tick_at(k).label, false))
+        place(k, tick_at(k).short_label, false);
+    }
+  }
+  return marks;
+}
+
+}  // namespace gjkscope
