@@ -85,7 +85,11 @@ class TraceWriter {
   Json one_run(const PositionedRun& value) {
     positioned_ = &value;
     Json out;
-    out["position"] = point(value.position);
+    out["time"] = number(value.time);
+    out["position"] = point(value.x.translate);
+    out["turn"] = number(value.x.rotate_degrees);
+    out["y_position"] = point(value.y.translate);
+    out["y_turn"] = number(value.y.rotate_degrees);
     out["x_world"] = points(value.x_world);
     out["y_world"] = points(value.y_world);
     out["exponent"] = value.trace.prepared.exponent;

@@ -34,8 +34,10 @@ class TraceText {
     for (std::size_t i = 0; i < run_.runs.size(); ++i) {
       const PositionedRun& positioned = run_.runs[i];
       if (run_.runs.size() > 1) {
-        out_ += fmt::format("\nrun {} of {}, {} moved by {}\n", i + 1, run_.runs.size(),
-                            lesson.x.name, point(positioned.position));
+        out_ += fmt::format("\nrun {} of {}", i + 1, run_.runs.size());
+        if (lesson.path_of_shapes->seconds) out_ += fmt::format(", t = {} s", positioned.time);
+        out_ += moved(lesson.x, lesson.path_of_shapes->x, positioned.x) +
+                moved(lesson.y, lesson.path_of_shapes->y, positioned.y) + "\n";
       }
       one_run(positioned);
     }
@@ -60,6 +62,15 @@ class TraceText {
   }
   [[nodiscard]] std::string point(const Vector2d& value) const {
     return fmt::format("[{}, {}]", number(value[0]), number(value[1]));
+  }
+
+  [[nodiscard]] std::string moved(const LessonShape& shape, const LessonMotion& motion,
+                                  const Placement& placement) const {
+    if (motion.points.empty()) return {};
+    std::string out = fmt::format(", {} moved by {}", shape.name, point(placement.translate));
+    if (!motion.turns.empty())
+      out += fmt::format(" and turned by {} degrees", number(placement.rotate_degrees));
+    return out;
   }
 
   [[nodiscard]] std::string name(const gjk::SupportPoint<double, 2>& vertex) const {

@@ -1,9 +1,13 @@
 #include "effects/registry.hpp"
 
 #include "effects/barycentric.hpp"
+#include "effects/cold_start.hpp"
 #include "effects/direction_rules.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
+#include "effects/motion.hpp"
+#include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
 
 namespace gjkscope {
@@ -23,6 +27,11 @@ const std::vector<EffectInfo>& registered_effects() {
       info<BarycentricParts>("view", "the lengths or areas that the coordinates measure"),
       info<MinkowskiCloud>("view", "every difference y - x"),
       info<MinkowskiHull>("view", "convex hull of the differences"),
+      info<TouchedPoints>("view", "the differences that the run has computed so far"),
+      info<LastPosition>("view", "where everything was a position ago, and how far it went"),
+      info<GrownObstacle>("view", "Y grown by X, and X as a point against it"),
+      info<Slab>("view", "the widest strip proved empty between X and Y"),
+      info<ColdStart>("panel", "the same run without the warm start"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
   };

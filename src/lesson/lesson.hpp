@@ -23,8 +23,9 @@ struct LessonShape {
 };
 
 /// Steps of a lesson: one frame for each iteration, phase or region test of the run, for each
-/// position on the path, or for each pair of vertices of the Minkowski difference.
-enum class Granularity { iteration, phase, test, path, pairs };
+/// position on the path, or for each pair of vertices of the Minkowski difference; some frames for
+/// each support point; for the answer at each position, or for how it is carried back to X and Y.
+enum class Granularity { iteration, phase, test, path, pairs, support, witness, answer };
 
 enum class ViewKind { world, difference };
 
@@ -53,17 +54,30 @@ enum class PanelBlock {
   scan,
   bounds,
   pairs,
-  direction_rules
+  direction_rules,
+  witness,
+  counters,
+  starts,
+  bound_steps
 };
 
 /// The listings that the pseudocode block can show.
 enum class Listing { none, segment, triangle, gjk_point, gjk };
 
-/// Positions of X, one run each: the corners themselves, or `frames` positions at equal steps along
-/// the polyline.
+/// How one shape moves. Without points it stays where it stands, without turns as it is turned.
+struct LessonMotion {
+  std::vector<Eigen::Vector2d> points;  ///< Translations at the corners of its way.
+  std::vector<double> turns;            ///< Degrees counter-clockwise, one for each corner.
+};
+
+/// Positions of the shapes, one run each: the corners of X's way, or `frames` positions at equal
+/// steps along it. With a clock each shape passes its corners at equal times, and `frames` moments
+/// at equal steps of time are taken.
 struct LessonPath {
-  std::vector<Eigen::Vector2d> points;
-  int frames = 0;  ///< 0: the points themselves.
+  LessonMotion x;
+  LessonMotion y;
+  int frames = 0;                 ///< 0: the corners themselves.
+  std::optional<double> seconds;  ///< The clock: how long all of it takes.
 };
 
 /// What the run must come to; the last run of a path. `check` and the tests compare.
@@ -87,10 +101,12 @@ struct Lesson {
   LessonShape y;
   ScalarKind scalar = ScalarKind::double_;
   gjk::Options options;
+  bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
   Granularity granularity = Granularity::phase;
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
-  std::optional<LessonPath> path_of_x;
+  std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
+  std::optional<LessonPath> path_of_shapes;
 
   std::vector<LessonView> views;
   std::vector<PanelBlock> panel;

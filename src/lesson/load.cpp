@@ -29,6 +29,12 @@ bool has_vertex(const LessonShape& shape, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The keys that say where a shape stands; a motion stands in for them.
+struct ShapePlace {
+  Field translate;
+  Field rotate;
+};
+
 /// Reads the tables of one file, in an order in which each finds what it refers to.
 class LessonReader {
  public:
@@ -45,7 +51,8 @@ class LessonReader {
   bool claim_vertex_name(const Field& field, const std::string& name);
   void read_query(const Table& query);
   void read_start(const Field& start);
-  void read_path(const Table& path);
+  void read_path(const Table& path, Place place);
+  LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
   void read_steps(const Table& steps, bool has_path);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
@@ -61,7 +68,9 @@ class LessonReader {
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
-  Field translate_of_x_;
+  Field warm_;
+  ShapePlace place_of_x_;
+  ShapePlace place_of_y_;
   std::map<std::string, int> line_of_vertex_name_;
 };
 
@@ -81,11 +90,9 @@ Lesson LessonReader::read(const toml::table& root) {
   }
   if (query) read_query(*query);
   const Field path_field = file["path"];
-  if (path_field && translate_of_x_) {
-    problems_.add(translate_of_x_.place(), "'translate' of X besides a path",
-                  "one of the two: [path] says where X stands");
-  }
-  if (const auto path = reader_.table(path_field, "path")) read_path(*path);
+  if (lesson_.warm_start && !path_field)
+    problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
+  if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   if (const auto steps = reader_.table(file["steps"], "steps")) {
     read_steps(*steps, static_cast<bool>(path_field));
   }
@@ -126,8 +133,9 @@ void LessonReader::read_shape(const Field& field, std::string_view key, LessonSh
   shape.name = reader_.text((*table)["name"], kShapeNameLength).value_or(shape.name);
   const Field translate = (*table)["translate"];
   shape.translate = reader_.point(translate, largest_).value_or(shape.translate);
-  if (key == "X") translate_of_x_ = translate;
-  shape.rotate_degrees = reader_.number((*table)["rotate"], -360.0, 360.0).value_or(0.0);
+  const Field rotate = (*table)["rotate"];
+  shape.rotate_degrees = reader_.number(rotate, -kTurn, kTurn).value_or(0.0);
+  (key == "X" ? place_of_x_ : place_of_y_) = {translate, rotate};
 
   const Field vertices = (*table)["vertices"];
   const std::vector<Field> corners = reader_.entries(vertices, "point [x, y]");
@@ -259,6 +267,8 @@ void LessonReader::read_query(const Table& query) {
   options.iteration_cap =
       reader_.whole_number(query["cap"], 1, limits::kCap).value_or(options.iteration_cap);
   read_start(query["start"]);
+  warm_ = query["warm"];
+  lesson_.warm_start = reader_.yes_or_no(warm_).value_or(false);
 }
 
 void LessonReader::read_start(const Field& start) {
@@ -288,31 +298,78 @@ void LessonReader::read_start(const Field& start) {
   }
 }
 
-void LessonReader::read_path(const Table& path) {
+void LessonReader::read_path(const Table& path, Place place) {
   using namespace limits;
   LessonPath read;
-  const Field points = path["points"];
-  const std::vector<Field> corners = reader_.entries(points, "point [x, y]");
-  if (points && points.node->is_array() && (corners.size() < 2 || corners.size() > kPositions)) {
-    problems_.add(points.place(), fmt::format("'points' has {} entries", corners.size()),
-                  fmt::format("2 to {}", kPositions));
-    return;
-  }
-  for (const Field& corner : corners) {
-    if (const auto point = reader_.point(corner, largest_)) read.points.push_back(*point);
-  }
+  read.x = read_motion(path, "X", place_of_x_);
   const Field frames = path["frames"];
   read.frames = reader_.whole_number(frames, 2, kPositions).value_or(0);
+  const Field seconds = path["seconds"];
+  read.seconds = reader_.number(seconds, kShortest, kLongest);
+  const Field points = path["points"];
+  const Field turns = path["turns"];
+  const Field y = path["Y"];
+  if (const auto motion = reader_.table(y, "path.Y"))
+    read.y = read_motion(*motion, "Y", place_of_y_);
 
-  const std::size_t positions = read.frames > 0 ? read.frames : read.points.size();
+  if (!points && !y) {
+    problems_.add(place, "a path without a shape that moves",
+                  "'points', the corners of X's way, or a table [path.Y]");
+  }
+  for (const Field& field : {turns, y}) {
+    if (field && !seconds)
+      problems_.add(field.place(), field.label + " without a clock", "'seconds' in [path]");
+  }
+  if (seconds && !frames)
+    problems_.add(seconds.place(), "a clock without 'frames'", "'frames' in [path]");
+
+  const std::size_t positions = read.frames > 0 ? read.frames : read.x.points.size();
   const std::size_t vertices = lesson_.x.vertices.size() + lesson_.y.vertices.size();
-  if (points && positions * vertices > kScannedVertices) {
+  if (positions * vertices > kScannedVertices) {
     problems_.add(
         (frames ? frames : points).place(),
         fmt::format("{} positions of shapes with {} vertices in all", positions, vertices),
         fmt::format("a product of at most {}", kScannedVertices));
   }
-  lesson_.path_of_x = std::move(read);
+  lesson_.path_of_shapes = std::move(read);
+}
+
+LessonMotion LessonReader::read_motion(const Table& motion, std::string_view shape,
+                                       const ShapePlace& place) {
+  using namespace limits;
+  LessonMotion read;
+  const Field points = motion["points"];
+  const Field turns = motion["turns"];
+  const std::string table = shape == "X" ? "[path]" : "[path.Y]";
+  if (points && place.translate) {
+    problems_.add(place.translate.place(), fmt::format("'translate' of {} besides a path", shape),
+                  fmt::format("one of the two: {} says where {} stands", table, shape));
+  }
+  if (turns && place.rotate) {
+    problems_.add(place.rotate.place(), fmt::format("'rotate' of {} besides turns", shape),
+                  fmt::format("one of the two: {} says how {} is turned", table, shape));
+  }
+  const std::vector<Field> corners = reader_.entries(points, "point [x, y]");
+  const bool is_list = points && points.node->is_array();
+  if (is_list && (corners.size() < 2 || corners.size() > kPositions)) {
+    problems_.add(points.place(), fmt::format("'points' has {} entries", corners.size()),
+                  fmt::format("2 to {}", kPositions));
+    return read;
+  }
+  for (const Field& corner : corners) {
+    if (const auto point = reader_.point(corner, largest_)) read.points.push_back(*point);
+  }
+  const std::vector<Field> degrees =
+      reader_.entries(turns, fmt::format("number from {:g} to {:g}", -kTurn, kTurn));
+  if (turns && turns.node->is_array() && degrees.size() != corners.size()) {
+    problems_.add(turns.place(),
+                  fmt::format("{} turns for {} points", degrees.size(), corners.size()),
+                  points ? fmt::format("{} turns", corners.size()) : "'points', one for each turn");
+  }
+  for (const Field& entry : degrees) {
+    if (const auto turn = reader_.number(entry, -kTurn, kTurn)) read.turns.push_back(*turn);
+  }
+  return read;
 }
 
 void LessonReader::read_steps(const Table& steps, bool has_path) {
@@ -332,9 +389,24 @@ void LessonReader::read_steps(const Table& steps, bool has_path) {
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
+  const Field phases = steps["phases"];
+  for (const Field& entry : reader_.entries(
+           phases, fmt::format("one of: {}", fmt::join(names_of<gjk::Phase>(), ", ")))) {
+    if (const auto phase = reader_.choice<gjk::Phase>(entry, "phase"))
+      lesson_.phases.push_back(*phase);
+  }
+  if (phases && lesson_.granularity != Granularity::phase) {
+    problems_.add(phases.place(),
+                  fmt::format("'phases' with granularity '{}'", name_of(lesson_.granularity)),
+                  "granularity 'phase', or no 'phases'");
+  }
   if (until && chosen == Granularity::test) {
     problems_.add(until.place(), "'until' with granularity 'test'",
                   "no 'until': frames go through the first region tests");
+  }
+  if (until && (chosen == Granularity::witness || chosen == Granularity::answer)) {
+    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
+                  "no 'until': frames show how the run ends");
   }
 }
 

@@ -26,12 +26,15 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 5> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 8> kTable = {
       {{"iteration", Granularity::iteration},
        {"phase", Granularity::phase},
        {"test", Granularity::test},
        {"path", Granularity::path},
-       {"pairs", Granularity::pairs}}};
+       {"pairs", Granularity::pairs},
+       {"support", Granularity::support},
+       {"witness", Granularity::witness},
+       {"answer", Granularity::answer}}};
 };
 template <>
 struct Named<ViewKind> {
@@ -40,7 +43,7 @@ struct Named<ViewKind> {
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 10> kTable = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 14> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -50,7 +53,11 @@ struct Named<PanelBlock> {
        {"scan", PanelBlock::scan},
        {"bounds", PanelBlock::bounds},
        {"pairs", PanelBlock::pairs},
-       {"direction-rules", PanelBlock::direction_rules}}};
+       {"direction-rules", PanelBlock::direction_rules},
+       {"witness", PanelBlock::witness},
+       {"counters", PanelBlock::counters},
+       {"starts", PanelBlock::starts},
+       {"bound-steps", PanelBlock::bound_steps}}};
 };
 template <>
 struct Named<Listing> {

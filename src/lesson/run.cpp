@@ -25,11 +25,11 @@ std::vector<gjk::Vec<S, 2>> vertices_of(const LessonShape& shape) {
 }
 
 template <class S>
-gjk::Pose<S, 2> pose_of(const LessonShape& shape, const Vector2d& translate) {
+gjk::Pose<S, 2> pose_of(const Placement& placement) {
   gjk::Pose<S, 2> pose;
-  pose.translation = narrowed<S>(translate);
-  if (shape.rotate_degrees != 0.0) {
-    const double angle = shape.rotate_degrees * std::numbers::pi / 180.0;
+  pose.translation = narrowed<S>(placement.translate);
+  if (placement.rotate_degrees != 0.0) {
+    const double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
     const S c(std::cos(angle));
     const S s(std::sin(angle));
     pose.rotation << c, S(-s), s, c;
@@ -70,32 +70,52 @@ DistanceBounds bounds_after(const gjk::State<S, 2>& state, const gjk::Prepared<S
   }
 }
 
+/// Where both shapes stand, and when.
+struct Scenery {
+  Placement x;
+  Placement y;
+  double time = 0.0;
+};
+
 template <class S>
-PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
+PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
   const std::vector<gjk::Vec<S, 2>> x = vertices_of<S>(lesson.x);
   const std::vector<gjk::Vec<S, 2>> y = vertices_of<S>(lesson.y);
-  const gjk::Query<S, 2> query{{x, pose_of<S>(lesson.x, position)},
-                               {y, pose_of<S>(lesson.y, lesson.y.translate)}};
-  const gjk::Trace<S, 2> trace = gjk::trace<S>(query, lesson.options);
-  std::vector<DistanceBounds> bounds;
+  const gjk::Query<S, 2> query{{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}};
+  const gjk::Trace<S, 2> trace = gjk::trace<S>(query, options);
+  PositionedRun run{at.x,
+                    at.y,
+                    at.time,
+                    world_vertices(query.x),
+                    world_vertices(query.y),
+                    trace.prepared.exponent,
+                    widened(trace),
+                    {}};
   for (const gjk::Step<S, 2>& step : trace.steps)
-    bounds.push_back(bounds_after(step.after, trace.prepared));
-  if (!bounds.empty() && trace.result.error == gjk::Error::none)
-    bounds.back() = {widened(trace.result.lower), widened(trace.result.upper)};
-  return {position,       world_vertices(query.x), world_vertices(query.y), trace.prepared.exponent,
-          widened(trace), std::move(bounds)};
+    run.bounds.push_back(bounds_after(step.after, trace.prepared));
+  if (!run.bounds.empty() && trace.result.error == gjk::Error::none)
+    run.bounds.back() = {widened(trace.result.lower), widened(trace.result.upper)};
+  return run;
 }
 
-PositionedRun run_at(const Lesson& lesson, const Vector2d& position) {
-  return with_scalar(lesson.scalar,
-                     [&]<class S>(std::type_identity<S>) { return run_at<S>(lesson, position); });
+PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
+  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    return run_at<S>(lesson, at, options);
+  });
 }
 
-std::vector<Vector2d> positions_of(const Lesson& lesson) {
-  if (!lesson.path_of_x) return {lesson.x.translate};
-  const std::vector<Vector2d>& corners = lesson.path_of_x->points;
-  const int frames = lesson.path_of_x->frames;
-  if (frames == 0 || corners.size() < 2) return corners;
+/// Options that start from the final simplex of a run; as they are where it has none.
+gjk::Options warm(gjk::Options options, const WideTrace& last) {
+  const gjk::Simplex<double, 2>& simplex = last.result.simplex;
+  if (simplex.count == 0) return options;
+  options.start_rule = gjk::StartRule::given;
+  options.start_count = simplex.count;
+  for (int i = 0; i < simplex.count; ++i) options.start[i] = simplex.vertices[i].pair;
+  return options;
+}
+
+/// Positions at equal steps along the polyline.
+std::vector<Vector2d> along(const std::vector<Vector2d>& corners, int frames) {
   double length = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) length += (corners[i] - corners[i - 1]).norm();
   std::vector<Vector2d> out;
@@ -109,6 +129,43 @@ std::vector<Vector2d> positions_of(const Lesson& lesson) {
     const double edge = (corners[k] - corners[k - 1]).norm();
     const double t = edge > 0.0 ? std::min(along / edge, 1.0) : 0.0;
     out.push_back(corners[k - 1] + t * (corners[k] - corners[k - 1]));
+  }
+  return out;
+}
+
+/// Where a shape is at `part` of its motion, from 0 to 1: the corners come at equal times.
+Placement placement_at(const LessonShape& shape, const LessonMotion& motion, double part) {
+  Placement placement{shape.translate, shape.rotate_degrees};
+  if (motion.points.size() < 2) return placement;
+  const std::size_t legs = motion.points.size() - 1;
+  const double way = part * static_cast<double>(legs);
+  const std::size_t k = std::min(static_cast<std::size_t>(way), legs - 1);
+  const double t = way - static_cast<double>(k);
+  placement.translate = motion.points[k] + t * (motion.points[k + 1] - motion.points[k]);
+  if (!motion.turns.empty())
+    placement.rotate_degrees = motion.turns[k] + t * (motion.turns[k + 1] - motion.turns[k]);
+  return placement;
+}
+
+std::vector<Scenery> sceneries_of(const Lesson& lesson) {
+  const Scenery standing{{lesson.x.translate, lesson.x.rotate_degrees},
+                         {lesson.y.translate, lesson.y.rotate_degrees}};
+  if (!lesson.path_of_shapes) return {standing};
+  const LessonPath& path = *lesson.path_of_shapes;
+  std::vector<Scenery> out;
+  if (path.seconds) {
+    for (int i = 0; i < path.frames; ++i) {
+      const double part = static_cast<double>(i) / (path.frames - 1);
+      out.push_back({placement_at(lesson.x, path.x, part), placement_at(lesson.y, path.y, part),
+                     part * *path.seconds});
+    }
+    return out;
+  }
+  const bool between_corners = path.frames > 0 && path.x.points.size() > 1;
+  for (const Vector2d& position :
+       between_corners ? along(path.x.points, path.frames) : path.x.points) {
+    out.push_back(standing);
+    out.back().x.translate = position;
   }
   return out;
 }
@@ -129,7 +186,13 @@ void add_frames(LessonRun& run, int index) {
   const int last = last_step(lesson, trace);
   switch (lesson.granularity) {
     case Granularity::phase:
-      for (int i = -1; i <= last; ++i) run.frames.push_back({index, i, -1});
+      run.frames.push_back({index, -1, -1});
+      for (int i = 0; i <= last; ++i) {
+        const auto& phases = lesson.phases;
+        const bool is_shown = phases.empty() || std::find(phases.begin(), phases.end(),
+                                                          trace.steps[i].phase) != phases.end();
+        if (is_shown) run.frames.push_back({index, i, -1});
+      }
       return;
     case Granularity::iteration:
       run.frames.push_back({index, -1, -1});
@@ -153,6 +216,24 @@ void add_frames(LessonRun& run, int index) {
       for (int i = 0; i <= pairs + 1; ++i) run.frames.push_back({index, last, i});
       return;
     }
+    case Granularity::support: {
+      const std::size_t before = run.frames.size();
+      for (int i = 0; i <= last; ++i) {
+        if (trace.steps[i].phase != gjk::Phase::support) continue;
+        for (int k = kSupportDirection; k <= kSupportOfZ; ++k) run.frames.push_back({index, i, k});
+      }
+      // A run that needs no support point shows how it ends.
+      if (run.frames.size() == before) run.frames.push_back({index, last, -1});
+      return;
+    }
+    case Granularity::witness:
+      if (last < 0) run.frames.push_back({index, last, -1});
+      for (int k = kWitnessP; k <= kWitnessDistance && last >= 0; ++k)
+        run.frames.push_back({index, last, k});
+      return;
+    case Granularity::answer:
+      run.frames.push_back({index, last, -1});
+      return;
   }
 }
 
@@ -169,6 +250,12 @@ double written_precision(double value) {
 }
 
 }  // namespace
+
+int support_calls(const WideTrace& trace) {
+  return static_cast<int>(
+      std::count_if(trace.steps.begin(), trace.steps.end(),
+                    [](const auto& step) { return step.phase == gjk::Phase::support; }));
+}
 
 std::string why_not_drawn(const PositionedRun& run) {
   if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
@@ -198,10 +285,19 @@ std::string LessonRun::pair_name(gjk::VertexPair pair) const {
 LessonRun run_lesson(Lesson lesson) {
   LessonRun run;
   run.lesson = std::move(lesson);
-  for (const Vector2d& position : positions_of(run.lesson))
-    run.runs.push_back(run_at(run.lesson, position));
+  for (const Scenery& scenery : sceneries_of(run.lesson)) {
+    const bool is_warm = run.lesson.warm_start && !run.runs.empty();
+    const gjk::Options& cold = run.lesson.options;
+    run.runs.push_back(
+        run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
+  }
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) add_frames(run, i);
   return run;
+}
+
+PositionedRun run_afresh(const LessonRun& run, int index) {
+  const PositionedRun& positioned = run.runs[index];
+  return run_at(run.lesson, {positioned.x, positioned.y, positioned.time}, run.lesson.options);
 }
 
 std::vector<Problem> check_expectation(const LessonRun& run) {

@@ -21,9 +21,17 @@ struct DistanceBounds {
   double upper = 0.0;
 };
 
-/// One GJK run: where X stood, and what happened.
+/// Where a shape stands.
+struct Placement {
+  Eigen::Vector2d translate = Eigen::Vector2d::Zero();
+  double rotate_degrees = 0.0;  ///< Counter-clockwise.
+};
+
+/// One GJK run: where the shapes stood, and what happened.
 struct PositionedRun {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< Translation of X.
+  Placement x;
+  Placement y;
+  double time = 0.0;  ///< Seconds since the start of the motion; 0 without a clock.
   std::vector<Eigen::Vector2d> x_world;
   std::vector<Eigen::Vector2d> y_world;
   int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
@@ -32,9 +40,20 @@ struct PositionedRun {
                                        ///< those of the result.
 };
 
+/// How often a run asked for a support point.
+[[nodiscard]] int support_calls(const WideTrace& trace);
+
 /// Why there is no picture of a run: GJK refused it, or its lengths are not in the world's unit.
 /// Empty for all others.
 [[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
+
+/// What the frames of one support step show, one after the other: d, the support point of Y along d,
+/// that of X along -d, their difference.
+enum SupportDetail { kSupportDirection, kSupportOfY, kSupportOfX, kSupportOfZ };
+
+/// What the frames of one answer show, one after the other: P and its weights, the same weights on
+/// the vertices of Y, on those of X, and the distance between what they give.
+enum WitnessDetail { kWitnessP, kWitnessY, kWitnessX, kWitnessDistance };
 
 /// What one frame shows.
 struct Frame {
@@ -43,6 +62,7 @@ struct Frame {
   int detail =
       -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
            ///< Granularity::pairs: number of pairs made so far; one more than there are: the hull.
+           ///< Granularity::support and witness: see SupportDetail and WitnessDetail.
 };
 
 struct LessonRun {
@@ -64,6 +84,9 @@ struct LessonRun {
 };
 
 [[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+/// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
+[[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);
 
 /// Where the outcome differs from Lesson::expect; places are those of the keys in the lesson's
 /// file.

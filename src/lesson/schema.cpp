@@ -20,6 +20,7 @@ std::vector<LessonKey> make_keys() {
   using namespace limits;
   const std::string required(kRequired);
   const std::string point_list = "list of points [x, y]";
+  const std::string list_of_turns = fmt::format("list of numbers from {} to {}", -kTurn, kTurn);
   return {
       {"", "title", text_up_to(kTitleLength), required, "heading of every frame"},
       {"", "chapter", fmt::format("whole number from 1 to {}", kLastChapter), required,
@@ -32,7 +33,8 @@ std::vector<LessonKey> make_keys() {
       {"", "shapes", "table [shapes]", required, "the two shapes"},
       {"", "query", "table [query]", "its defaults", "how GJK runs"},
       {"", "steps", "table [steps]", "its defaults", "which frames there are"},
-      {"", "path", "table [path]", "X stays where it is", "positions of X, one run each"},
+      {"", "path", "table [path]", "the shapes stay where they are",
+       "positions of the shapes, one run each"},
       {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
       {"", "expect", "table [expect]", required, "what the run must come to; it is checked"},
@@ -50,7 +52,7 @@ std::vector<LessonKey> make_keys() {
       {"shapes.X", "vertices", point_list, required,
        fmt::format("corners in drawing order, 1 to {} of them (a limit of drawing)", kVertices)},
       {"shapes.X", "translate", "point [x, y]", "[0, 0]", "where the shape's own origin stands"},
-      {"shapes.X", "rotate", "number from -360 to 360", "0",
+      {"shapes.X", "rotate", fmt::format("number from {} to {}", -kTurn, kTurn), "0",
        "degrees counter-clockwise, before `translate`"},
 
       {"query", "scalar", one_of<ScalarKind>(), "double", "numbers that the run computes with"},
@@ -69,16 +71,30 @@ std::vector<LessonKey> make_keys() {
        "the first vertices of X and Y",
        "first simplex: names of vertices of Y in a point query, else pairs like \"K-C\", Y's "
        "vertex first"},
+      {"query", "warm", "true or false", "false",
+       "along a path, each run but the first starts from the final simplex of the one before"},
 
       {"steps", "granularity", one_of<Granularity>(), "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
        "frames end with the first step of this phase; along a path each shows it (else the closest "
        "point)"},
+      {"steps", "phases",
+       fmt::format("list of: {}", fmt::join(names_of<gjk::Phase>(), ", ")), "all of them",
+       "with granularity `phase`: the phases that get a frame"},
 
-      {"path", "points", point_list, required,
-       fmt::format("2 to {} corners of the path: translations of X", kPositions)},
+      {"path", "points", point_list, "X stays where it is",
+       fmt::format("2 to {} corners of the way of X: translations", kPositions)},
+      {"path", "turns", list_of_turns, "X does not turn",
+       "degrees that X is turned by at its corners, as many as `points`; needs a clock"},
       {"path", "frames", fmt::format("whole number from 2 to {}", kPositions),
        "the corners themselves", "positions at equal steps along the path"},
+      {"path", "seconds", fmt::format("number from {} to {}", kShortest, kLongest), "no clock",
+       "a clock: each shape passes its corners at equal times, `frames` are at equal steps of "
+       "time"},
+      {"path", "Y", "table [path.Y]", "Y stays where it is", "how Y moves meanwhile; needs a clock"},
+      {"path.Y", "points", point_list, required, "corners of the way of Y, as those of X"},
+      {"path.Y", "turns", list_of_turns, "Y does not turn",
+       "degrees that Y is turned by at its corners, as many as `points`"},
 
       {"views", "show", one_of<ViewKind>(), required, "the two shapes, or Y - X"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},

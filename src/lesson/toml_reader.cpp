@@ -216,6 +216,13 @@ std::optional<int> Reader::whole_number(const Field& field, int least, int most)
   return static_cast<int>(value->get());
 }
 
+std::optional<bool> Reader::yes_or_no(const Field& field) {
+  if (!field) return std::nullopt;
+  if (const auto* value = field.node->as_boolean()) return value->get();
+  wrong_type(field);
+  return std::nullopt;
+}
+
 std::optional<Eigen::Vector2d> Reader::point(const Field& field, double largest) {
   if (!field) return std::nullopt;
   const std::vector<Field> coordinates = entries(

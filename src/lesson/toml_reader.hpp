@@ -82,6 +82,7 @@ class Reader {
   /// A finite number within the bounds; text may hold a hexadecimal one.
   std::optional<double> number(const Field& field, double least, double most);
   std::optional<int> whole_number(const Field& field, int least, int most);
+  std::optional<bool> yes_or_no(const Field& field);
   /// A point whose coordinates are at most `largest` in size.
   std::optional<Eigen::Vector2d> point(const Field& field, double largest);
   /// One of the known names, of which messages speak as "unknown `kind`".

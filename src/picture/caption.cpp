@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "picture/captions/story.hpp"
@@ -11,9 +13,23 @@
 namespace gjkscope {
 namespace {
 
+/// A lesson that shows the slab is told by what each phase proves.
+bool tells_slab(const Story& story) {
+  const bool proves = story.phase_is(gjk::Phase::closest) || story.phase_is(gjk::Phase::support) ||
+                      (story.phase_is(gjk::Phase::stop) && story.knows_support());
+  return proves && story.shows(Slab::kName);
+}
+
 void write(const Story& story, FrameText& text) {
-  if (story.run.lesson.granularity == Granularity::pairs) return captions::pairs(story, text);
+  const Granularity granularity = story.run.lesson.granularity;
+  if (granularity == Granularity::pairs) return captions::pairs(story, text);
   if (story.frame.step < 0) return captions::start(story, text);
+  if (granularity == Granularity::answer) return captions::answer(story, text);
+  if (story.frame.detail >= 0) {
+    if (granularity == Granularity::support) return captions::support_in_parts(story, text);
+    if (granularity == Granularity::witness) return captions::witness(story, text);
+  }
+  if (tells_slab(story)) return captions::slab(story, text);
   switch (story.run.step(story.frame).phase) {
     case gjk::Phase::closest:
       return story.run.lesson.granularity == Granularity::test ? captions::region_test(story, text)
@@ -25,7 +41,9 @@ void write(const Story& story, FrameText& text) {
     case gjk::Phase::support:
       return captions::support(story, text);
     case gjk::Phase::stop:
-      return captions::stop(story, text);
+      captions::stop(story, text);
+      if (story.ended() && story.shows(TouchedPoints::kName)) captions::touched_points(story, text);
+      return;
     case gjk::Phase::add:
       return captions::add(story, text);
   }

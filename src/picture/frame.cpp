@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <set>
 
 #include "lesson/names.hpp"
@@ -9,6 +10,7 @@
 #include "picture/panel.hpp"
 #include "picture/stage.hpp"
 #include "picture/timeline.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope {
 namespace {
@@ -101,7 +103,22 @@ std::string position_of(const LessonRun& run, int index) {
   }
   if (granularity == Granularity::pairs && index > 0 && index + 1 < count)
     return fmt::format("difference {} of {}", index, count - 2);
-  if (granularity == Granularity::path) return fmt::format("position {} of {}", index + 1, count);
+  if (granularity == Granularity::support && frame.detail >= 0) {
+    constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
+                                                        "support of Z"};
+    return fmt::format("iteration {} of {} · {}", run.step(frame).iteration,
+                       run.run(frame).trace.result.iterations,
+                       kParts[static_cast<std::size_t>(frame.detail)]);
+  }
+  const std::string position =
+      fmt::format("position {} of {}", frame.run + 1, static_cast<int>(run.runs.size()));
+  if (run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds)
+    return fmt::format("{} · t = {} s", position, fixed(run.run(frame).time, 2));
+  if (granularity == Granularity::witness && frame.detail >= 0) {
+    constexpr std::array<std::string_view, 4> kParts = {"P", "on Y", "on X", "y − x"};
+    return fmt::format("{} · {}", position, kParts[static_cast<std::size_t>(frame.detail)]);
+  }
+  if (granularity == Granularity::path || granularity == Granularity::answer) return position;
   return fmt::format("{} of {}", index + 1, count);
 }
 
@@ -163,6 +180,8 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     for (const Scene& scene : built.scenes) {
       all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(),
                           scene.obstacles.segments.end());
+      all.passing.insert(all.passing.end(), scene.obstacles.passing.begin(),
+                         scene.obstacles.passing.end());
       all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(),
                          scene.obstacles.circles.end());
     }

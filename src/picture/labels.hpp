@@ -22,6 +22,9 @@ struct Obstacles {
     double radius = 0.0;
   };
   std::vector<Segment> segments;
+  /// Lines that cross the whole view for a while: rather not under a label, but no reason to send
+  /// it far away from what it names.
+  std::vector<Segment> passing;
   std::vector<Circle> circles;
 };
 

@@ -27,6 +27,14 @@ void write_block(PanelBuilder& panel, PanelBlock kind) {
       return blocks::pairs(panel);
     case PanelBlock::direction_rules:
       return blocks::direction_rules(panel);
+    case PanelBlock::witness:
+      return blocks::witness(panel);
+    case PanelBlock::counters:
+      return blocks::counters(panel);
+    case PanelBlock::starts:
+      return blocks::starts(panel);
+    case PanelBlock::bound_steps:
+      return blocks::bound_steps(panel);
   }
 }
 

@@ -80,6 +80,8 @@ bool PanelBuilder::stop_follows_support() const {
 }
 
 bool PanelBuilder::knows_support() const {
+  if (run.lesson.granularity == Granularity::support && frame.detail >= 0)
+    return frame.detail == kSupportOfZ;
   return phase() == Phase::support || stop_follows_support();
 }
 

@@ -72,8 +72,8 @@ void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const 
   const std::string name = run.pair_name(vertex.pair);
   const Point point = at_difference(vertex.w);
   Point middle = map.area().center();
-  out.fixed_labels.push_back(label("cloud:" + name, name, role, type::kSmallVertex, point,
-                                   kSimplexRadius, point - middle));
+  labels_of_difference().push_back(label("cloud:" + name, name, role, type::kSmallVertex, point,
+                                         kSimplexRadius, point - middle));
 }
 
 void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,

@@ -54,6 +54,7 @@ inline constexpr double kSimplexRadius = 6.5;
 inline constexpr double kPointRadius = 6.0;
 inline constexpr double kClosestRadius = 4.5;  // a simplex vertex under P stays visible as a ring
 inline constexpr double kCloudRadius = 3.0;
+inline constexpr double kTouchedRadius = 4.5;
 inline constexpr double kOriginRadius = 9.0;
 inline constexpr double kRingRadius = 10.5;
 inline constexpr double kArrowLength = 76.0;
@@ -101,6 +102,10 @@ struct SceneBuilder {
   /// A vertex of the difference; between polygons its two vertices in the world, and its name.
   void simplex_vertex(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
   void pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  /// Where labels of the difference go: along a path it moves.
+  [[nodiscard]] std::vector<LabelRequest>& labels_of_difference() {
+    return run.lesson.path_of_shapes ? out.moving_labels : out.fixed_labels;
+  }
 
   // What the frame's step knows
   [[nodiscard]] bool tests_regions() const { return phase == gjk::Phase::closest || !phase; }

@@ -4,6 +4,9 @@
 
 #include "effects/barycentric.hpp"
 #include "effects/history.hpp"
+#include "effects/motion.hpp"
+#include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
 #include "picture/layers/layers.hpp"
 
@@ -25,11 +28,13 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     if (view.kind == ViewKind::world) {
       points.insert(points.end(), positioned.x_world.begin(), positioned.x_world.end());
       points.insert(points.end(), positioned.y_world.begin(), positioned.y_world.end());
-      continue;
+      if (!calls_for(view, GrownObstacle::kName)) continue;
     }
-    points.push_back(Vector2d::Zero());
+    const bool grown = view.kind == ViewKind::world;
+    const Vector2d shift = grown ? positioned.x.translate : Vector2d(0.0, 0.0);
+    points.push_back(shift);
     for (const Vector2d& x : positioned.x_world) {
-      for (const Vector2d& y : positioned.y_world) points.push_back(y - x);
+      for (const Vector2d& y : positioned.y_world) points.push_back(y - x + shift);
     }
   }
   Vector2d low = points[0];
@@ -60,9 +65,19 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
   if (view.kind == ViewKind::world) layers::shapes(scene);
   if (view.kind == ViewKind::difference) layers::difference(scene);
   if (calls_for(view, BarycentricParts::kName)) layers::parts(scene);
-  if (run.lesson.path_of_x && view.kind == ViewKind::world) layers::path(scene);
-  if (run.lesson.granularity == Granularity::pairs) {
+  if (calls_for(view, GrownObstacle::kName)) layers::grown_obstacle(scene);
+  if (calls_for(view, LastPosition::kName)) layers::last_position(scene);
+  if (calls_for(view, Slab::kName)) layers::slab(scene);
+  if (calls_for(view, TouchedPoints::kName)) layers::touched_points(scene);
+  const bool shows_last = calls_for(view, LastPosition::kName);  // arrows, in place of a way
+  if (run.lesson.path_of_shapes && view.kind == ViewKind::world && !shows_last) layers::path(scene);
+  const Granularity granularity = run.lesson.granularity;
+  if (granularity == Granularity::pairs) {
     layers::pair_under_construction(scene);
+  } else if (granularity == Granularity::support && frame.detail >= 0) {
+    layers::support_in_parts(scene);
+  } else if (granularity == Granularity::answer || granularity == Granularity::witness) {
+    layers::answer(scene);
   } else {
     if (calls_for(view, History::kName)) layers::history(scene);
     layers::simplex(scene);
@@ -76,6 +91,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
     }
   }
   layers::query_point(scene);
+  if (calls_for(view, MinkowskiHull::kName)) layers::corner_names(scene);
   return std::move(scene.out);
 }
 

@@ -58,6 +58,24 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
         group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]))
             .ticks.push_back({run.pair_name(pair), "", false});
       }
+    } else if (granularity == Granularity::support && frame.detail >= 0) {
+      constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
+      const auto part = static_cast<std::size_t>(frame.detail);
+      group(format("iteration {}", run.step(frame).iteration))
+          .ticks.push_back({std::string(kParts[part]), std::string(1, "dYXZ"[part]),
+                            frame.detail == kSupportOfZ});
+    } else if (granularity == Granularity::witness && frame.detail >= 0) {
+      constexpr std::array<std::string_view, 4> kParts = {"P", "on Y", "on X", "y − x"};
+      group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "answer")
+          .ticks.push_back({std::string(kParts[static_cast<std::size_t>(frame.detail)]), "",
+                            frame.detail == kWitnessDistance});
+    } else if (granularity == Granularity::answer && frame.step >= 0) {
+      const gjk::Result<double, 2>& result = run.run(frame).trace.result;
+      const std::string closest = result.distance > 0.0
+                                      ? format("{} – {}", feature_name(run, result.simplex, true),
+                                               feature_name(run, result.simplex, false))
+                                      : "overlap";
+      group(closest).ticks.push_back({});
     } else if (frame.step < 0) {
       group("start").ticks.push_back({"S", "", false});
     } else {
@@ -117,8 +135,9 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     // Labels of narrow groups would run into each other; the current one always shows.
     if (holds_current ||
         (group_x > label_end && label_width <= group_end - group_x + kGroupGap - 6.0)) {
+      const double label_x = std::min(group_x, area.max.x() - label_width);
       marks.push_back({holds_current ? "timeline.label.current" : "timeline.label",
-                       Text{{group_x, area.min.y() + 4.0}, group.label, style, Align::left}});
+                       Text{{label_x, area.min.y() + 4.0}, group.label, style, Align::left}});
       label_end = group_x + label_width + 8.0;
     }
     if (!holds_current) continue;

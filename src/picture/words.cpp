@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace gjkscope {
 namespace {
@@ -130,6 +132,19 @@ std::string SimplexWords::combination(gjk::Face face, const Numbers& numbers) co
     const bool plain = run_.point_query() || gjk::vertex_count(face) == 1;
     out += plain ? vertex(i) : fmt::format("({})", vertex(i));
   }
+  return out;
+}
+
+std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex, bool of_x) {
+  std::set<int> indices;
+  for (int i = 0; i < simplex.count; ++i) {
+    const gjk::VertexPair pair = simplex.vertices[i].pair;
+    indices.insert(of_x ? pair.x : pair.y);
+  }
+  constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
+  std::string out(kKinds[indices.size()]);
+  out += ' ';
+  for (const int i : indices) out += (of_x ? run.lesson.x : run.lesson.y).vertex_names[i];
   return out;
 }
 

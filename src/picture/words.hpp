@@ -54,6 +54,11 @@ class SimplexWords {
   bool cyclic_ = false;
 };
 
+/// The vertices of X or of Y that a simplex of pairs is made of: "vertex K", "edge CD", "triangle
+/// KLM".
+[[nodiscard]] std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex,
+                                       bool of_x);
+
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);
 

@@ -48,7 +48,7 @@ inline std::vector<std::filesystem::path> shipped_lessons() {
   return files;
 }
 
-/// A lesson with every key there is.
+/// A lesson with every key there is, but for those of a motion (motion_test.cpp).
 inline const std::string kFullLesson = R"(title = "Two triangles"
 chapter = 4
 order = 3

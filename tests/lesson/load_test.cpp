@@ -88,9 +88,9 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(options.start[1], (gjk::VertexPair{0, 0}));
   EXPECT_EQ(lesson.granularity, Granularity::iteration);
   EXPECT_EQ(lesson.until, gjk::Phase::stop);
-  ASSERT_TRUE(lesson.path_of_x);
-  EXPECT_EQ(lesson.path_of_x->points.size(), 2u);
-  EXPECT_EQ(lesson.path_of_x->frames, 13);
+  ASSERT_TRUE(lesson.path_of_shapes);
+  EXPECT_EQ(lesson.path_of_shapes->x.points.size(), 2u);
+  EXPECT_EQ(lesson.path_of_shapes->frames, 13);
   ASSERT_EQ(lesson.views.size(), 2u);
   EXPECT_EQ(lesson.views[0].title, "World: X and Y");
   ASSERT_TRUE(lesson.views[0].camera);
@@ -127,7 +127,7 @@ expect.stop = "repeated-support"
   EXPECT_TRUE(lesson.options.stop_on_no_progress);
   EXPECT_EQ(lesson.options.start_count, 1);
   EXPECT_EQ(lesson.granularity, Granularity::phase);
-  EXPECT_FALSE(lesson.path_of_x);
+  EXPECT_FALSE(lesson.path_of_shapes);
   EXPECT_FALSE(lesson.views[0].camera);
   EXPECT_TRUE(lesson.panel.empty());
   EXPECT_EQ(lesson.listing, Listing::none);

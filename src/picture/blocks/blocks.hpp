@@ -25,4 +25,10 @@ void direction_rules(PanelBuilder& panel);
 // difference.cpp
 void pairs(PanelBuilder& panel);
 
+// answer.cpp
+void witness(PanelBuilder& panel);
+void counters(PanelBuilder& panel);
+void starts(PanelBuilder& panel);
+void bound_steps(PanelBuilder& panel);
+
 }  // namespace gjkscope::blocks

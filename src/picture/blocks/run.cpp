@@ -106,11 +106,15 @@ void scan(PanelBuilder& panel) {
     return;
   }
   const double middle = 0.5 * (panel.left + panel.right);
-  scan_of(panel, record ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
+  // Granularity "support" looks at one shape after the other.
+  const bool in_parts = panel.run.lesson.granularity == Granularity::support;
+  const bool knows_y = record && !(in_parts && panel.frame.detail < kSupportOfY);
+  const bool knows_x = record && !(in_parts && panel.frame.detail < kSupportOfX);
+  scan_of(panel, knows_y ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
           middle - 14.0, "dot(d, Y)");
   const double bottom = panel.y;
   panel.y = top;
-  scan_of(panel, record ? record->scan_x : none, panel.run.lesson.x.vertex_names, middle + 14.0,
+  scan_of(panel, knows_x ? record->scan_x : none, panel.run.lesson.x.vertex_names, middle + 14.0,
           panel.right, "dot(−d, X)");
   panel.y = std::max(panel.y, bottom);
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "geometry/minkowski.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -29,8 +30,12 @@ void pairs(const Story& story, FrameText& text) {
                          story.frame.detail, all, story.run.lesson.x.vertex_names[pair.x],
                          story.run.lesson.y.vertex_names[pair.y]);
   } else {
-    text.caption =
-        format("The hull of the {} points is the Minkowski difference Z = {} − {}.", all, y, x);
+    const std::size_t corners =
+        minkowski_hull(minkowski_cloud(story.positioned.x_world, story.positioned.y_world)).size();
+    text.caption = format(
+        "The hull of the {} points is the Minkowski difference Z = {} − {}; {} of them are its "
+        "corners.",
+        all, y, x, corners);
     text.detail =
         story.trace.result.distance > 0.0
             ? format("O lies outside, at distance {}: exactly the distance between {} and {}.",

@@ -1,5 +1,6 @@
 #include "picture/captions/story.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gjkscope {
@@ -13,6 +14,13 @@ Story::Story(const LessonRun& lesson_run, const Frame& shown)
       numbers(run.lesson),
       words(run, state.simplex),
       q(query_name(run)) {}
+
+bool Story::shows(std::string_view effect) const {
+  const auto calls = [&](const LessonView& view) {
+    return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
+  };
+  return std::any_of(run.lesson.views.begin(), run.lesson.views.end(), calls);
+}
 
 bool Story::phase_is(gjk::Phase phase) const {
   return frame.step >= 0 && run.step(frame).phase == phase;

@@ -3,6 +3,7 @@
 // then. Each family of captions is a file of this folder.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "picture/frame.hpp"
@@ -13,6 +14,8 @@ namespace gjkscope {
 struct Story {
   Story(const LessonRun& lesson_run, const Frame& shown);
 
+  /// True when a view of the lesson calls for this effect.
+  [[nodiscard]] bool shows(std::string_view effect) const;
   [[nodiscard]] bool phase_is(gjk::Phase phase) const;
   [[nodiscard]] bool ended() const { return state.stop != gjk::StopReason::running; }
   [[nodiscard]] bool knows_p() const;
@@ -63,6 +66,17 @@ void add(const Story& story, FrameText& text);
 
 // difference.cpp
 void pairs(const Story& story, FrameText& text);
+
+// support.cpp
+void support_in_parts(const Story& story, FrameText& text);
+/// Adds how much of Z the run has computed.
+void touched_points(const Story& story, FrameText& text);
+/// Phases of a lesson that shows the slab between X and Y: what they prove.
+void slab(const Story& story, FrameText& text);
+
+// answer.cpp
+void answer(const Story& story, FrameText& text);
+void witness(const Story& story, FrameText& text);
 
 }  // namespace captions
 }  // namespace gjkscope

@@ -18,6 +18,12 @@ bool hull_is_shown(const SceneBuilder& scene, int all) {
   return scene.run.lesson.granularity != Granularity::pairs || scene.frame.detail > all;
 }
 
+/// An arrow that is there for one frame.
+void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
+  scene.add("difference.arrow", Arrow{from, to});
+  scene.out.obstacles.passing.push_back({from, to});
+}
+
 }  // namespace
 
 void difference(SceneBuilder& scene) {
@@ -79,12 +85,35 @@ void pair_under_construction(SceneBuilder& scene) {
   const Vector2d x = scene.positioned.x_world[pair.x];
   const Vector2d y = scene.positioned.y_world[pair.y];
   if (scene.view.kind == ViewKind::world) {
-    scene.arrow("difference.arrow", scene.at(x), scene.at(y));
+    difference_arrow(scene, scene.at(x), scene.at(y));
     scene.disk("support", scene.at(x), kSimplexRadius);
     scene.disk("support", scene.at(y), kSimplexRadius);
   } else {
-    scene.arrow("difference.arrow", scene.at(Vector2d::Zero()), scene.at(y - x));
+    difference_arrow(scene, scene.at(Vector2d::Zero()), scene.at(y - x));
     scene.disk("cloud.current", scene.at(y - x), kSimplexRadius);
+  }
+}
+
+void corner_names(SceneBuilder& scene) {
+  const Lesson& lesson = scene.run.lesson;
+  // Where shapes turn, corners come and go; those of the simplex are named in any case.
+  const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x.turns.empty() ||
+                                               !lesson.path_of_shapes->y.turns.empty());
+  if (lesson.granularity == Granularity::pairs || turns) return;
+  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
+  const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
+  Point middle = Point::Zero();
+  for (const int index : hull)
+    middle += scene.at(cloud[index].z) / static_cast<double>(hull.size());
+  for (const int index : hull) {
+    const std::string name = scene.run.pair_name(cloud[index].pair);
+    const Point point = scene.at(cloud[index].z);
+    const LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
+                                           point, sizes::kSimplexRadius, point - middle);
+    auto& labels = scene.labels_of_difference();
+    const bool named = std::any_of(labels.begin(), labels.end(),
+                                   [&](const auto& other) { return other.id == label.id; });
+    if (!named) labels.push_back(label);
   }
 }
 

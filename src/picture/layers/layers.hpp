@@ -11,7 +11,7 @@ void regions(SceneBuilder& scene);
 
 // shapes.cpp
 void shapes(SceneBuilder& scene);
-/// The positions of X.
+/// The ways of the shapes that move.
 void path(SceneBuilder& scene);
 /// Q in the world of a point query, O in the difference.
 void query_point(SceneBuilder& scene);
@@ -21,6 +21,9 @@ void query_point(SceneBuilder& scene);
 void difference(SceneBuilder& scene);
 /// Granularity "pairs": the pair that makes the newest difference, in both views.
 void pair_under_construction(SceneBuilder& scene);
+
+/// Names of the hull's corners, but for those that the run has named.
+void corner_names(SceneBuilder& scene);
 
 // parts.cpp
 /// Lengths and areas in proportion to the barycentric coordinates.
@@ -33,8 +36,35 @@ void simplex(SceneBuilder& scene);
 void closest_line(SceneBuilder& scene);
 void closest_point(SceneBuilder& scene);
 void witness_points(SceneBuilder& scene);
+/// An arrow along d, and its name.
+void search_arrow(SceneBuilder& scene, const Point& from, const Eigen::Vector2d& d, double length,
+                  const std::string& text);
+/// The search direction at P.
+void search_direction(SceneBuilder& scene);
+/// The line through a point, normal to d.
+void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector2d& d);
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);
 void search_between_shapes(SceneBuilder& scene);
+
+// support.cpp
+/// Granularity "support": d, the support point of Y, that of X, their difference, one after the
+/// other.
+void support_in_parts(SceneBuilder& scene);
+
+// answer.cpp
+/// Granularities "answer" and "witness": P on its simplex, and the closest points that its weights
+/// give.
+void answer(SceneBuilder& scene);
+
+// motion.cpp
+/// Where everything was a position ago.
+void last_position(SceneBuilder& scene);
+/// Y grown by X, and X as a point against it.
+void grown_obstacle(SceneBuilder& scene);
+/// The differences that the run has computed so far.
+void touched_points(SceneBuilder& scene);
+/// The widest strip proved empty between X and Y.
+void slab(SceneBuilder& scene);
 
 }  // namespace gjkscope::layers

@@ -27,6 +27,8 @@ void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& ver
 
 Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
 
+}  // namespace
+
 void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
                   const std::string& text) {
   if (!(d.norm() > 0.0)) return;
@@ -37,7 +39,21 @@ void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, dou
       scene.label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
 }
 
-}  // namespace
+void search_direction(SceneBuilder& scene) {
+  // An arrow as long as the way to O would hide O under its head.
+  const double way =
+      (scene.at_difference(scene.state.p) - scene.at_difference(Vector2d::Zero())).norm();
+  const double length = way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
+  search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d, length, "d");
+}
+
+void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d) {
+  const Point along = direction_on_screen(d);
+  const Point across(-along.y(), along.x());
+  const double reach = scene.map.area().size().norm();
+  scene.add("support.plane", Polyline{{through - reach * across, through + reach * across}});
+  scene.out.obstacles.segments.push_back({through - reach * across, through + reach * across});
+}
 
 void history(SceneBuilder& scene) {
   for (const History::Entry& entry : scene.effects.get<History>(scene.frame)) {
@@ -96,9 +112,12 @@ void closest_point(SceneBuilder& scene) {
   const Point p = scene.at_difference(scene.state.p);
   scene.disk("closest", p, kClosestRadius);
   if (scene.reaches_query()) return;  // Q's label names both
-  scene.out.moving_labels.push_back(scene.label("P", "P", "closest.label", type::kVertex, p,
-                                                kPointRadius,
-                                                p - scene.at_difference(Vector2d::Zero())));
+  Point away = p - scene.at_difference(Vector2d::Zero());
+  // At a vertex that has a name of its own, P is called from the side.
+  if (!scene.run.point_query() && gjk::vertex_count(scene.state.region) == 1)
+    away = Point(-away.y(), away.x());
+  scene.out.moving_labels.push_back(
+      scene.label("P", "P", "closest.label", type::kVertex, p, kPointRadius, away));
 }
 
 void witness_points(SceneBuilder& scene) {
@@ -115,22 +134,9 @@ void witness_points(SceneBuilder& scene) {
 }
 
 void search(SceneBuilder& scene) {
-  if (scene.has_support()) {
-    const Point w = scene.at_difference(scene.state.support.w);
-    const Point along = direction_on_screen(scene.state.d);
-    const Point across(-along.y(), along.x());
-    const double reach = scene.map.area().size().norm();
-    scene.add("support.plane", Polyline{{w - reach * across, w + reach * across}});
-    scene.out.obstacles.segments.push_back({w - reach * across, w + reach * across});
-  }
-  if (scene.has_direction()) {
-    // An arrow as long as the way to O would hide O under its head.
-    const double way =
-        (scene.at_difference(scene.state.p) - scene.at_difference(Vector2d::Zero())).norm();
-    const double length =
-        way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
-    search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d, length, "d");
-  }
+  if (scene.has_support())
+    support_line(scene, scene.at_difference(scene.state.support.w), scene.state.d);
+  if (scene.has_direction()) search_direction(scene);
   if (scene.has_support()) scene.simplex_vertex(scene.state.support, "support");
 }
 

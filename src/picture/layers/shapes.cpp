@@ -8,7 +8,7 @@ using Eigen::Vector2d;
 using namespace sizes;
 
 void shape(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
-           const std::string& role) {
+           const LessonMotion* motion, const std::string& role) {
   std::vector<Point> points;
   for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
   const Point middle = centroid(points);
@@ -26,34 +26,45 @@ void shape(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vect
     scene.disk(role + ".vertex", points[i], kVertexRadius);
     Point away = points[i] - middle;
     if (points.size() == 1) away = Point::Zero();
-    scene.out.fixed_labels.push_back(scene.label("vertex:" + shape.vertex_names[i],
-                                                 shape.vertex_names[i], role + ".label",
-                                                 type::kVertex, points[i], kSimplexRadius, away));
+    // Beside a vertex that moves, no place is free for good.
+    const bool moves = motion && !motion->points.empty() && points.size() > 1;
+    auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+    labels.push_back(scene.label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
+                                 role + ".label", type::kVertex, points[i], kSimplexRadius, away));
   }
 }
 
 }  // namespace
 
 void shapes(SceneBuilder& scene) {
+  const Lesson& lesson = scene.run.lesson;
+  const LessonMotion* of_x = lesson.path_of_shapes ? &lesson.path_of_shapes->x : nullptr;
+  const LessonMotion* of_y = lesson.path_of_shapes ? &lesson.path_of_shapes->y : nullptr;
   if (scene.run.point_query()) {
-    shape(scene, scene.run.lesson.y, scene.positioned.y_world, "shape");
+    shape(scene, lesson.y, scene.positioned.y_world, of_y, "shape");
   } else {
-    shape(scene, scene.run.lesson.x, scene.positioned.x_world, "shape.x");
-    shape(scene, scene.run.lesson.y, scene.positioned.y_world, "shape.y");
+    shape(scene, lesson.x, scene.positioned.x_world, of_x, "shape.x");
+    shape(scene, lesson.y, scene.positioned.y_world, of_y, "shape.y");
   }
 }
 
 void path(SceneBuilder& scene) {
-  std::vector<Point> points;
-  for (const PositionedRun& run : scene.run.runs) points.push_back(scene.at(run.x_world[0]));
-  // Without a number of frames the path is a set of places to be in, not a way between them.
-  if (scene.run.lesson.path_of_x->frames > 0) {
-    scene.add("path", Polyline{points});
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
+  const LessonPath& path = *scene.run.lesson.path_of_shapes;
+  for (const auto& [motion, is_x] : {std::pair(&path.x, true), {&path.y, false}}) {
+    // Without a number of frames the path is a set of places to be in, not a way between them:
+    // marks of a point, but not of a polygon.
+    const bool is_point = (is_x ? scene.run.lesson.x : scene.run.lesson.y).vertices.size() == 1;
+    if (motion->points.empty() || (path.frames == 0 && !is_point)) continue;
+    std::vector<Point> points;
+    for (const PositionedRun& run : scene.run.runs)
+      points.push_back(scene.at(centroid(is_x ? run.x_world : run.y_world)));
+    if (path.frames > 0) {
+      scene.add("path", Polyline{points});
+      for (std::size_t i = 1; i < points.size(); ++i)
+        scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     }
+    for (const Point& point : points) scene.add("path.point", Disk{point, 3.0});
   }
-  for (const Point& point : points) scene.add("path.point", Disk{point, 3.0});
 }
 
 void query_point(SceneBuilder& scene) {
@@ -68,7 +79,7 @@ void query_point(SceneBuilder& scene) {
     const Point o = scene.at(Vector2d::Zero());
     scene.add("origin", Cross{o, kOriginRadius});
     scene.out.obstacles.circles.push_back({o, kOriginRadius});
-    scene.out.fixed_labels.push_back(
+    scene.labels_of_difference().push_back(
         scene.label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
   }
 }

@@ -1,0 +1,12 @@
+#include "effects/cold_start.hpp"
+
+namespace gjkscope {
+
+EffectKey ColdStart::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+ColdStart::Value ColdStart::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  const WideTrace cold = run_afresh(run, frame.run).trace;
+  return {cold.result.iterations, support_calls(cold)};
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,41 @@
+#include "effects/motion.hpp"
+
+namespace gjkscope {
+namespace {
+
+/// Corners of the difference at the position of a frame, moved by `shift`.
+std::vector<Eigen::Vector2d> hull_corners(EffectGraph& graph, const Frame& frame,
+                                          const Eigen::Vector2d& shift) {
+  const MinkowskiCloud::Value& cloud = graph.get<MinkowskiCloud>(frame);
+  std::vector<Eigen::Vector2d> corners;
+  for (const int index : graph.get<MinkowskiHull>(frame))
+    corners.push_back(cloud[index].z + shift);
+  return corners;
+}
+
+}  // namespace
+
+EffectKey LastPosition::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+LastPosition::Value LastPosition::compute(EffectGraph& graph, const LessonRun& run,
+                                          const Frame& frame) {
+  if (frame.run == 0) return {};
+  const PositionedRun& now = run.run(frame);
+  const PositionedRun& last = run.runs[frame.run - 1];
+  return Positions{last.x_world,
+                   last.y_world,
+                   hull_corners(graph, {frame.run - 1, -1, -1}, Eigen::Vector2d::Zero()),
+                   now.x.translate - last.x.translate,
+                   now.y.translate - last.y.translate,
+                   now.x.rotate_degrees != last.x.rotate_degrees ||
+                       now.y.rotate_degrees != last.y.rotate_degrees};
+}
+
+EffectKey GrownObstacle::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+GrownObstacle::Value GrownObstacle::compute(EffectGraph& graph, const LessonRun& run,
+                                            const Frame& frame) {
+  return hull_corners(graph, frame, run.run(frame).x.translate);
+}
+
+}  // namespace gjkscope

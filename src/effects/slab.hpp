@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+
+#include "effects/graph.hpp"
+
+namespace gjkscope {
+
+/// The widest strip between X and Y that the support points found by a frame's step prove empty
+/// (Larsen 1998, "Proof of Local Verification"). All of Y lies on one side of the line through its
+/// support point along d, normal to d; all of X on the other side of the line through its own along
+/// -d. The strip between them, seen in the difference, lies between O and the support line of Z: its
+/// width is a lower bound of the distance.
+struct Slab {
+  static constexpr std::string_view kName = "slab";
+  static constexpr std::string_view kNeeds = "";
+  struct Strip {
+    gjk::SupportPoint<double, 2> support;
+    Eigen::Vector2d normal;  ///< d as a unit vector: from Y to X.
+    double width = 0.0;
+  };
+  /// Empty until a support line has X and Y on its two sides.
+  using Value = std::optional<Strip>;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+/// The same, for words.
+[[nodiscard]] Slab::Value widest_strip(const LessonRun& run, const Frame& frame);
+
+}  // namespace gjkscope

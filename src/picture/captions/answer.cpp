@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "effects/motion.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using Eigen::Vector2d;
+using fmt::format;
+
+/// "vertex K of Y and edge CD of X", from the vertices whose differences hold P.
+std::string features(const Story& story) {
+  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const Lesson& lesson = story.run.lesson;
+  return format("{} of {} and {} of {}", feature_name(story.run, simplex, true), lesson.x.name,
+                feature_name(story.run, simplex, false), lesson.y.name);
+}
+
+/// Where P lies on Z.
+std::string place_of_p(const Story& story) {
+  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const SimplexWords words(story.run, simplex);
+  return simplex.count == 1 ? format("is {}", words.vertex(0))
+                            : "lies on the " + words.kind_and_face(simplex.all());
+}
+
+void overlap(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  text.caption = format("{} and {} share a point x = y, so y − x = 0: O lies in Z.", lesson.x.name,
+                        lesson.y.name);
+  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const SimplexWords words(story.run, simplex);
+  text.detail = format("O lies {} the {}: the distance is 0 in both views.",
+                       simplex.count == 1   ? "at"
+                       : simplex.count == 2 ? "on"
+                                            : "in",
+                       words.kind_and_face(simplex.all()));
+}
+
+void warm_start(const Story& story, FrameText& text) {
+  const gjk::Result<double, 2>& result = story.trace.result;
+  const std::string starts =
+      SimplexWords(story.run, story.trace.initial.simplex).face(story.trace.initial.simplex.all());
+  const std::string count =
+      format("{} iteration{}", result.iterations, result.iterations == 1 ? "" : "s");
+  const gjk::Simplex<double, 2>& start = story.trace.initial.simplex;
+  const auto in_start = [&](const gjk::SupportPoint<double, 2>& vertex) {
+    return std::any_of(start.vertices.begin(), start.vertices.begin() + start.count,
+                       [&](const auto& other) { return other.pair == vertex.pair; });
+  };
+  const bool is_same =
+      start.count == result.simplex.count &&
+      std::all_of(result.simplex.vertices.begin(),
+                  result.simplex.vertices.begin() + result.simplex.count, in_start);
+  if (story.frame.run == 0) {
+    text.caption =
+        format("The first run has nothing to build on: from {} it takes {}.", starts, count);
+  } else if (is_same) {
+    text.caption =
+        format("Start from {}, where the last run ended: P is still there, {} confirms it.", starts,
+               count);
+  } else if (result.iterations == 1) {
+    text.caption =
+        format("Start from {}, where the last run ended: {} finds the new P in it.", starts, count);
+  } else {
+    text.caption = format(
+        "Start from {}, where the last run ended: P has left it, {} find it again.", starts, count);
+  }
+  text.detail = result.distance > 0.0 ? format("Closest now: {}, {} apart.", features(story),
+                                               story.numbers(result.distance))
+                                      : format("{} and {} overlap: O lies in Z.",
+                                               story.run.lesson.x.name, story.run.lesson.y.name);
+}
+
+void slide(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const std::string distance = story.numbers(story.trace.result.distance);
+  text.detail = format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
+                       distance, lesson.x.name, lesson.y.name, lesson.y.name);
+  if (story.frame.run == 0) {
+    text.caption =
+        format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.", lesson.y.name,
+               lesson.x.name, lesson.y.name, lesson.y.name, lesson.x.name);
+    return;
+  }
+  const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
+  const Vector2d x_by = story.positioned.x.translate - last.x.translate;
+  const Vector2d y_by = story.positioned.y.translate - last.y.translate;
+  const std::string z_by = story.numbers.point(y_by - x_by);
+  if (x_by == y_by) {
+    text.caption = format("Both moved by {}: Z and everything in it stay where they were.",
+                          story.numbers.point(x_by));
+  } else if (y_by.norm() == 0.0) {
+    text.caption = format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x.name,
+                          story.numbers.point(x_by), z_by);
+  } else if (x_by.norm() == 0.0) {
+    text.caption = format("The {} moved by {}, and Z slides along by {}.", lesson.y.name,
+                          story.numbers.point(y_by), z_by);
+  } else {
+    text.caption = format("Z slides by {}: what the {} moved, less what the {} moved.", z_by,
+                          lesson.y.name, lesson.x.name);
+  }
+}
+
+/// "0.317 L + 0.683 K"
+std::string weighted(const Story& story, const std::vector<std::string>& names) {
+  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  if (simplex.count == 1) return names[0];
+  std::string out;
+  for (int i = 0; i < simplex.count; ++i) {
+    if (i > 0) out += " + ";
+    out += story.numbers.weight(simplex.weights[i]) + " " + names[static_cast<std::size_t>(i)];
+  }
+  return out;
+}
+
+/// A point of one shape, from the weights of P.
+void carried_back(const Story& story, bool of_x, FrameText& text) {
+  const gjk::Result<double, 2>& result = story.trace.result;
+  const LessonShape& shape = of_x ? story.run.lesson.x : story.run.lesson.y;
+  std::vector<std::string> names;
+  for (int i = 0; i < result.simplex.count; ++i) {
+    const gjk::VertexPair pair = result.simplex.vertices[i].pair;
+    names.push_back(shape.vertex_names[of_x ? pair.x : pair.y]);
+  }
+  const std::string letter = of_x ? "x" : "y";
+  const bool one_vertex =
+      std::all_of(names.begin(), names.end(), [&](const auto& name) { return name == names[0]; });
+  text.caption = format("On the vertices of {} the same weights give {} = {}.", shape.name, letter,
+                        weighted(story, names));
+  const std::string point = story.numbers.point(of_x ? result.x : result.y);
+  if (!one_vertex) {
+    text.detail = format("{} = {} is the point of {} that is closest to {}.", letter, point,
+                         shape.name, of_x ? story.run.lesson.y.name : story.run.lesson.x.name);
+  } else if (names.size() == 1) {
+    text.detail =
+        format("P is a single difference, so {} is {} itself: {}.", letter, names[0], point);
+  } else {
+    text.detail =
+        format("{} differences come from {}, so {} is {} itself: {}.",
+               names.size() == 2 ? "Both" : "All three", names[0], letter, names[0], point);
+  }
+}
+
+}  // namespace
+
+void answer(const Story& story, FrameText& text) {
+  if (story.run.lesson.warm_start) return warm_start(story, text);
+  if (story.shows(LastPosition::kName)) return slide(story, text);
+  if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
+  text.caption = format(
+      "{} and {} are {} apart, and O is as far from Z: it is the same arrow y − x.",
+      story.run.lesson.x.name, story.run.lesson.y.name, story.numbers(story.trace.result.distance));
+  text.detail = format("Closest are {}, so P {}.", features(story), place_of_p(story));
+}
+
+void witness(const Story& story, FrameText& text) {
+  const gjk::Result<double, 2>& result = story.trace.result;
+  const SimplexWords words(story.run, result.simplex);
+  std::vector<std::string> of_z;
+  for (int i = 0; i < result.simplex.count; ++i) {
+    of_z.push_back(result.simplex.count == 1 ? words.vertex(i) : format("({})", words.vertex(i)));
+  }
+  switch (story.frame.detail) {
+    case kWitnessP:
+      text.caption = format("P = {} is the point of Z closest to O.", weighted(story, of_z));
+      text.detail =
+          "Each difference remembers its two vertices. Put the weights on those: first on Y's, "
+          "then on X's.";
+      return;
+    case kWitnessY:
+      return carried_back(story, false, text);
+    case kWitnessX:
+      return carried_back(story, true, text);
+    default:
+      if (!(result.distance > 0.0)) return overlap(story, text);
+      text.caption =
+          format("y − x = {} − {} = {} is P, so |y − x| = |P| = {}.", story.numbers.point(result.y),
+                 story.numbers.point(result.x), story.numbers.point(result.y - result.x),
+                 story.numbers(result.distance));
+      text.detail =
+          format("Closest are {}: the two indices of each difference say which.", features(story));
+  }
+}
+
+}  // namespace gjkscope::captions

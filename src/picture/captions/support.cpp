@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using fmt::format;
+
+/// The vertices of a shape behind its support point.
+std::string behind(const LessonShape& shape, int support) {
+  return format("all of {} lies behind the dashed line through {}", shape.name,
+                shape.vertex_names[support]);
+}
+
+/// "the largest of 5", and which vertices lie as far.
+std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
+                 int support, const Eigen::Vector2d& d) {
+  std::string out = format("the largest of {}", vertices.size());
+  const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
+  constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
+    const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
+    if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
+      continue;
+    out += format(", as large as {}'s", shape.vertex_names[static_cast<std::size_t>(i)]);
+  }
+  return out;
+}
+
+}  // namespace
+
+void support_in_parts(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const gjk::VertexPair pair = story.state.support.pair;
+  const std::string& k = lesson.y.vertex_names[pair.y];
+  const std::string& c = lesson.x.vertex_names[pair.x];
+  const std::string name = story.run.pair_name(pair);
+  const std::size_t of_x = lesson.x.vertices.size();
+  const std::size_t of_y = lesson.y.vertices.size();
+  const double along_y = story.state.d.dot(story.positioned.y_world[pair.y]);
+  const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
+  switch (story.frame.detail) {
+    case kSupportDirection:
+      text.caption = format("d = {} leads from P to O. Which point of Z lies farthest that way?",
+                            story.numbers.point(story.state.d));
+      text.detail = format(
+          "dot(d, y − x) = dot(d, y) + dot(−d, x): look along d in {} and along −d in {}, each for "
+          "itself.",
+          lesson.y.name, lesson.x.name);
+      return;
+    case kSupportOfY:
+      text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
+                            lesson.y.name, k, story.numbers(along_y),
+                            rank(story.positioned.y_world, lesson.y, pair.y, story.state.d));
+      text.detail = format("So {}. The support point of Z is one of the ringed {} − x.",
+                           behind(lesson.y, pair.y), k);
+      return;
+    case kSupportOfX:
+      text.caption = format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
+                            lesson.x.name, c, story.numbers(along_x),
+                            rank(story.positioned.x_world, lesson.x, pair.x, -story.state.d));
+      text.detail =
+          format("So {}. Of the ringed differences it is {}.", behind(lesson.x, pair.x), name);
+      return;
+    default:
+      text.caption =
+          format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}.", name, name,
+                 story.numbers(along_y), along_x < 0.0 ? "−" : "+",
+                 story.numbers(std::abs(along_x)), story.numbers(story.state.support_value));
+      text.detail = format(
+          "None of the {} points of Z lies beyond its line, and {} + {} dot products found it.",
+          of_x * of_y, of_y, of_x);
+  }
+}
+
+void touched_points(const Story& story, FrameText& text) {
+  const std::size_t all = story.positioned.x_world.size() * story.positioned.y_world.size();
+  text.detail +=
+      format(" GJK made {} of the {} points of Z.", touched_by(story.run, story.frame).size(), all);
+}
+
+void slab(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const auto& [lower, upper] = story.run.bounds(story.frame);
+  const std::string low = story.numbers(lower);
+  const std::string high = story.numbers(upper);
+  const std::optional<Slab::Strip> widest = widest_strip(story.run, story.frame);
+  if (story.phase_is(gjk::Phase::closest)) {
+    text.caption = format("The closest points of this simplex are {} apart: no distance is larger.",
+                          story.distance());
+    text.detail = widest ? format("The slab is {} wide, so the distance lies between {} and {}.",
+                                  story.numbers(widest->width), low, high)
+                         : format("An upper bound: {}. Is there a pair that is closer?", high);
+    return;
+  }
+  const std::string k = lesson.y.vertex_names[story.state.support.pair.y];
+  const std::string c = lesson.x.vertex_names[story.state.support.pair.x];
+  if (story.phase_is(gjk::Phase::support)) {
+    const double gap = -story.state.support_value / story.state.d.norm();
+    if (!(gap > 0.0)) {
+      text.caption =
+          format("The lines through {} and {} leave no gap: this d separates nothing.", k, c);
+      text.detail = format("The distance still lies between {} and {}.", low, high);
+    } else if (widest->support.pair == story.state.support.pair && widest->width == gap) {
+      text.caption = format(
+          "{} is the last of {} along d, {} of {} along −d: the slab between, {} wide, is empty.",
+          k, lesson.y.name, c, lesson.x.name, story.numbers(gap));
+      text.detail = format(
+          "Any way from {} to {} crosses the slab, so the distance is at least {}; at most {}.",
+          lesson.x.name, lesson.y.name, low, high);
+    } else {
+      text.caption =
+          format("The lines through {} and {} are {} apart: the slab found before is wider.", k, c,
+                 story.numbers(gap));
+      text.detail = format("The distance lies between {} and {}.", low, high);
+    }
+    return;
+  }
+  if (!story.ended()) {
+    text.caption =
+        format("{} − {} = {} is still open, so {} joins the simplex.", high, low,
+               story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
+    text.detail =
+        "The slab may widen, the closest points may come closer, until both are the same.";
+    return;
+  }
+  text.caption =
+      widest ? format("Stop: the empty slab is as wide as the closest points are apart, {}.",
+                      story.numbers(story.trace.result.distance))
+             : format("Stop: no slab separates {} from {}.", lesson.x.name, lesson.y.name);
+  text.detail = widest ? "Nothing can be closer than the slab is wide: the answer is proved, and "
+                         "the slab is the proof."
+                       : "The distance is 0.";
+}
+
+}  // namespace gjkscope::captions

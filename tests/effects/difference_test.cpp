@@ -1,0 +1,136 @@
+// Effects around the Minkowski difference: what they compute, held against brute force.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "effects/cold_start.hpp"
+#include "effects/motion.hpp"
+#include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
+#include "geometry/polygon.hpp"
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+using testing::shipped_lesson;
+
+double distance_to(const std::vector<Vector2d>& polygon, const Vector2d& point) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    least =
+        std::min(least, segment_distance(point, polygon[i], polygon[(i + 1) % polygon.size()]));
+  return least;
+}
+
+TEST(ColdStart, IsARunOfItsOwnThatCostsMoreAlongASlowMotion) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-motion"));
+  EffectGraph graph(run);
+  int cold = 0;
+  int warm = 0;
+  for (const Frame& frame : run.frames) {
+    const ColdStart::Value& afresh = graph.get<ColdStart>(frame);
+    cold += afresh.support_calls;
+    warm += support_calls(run.run(frame).trace);
+    EXPECT_GE(afresh.iterations, 1);
+  }
+  EXPECT_EQ(graph.count("cold-start").runs, static_cast<long>(run.runs.size()));
+  EXPECT_LT(2 * warm, cold + 10) << "warm starts need about half of the support points or fewer";
+}
+
+TEST(TouchedPoints, AreThoseOfTheStartAndTheSupportPointsEachOnce) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
+  EffectGraph graph(run);
+  std::size_t last = 0;
+  for (const Frame& frame : run.frames) {
+    const TouchedPoints::Value& touched = graph.get<TouchedPoints>(frame);
+    EXPECT_GE(touched.size(), last) << "what was touched stays touched";
+    last = touched.size();
+    std::set<std::pair<int, int>> pairs;
+    for (const auto& point : touched) {
+      pairs.insert({point.pair.x, point.pair.y});
+      const PositionedRun& at = run.run(frame);
+      EXPECT_LT((point.w - (at.y_world[point.pair.y] - at.x_world[point.pair.x])).norm(), 1e-14);
+    }
+    EXPECT_EQ(pairs.size(), touched.size());
+  }
+  // N-C to start from; L-D, K-C and K-D found, K-C once more.
+  EXPECT_EQ(last, 4u);
+}
+
+TEST(Slab, HoldsNothingOfXAndYAndIsAsWideAsTheDistanceInTheEnd) {
+  const LessonRun run = run_lesson(shipped_lesson("slab-certificate"));
+  EffectGraph graph(run);
+  double last = 0.0;
+  int slabs = 0;
+  for (const Frame& frame : run.frames) {
+    const Slab::Value& strip = graph.get<Slab>(frame);
+    if (!strip) continue;
+    ++slabs;
+    const PositionedRun& at = run.run(frame);
+    const Vector2d& y_side = at.y_world[strip->support.pair.y];
+    const Vector2d& x_side = at.x_world[strip->support.pair.x];
+    EXPECT_NEAR(strip->normal.norm(), 1.0, 1e-15);
+    EXPECT_NEAR(strip->normal.dot(x_side - y_side), strip->width, 1e-14);
+    for (const Vector2d& y : at.y_world) EXPECT_LE(strip->normal.dot(y - y_side), 1e-14);
+    for (const Vector2d& x : at.x_world) EXPECT_GE(strip->normal.dot(x - x_side), -1e-14);
+    EXPECT_GE(strip->width, last) << "the widest so far";
+    EXPECT_NEAR(strip->width, run.bounds(frame).lower, 1e-12);
+    last = strip->width;
+  }
+  EXPECT_GT(slabs, 3);
+  EXPECT_NEAR(last, run.runs[0].trace.result.distance, 1e-14);
+}
+
+TEST(LastPosition, ShapesThatDoNotTurnSlideTheDifference) {
+  const LessonRun run = run_lesson(shipped_lesson("minkowski-translate"));
+  EffectGraph graph(run);
+  EXPECT_FALSE(graph.get<LastPosition>(run.frames[0]));
+  std::set<std::string> kinds;
+  for (std::size_t i = 1; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    const LastPosition::Value& last = graph.get<LastPosition>(frame);
+    ASSERT_TRUE(last);
+    EXPECT_FALSE(last->turned);
+    const MinkowskiCloud::Value& cloud = graph.get<MinkowskiCloud>(frame);
+    const MinkowskiHull::Value& hull = graph.get<MinkowskiHull>(frame);
+    ASSERT_EQ(hull.size(), last->z.size());
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      const Vector2d slid = last->z[k] + last->y_by - last->x_by;
+      EXPECT_LT((cloud[hull[k]].z - slid).norm(), 1e-14);
+    }
+    kinds.insert(last->x_by == last->y_by      ? "both"
+                 : last->y_by == Vector2d(0, 0) ? "robot"
+                 : last->x_by == Vector2d(0, 0) ? "obstacle"
+                                                : "each its own way");
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"both", "robot", "obstacle"}));
+}
+
+TEST(LastPosition, ATurnDoesMoreThanSlide) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-motion"));
+  EffectGraph graph(run);
+  EXPECT_TRUE(graph.get<LastPosition>(run.frames[1])->turned);
+}
+
+TEST(GrownObstacle, IsAsFarFromThePointAsTheObstacleFromTheRobot) {
+  const LessonRun run = run_lesson(shipped_lesson("minkowski-translate"));
+  EffectGraph graph(run);
+  for (const Frame& frame : run.frames) {
+    const GrownObstacle::Value& grown = graph.get<GrownObstacle>(frame);
+    EXPECT_GT(signed_area(grown), 0.0);
+    const PositionedRun& at = run.run(frame);
+    double least = INFINITY;
+    for (const Vector2d& x : at.x_world) least = std::min(least, distance_to(at.y_world, x));
+    for (const Vector2d& y : at.y_world) least = std::min(least, distance_to(at.x_world, y));
+    EXPECT_NEAR(distance_to(grown, at.x.translate), least, 1e-13);
+    EXPECT_NEAR(at.trace.result.distance, least, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope

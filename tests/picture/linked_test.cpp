@@ -1,0 +1,146 @@
+// World and difference side by side: both views show the same step, and the words say what it says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "lessons.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+namespace {
+
+using testing::shipped_lesson;
+
+std::vector<FramePicture> pictures_of(const LessonRun& run) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  EffectGraph effects(run);
+  return lesson_pictures(run, effects, fonts);
+}
+
+/// Marks of a role in a view; in none: labels, and those of the panel.
+template <class Shape>
+std::vector<Shape> marks(const FramePicture& frame, const std::string& role, int view) {
+  std::vector<Shape> out;
+  for (const Mark& mark : frame.picture.marks) {
+    const Shape* shape = std::get_if<Shape>(&mark.shape);
+    if (shape && mark.role == role && mark.clip == view) out.push_back(*shape);
+  }
+  return out;
+}
+
+double length(const Polyline& line) { return (line.points.back() - line.points.front()).norm(); }
+
+TEST(Linked, TheSupportPairLightsUpInAllThreePlaces) {
+  const LessonRun run = run_lesson(shipped_lesson("minkowski-support"));
+  const auto frames = pictures_of(run);
+  ASSERT_EQ(frames.size(), 16u);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    SCOPED_TRACE(i + 1);
+    const int detail = run.frames[i].detail;
+    EXPECT_EQ(marks<Disk>(frames[i], "support.vertex", 0).size(),
+              static_cast<std::size_t>(std::min(detail, 2)));
+    EXPECT_EQ(marks<Disk>(frames[i], "support.vertex", 1).size(), detail == kSupportOfZ ? 1u : 0u);
+  }
+}
+
+TEST(Linked, BothViewsShowTheSameShortestWay) {
+  // The lesson promises both views at one scale.
+  const LessonRun run = run_lesson(shipped_lesson("minkowski-distance"));
+  int ways = 0;
+  for (const FramePicture& frame : pictures_of(run)) {
+    const auto world = marks<Polyline>(frame, "closest.line", 0);
+    const auto difference = marks<Polyline>(frame, "closest.line", 1);
+    ASSERT_EQ(world.size(), difference.size());
+    if (world.empty()) continue;
+    ++ways;
+    EXPECT_NEAR(length(world[0]), length(difference[0]), 1e-9);
+    const Point along_world = world[0].points[1] - world[0].points[0];
+    const Point along_difference = difference[0].points[1] - difference[0].points[0];
+    EXPECT_NEAR(std::abs(along_world.dot(along_difference)),
+                along_world.norm() * along_difference.norm(), 1e-9)
+        << "they are parallel";
+  }
+  EXPECT_EQ(ways, 4);
+}
+
+TEST(Linked, EveryCornerOfTheDifferenceIsNamedByItsPair) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
+  const auto frames = pictures_of(run);
+  std::set<std::string> names;
+  for (const char* role : {"cloud.label", "simplex.label"}) {
+    for (const Text& text : marks<Text>(frames[0], role, -1)) names.insert(text.text);
+  }
+  EXPECT_EQ(names,
+            (std::set<std::string>{"K−C", "K−D", "L−D", "L−E", "M−A", "M−E", "N−A", "N−B", "N−C"}));
+}
+
+TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-motion"));
+  const auto frames = pictures_of(run);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    // One bar a position so far, and one in the key.
+    EXPECT_EQ(marks<Box>(frames[i], "chart.cold", -1).size(), i + 2);
+    EXPECT_EQ(marks<Box>(frames[i], "chart.warm", -1).size(), i + 2);
+  }
+}
+
+TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  for (Lesson lesson : testing::shipped_lessons()) {
+    lesson.phases.clear();
+    for (const Granularity granularity :
+         {Granularity::answer, Granularity::support, Granularity::witness}) {
+      lesson.granularity = granularity;
+      const LessonRun run = run_lesson(lesson);
+      EffectGraph effects(run);
+      for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+        EXPECT_FALSE(frame.text.caption.empty()) << lesson.id;
+        EXPECT_FALSE(frame.text.detail.empty()) << lesson.id;
+      }
+    }
+  }
+}
+
+TEST(LinkedCaptions, SayWhatWasComputed) {
+  // By hand: d = −(N − C) = −(2.4, 2.7); dot(d, L) = −2.4·1.25 + 2.7·0.3 = −2.19;
+  // dot(−d, D) = −2.4·1.1 + 2.7·1.15 = 0.465.
+  const auto support = pictures_of(run_lesson(shipped_lesson("minkowski-support")));
+  EXPECT_EQ(support[3].text.caption,
+            "L−D is the support point of Z: dot(d, L−D) = −2.1900 + 0.4650 = −1.7250.");
+  // K = (0.1, 1) against the line through B = (−0.6, 0) and C = (−1.6, 1.6):
+  // weight of C = ((K − B)·(C − B)) / |C − B|² = (−0.7 + 1.6) / 3.56 = 0.253.
+  const auto witness = pictures_of(run_lesson(shipped_lesson("polygons-witness")));
+  EXPECT_EQ(witness[0].text.caption,
+            "P = 0.747 (K−B) + 0.253 (K−C) is the point of Z closest to O.");
+  EXPECT_EQ(witness[1].text.detail,
+            "Both differences come from K, so y is K itself: (0.10, 1.00).");
+  EXPECT_EQ(witness[2].text.caption,
+            "On the vertices of X the same weights give x = 0.747 B + 0.253 C.");
+  const auto slide = pictures_of(run_lesson(shipped_lesson("minkowski-translate")));
+  EXPECT_EQ(slide[1].text.caption,
+            "The robot moved by (1.00, 2.00), so Z slides by (−1.00, −2.00): the opposite way.");
+  EXPECT_EQ(slide[6].text.caption,
+            "Both moved by (1.00, −1.00): Z and everything in it stay where they were.");
+}
+
+TEST(LinkedCaptions, TheSlabProvesTheDistance) {
+  const LessonRun run = run_lesson(shipped_lesson("slab-certificate"));
+  const auto frames = pictures_of(run);
+  // 1.3557 is the distance of K = (0.3, 0.8) from the line through C = (−0.9, −0.75) and
+  // D = (−1.1, 1.15).
+  const double distance = std::abs(1.9 * (0.3 + 0.9) + 0.2 * (0.8 + 0.75)) / std::hypot(1.9, 0.2);
+  EXPECT_NEAR(distance, 1.3557, 5e-5);
+  EXPECT_EQ(frames.back().text.caption,
+            "Stop: the empty slab is as wide as the closest points are apart, 1.3557.");
+  for (const FramePicture& frame : frames) {
+    const bool has_slab = !marks<Polygon>(frame, "slab", 0).empty();
+    EXPECT_EQ(has_slab, !marks<Polygon>(frame, "slab", 1).empty()) << "in both views";
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope
