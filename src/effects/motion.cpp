@@ -8,8 +8,7 @@ std::vector<Eigen::Vector2d> hull_corners(EffectGraph& graph, const Frame& frame
                                           const Eigen::Vector2d& shift) {
   const MinkowskiCloud::Value& cloud = graph.get<MinkowskiCloud>(frame);
   std::vector<Eigen::Vector2d> corners;
-  for (const int index : graph.get<MinkowskiHull>(frame))
-    corners.push_back(cloud[index].z + shift);
+  for (const int index : graph.get<MinkowskiHull>(frame)) corners.push_back(cloud[index].z + shift);
   return corners;
 }
 

@@ -8,8 +8,8 @@ namespace gjkscope {
 /// The widest strip between X and Y that the support points found by a frame's step prove empty
 /// (Larsen 1998, "Proof of Local Verification"). All of Y lies on one side of the line through its
 /// support point along d, normal to d; all of X on the other side of the line through its own along
-/// -d. The strip between them, seen in the difference, lies between O and the support line of Z: its
-/// width is a lower bound of the distance.
+/// -d. The strip between them, seen in the difference, lies between O and the support line of Z:
+/// its width is a lower bound of the distance.
 struct Slab {
   static constexpr std::string_view kName = "slab";
   static constexpr std::string_view kNeeds = "";

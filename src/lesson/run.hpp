@@ -47,8 +47,8 @@ struct PositionedRun {
 /// Empty for all others.
 [[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
-/// What the frames of one support step show, one after the other: d, the support point of Y along d,
-/// that of X along -d, their difference.
+/// What the frames of one support step show, one after the other: d, the support point of Y along
+/// d, that of X along -d, their difference.
 enum SupportDetail { kSupportDirection, kSupportOfY, kSupportOfX, kSupportOfZ };
 
 /// What the frames of one answer show, one after the other: P and its weights, the same weights on

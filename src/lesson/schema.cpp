@@ -78,9 +78,8 @@ std::vector<LessonKey> make_keys() {
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
        "frames end with the first step of this phase; along a path each shows it (else the closest "
        "point)"},
-      {"steps", "phases",
-       fmt::format("list of: {}", fmt::join(names_of<gjk::Phase>(), ", ")), "all of them",
-       "with granularity `phase`: the phases that get a frame"},
+      {"steps", "phases", fmt::format("list of: {}", fmt::join(names_of<gjk::Phase>(), ", ")),
+       "all of them", "with granularity `phase`: the phases that get a frame"},
 
       {"path", "points", point_list, "X stays where it is",
        fmt::format("2 to {} corners of the way of X: translations", kPositions)},
@@ -91,7 +90,8 @@ std::vector<LessonKey> make_keys() {
       {"path", "seconds", fmt::format("number from {} to {}", kShortest, kLongest), "no clock",
        "a clock: each shape passes its corners at equal times, `frames` are at equal steps of "
        "time"},
-      {"path", "Y", "table [path.Y]", "Y stays where it is", "how Y moves meanwhile; needs a clock"},
+      {"path", "Y", "table [path.Y]", "Y stays where it is",
+       "how Y moves meanwhile; needs a clock"},
       {"path.Y", "points", point_list, required, "corners of the way of Y, as those of X"},
       {"path.Y", "turns", list_of_turns, "Y does not turn",
        "degrees that Y is turned by at its corners, as many as `points`"},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -180,8 +181,12 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     for (const Scene& scene : built.scenes) {
       all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(),
                           scene.obstacles.segments.end());
-      all.passing.insert(all.passing.end(), scene.obstacles.passing.begin(),
-                         scene.obstacles.passing.end());
+      for (const Obstacles::Segment& line : scene.obstacles.passing) {
+        const bool known =
+            std::any_of(all.passing.begin(), all.passing.end(),
+                        [&](const auto& other) { return other.a == line.a && other.b == line.b; });
+        if (!known) all.passing.push_back(line);
+      }
       all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(),
                          scene.obstacles.circles.end());
     }

@@ -18,7 +18,8 @@ constexpr double kOutside = 1000.0;
 constexpr double kOverLabel = 400.0;
 constexpr double kOverCircle = 120.0;
 constexpr double kOverSegment = 100.0;
-constexpr double kOverPassing = 20.0;  // once, however many there are
+constexpr double kOverPassing = 12.0;
+constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 5.0;
 constexpr double kMove = 40.0;
@@ -102,9 +103,9 @@ double LabelPlacer::cost_of(const Rect& box) const {
     cost += hits(clear, circle) ? kOverCircle : 0.0;
   for (const Obstacles::Segment& segment : obstacles_.segments)
     cost += hits(clear, segment) ? kOverSegment : 0.0;
-  if (std::any_of(obstacles_.passing.begin(), obstacles_.passing.end(),
-                  [&](const auto& segment) { return hits(clear, segment); }))
-    cost += kOverPassing;
+  const auto passing = std::count_if(obstacles_.passing.begin(), obstacles_.passing.end(),
+                                     [&](const auto& segment) { return hits(clear, segment); });
+  cost += kOverPassing * std::min<double>(static_cast<double>(passing), kMostPassing);
   return cost;
 }
 

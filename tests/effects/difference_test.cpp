@@ -22,8 +22,7 @@ using testing::shipped_lesson;
 double distance_to(const std::vector<Vector2d>& polygon, const Vector2d& point) {
   double least = INFINITY;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    least =
-        std::min(least, segment_distance(point, polygon[i], polygon[(i + 1) % polygon.size()]));
+    least = std::min(least, segment_distance(point, polygon[i], polygon[(i + 1) % polygon.size()]));
   return least;
 }
 
@@ -103,7 +102,7 @@ TEST(LastPosition, ShapesThatDoNotTurnSlideTheDifference) {
       const Vector2d slid = last->z[k] + last->y_by - last->x_by;
       EXPECT_LT((cloud[hull[k]].z - slid).norm(), 1e-14);
     }
-    kinds.insert(last->x_by == last->y_by      ? "both"
+    kinds.insert(last->x_by == last->y_by       ? "both"
                  : last->y_by == Vector2d(0, 0) ? "robot"
                  : last->x_by == Vector2d(0, 0) ? "obstacle"
                                                 : "each its own way");

@@ -91,8 +91,9 @@ void slab(const Story& story, FrameText& text) {
   const std::string high = story.numbers(upper);
   const std::optional<Slab::Strip> widest = widest_strip(story.run, story.frame);
   if (story.phase_is(gjk::Phase::closest)) {
-    text.caption = format("The closest points of this simplex are {} apart: no distance is larger.",
-                          story.distance());
+    text.caption =
+        format("The closest points of this simplex are {} apart: the distance is at most that.",
+               story.distance());
     text.detail = widest ? format("The slab is {} wide, so the distance lies between {} and {}.",
                                   story.numbers(widest->width), low, high)
                          : format("An upper bound: {}. Is there a pair that is closer?", high);

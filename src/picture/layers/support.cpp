@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRowRadius = 5.0;
+constexpr double kRowRadius = 9.0;
 
 Vector2d middle_of(const std::vector<Vector2d>& vertices) {
   Vector2d middle = Vector2d::Zero();
