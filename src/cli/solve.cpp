@@ -64,7 +64,7 @@ bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S
 std::string_view explained(gjk::Error error) {
   switch (error) {
     case gjk::Error::overflow:
-      return "the distance exceeds the range of the scalar";
+      return "the distance exceeds the largest number";
     case gjk::Error::underflow:
       return "the coordinates are too small for the scalar";
     case gjk::Error::x_not_finite:
@@ -81,8 +81,12 @@ Json solve(const Case& value, Json answer) {
   const Points<S> x = converted<S>(value.a);
   const Points<S> y = converted<S>(value.b);
   const gjk::Result<S, 2> result = gjk::distance<S>(gjk::Query<S, 2>{{x}, {y}});
-  if (result.error != gjk::Error::none) {
-    answer["error"] = fmt::format("{}: {}", name_of(result.error), explained(result.error));
+  gjk::Error error = result.error;
+  // An exact run knows no largest number, its answer does; and a bound may lie above the distance.
+  if (error == gjk::Error::none && !std::isfinite(widened(result.upper)))
+    error = gjk::Error::overflow;
+  if (error != gjk::Error::none) {
+    answer["error"] = fmt::format("{}: {}", name_of(error), explained(error));
     return answer;
   }
   answer["distance"] = widened(result.distance);

@@ -118,7 +118,7 @@ class CaseReader {
     at = std::min(at, text_.size());
     const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - 1;
     problem.line = 1 + static_cast<int>(line - line_starts_.begin());
-    problem.column = 1 + static_cast<int>(at - *line);
+    problem.column = 1 + character_count(text_.substr(*line, at - *line));
     problem.what = std::move(what);
     problem.expected = expected;
     to.problems.push_back(std::move(problem));

@@ -514,6 +514,16 @@ FileText read_file(const std::filesystem::path& file) {
   return {std::move(text), {}};
 }
 
+/// At most one character behind the end of a line: the parser has the end of the file behind its
+/// last line break.
+Place within(std::string_view text, Place place) {
+  for (int line = 1; line < place.line; ++line) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  place.column = std::min(place.column, character_count(text.substr(0, text.find('\n'))) + 1);
+  return place;
+}
+
 /// The parsed file; nothing, and one problem, where it is not TOML.
 std::optional<toml::table> parse_toml(std::string_view text, Problems& problems) {
   if (text.size() > limits::kFileBytes) {
@@ -531,7 +541,7 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
     constexpr std::size_t kLongest = 200;  // the parser quotes what it stumbled on, however long
     const auto& begin = error.source().begin;
     const std::string what = std::string(error.description()).substr(0, kLongest);
-    problems.add(detail::place_at(begin), "not TOML: " + what);
+    problems.add(within(text, detail::place_at(begin)), "not TOML: " + what);
     return std::nullopt;
   }
 }

@@ -42,6 +42,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+int character_count(std::string_view utf8) {
+  return static_cast<int>(std::count_if(utf8.begin(), utf8.end(), starts_character));
+}
+
 std::string to_string(const Problem& problem) {
   std::string out =
       fmt::format("{}:{}:{}: {}", problem.file, problem.line, problem.column, problem.what);

@@ -15,6 +15,13 @@ struct Place {
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
+/// Whether a byte of a UTF-8 text starts a character: all do but those that continue one.
+[[nodiscard]] constexpr bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+/// Number of characters of a UTF-8 text.
+[[nodiscard]] int character_count(std::string_view utf8);
+
 struct Problem {
   std::string file;
   int line = 1;          ///< From 1.

@@ -260,6 +260,10 @@ int support_calls(const WideTrace& trace) {
 std::string why_not_drawn(const PositionedRun& run) {
   if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
     return fmt::format("the run is refused: {}", name_of(error));
+  const auto finite = [](const Vector2d& vertex) { return vertex.allFinite(); };
+  if (!std::all_of(run.x_world.begin(), run.x_world.end(), finite) ||
+      !std::all_of(run.y_world.begin(), run.y_world.end(), finite))
+    return "a vertex stands outside the range of the scalar";
   if (run.trace.prepared.exponent != 0)
     return "squares of the shapes' sizes leave the range of a double";
   return {};

@@ -43,8 +43,8 @@ struct PositionedRun {
 /// How often a run asked for a support point.
 [[nodiscard]] int support_calls(const WideTrace& trace);
 
-/// Why there is no picture of a run: GJK refused it, or its lengths are not in the world's unit.
-/// Empty for all others.
+/// Why there is no picture of a run: GJK refused it, a vertex stands where its scalar has no
+/// number, or its lengths are not in the world's unit. Empty for all others.
 [[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
 /// What the frames of one support step show, one after the other: d, the support point of Y along

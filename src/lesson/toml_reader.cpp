@@ -32,9 +32,6 @@ std::string_view kind_of(const toml::node& node) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// Starts a character, other than the bytes that continue one.
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
-
 /// "0x1.8p-3", with an optional sign. TOML itself has no hexadecimal floats.
 std::optional<double> hex_number(std::string_view text) {
   const bool negative = text.starts_with('-');
@@ -92,10 +89,6 @@ std::string in_quotes(std::string_view name) {
     out += is_control(c) ? '?' : c;
   }
   return out + "'";
-}
-
-int character_count(std::string_view utf8) {
-  return static_cast<int>(std::count_if(utf8.begin(), utf8.end(), starts_character));
 }
 
 Table::Table(const toml::table& table, std::string_view schema, Problems& problems)

@@ -54,9 +54,6 @@ class Problems {
 /// A name as messages quote it: in quotes, control characters replaced, long ones cut.
 [[nodiscard]] std::string in_quotes(std::string_view name);
 
-/// Number of characters of a UTF-8 text.
-[[nodiscard]] int character_count(std::string_view utf8);
-
 /// A table of the file. Opening it reports unknown and missing keys.
 class Table {
  public:

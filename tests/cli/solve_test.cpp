@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -102,6 +103,16 @@ TEST(Solve, ErrorsAreAnswersToo) {
   EXPECT_FALSE(solved.answers[1].contains("error"));
   EXPECT_NE(std::string::npos, solved.answers[2]["error"].get<std::string>().find("overflow"));
   EXPECT_FALSE(solved.err.empty());
+}
+
+TEST(Solve, AnExactDistanceBeyondDoublesIsAnError) {
+  for (const char* far : {"1e308", "8.98846567431158e307"}) {
+    const std::string text =
+        fmt::format(R"({{"a":[[-{0},1]],"b":[[{0},0]]}})", far);  // at least 2^1024 apart
+    const json answer = solve(text, ScalarKind::exact).answers[0];
+    EXPECT_FALSE(answer.contains("distance"));
+    EXPECT_TRUE(answer["error"].get<std::string>().starts_with("overflow")) << answer;
+  }
 }
 
 TEST(Solve, WhatFloatCannotHoldDoubleAndExactCan) {

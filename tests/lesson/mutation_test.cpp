@@ -327,6 +327,18 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
   }
 }
 
+TEST(VerticesBeyondTheScalar, AreAProblem) {
+  std::string text = lesson_of_size("half", "[[0, 100], [100, 100], [100, 18]]",
+                                    "[[95, 0], [600, 3], [500, 200]]");
+  const std::string corner = "[0, 0]]\nframes";
+  text.replace(text.find(corner), corner.size(), "[0, 65504]]\nframes");
+  const LoadedLesson loaded = parse_lesson(text, "high.toml", testing::effects_of_views());
+  ASSERT_TRUE(loaded.lesson);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  EXPECT_FALSE(why_not_drawn(run.runs.back()).empty());
+  EXPECT_EQ(check_expectation(run).size(), 1u);
+}
+
 TEST(ShapesOfAnotherUnit, AreAnsweredAndNotDrawn) {
   const LoadedLesson loaded =
       parse_lesson(lesson_of_size("double", "[[0, 0], [1e-200, 0], [0, 1e-200]]",

@@ -1,0 +1,34 @@
+#pragma once
+// What the targets hold their input to.
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "lesson/problem.hpp"
+
+namespace gjkscope::fuzz {
+
+/// Ends the program where a claim does not hold: that is how libFuzzer knows.
+inline void claim(bool holds, const std::string& what) {
+  if (holds) return;
+  std::fprintf(stderr, "It does not hold that %s\n", what.c_str());
+  std::abort();
+}
+
+/// A problem says something about a place of the file, at most one character behind a line's end.
+inline void claim_located(const Problem& problem, std::string_view file) {
+  const std::string told = to_string(problem);
+  claim(!problem.what.empty(), "a problem says what is wrong: " + told);
+  claim(problem.line >= 1 && problem.column >= 1, "places count from 1: " + told);
+  for (int line = 1; line < problem.line; ++line) {
+    const std::size_t end = file.find('\n');
+    claim(end != std::string_view::npos, "the file has the line of " + told);
+    file.remove_prefix(end + 1);
+  }
+  const std::string_view line = file.substr(0, file.find('\n'));
+  claim(problem.column <= character_count(line) + 1, "the line has the column of " + told);
+}
+
+}  // namespace gjkscope::fuzz

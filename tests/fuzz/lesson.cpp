@@ -1,0 +1,179 @@
+// Bytes as a lesson file. A lesson that loads is run, checked, told as text and JSON, and drawn.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "claims.hpp"
+#include "cli/input.hpp"
+#include "cli/trace_json.hpp"
+#include "cli/trace_text.hpp"
+#include "effects/graph.hpp"
+#include "lesson/load.hpp"
+#include "lesson/run.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector2d;
+
+// More than that only takes longer.
+constexpr std::size_t kMostBytes = 4096;
+constexpr std::size_t kMostScanned = 5000;  ///< Vertices, in all iterations of all runs.
+constexpr std::size_t kMostTold = 200;      ///< Steps.
+constexpr std::size_t kMostDrawn = 4;       ///< Frames.
+
+/// A file of this process: checking looks into it for places.
+class LessonFile {
+ public:
+  ~LessonFile() {
+    std::error_code none;
+    fs::remove(path_, none);
+  }
+  const fs::path& write(std::string_view text) const {
+    std::ofstream(path_, std::ios::binary) << text;
+    return path_;
+  }
+
+ private:
+  fs::path path_ = fs::temp_directory_path() / fmt::format("fuzz-lesson-{}.toml", ::getpid());
+};
+
+bool is_cheap(const Lesson& lesson) {
+  const gjk::Options& options = lesson.options;
+  const bool all_stops = options.stop_on_repeated_support && options.stop_on_no_progress;
+  const auto iterations = static_cast<std::size_t>(all_stops ? std::min(options.iteration_cap, 10)
+                                                             : options.iteration_cap);
+  std::size_t positions = 1;
+  if (const auto& path = lesson.path_of_shapes; path) {
+    positions = path->frames > 0 ? static_cast<std::size_t>(path->frames)
+                                 : std::max(path->x.points.size(), path->y.points.size());
+  }
+  const std::size_t vertices = lesson.x.vertices.size() + lesson.y.vertices.size();
+  return positions * iterations * vertices <= kMostScanned;
+}
+
+void claim_sound(const PositionedRun& run) {
+  const gjk::Result<double, 2>& result = run.trace.result;
+  claim(result.stop != gjk::StopReason::running, "a run ends");
+  claim(run.bounds.size() == run.trace.steps.size(), "each step has bounds");
+  if (result.error != gjk::Error::none) return;
+  claim(std::isfinite(result.distance), "a distance is finite");
+  claim((result.x.allFinite() && result.y.allFinite()) || !why_not_drawn(run).empty(),
+        "witness points are finite");
+  claim(0.0 <= result.lower && result.lower <= result.distance && result.distance <= result.upper,
+        "0 <= lower <= distance <= upper");
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  for (const DistanceBounds& bounds : run.bounds) {
+    claim(!std::isnan(bounds.lower) && !std::isnan(bounds.upper), "bounds are numbers");
+    lower = std::max(lower, bounds.lower);
+    upper = std::min(upper, bounds.upper);
+  }
+  claim(lower <= upper,
+        fmt::format("the bounds of all steps hold one distance: {} <= {}", lower, upper));
+}
+
+void claim_sound(const LessonRun& run) {
+  claim(!run.runs.empty(), "there is a run");
+  for (const PositionedRun& positioned : run.runs) claim_sound(positioned);
+  for (const Frame& frame : run.frames) {
+    claim(0 <= frame.run && frame.run < static_cast<int>(run.runs.size()) && -1 <= frame.step &&
+              frame.step < static_cast<int>(run.run(frame).trace.steps.size()),
+          "a frame shows a step");
+  }
+}
+
+/// What `gjkscope check` tells.
+void claim_checked(const LessonRun& run, std::string_view text) {
+  for (const Problem& problem : check_expectation(run)) claim_located(problem, text);
+  for (const LessonText& shown : texts_of(run.lesson)) {
+    if (Fonts::first_missing(shown.text) == 0) continue;
+    const Place place = place_of(run.lesson.path, shown.key);
+    claim_located({run.lesson.path, place.line, place.column, "missing character", "", ""}, text);
+  }
+}
+
+/// What `gjkscope trace` tells.
+void claim_told(const LessonRun& run) {
+  std::size_t steps = 0;
+  for (const PositionedRun& positioned : run.runs) steps += positioned.trace.steps.size();
+  if (steps > kMostTold) return;
+  claim(!trace_text(run).empty(), "a trace can be told");
+  claim(nlohmann::json::accept(trace_json(run)), "a trace is JSON");
+}
+
+bool is_finite(const Rect& rect) { return rect.min.allFinite() && rect.max.allFinite(); }
+bool is_finite(const std::vector<Vector2d>& points) {
+  return std::all_of(points.begin(), points.end(), [](const Vector2d& p) { return p.allFinite(); });
+}
+bool is_finite(const Polygon& shape) { return is_finite(shape.points); }
+bool is_finite(const Polyline& shape) { return is_finite(shape.points); }
+bool is_finite(const Arrow& shape) { return shape.from.allFinite() && shape.to.allFinite(); }
+bool is_finite(const Disk& shape) {
+  return shape.center.allFinite() && std::isfinite(shape.radius);
+}
+bool is_finite(const Cross& shape) {
+  return shape.center.allFinite() && std::isfinite(shape.radius);
+}
+bool is_finite(const Box& shape) { return is_finite(shape.rect) && std::isfinite(shape.corner); }
+bool is_finite(const Text& shape) { return shape.at.allFinite(); }
+
+/// What `gjkscope export` would draw, of some frames.
+void claim_drawn(LessonRun run) {
+  for (const PositionedRun& positioned : run.runs) {
+    if (!why_not_drawn(positioned).empty()) return;
+  }
+  const std::vector<Frame> frames = std::move(run.frames);
+  run.frames.clear();
+  const std::size_t count = std::min(frames.size(), kMostDrawn);
+  for (std::size_t i = 0; i < count; ++i)
+    run.frames.push_back(frames[i * (frames.size() - 1) / std::max<std::size_t>(count - 1, 1)]);
+
+  static const Fonts fonts(fs::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  EffectGraph effects(run);
+  const std::vector<FramePicture> drawn = lesson_pictures(run, effects, fonts);
+  claim(drawn.size() == count, "each frame is drawn");
+  for (const FramePicture& frame : drawn) {
+    claim(!frame.text.caption.empty() && !frame.text.detail.empty() && !frame.text.prose.empty(),
+          "a frame says what happened");
+    for (const Rect& clip : frame.picture.clips) claim(is_finite(clip), "clips are finite");
+    for (const Mark& mark : frame.picture.marks) {
+      claim(std::visit([](const auto& shape) { return is_finite(shape); }, mark.shape),
+            "marks are finite: " + mark.role);
+    }
+  }
+}
+
+void feed(std::string_view text) {
+  static const LessonFile file;
+  static const std::vector<std::string> effects = view_effects();
+  const LoadedLesson loaded = load_lesson(file.write(text), effects);
+  claim(loaded.lesson.has_value() == loaded.problems.empty(), "a lesson loads, or has problems");
+  for (const Problem& problem : loaded.problems) claim_located(problem, text);
+  if (!loaded.lesson || !is_cheap(*loaded.lesson)) return;
+  const LessonRun run = run_lesson(*loaded.lesson);
+  claim_sound(run);
+  claim_checked(run, text);
+  claim_told(run);
+  claim_drawn(run);
+}
+
+}  // namespace
+}  // namespace gjkscope::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gjkscope;
+  if (size > fuzz::kMostBytes) return 0;
+  fuzz::feed({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

@@ -1,0 +1,195 @@
+// Bytes as cases for `gjkscope solve`, in every scalar. What it answers is held to the exact truth.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "claim.hpp"
+#include "claims.hpp"
+#include "cli/commands.hpp"
+#include "geometry/rational.hpp"
+#include "lesson/case.hpp"
+#include "lesson/names.hpp"
+#include "lesson/scalar.hpp"
+
+namespace gjkscope::fuzz {
+namespace {
+
+using Eigen::Vector2d;
+using nlohmann::json;
+
+// More than that only takes longer.
+constexpr std::size_t kMostBytes = 4096;
+constexpr std::size_t kMostVertices = 100;  // of all cases of a text
+
+struct Solved {
+  int exit_code = 0;
+  std::vector<json> answers;
+};
+
+Solved solve(const std::string& text, ScalarKind scalar) {
+  std::istringstream in(text);
+  std::ostringstream out;
+  std::ostringstream err;
+  Solved solved;
+  solved.exit_code = solve_command({GJKSCOPE_SOURCE_DIR, in, out, err}, {"-"}, scalar);
+  std::istringstream lines(out.str());
+  for (std::string line; std::getline(lines, line);) {
+    solved.answers.push_back(json::parse(line, nullptr, false));
+    claim(solved.answers.back().is_object(), "an answer is a JSON object: " + line);
+  }
+  return solved;
+}
+
+std::vector<ReadCase> read(std::string_view text) {
+  std::vector<ReadCase> cases = parse_cases(text, "<stdin>");
+  claim(!cases.empty(), "there is a case or a problem");
+  for (const ReadCase& one : cases) {
+    claim(one.value.has_value() == one.problems.empty(), "a case is read, or has problems");
+    for (const Problem& problem : one.problems) claim_located(problem, text);
+  }
+  return cases;
+}
+
+/// Coordinates as numbers, or as hexadecimal texts.
+std::string written(const Case& value, bool hexadecimal) {
+  const auto coordinate = [&](double number) {
+    return hexadecimal ? json(fmt::format("{:a}", number)) : json(number);
+  };
+  const auto list = [&](const std::vector<Vector2d>& points) {
+    json out = json::array();
+    for (const Vector2d& p : points) out.push_back({coordinate(p[0]), coordinate(p[1])});
+    return out;
+  };
+  return json{{"a", list(value.a)}, {"b", list(value.b)}}.dump();
+}
+
+/// The case that a run in S sees, or nothing where a coordinate exceeds S.
+template <class S>
+std::optional<Case> rounded(Case value) {
+  for (std::vector<Vector2d>* points : {&value.a, &value.b}) {
+    for (Vector2d& point : *points) {
+      for (double& number : point) {
+        if constexpr (!gjk::ScalarTraits<S>::kExact) number = static_cast<double>(S(number));
+        if (!std::isfinite(number)) return std::nullopt;
+      }
+    }
+  }
+  return value;
+}
+
+Vector2d point_of(const json& list) { return {list[0].get<double>(), list[1].get<double>()}; }
+
+void claim_answer_or_error(const json& answer) {
+  const std::string told = answer.dump();
+  claim(answer.at("case").is_string() && answer.at("scalar").is_string(),
+        "an answer names its case and scalar: " + told);
+  const bool error = answer.contains("error");
+  for (const char* key : {"distance", "lower", "upper", "a", "b", "verdict", "overlap", "stop"}) {
+    claim(answer.contains(key) != error,
+          "an answer has either an error or all of its keys: " + told);
+  }
+  if (error) return;
+  for (const char* key : {"distance", "lower", "upper"}) {
+    claim(answer[key].is_number(), "numbers are finite: " + told);
+  }
+  for (const char* key : {"a", "b"}) {
+    claim(answer[key][0].is_number() && answer[key][1].is_number(), "points are finite: " + told);
+  }
+  const double distance = answer["distance"].get<double>();
+  claim(0.0 <= answer["lower"].get<double>() && answer["lower"].get<double>() <= distance &&
+            distance <= answer["upper"].get<double>(),
+        "0 <= lower <= distance <= upper: " + told);
+  const std::string verdict = answer["verdict"].get<std::string>();
+  const bool overlap = answer["overlap"].get<bool>();
+  claim(verdict == "undecided" || overlap == (verdict != "separated"),
+        "overlap and verdict agree: " + told);
+}
+
+/// `seen`: the case as the run in S saw it.
+template <class S>
+void claim_true(const json& answer, const Case& seen) {
+  const std::string told = answer.dump() + " for " + written(seen, false);
+  const truth::ExactPair pair(gjk::Query<double, 2>{{seen.a}, {seen.b}});
+  const truth::Truth exact = pair.truth({});
+  using Real = typename gjk::ScalarTraits<S>::Real;
+  if (answer.contains("error")) {
+    const std::string error = answer["error"].get<std::string>();
+    const bool far = exact.distance > 0.9L * static_cast<double>(std::numeric_limits<Real>::max());
+    const bool tiny = std::is_same_v<S, Eigen::half> && error.starts_with("underflow");
+    claim(far ? error.starts_with("overflow") : tiny, "there is a reason to refuse: " + told);
+    return;
+  }
+  claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + told);
+  truth::Claim claimed;
+  claimed.stop = value_of<gjk::StopReason>(answer["stop"].get<std::string>()).value();
+  claimed.verdict = value_of<gjk::Verdict>(answer["verdict"].get<std::string>()).value();
+  claimed.distance = answer["distance"].get<double>();
+  claimed.lower = answer["lower"].get<double>();
+  claimed.upper = answer["upper"].get<double>();
+  claimed.x = point_of(answer["a"]);
+  claimed.y = point_of(answer["b"]);
+  claimed.unit_roundoff = static_cast<double>(gjk::ScalarTraits<Real>::unit_roundoff());
+  claimed.smallest = static_cast<double>(std::numeric_limits<Real>::denorm_min());
+  const truth::Judgement found = judge(pair, exact, pair.scale(), claimed);
+  claim(!found.wrong_verdict, "the verdict is true: " + told);
+  const bool denormal = exact.distance < static_cast<double>(std::numeric_limits<Real>::min());
+  claim(denormal || !found.broken_certificate, "lower <= exact distance <= upper: " + told);
+  claim(!found.capped, "the cap is not reached: " + told);
+  // The bars that tests/truth sets.
+  claim(found.distance_error <= 4, "the distance is within 4 u scale: " + told);
+  claim(found.outside <= 4 && found.apart <= 4, "witness points are within 4 u scale: " + told);
+  if (std::is_same_v<Real, double>) claim(found.width <= 16, "bounds are close: " + told);
+}
+
+template <class S>
+void feed(const std::string& text, const std::vector<ReadCase>& cases, ScalarKind scalar) {
+  const Solved solved = solve(text, scalar);
+  claim(solved.answers.size() == cases.size(), "each case has an answer");
+  bool refused = false;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const json& answer = solved.answers[i];
+    claim_answer_or_error(answer);
+    const bool error = answer.contains("error");
+    refused = refused || error;
+    if (!cases[i].value) {
+      claim(error, "a case that cannot be read has no answer");
+      continue;
+    }
+    const std::optional<Case> seen = rounded<S>(*cases[i].value);
+    if (!seen) {
+      claim(error, "a coordinate that the scalar cannot hold is refused");
+      continue;
+    }
+    claim_true<S>(answer, *seen);
+    json again = solve(written(*seen, scalar == ScalarKind::double_), scalar).answers.at(0);
+    again["case"] = answer["case"];
+    claim(again == answer, "a case written and read back has the same answer: " + answer.dump() +
+                               " and " + again.dump());
+  }
+  claim(solved.exit_code == (refused ? kProblem : kDone), "the exit code tells of errors");
+}
+
+}  // namespace
+}  // namespace gjkscope::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gjkscope;
+  if (size > fuzz::kMostBytes) return 0;
+  const std::string text(data, data + size);
+  const std::vector<ReadCase> cases = fuzz::read(text);
+  std::size_t vertices = 0;
+  for (const ReadCase& read : cases)
+    if (read.value) vertices += read.value->a.size() + read.value->b.size();
+  if (vertices > fuzz::kMostVertices) return 0;
+  for (const ScalarKind kind :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    with_scalar(kind, [&]<class S>(std::type_identity<S>) { fuzz::feed<S>(text, cases, kind); });
+  }
+  return 0;
+}
