@@ -25,7 +25,7 @@ using nlohmann::json;
 
 // More than that only takes longer.
 constexpr std::size_t kMostBytes = 4096;
-constexpr std::size_t kMostVertices = 100;  // of all cases of a text
+constexpr std::size_t kMostVertices = 64;  // of all cases of a text
 
 struct Solved {
   int exit_code = 0;
