@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "not TOML: Error while parsing key-value pair: cannot redefine existing integer "
                 "'cap'"},
         Refused{"distance = 2.5", "distance = '''2.5¦",
-                "not TOML: Error while parsing string: encountered end-of-file"},
+                "not TOML: Error while parsing literal string: encountered end-of-file"},
         Refused{"cap = 20", "cap = 20\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p¦.q = 1",
                 "a key of too many parts"}));
 
