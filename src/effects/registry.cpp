@@ -1,11 +1,15 @@
 #include "effects/registry.hpp"
 
+#include "effects/balance.hpp"
 #include "effects/barycentric.hpp"
 #include "effects/cold_start.hpp"
 #include "effects/direction_rules.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
 #include "effects/motion.hpp"
+#include "effects/projection.hpp"
+#include "effects/region_orders.hpp"
+#include "effects/sign_map.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
@@ -25,6 +29,15 @@ const std::vector<EffectInfo>& registered_effects() {
       info<VoronoiRegions>("view", "Voronoi regions of the current simplex"),
       info<BarycentricWeights>("panel", "barycentric coordinates of the query point, signed"),
       info<BarycentricParts>("view", "the lengths or areas that the coordinates measure"),
+      info<Projection>("view",
+                       "the line through a segment, and the point G = uA + vB where Q falls on it"),
+      info<UnitVector>("view", "n = (B - A) / length, drawn from A"),
+      info<Balance>(
+          "view", "a beam with masses u and v, swinging on its support; needs granularity `time`"),
+      info<SignMap>("view", "where u, v and w are negative"),
+      info<MapDifference>("view",
+                          "where the signs and the Voronoi regions name different features"),
+      info<RegionOrders>("view", "the point that region tests in a wrong order take for P"),
       info<MinkowskiCloud>("view", "every difference y - x"),
       info<MinkowskiHull>("view", "convex hull of the differences"),
       info<TouchedPoints>("view", "the differences that the run has computed so far"),

@@ -24,8 +24,40 @@ struct LessonShape {
 
 /// Steps of a lesson: one frame for each iteration, phase or region test of the run, for each
 /// position on the path, or for each pair of vertices of the Minkowski difference; some frames for
-/// each support point; for the answer at each position, or for how it is carried back to X and Y.
-enum class Granularity { iteration, phase, test, path, pairs, support, witness, answer };
+/// each support point; for the answer at each position, or for how it is carried back to X and Y;
+/// for each moment of a simulation, each map of a triangle's plane, or each order of its region
+/// tests.
+enum class Granularity {
+  iteration,
+  phase,
+  test,
+  path,
+  pairs,
+  support,
+  witness,
+  answer,
+  time,
+  maps,
+  orders
+};
+
+/// What the frames of granularity `maps` show, one after the other.
+enum class MapStage {
+  voronoi,
+  interior,
+  negative_u,
+  negative_v,
+  negative_w,
+  signs,
+  blended,
+  difference
+};
+inline constexpr int kMapStages = 8;
+
+/// What the frames of granularity `orders` show: the numbers, then one chain of tests each. Short
+/// tests leave out that an edge's own coordinates must be positive.
+enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
+inline constexpr int kOrderStages = 4;
 
 enum class ViewKind { world, difference };
 
@@ -58,7 +90,12 @@ enum class PanelBlock {
   witness,
   counters,
   starts,
-  bound_steps
+  bound_steps,
+  unit_vector,
+  areas,
+  balance,
+  signs,
+  orders
 };
 
 /// The listings that the pseudocode block can show.
@@ -78,6 +115,12 @@ struct LessonPath {
   LessonMotion y;
   int frames = 0;                 ///< 0: the corners themselves.
   std::optional<double> seconds;  ///< The clock: how long all of it takes.
+};
+
+/// Moments of a simulation: `frames` at equal steps, from 0 to `seconds`.
+struct LessonTime {
+  double seconds = 1.0;
+  int frames = 2;
 };
 
 /// What the run must come to; the last run of a path. `check` and the tests compare.
@@ -107,6 +150,7 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
+  std::optional<LessonTime> time;  ///< Set with granularity `time`, and only then.
 
   std::vector<LessonView> views;
   std::vector<PanelBlock> panel;

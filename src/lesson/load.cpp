@@ -53,7 +53,10 @@ class LessonReader {
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
-  void read_steps(const Table& steps, bool has_path);
+  void read_time(const Table& time);
+  void read_steps(const Table& steps, bool has_path, bool has_time);
+  void check_start(const Field& granularity);
+  void check_needs_time(const Field& field, std::string_view what);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_expect(const Table& expect);
@@ -93,8 +96,14 @@ Lesson LessonReader::read(const toml::table& root) {
   if (lesson_.warm_start && !path_field)
     problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
+  const Field time_field = file["time"];
+  if (const auto time = reader_.table(time_field, "time")) read_time(*time);
   if (const auto steps = reader_.table(file["steps"], "steps")) {
-    read_steps(*steps, static_cast<bool>(path_field));
+    read_steps(*steps, static_cast<bool>(path_field), static_cast<bool>(time_field));
+  }
+  if (time_field && lesson_.granularity != Granularity::time) {
+    problems_.add(time_field.place(), "a table [time] without granularity 'time'",
+                  "granularity = \"time\" in [steps]");
   }
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -372,7 +381,49 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
   return read;
 }
 
-void LessonReader::read_steps(const Table& steps, bool has_path) {
+void LessonReader::read_time(const Table& time) {
+  using namespace limits;
+  LessonTime read;
+  read.seconds = reader_.number(time["seconds"], 0.0, kSeconds).value_or(read.seconds);
+  if (read.seconds == 0.0) {
+    problems_.add(time["seconds"].place(), "'seconds' is 0",
+                  fmt::format("number above 0, up to {}", kSeconds));
+  }
+  const Field frames = time["frames"];
+  read.frames = reader_.whole_number(frames, 2, kMoments).value_or(read.frames);
+  std::size_t positions = 1;
+  if (const auto& path = lesson_.path_of_shapes)
+    positions = path->frames > 0 ? path->frames : path->x.points.size();
+  if (frames && positions * read.frames > kMoments) {
+    problems_.add(frames.place(),
+                  fmt::format("{} frames at each of {} positions", read.frames, positions),
+                  fmt::format("a product of at most {}", kMoments));
+  }
+  lesson_.time = read;
+}
+
+/// Maps and orders of tests belong to a triangle, a beam to a segment: to the first simplex of a
+/// point query.
+void LessonReader::check_start(const Field& granularity) {
+  const bool segment = lesson_.granularity == Granularity::time;
+  const bool triangle =
+      lesson_.granularity == Granularity::maps || lesson_.granularity == Granularity::orders;
+  if ((!segment && !triangle) || shapes_read_ < 2) return;
+  const int wanted = triangle ? 3 : 2;
+  if (lesson_.x.vertices.size() == 1 && lesson_.options.start_count == wanted) return;
+  problems_.add(granularity.place(),
+                fmt::format("granularity '{}' without a {}", name_of(lesson_.granularity),
+                            triangle ? "triangle" : "segment"),
+                fmt::format("a point query whose 'start' names {} vertices", wanted));
+}
+
+void LessonReader::check_needs_time(const Field& field, std::string_view what) {
+  if (lesson_.granularity == Granularity::time) return;
+  problems_.add(field.place(), fmt::format("{} without time", what),
+                "granularity = \"time\" in [steps], and a table [time]");
+}
+
+void LessonReader::read_steps(const Table& steps, bool has_path, bool has_time) {
   const Field granularity = steps["granularity"];
   const auto chosen = reader_.choice<Granularity>(granularity, "granularity");
   lesson_.granularity = chosen.value_or(lesson_.granularity);
@@ -387,6 +438,11 @@ void LessonReader::read_steps(const Table& steps, bool has_path) {
                     fmt::format("at most {} vertices in each shape", limits::kPairVertices));
     }
   }
+  if (chosen == Granularity::time && !has_time) {
+    problems_.add(granularity.place(), "granularity 'time' without its table", "a table [time]");
+  } else {
+    check_start(granularity);
+  }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
   const Field phases = steps["phases"];
@@ -400,8 +456,10 @@ void LessonReader::read_steps(const Table& steps, bool has_path) {
                   fmt::format("'phases' with granularity '{}'", name_of(lesson_.granularity)),
                   "granularity 'phase', or no 'phases'");
   }
-  if (until && chosen == Granularity::test) {
-    problems_.add(until.place(), "'until' with granularity 'test'",
+  const bool first_tests = chosen == Granularity::test || chosen == Granularity::time ||
+                           chosen == Granularity::maps || chosen == Granularity::orders;
+  if (until && first_tests) {
+    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
                   "no 'until': frames go through the first region tests");
   }
   if (until && (chosen == Granularity::witness || chosen == Granularity::answer)) {
@@ -438,6 +496,7 @@ void LessonReader::read_views(const Field& views) {
                       "each effect once");
         continue;
       }
+      if (*name == "balance") check_needs_time(effect, "effect 'balance'");
       view.effects.push_back(*name);
     }
     lesson_.views.push_back(std::move(view));
@@ -454,6 +513,11 @@ void LessonReader::read_panel(const Table& panel) {
       problems_.add(entry.place(), fmt::format("block '{}' is named twice", name_of(*block)),
                     "each block once");
       continue;
+    }
+    if (*block == PanelBlock::balance) check_needs_time(entry, "block 'balance'");
+    if (*block == PanelBlock::orders && lesson_.granularity != Granularity::orders) {
+      problems_.add(entry.place(), "block 'orders' without its frames",
+                    "granularity = \"orders\" in [steps]");
     }
     lesson_.panel.push_back(*block);
   }

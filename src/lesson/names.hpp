@@ -26,7 +26,7 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 8> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 11> kTable = {
       {{"iteration", Granularity::iteration},
        {"phase", Granularity::phase},
        {"test", Granularity::test},
@@ -34,7 +34,10 @@ struct Named<Granularity> {
        {"pairs", Granularity::pairs},
        {"support", Granularity::support},
        {"witness", Granularity::witness},
-       {"answer", Granularity::answer}}};
+       {"answer", Granularity::answer},
+       {"time", Granularity::time},
+       {"maps", Granularity::maps},
+       {"orders", Granularity::orders}}};
 };
 template <>
 struct Named<ViewKind> {
@@ -43,7 +46,7 @@ struct Named<ViewKind> {
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 14> kTable = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 19> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -57,7 +60,12 @@ struct Named<PanelBlock> {
        {"witness", PanelBlock::witness},
        {"counters", PanelBlock::counters},
        {"starts", PanelBlock::starts},
-       {"bound-steps", PanelBlock::bound_steps}}};
+       {"bound-steps", PanelBlock::bound_steps},
+       {"unit-vector", PanelBlock::unit_vector},
+       {"areas", PanelBlock::areas},
+       {"balance", PanelBlock::balance},
+       {"signs", PanelBlock::signs},
+       {"orders", PanelBlock::orders}}};
 };
 template <>
 struct Named<Listing> {

@@ -211,6 +211,18 @@ void add_frames(LessonRun& run, int index) {
       // A refused run has no step: its frame shows the start.
       run.frames.push_back({index, lesson.until ? last : std::min(0, last), -1});
       return;
+    case Granularity::time:
+    case Granularity::maps:
+    case Granularity::orders: {
+      if (trace.steps.empty()) return;
+      int first = 0;
+      int count = lesson.granularity == Granularity::orders ? kOrderStages : kMapStages;
+      if (lesson.granularity == Granularity::time) count = lesson.time->frames;
+      // The maps are the same wherever X stands.
+      if (lesson.granularity == Granularity::maps && index > 0) first = count - 1;
+      for (int i = first; i < count; ++i) run.frames.push_back({index, 0, i});
+      return;
+    }
     case Granularity::pairs: {
       const int pairs = static_cast<int>(lesson.x.vertices.size() * lesson.y.vertices.size());
       for (int i = 0; i <= pairs + 1; ++i) run.frames.push_back({index, last, i});
@@ -279,6 +291,10 @@ const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
 
 const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
+}
+
+double LessonRun::seconds(const Frame& frame) const {
+  return lesson.time->seconds * frame.detail / (lesson.time->frames - 1);
 }
 
 std::string LessonRun::pair_name(gjk::VertexPair pair) const {

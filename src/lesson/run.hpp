@@ -57,12 +57,13 @@ enum WitnessDetail { kWitnessP, kWitnessY, kWitnessX, kWitnessDistance };
 
 /// What one frame shows.
 struct Frame {
-  int run = 0;    ///< Index into LessonRun::runs.
-  int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
-  int detail =
-      -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
-           ///< Granularity::pairs: number of pairs made so far; one more than there are: the hull.
-           ///< Granularity::support and witness: see SupportDetail and WitnessDetail.
+  int run = 0;      ///< Index into LessonRun::runs.
+  int step = -1;    ///< Index into the trace's steps; -1: the start, before the first phase.
+  int detail = -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
+                    ///< Granularity::pairs: number of pairs made so far; one more than there are:
+                    ///< the hull. Granularity::support and witness: see SupportDetail and
+                    ///< WitnessDetail. Granularity::time: index of the moment. Granularity::maps,
+                    ///< orders: MapStage, OrderStage.
 };
 
 struct LessonRun {
@@ -76,6 +77,9 @@ struct LessonRun {
   /// The step of a frame, and what is proved by then; only where frame.step >= 0.
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
+
+  /// Time of a frame; only with granularity `time`.
+  [[nodiscard]] double seconds(const Frame& frame) const;
 
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".

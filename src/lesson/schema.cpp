@@ -35,6 +35,7 @@ std::vector<LessonKey> make_keys() {
       {"", "steps", "table [steps]", "its defaults", "which frames there are"},
       {"", "path", "table [path]", "the shapes stay where they are",
        "positions of the shapes, one run each"},
+      {"", "time", "table [time]", "no time", "the moments that frames show"},
       {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
       {"", "expect", "table [expect]", required, "what the run must come to; it is checked"},
@@ -95,6 +96,11 @@ std::vector<LessonKey> make_keys() {
       {"path.Y", "points", point_list, required, "corners of the way of Y, as those of X"},
       {"path.Y", "turns", list_of_turns, "Y does not turn",
        "degrees that Y is turned by at its corners, as many as `points`"},
+
+      {"time", "seconds", fmt::format("number above 0, up to {}", kSeconds), required,
+       "time of the last frame; the first is at 0"},
+      {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), required,
+       "moments at equal steps, for each position of X"},
 
       {"views", "show", one_of<ViewKind>(), required, "the two shapes, or Y - X"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},

@@ -24,6 +24,9 @@ void write(const Story& story, FrameText& text) {
   const Granularity granularity = story.run.lesson.granularity;
   if (granularity == Granularity::pairs) return captions::pairs(story, text);
   if (story.frame.step < 0) return captions::start(story, text);
+  if (granularity == Granularity::time) return captions::balance(story, text);
+  if (granularity == Granularity::maps) return captions::maps(story, text);
+  if (granularity == Granularity::orders) return captions::orders(story, text);
   if (granularity == Granularity::answer) return captions::answer(story, text);
   if (story.frame.detail >= 0) {
     if (granularity == Granularity::support) return captions::support_in_parts(story, text);
@@ -85,9 +88,9 @@ std::vector<std::pair<std::string, std::string>> values_of(const Story& story) {
 
 }  // namespace
 
-FrameText frame_text(const LessonRun& run, const Frame& frame) {
+FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   FrameText text;
-  const Story story(run, frame);
+  const Story story(run, effects, frame);
   write(story, text);
   text.values = values_of(story);
   text.phase = frame.step < 0 ? "start" : std::string(name_of(run.step(frame).phase));

@@ -6,6 +6,6 @@
 namespace gjkscope {
 
 /// Caption, detail, filled-in prose and values of one frame.
-[[nodiscard]] FrameText frame_text(const LessonRun& run, const Frame& frame);
+[[nodiscard]] FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& frame);
 
 }  // namespace gjkscope

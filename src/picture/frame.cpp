@@ -104,6 +104,8 @@ std::string position_of(const LessonRun& run, int index) {
   }
   if (granularity == Granularity::pairs && index > 0 && index + 1 < count)
     return fmt::format("difference {} of {}", index, count - 2);
+  if (granularity == Granularity::time)
+    return fmt::format("t = {} s · {} of {}", fixed(run.seconds(frame), 2), index + 1, count);
   if (granularity == Granularity::support && frame.detail >= 0) {
     constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
                                                         "support of Z"};
@@ -160,7 +162,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
   std::vector<FrameText> texts;
   std::size_t prose_lines = 0;
   for (const Frame& frame : run.frames) {
-    texts.push_back(frame_text(run, frame));
+    texts.push_back(frame_text(run, effects, frame));
     prose_lines =
         std::max(prose_lines, wrapped(fonts, type::kProse, texts.back().prose, text_width).size());
   }

@@ -35,6 +35,16 @@ void write_block(PanelBuilder& panel, PanelBlock kind) {
       return blocks::starts(panel);
     case PanelBlock::bound_steps:
       return blocks::bound_steps(panel);
+    case PanelBlock::unit_vector:
+      return blocks::unit_vector(panel);
+    case PanelBlock::areas:
+      return blocks::areas(panel);
+    case PanelBlock::balance:
+      return blocks::balance(panel);
+    case PanelBlock::signs:
+      return blocks::signs(panel);
+    case PanelBlock::orders:
+      return blocks::orders(panel);
   }
 }
 

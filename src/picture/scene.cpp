@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "effects/sign_map.hpp"
+#include "effects/voronoi.hpp"
+
 namespace gjkscope {
 
 using Eigen::Vector2d;
@@ -87,8 +90,19 @@ void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
   }
 }
 
+bool SceneBuilder::shows(std::string_view effect) const {
+  if (!calls_for(view, effect)) return false;
+  if (run.lesson.granularity != Granularity::maps) return true;
+  const MapStage stage{frame.detail};
+  if (effect == VoronoiRegions::kName)
+    return stage == MapStage::voronoi || stage >= MapStage::blended;
+  if (effect == SignMap::kName) return stage != MapStage::voronoi;
+  return effect != MapDifference::kName || stage == MapStage::difference;
+}
+
 bool SceneBuilder::knows_closest_point() const {
   if (!phase || phase == gjk::Phase::add) return false;
+  if (run.lesson.granularity == Granularity::orders) return frame.detail > 0;
   if (run.lesson.granularity != Granularity::test) return true;
   return frame.detail == static_cast<int>(run.step(frame).record.region_tests.size()) - 1;
 }

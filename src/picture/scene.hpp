@@ -108,6 +108,11 @@ struct SceneBuilder {
   }
 
   // What the frame's step knows
+  /// True when the view calls for the effect, and, where frames go through maps, this map shows it.
+  [[nodiscard]] bool shows(std::string_view effect) const;
+  [[nodiscard]] bool shows_map(MapStage stage) const {
+    return run.lesson.granularity == Granularity::maps && frame.detail == static_cast<int>(stage);
+  }
   [[nodiscard]] bool tests_regions() const { return phase == gjk::Phase::closest || !phase; }
   [[nodiscard]] bool knows_closest_point() const;
   [[nodiscard]] bool reaches_query() const {

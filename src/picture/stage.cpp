@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include "effects/balance.hpp"
 #include "effects/barycentric.hpp"
 #include "effects/history.hpp"
 #include "effects/motion.hpp"
+#include "effects/projection.hpp"
+#include "effects/region_orders.hpp"
+#include "effects/sign_map.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
@@ -61,10 +65,16 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
 Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                   const LessonView& view, const StageMap& map) {
   SceneBuilder scene(run, effects, frame, view, map);
-  if (calls_for(view, VoronoiRegions::kName)) layers::regions(scene);
+  if (scene.shows(VoronoiRegions::kName)) layers::regions(scene);
+  if (scene.shows(SignMap::kName)) layers::signs(scene);
+  if (scene.shows(MapDifference::kName)) layers::map_difference(scene);
+  if (scene.shows(RegionOrders::kName)) layers::short_test(scene);
   if (view.kind == ViewKind::world) layers::shapes(scene);
   if (view.kind == ViewKind::difference) layers::difference(scene);
+  if (calls_for(view, Projection::kName)) layers::projection(scene);
   if (calls_for(view, BarycentricParts::kName)) layers::parts(scene);
+  if (calls_for(view, UnitVector::kName)) layers::unit_vector(scene);
+  if (calls_for(view, Balance::kName)) layers::balance(scene);
   if (calls_for(view, GrownObstacle::kName)) layers::grown_obstacle(scene);
   if (calls_for(view, LastPosition::kName)) layers::last_position(scene);
   if (calls_for(view, Slab::kName)) layers::slab(scene);
@@ -90,6 +100,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
       layers::search_between_shapes(scene);
     }
   }
+  if (scene.shows(RegionOrders::kName)) layers::wrong_point(scene);
   layers::query_point(scene);
   if (calls_for(view, MinkowskiHull::kName)) layers::corner_names(scene);
   return std::move(scene.out);

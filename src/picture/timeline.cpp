@@ -48,6 +48,24 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
             {"region " + SimplexWords(run, run.state(frame).simplex).face(test.region),
              SimplexWords(run, run.state(frame).simplex).face(test.region), test.holds});
       }
+    } else if (granularity == Granularity::time) {
+      const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
+      const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
+      const auto weight = [&](int i) {
+        return fixed(weights.numerator[i] / weights.denominator, 2);
+      };
+      group(format("u = {}, v = {}", weight(0), weight(1)))
+          .ticks.push_back({fixed(run.seconds(frame), 2) + " s", "", false});
+    } else if (granularity == Granularity::maps) {
+      constexpr std::array<std::string_view, kMapStages> kMaps = {
+          "Voronoi", "interior", "u < 0", "v < 0", "w < 0", "signs", "both", "difference"};
+      group(frame.run == 0 ? "maps" : format("position {}", frame.run + 1))
+          .ticks.push_back({std::string(kMaps[frame.detail]), "", false});
+    } else if (granularity == Granularity::orders) {
+      constexpr std::array<std::string_view, kOrderStages> kOrders = {"numbers", "vertices first",
+                                                                      "edges first", "whole tests"};
+      group(format("position {}", frame.run + 1))
+          .ticks.push_back({std::string(kOrders[frame.detail]), "", false});
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
         group("start").ticks.push_back({});

@@ -117,7 +117,8 @@ std::vector<gjk::RegionTerm<double>> SimplexWords::terms(
   const auto place = [&](const gjk::RegionTerm<double>& term) {
     int i = 0;
     while (order.conditions[i].face != term.face) ++i;
-    return i;
+    const std::vector<int> named = this->order(term.face);
+    return std::pair(i, std::find(named.begin(), named.end(), term.vertex) - named.begin());
   };
   std::stable_sort(out.begin(), out.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });

@@ -42,7 +42,8 @@ class SimplexWords {
   /// "u", "vAB", "wABC": the slides' name of a vertex's barycentric coordinate in a face; for pairs
   /// "weight of K−C".
   [[nodiscard]] std::string coordinate(gjk::Face face, int vertex) const;
-  /// The terms of a region test in the order in which the slides write them: edges AB, BC, CA.
+  /// The terms of a region test in the order in which the slides write them: edges AB, BC, CA, and
+  /// u, v, w within each.
   [[nodiscard]] std::vector<gjk::RegionTerm<double>> terms(
       const gjk::RegionTest<double>& test) const;
   /// "0.312 B + 0.688 C"

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <ostream>
 
+#include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
 
@@ -361,6 +363,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "granularity = \"test\"\nuntil = ¦\"stop\"", "'until' with granularity 'test'"},
         Refused{"\"iteration\"\nuntil = \"stop\"\n\n[path]\npoints = [[0, 0], [1, 1]]\nframes = 13",
                 "¦\"path\"", "granularity 'path' without a path"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"time\"",
+                "granularity 'time' without its table"},
+        Refused{"[steps]", "¦[time]\nseconds = 2\nframes = 3\n[steps]",
+                "a table [time] without granularity 'time'"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"maps\"",
+                "granularity 'maps' without a triangle"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"orders\"",
+                "granularity 'orders' without a triangle"},
+        Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without time"},
+        Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without time"},
+        Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without its frames"},
         Refused{"rotate = 15.0", "translate = ¦[1, 1]", "'translate' of X besides a path"},
         Refused{"\"history\"", "\"history\", ¦\"history\"", "effect 'history' is named twice"},
         Refused{"\"weights\"", "¦\"pseudocode\"", "block 'pseudocode' is named twice"},
@@ -369,6 +382,27 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "[]\nlisting = ¦\"gjk\"",
                 "'listing' without the block 'pseudocode'"},
         Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]", "3 views"}));
+
+TEST(Load, TimeHasMomentsForEachPosition) {
+  const std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  ASSERT_TRUE(loaded.lesson->time);
+  EXPECT_EQ(loaded.lesson->time->seconds, 6.0);
+  EXPECT_EQ(loaded.lesson->time->frames, 9);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  ASSERT_EQ(run.frames.size(), 9 * run.runs.size());
+  EXPECT_EQ(run.seconds(run.frames[0]), 0.0);
+  EXPECT_EQ(run.seconds(run.frames[8]), 6.0);
+  const std::vector<std::array<std::string, 3>> refused = {
+      {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},
+      {"frames = 9", "frames = 300", "300 frames at each of 4 positions"},
+      {"start = [\"A\", \"B\"]", "start = [\"A\"]", "granularity 'time' without a segment"}};
+  for (const auto& [from, to, what] : refused) {
+    const std::string problems = all_of(parse(replaced(text, from, to)).problems);
+    EXPECT_NE(problems.find(what), std::string::npos) << problems;
+  }
+}
 
 TEST(Load, PairsAreSteppedThroughForSmallShapesOnly) {
   std::string text = replaced(testing::kFullLesson, "\"iteration\"", "\"pairs\"");

@@ -180,6 +180,67 @@ TEST(Captions, TellTheRunOfThePentagon) {
   EXPECT_EQ(frames[14].text.iteration, 3);
 }
 
+std::vector<FramePicture> frames_of(const std::string& id) {
+  const LessonRun run = run_lesson(testing::shipped_lesson(id));
+  EffectGraph effects(run);
+  return lesson_pictures(run, effects, Fonts(kAssets / "fonts.toml"));
+}
+
+TEST(Captions, SayHowWrongAWrongOrderIs) {
+  const auto frames = frames_of("triangle-wrong-order");
+  ASSERT_EQ(frames.size(), 12u);
+  // Q is closest to B; edges first, it is dropped onto the line AB beyond B.
+  const Eigen::Vector2d a(-1.85, -0.9), b(1.55, -0.6), q(2.7, -1.25);
+  const Eigen::Vector2d foot = a + (q - a).dot(b - a) / (b - a).squaredNorm() * (b - a);
+  EXPECT_EQ(frames[1].text.caption,
+            "Vertices first: the first true test is that of vertex B, and it is right.");
+  EXPECT_TRUE(
+      frames[2].text.caption.ends_with("wrong by |P′ − P| = " + fixed((foot - b).norm(), 4) + "."))
+      << frames[2].text.caption;
+  EXPECT_NE(frames[2].text.detail.find(fixed((foot - q).norm(), 4) + " from Q, the triangle at " +
+                                       fixed((b - q).norm(), 4)),
+            std::string::npos)
+      << frames[2].text.detail;
+  EXPECT_TRUE(frames[3].text.caption.ends_with("still vertex B.")) << frames[3].text.caption;
+}
+
+TEST(Captions, GiveTheSameWeightsFromGAndFromQ) {
+  const auto frames = frames_of("segment-barycentric");
+  // A quarter of the way from A to B, on the line and off it.
+  EXPECT_EQ(frames[2].text.caption,
+            "G = uA + vB divides AB: from G to B is u = 0.750 of its length, from A to G is v = "
+            "0.250.");
+  EXPECT_EQ(frames[9].text.detail,
+            "So straight from Q: u = 3.3541 / 4.4721 = 0.750 and v = 1.1180 / 4.4721 = 0.250.");
+  EXPECT_NEAR(std::hypot(4.0, 2.0), 4.4721, 5e-5);
+  EXPECT_NEAR(0.75 * std::hypot(4.0, 2.0), 3.3541, 5e-5);
+}
+
+TEST(Captions, TellWhichWayTheBeamTips) {
+  const auto frames = frames_of("segment-balance");
+  const auto caption = [&](int position, int tick) {
+    return frames[9 * position + tick].text.caption;
+  };
+  EXPECT_TRUE(caption(0, 8).ends_with("the beam is level."));
+  EXPECT_TRUE(caption(1, 2).starts_with("A is heavier, and A is down by 13.9°"));
+  EXPECT_TRUE(caption(1, 8).ends_with("0.800 × 0.200 = 0.200 × 0.800: the beam is level."));
+  EXPECT_TRUE(caption(2, 2).starts_with("B is heavier, and B is down by 13.9°"));
+  EXPECT_TRUE(caption(3, 8).ends_with("A would need the mass −0.200. It has none: the beam tips."));
+}
+
+TEST(Captions, TellWhereTheSignsMislead) {
+  const auto frames = frames_of("triangle-two-maps");
+  ASSERT_EQ(frames.size(), 10u);
+  EXPECT_EQ(frames[7].text.caption,
+            "At Q, w = −0.455 alone is negative, as if edge AB were closest, but vertex A is.");
+  EXPECT_EQ(
+      frames[8].text.caption,
+      "At Q, u = −0.085 and w = −0.455 are negative, as if vertex B were closest, but edge AB "
+      "is.");
+  // w by areas: QAB lies 1 below AB, C 2.2 above.
+  EXPECT_NEAR(-1.0 / 2.2, -0.455, 5e-4);
+}
+
 TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
   const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
   EffectGraph effects(run);

@@ -9,12 +9,25 @@ namespace gjkscope::blocks {
 void pseudocode(PanelBuilder& panel);
 
 // regions.cpp
+/// One row of a chain of tests: mark, region, condition and numbers.
+enum class TestMark { untried, fails, holds };
+void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
+              const std::string& condition, const std::string& values);
 void tests(PanelBuilder& panel);
 void regions(PanelBuilder& panel);
 
 // weights.cpp
 void weights(PanelBuilder& panel);
 void linear_system(PanelBuilder& panel);
+void unit_vector(PanelBuilder& panel);
+void areas(PanelBuilder& panel);
+
+// balance.cpp
+void balance(PanelBuilder& panel);
+
+// maps.cpp
+void signs(PanelBuilder& panel);
+void orders(PanelBuilder& panel);
 
 // run.cpp
 void simplex(PanelBuilder& panel);

@@ -39,9 +39,9 @@ const std::vector<CodeLine>& code_of(Listing listing) {
       {"if vAB ≤ 0 and uCA ≤ 0:  P ← A", {}, gjk::Face{0b001}, false},
       {"if uAB ≤ 0 and vBC ≤ 0:  P ← B", {}, gjk::Face{0b010}, false},
       {"if uBC ≤ 0 and vCA ≤ 0:  P ← C", {}, gjk::Face{0b100}, false},
-      {"if wABC ≤ 0:  P ← on AB", {}, gjk::Face{0b011}, false},
-      {"if uABC ≤ 0:  P ← on BC", {}, gjk::Face{0b110}, false},
-      {"if vABC ≤ 0:  P ← on CA", {}, gjk::Face{0b101}, false},
+      {"if u, v > 0, wABC ≤ 0:  P on AB", {}, gjk::Face{0b011}, false},
+      {"if u, v > 0, uABC ≤ 0:  P on BC", {}, gjk::Face{0b110}, false},
+      {"if u, v > 0, vABC ≤ 0:  P on CA", {}, gjk::Face{0b101}, false},
       {"else:  P ← Q", {}, gjk::Face{0b111}, false},
   };
   static const std::vector<CodeLine> gjk_point = {

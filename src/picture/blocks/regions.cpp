@@ -29,6 +29,28 @@ std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& 
 
 }  // namespace
 
+void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
+              const std::string& condition, const std::string& values) {
+  const bool tried = mark != TestMark::untried;
+  const bool holds = mark == TestMark::holds;
+  if (current) panel.highlight(holds ? "highlight.pass" : "highlight");
+  const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
+  const TextStyle code = current ? type::kCodeBold : type::kCode;
+  const std::string role = !tried ? "untried" : current ? "code.current" : "code";
+  panel.write(!tried  ? "untried"
+              : holds ? "pass"
+                      : "fail",
+              panel.left,
+              !tried  ? "·"
+              : holds ? "✓"
+                      : "✗",
+              type::kStrong);
+  panel.write(!tried ? "untried" : "body", panel.left + 24.0, region, name_style);
+  panel.write(role, panel.left + 78.0, condition, code);
+  if (tried) panel.write(role, panel.right, values, code, Align::right);
+  panel.y += kRow + 2.0;
+}
+
 void tests(PanelBuilder& panel) {
   panel.heading("First true test wins");
   const gjk::detail::RegionList order =
@@ -36,25 +58,12 @@ void tests(PanelBuilder& panel) {
   const auto& tried = panel.region_tests();
   for (int i = 0; i < order.count; ++i) {
     const bool reached = i <= panel.tests_reached() && i < static_cast<int>(tried.size());
-    const bool holds = reached && tried[i].holds;
-    const bool current = reached && i == panel.tests_reached();
-    if (current) panel.highlight(holds ? "highlight.pass" : "highlight");
-    const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
-    const TextStyle code = current ? type::kCodeBold : type::kCode;
-    const std::string role = !reached ? "untried" : current ? "code.current" : "code";
-    panel.write(!reached ? "untried"
-                : holds  ? "pass"
-                         : "fail",
-                panel.left,
-                !reached ? "·"
-                : holds  ? "✓"
-                         : "✗",
-                type::kStrong);
-    panel.write(!reached ? "untried" : "body", panel.left + 24.0,
-                panel.words.face(order.conditions[i].face), name_style);
-    panel.write(role, panel.left + 78.0, condition(panel, order, i), code);
-    if (reached) panel.write(role, panel.right, panel.test_values(tried[i]), code, Align::right);
-    panel.y += kRow + 2.0;
+    const TestMark mark = !reached         ? TestMark::untried
+                          : tried[i].holds ? TestMark::holds
+                                           : TestMark::fails;
+    test_row(panel, mark, reached && i == panel.tests_reached(),
+             panel.words.face(order.conditions[i].face), condition(panel, order, i),
+             reached ? panel.test_values(tried[i]) : "");
   }
 }
 

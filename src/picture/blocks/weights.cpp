@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
+#include "effects/balance.hpp"
 #include "effects/barycentric.hpp"
+#include "effects/projection.hpp"
+#include "geometry/polygon.hpp"
 #include "picture/blocks/blocks.hpp"
+#include "picture/scene.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -32,6 +37,11 @@ void weights(PanelBuilder& panel) {
   constexpr double kHigh = 2.0;
   const double x0 = panel.left + 28.0;
   const double x1 = panel.right - 84.0;
+  // In the colours of the lengths, areas or masses that a view shows.
+  const bool coloured = std::any_of(
+      panel.run.lesson.views.begin(), panel.run.lesson.views.end(), [](const LessonView& view) {
+        return calls_for(view, BarycentricParts::kName) || calls_for(view, Balance::kName);
+      });
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
     const double weight = value.weights[i];
@@ -40,7 +50,10 @@ void weights(PanelBuilder& panel) {
                 point_query ? std::string(kLetters[i])
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
                 type::kStrong);
-    panel.bar(x0, x1, kLow, kHigh, weight, weight < 0.0 ? "weight.negative" : "weight.bar");
+    panel.bar(x0, x1, kLow, kHigh, weight,
+              weight < 0.0 ? "weight.negative"
+              : coloured   ? format("weight.bar.{}", kLetters[i])
+                           : "weight.bar");
     panel.write("code.current", panel.right,
                 panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
                                                                : panel.numbers.weight(weight),
@@ -106,6 +119,75 @@ void linear_system(PanelBuilder& panel) {
   bracket(panel.left + 228.0, -5.0);
   bracket(panel.left + 274.0, 5.0);
   bracket(panel.left + 344.0, -5.0);
+}
+
+void unit_vector(PanelBuilder& panel) {
+  const UnitVector::Value& built = panel.effects.get<UnitVector>(panel.frame);
+  if (!built) return;
+  const std::string a = panel.words.vertex(0);
+  const std::string b = panel.words.vertex(1);
+  const std::string q = query_name(panel.run);
+  const auto row = [&](const std::string& text, const std::string& value) {
+    panel.write("code", panel.left, text, type::kCode);
+    panel.write("code.current", panel.right, value, type::kCode, Align::right);
+    panel.y += kRow;
+  };
+  panel.heading("The unit vector of " + a + b);
+  row(format("length = ‖{} − {}‖", b, a), panel.numbers(built->length));
+  row(format("n = ({} − {}) / length", b, a), panel.numbers.point(built->n));
+  panel.rule();
+  panel.heading("Fractional lengths along n");
+  const double of_g = panel.right - 96.0;
+  panel.y -= kRow + 2.0;
+  panel.write("heading", of_g, "from G", type::kHeading, Align::right);
+  panel.write("heading", panel.right, q + " for G", type::kHeading, Align::right);
+  panel.y += kRow + 2.0;
+  const auto both = [&](const std::string& text, double g, double from_q, bool weight) {
+    const TextStyle style = weight ? type::kCodeBold : type::kCode;
+    const auto number = [&](double value) {
+      return weight ? signed_fixed(value, 3) : panel.numbers(value);
+    };
+    panel.write(weight ? "code.current" : "code", panel.left, text, style);
+    panel.write("code.current", of_g, number(g), style, Align::right);
+    panel.write("code.current", panel.right, number(from_q), style, Align::right);
+    panel.y += kRow;
+  };
+  both(format("dot({} − G, n)", b), built->of_g.to_b, built->of_q.to_b, false);
+  both(format("dot(G − {}, n)", a), built->of_g.from_a, built->of_q.from_a, false);
+  both("u = first row / length", built->of_g.to_b / built->length, built->of_q.to_b / built->length,
+       true);
+  both("v = second row / length", built->of_g.from_a / built->length,
+       built->of_q.from_a / built->length, true);
+}
+
+void areas(PanelBuilder& panel) {
+  const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
+  if (value.simplex.count != 3 || value.weights.empty()) return;
+  panel.heading("Signed area = ½ cross");
+  const std::string q = query_name(panel.run);
+  std::array<std::string, 3> names;
+  std::vector<Vector2d> corners;
+  for (int i = 0; i < 3; ++i) {
+    names[i] = panel.words.vertex(i);
+    corners.push_back(value.simplex.vertices[i].w);
+  }
+  const double whole = signed_area(corners);
+  const auto row = [&](const std::string& from, const std::string& to, const std::string& third,
+                       double area, const std::string& weight) {
+    panel.write("strong", panel.left, from + to + third, type::kStrong);
+    panel.write("code", panel.left + 48.0, format("½ cross({1} − {0}, {2} − {0})", from, to, third),
+                type::kCode);
+    panel.write("code", panel.right - 92.0, fixed(area, 3), type::kCode, Align::right);
+    panel.write("code.current", panel.right, weight, type::kCodeBold, Align::right);
+    panel.y += kRow;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const std::vector<Vector2d> part = {Vector2d::Zero(), corners[(i + 1) % 3],
+                                        corners[(i + 2) % 3]};
+    row(q, names[(i + 1) % 3], names[(i + 2) % 3], signed_area(part),
+        format("{} {}", kLetters[i], signed_fixed(value.weights[i], 3)));
+  }
+  row(names[0], names[1], names[2], whole, "sum 1.000");
 }
 
 }  // namespace gjkscope::blocks

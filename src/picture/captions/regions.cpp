@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "effects/barycentric.hpp"
+#include "effects/projection.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -32,14 +34,27 @@ std::string region_reason(const Story& story) {
       return format("{} lies in the Voronoi region of {}: the weight of {} is {}, not positive.",
                     story.q, vertex, story.words.vertex(term.vertex), story.weight(term));
     }
-    return format("{} lies in the Voronoi region of {}: seen from {}, it lies behind both edges.",
-                  story.q, vertex, vertex);
+    const std::vector<gjk::RegionTerm<double>> terms = story.words.terms(*won);
+    return format(
+        "{0} lies in the Voronoi region of {1}: onto both edges of {1} it projects beyond {1} ({2} "
+        "= {3}, {4} = {5}).",
+        story.q, vertex, story.words.coordinate(terms[0].face, terms[0].vertex),
+        story.weight(terms[0]), story.words.coordinate(terms[1].face, terms[1].vertex),
+        story.weight(terms[1]));
   }
   if (simplex.count == 2)
     return format("{} lies in the Voronoi region of {}: both weights are positive.", story.q,
                   story.edge_name(face));
   for (const gjk::RegionTerm<double>& term : won->terms) {
     if (term.wants_positive) continue;
+    if (story.run.point_query()) {
+      const std::vector<int> ends = story.words.order(face);
+      return format(
+          "{0} lies in the region of {1}: beyond {1}, as {2} = {3} says, and it projects between "
+          "{4} and {5}.",
+          story.q, story.edge_name(face), story.words.coordinate(term.face, term.vertex),
+          story.weight(term), story.words.vertex(ends[0]), story.words.vertex(ends[1]));
+    }
     return format(
         "{} lies in the region of {}: {} has weight {} in the triangle, and {} projects onto the "
         "edge.",
@@ -51,46 +66,44 @@ std::string region_reason(const Story& story) {
 
 /// A lesson that shows the areas is told by them.
 bool tells_areas(const Story& story) {
-  if (story.state.simplex.count != 3 || story.run.lesson.granularity != Granularity::path)
-    return false;
-  const auto shows = [](const LessonView& view) {
-    return std::find(view.effects.begin(), view.effects.end(), "barycentric-parts") !=
-           view.effects.end();
-  };
-  return std::any_of(story.run.lesson.views.begin(), story.run.lesson.views.end(), shows);
+  return story.state.simplex.count == 3 && story.run.lesson.granularity == Granularity::path &&
+         story.shows(BarycentricParts::kName);
 }
 
 void areas(const Story& story, FrameText& text) {
   const gjk::Barycentric<double, 2> coordinates =
       gjk::barycentric(story.state.simplex, story.state.simplex.all());
-  std::string areas;
+  std::string negatives;
   std::string edges;
-  std::string list;
-  int negative = 0;
+  std::string sum;
+  int count = 0;
   for (int i = 0; i < 3; ++i) {
     const double weight = coordinates.numerator[i] / coordinates.denominator;
-    list += format("{}{} = {}", i > 0 ? ", " : "", "uvw"[i], story.numbers.weight(weight));
+    const std::string number = story.numbers.weight(weight);
+    sum += sum.empty() ? number : weight < 0.0 ? " − " + fixed(-weight, 3) : " + " + number;
     if (weight >= 0.0) continue;
     const std::string edge =
         story.words.face(static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(i)));
-    areas += (negative > 0 ? " and " : "") + story.q + edge;
-    edges += (negative > 0 ? " and " : "") + edge;
-    ++negative;
+    negatives += format("{}{} = area({}{}) / area({}) = {}", count > 0 ? " and " : "", "uvw"[i],
+                        story.q, edge, story.words.face(story.state.simplex.all()), number);
+    edges += (count > 0 ? " and " : "") + edge;
+    ++count;
   }
-  text.caption = negative == 0 ? format("All three areas are positive: {} lies inside.", story.q)
-                               : format("The {} of {} {} negative: {} lies beyond {}.",
-                                        negative == 1 ? "area" : "areas", areas,
-                                        negative == 1 ? "is" : "are", story.q, edges);
-  text.detail = format("{}: they add up to 1 wherever {} stands.", list, story.q);
+  text.caption = count == 0
+                     ? format("All three areas are positive: {} lies inside, and they fill {}.",
+                              story.q, story.words.face(story.state.simplex.all()))
+                     : format("{} {} negative: {} lies beyond {}.", negatives,
+                              count == 1 ? "is" : "are", story.q, edges);
+  text.detail = format("u + v + w = {} = 1, wherever {} stands.", sum, story.q);
 }
 
 /// What the sign of one coordinate says about where Q is.
 std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
   if (gjk::vertex_count(term.face) == 3) {
-    return term.wants_positive ? format("{} lies beyond the edge opposite {}.", story.q,
-                                        story.words.vertex(term.vertex))
-                               : format("{} lies on the triangle's side of the edge opposite {}.",
-                                        story.q, story.words.vertex(term.vertex));
+    const std::string opposite =
+        story.edge_name(static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex)));
+    return term.wants_positive ? format("{} lies beyond {}.", story.q, opposite)
+                               : format("{} lies on the triangle's side of {}.", story.q, opposite);
   }
   const std::string edge = story.words.face(term.face);
   if (term.wants_positive)
@@ -100,10 +113,37 @@ std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
                 story.words.vertex(term.vertex), story.words.face(other));
 }
 
+/// A lesson that shows where Q falls on the line through AB is told by that.
+void projection(const Story& story, FrameText& text) {
+  const std::string a = story.words.vertex(0);
+  const std::string b = story.words.vertex(1);
+  const bool between = story.state.region == story.state.simplex.all();
+  const bool before = story.state.region == 0b01;
+  const std::string end = before ? a : b;
+  if (between) {
+    text.caption =
+        format("{} projects to G, between {} and {}: it lies in region {}{}, and P is G.", story.q,
+               a, b, a, b);
+    text.detail =
+        format("Distance {}. The borders of the band are the normals of {}{} through {} and {}.",
+               story.distance(), a, b, a, b);
+  } else {
+    text.caption = format("{} projects to G, {} {}: it lies in region {}, and P is {}.", story.q,
+                          before ? "before" : "beyond", end, end, end);
+    text.detail = format("Distance {}. The border to region {}{} is the normal of {}{} through {}.",
+                         story.distance(), a, b, a, b, end);
+  }
+}
+
 }  // namespace
 
 void closest(const Story& story, FrameText& text) {
   if (tells_areas(story)) return areas(story, text);
+  if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
+  if (story.shows(Projection::kName) && story.state.simplex.count == 2 && story.run.point_query() &&
+      story.run.lesson.granularity == Granularity::path) {
+    return projection(story, text);
+  }
   text.caption = region_reason(story);
   if (gjk::vertex_count(story.state.region) == 3) {
     text.detail = story.run.point_query() ? format("So P = {}, and the distance is 0.", story.q)
@@ -119,9 +159,13 @@ void region_test(const Story& story, FrameText& text) {
     text.caption = format(
         "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
     if (simplex.count == 2) {
-      text.detail =
-          "u and v are fractions of the length of AB, signed. The tests come in order; the first "
-          "that is true decides.";
+      const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
+      text.detail = format(
+          "u = {} and v = {} are fractions of the length of {}, signed. The first true test "
+          "decides.",
+          story.numbers.weight(weights.numerator[0] / weights.denominator),
+          story.numbers.weight(weights.numerator[1] / weights.denominator),
+          story.words.face(simplex.all()));
     } else {
       text.detail =
           "u, v on each edge and u, v, w in the triangle. Vertex regions are tested first, then "

@@ -5,8 +5,9 @@
 
 namespace gjkscope {
 
-Story::Story(const LessonRun& lesson_run, const Frame& shown)
+Story::Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown)
     : run(lesson_run),
+      effects(graph),
       frame(shown),
       positioned(run.run(frame)),
       trace(positioned.trace),
@@ -28,6 +29,7 @@ bool Story::phase_is(gjk::Phase phase) const {
 
 bool Story::knows_p() const {
   if (frame.step < 0 || phase_is(gjk::Phase::add)) return false;
+  if (run.lesson.granularity == Granularity::orders) return frame.detail > 0;
   if (run.lesson.granularity != Granularity::test) return true;
   return frame.detail >= 0 && region_tests()[frame.detail].holds;
 }

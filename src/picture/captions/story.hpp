@@ -12,7 +12,7 @@
 namespace gjkscope {
 
 struct Story {
-  Story(const LessonRun& lesson_run, const Frame& shown);
+  Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown);
 
   /// True when a view of the lesson calls for this effect.
   [[nodiscard]] bool shows(std::string_view effect) const;
@@ -41,6 +41,7 @@ struct Story {
   [[nodiscard]] std::string signed_weight(const gjk::RegionTerm<double>& term) const;
 
   const LessonRun& run;
+  EffectGraph& effects;
   const Frame& frame;
   const PositionedRun& positioned;
   const WideTrace& trace;
@@ -63,6 +64,17 @@ void direction(const Story& story, FrameText& text);
 void support(const Story& story, FrameText& text);
 void stop(const Story& story, FrameText& text);
 void add(const Story& story, FrameText& text);
+
+// line.cpp
+/// u and v as fractional lengths, from G and from Q.
+void line(const Story& story, FrameText& text);
+
+// balance.cpp
+void balance(const Story& story, FrameText& text);
+
+// maps.cpp
+void maps(const Story& story, FrameText& text);
+void orders(const Story& story, FrameText& text);
 
 // difference.cpp
 void pairs(const Story& story, FrameText& text);

@@ -29,6 +29,27 @@ void corner_names(SceneBuilder& scene);
 /// Lengths and areas in proportion to the barycentric coordinates.
 void parts(SceneBuilder& scene);
 
+// line.cpp
+/// The line through a segment, and the point G of it that Q falls on.
+void projection(SceneBuilder& scene);
+void unit_vector(SceneBuilder& scene);
+
+// balance.cpp
+/// The beam below the segment whose weights are its masses.
+void balance(SceneBuilder& scene);
+
+// maps.cpp
+/// The plane by the signs of u, v and w.
+void signs(SceneBuilder& scene);
+/// Where signs and Voronoi regions name different features.
+void map_difference(SceneBuilder& scene);
+
+// orders.cpp
+/// The half-plane in which the short test that took an edge is true.
+void short_test(SceneBuilder& scene);
+/// The point that it took for P.
+void wrong_point(SceneBuilder& scene);
+
 // run.cpp
 /// Simplices and closest points of earlier iterations.
 void history(SceneBuilder& scene);

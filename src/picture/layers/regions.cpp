@@ -52,6 +52,7 @@ void borders(SceneBuilder& scene) {
 
 void regions(SceneBuilder& scene) {
   if (!scene.phase || !scene.tests_regions()) return;
+  if (scene.shows_map(MapStage::difference)) return borders(scene);
   const SimplexWords words(scene.run, scene.state.simplex);
   const bool gradual = scene.run.lesson.granularity == Granularity::test;
   for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
@@ -65,7 +66,8 @@ void regions(SceneBuilder& scene) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     const RegionFate fate = fate_of(scene, region.face);
     std::string role = fmt::format("region.{}", kKinds[gjk::vertex_count(region.face)]);
-    if (fate == RegionFate::holds) role = "region.active";
+    const bool is_map = scene.run.lesson.granularity == Granularity::maps;
+    if (fate == RegionFate::holds && !is_map) role = "region.active";
     if (gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
     scene.area(std::move(role), points);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effects/history.hpp"
+#include "effects/projection.hpp"
 #include "picture/layers/layers.hpp"
 
 namespace gjkscope::layers {
@@ -112,12 +113,13 @@ void closest_point(SceneBuilder& scene) {
   const Point p = scene.at_difference(scene.state.p);
   scene.disk("closest", p, kClosestRadius);
   if (scene.reaches_query()) return;  // Q's label names both
+  const bool is_g = scene.shows(Projection::kName) && gjk::vertex_count(scene.state.region) == 2;
   Point away = p - scene.at_difference(Vector2d::Zero());
   // At a vertex that has a name of its own, P is called from the side.
   if (!scene.run.point_query() && gjk::vertex_count(scene.state.region) == 1)
     away = Point(-away.y(), away.x());
-  scene.out.moving_labels.push_back(
-      scene.label("P", "P", "closest.label", type::kVertex, p, kPointRadius, away));
+  scene.out.moving_labels.push_back(scene.label("P", is_g ? "P = G" : "P", "closest.label",
+                                                type::kVertex, p, kPointRadius, away));
 }
 
 void witness_points(SceneBuilder& scene) {

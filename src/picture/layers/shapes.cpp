@@ -1,3 +1,4 @@
+#include "effects/projection.hpp"
 #include "geometry/polygon.hpp"
 #include "picture/layers/layers.hpp"
 
@@ -63,7 +64,7 @@ void path(SceneBuilder& scene) {
       for (std::size_t i = 1; i < points.size(); ++i)
         scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     }
-    for (const Point& point : points) scene.add("path.point", Disk{point, 3.0});
+    for (const Point& point : points) scene.disk("path.point", point, 3.0);
   }
 }
 
@@ -71,7 +72,12 @@ void query_point(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
     const Point q = scene.at(scene.positioned.x_world[0]);
     scene.disk("query", q, kPointRadius);
-    const std::string& name = scene.run.lesson.x.vertex_names[0];
+    std::string name = scene.run.lesson.x.vertex_names[0];
+    if (scene.shows(Projection::kName)) {
+      // Within a pixel of the line, G has no mark of its own.
+      const Projection::Value& g = scene.effects.get<Projection>(scene.frame);
+      if (g && (scene.at_difference(*g) - q).norm() < 1.0) name = "G = " + name;
+    }
     scene.out.moving_labels.push_back(scene.label("Q", scene.reaches_query() ? "P = " + name : name,
                                                   "query.label", type::kVertex, q, kPointRadius));
   }

@@ -1,0 +1,46 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "effects/graph.hpp"
+
+namespace gjkscope {
+
+/// Where a beam is at one moment. Lengths are fractions of the beam's, from its end A.
+struct Beam {
+  double seconds = 0.0;
+  double support = 0.5;  ///< Where it stands.
+  double angle = 0.0;    ///< Radians; positive lifts B.
+  double rate = 0.0;     ///< Radians a second.
+};
+
+/// How high the support stands over the ground, as a fraction of the beam's length.
+inline constexpr double kSupportHeight = 0.12;
+/// The shares of the time that the support stands in the middle, and at which it has arrived.
+inline constexpr double kSupportStarts = 1.0 / 3.0;
+inline constexpr double kSupportArrives = 0.5;
+
+/// A beam of length 1 m with `masses` (kg, none negative, not both 0) at its ends A and B, let go
+/// level on a support in its middle. The support then slides to `balance_point` and stays. The
+/// masses hang a little below the beam, so that it has a level to come to rest at, its axle is
+/// damped, and the ground stops its ends. One state for each moment of `time`; the same for the
+/// same arguments, bit for bit.
+[[nodiscard]] std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
+                                      const LessonTime& time);
+
+/// The weights of a segment as masses on a beam, and G as its balance point (Catto 2010, slides
+/// "mass A = mass B" to "massA>0 massB>0"). There is no negative mass: where a weight is negative
+/// the beam goes without. Nothing where the simplex is no segment.
+struct Balance {
+  static constexpr std::string_view kName = "balance";
+  static constexpr std::string_view kNeeds = "barycentric-weights";
+  struct Value {
+    std::array<double, 2> weights = {};  ///< u and v, as they are.
+    std::array<double, 2> masses = {};   ///< The same, none below 0.
+    std::vector<Beam> moments;           ///< One for each of the lesson.
+  };
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "effects/barycentric.hpp"
+#include "effects/region_orders.hpp"
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using fmt::format;
+using namespace rows;
+
+/// "+0.31 −0.20": two digits, so that three numbers fit beside their condition.
+std::string values_of(const PanelBuilder& panel, const gjk::RegionTest<double>& test) {
+  std::string out;
+  for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
+    if (!out.empty()) out += " ";
+    out += signed_fixed(term.numerator / term.denominator, 2);
+  }
+  return out;
+}
+
+std::string condition_of(const PanelBuilder& panel, const RegionOrders::Chain& chain,
+                         gjk::Face face) {
+  const int size = gjk::vertex_count(face);
+  if (size == 3) return "else";
+  gjk::RegionTest<double> test{face, {}, false};
+  for (int i = 0; i < 3; ++i) {
+    if (!gjk::contains(face, i))
+      test.terms.push_back({static_cast<gjk::Face>(face | gjk::face_of(i)), i});
+  }
+  std::string out = size == 2 && chain.whole ? "u, v > 0, " : "";
+  for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
+    if (!out.empty() && !out.ends_with(", ")) out += " and ";
+    out += panel.words.coordinate(term.face, term.vertex) + " ≤ 0";
+  }
+  return out;
+}
+
+/// The coordinates on each edge and in the triangle, a row each.
+void numbers_of(PanelBuilder& panel) {
+  panel.heading("The numbers, the same for every order");
+  for (const gjk::Face face : std::array<gjk::Face, 4>{0b011, 0b110, 0b101, 0b111}) {
+    const gjk::Barycentric<double, 2> coordinates = gjk::barycentric(panel.state.simplex, face);
+    double x = panel.left;
+    for (const int i : panel.words.order(face)) {
+      panel.write("code", x, panel.words.coordinate(face, i), type::kCode);
+      panel.write("code.current", x + 108.0,
+                  signed_fixed(coordinates.numerator[i] / coordinates.denominator, 3),
+                  type::kCodeBold, Align::right);
+      x += 136.0;
+    }
+    panel.y += kRow + 2.0;
+  }
+  panel.rule();
+  panel.heading("Tests of a vertex, of an edge, of the rest");
+  const auto test = [&](gjk::Face face, bool whole, const std::string& name) {
+    panel.write("body", panel.left, panel.words.face(face) + name, type::kBody);
+    RegionOrders::Chain chain;
+    chain.whole = whole;
+    panel.write("code", panel.left + 108.0, condition_of(panel, chain, face), type::kCode);
+    panel.y += kRow + 2.0;
+  };
+  test(0b001, false, "");
+  test(0b011, false, ", short");
+  test(0b011, true, ", whole");
+  test(0b111, false, "");
+}
+
+}  // namespace
+
+void signs(PanelBuilder& panel) {
+  const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
+  if (value.weights.size() != 3) return;
+  panel.heading("What the signs would say");
+  gjk::Face positive = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (value.weights[i] > 0.0) positive = static_cast<gjk::Face>(positive | gjk::face_of(i));
+  }
+  const double name_at = panel.left + 164.0;
+  const auto feature = [&](gjk::Face face) {
+    constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
+    return format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
+  };
+  for (const gjk::Face face :
+       std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
+    const bool current = face == positive;
+    if (current) panel.highlight();
+    const TextStyle style = current ? type::kCodeBold : type::kCode;
+    for (int i = 0; i < 3; ++i) {
+      panel.write(current ? "code.current" : "code", panel.left + 44.0 * i,
+                  format("{} {}", "uvw"[i], gjk::contains(face, i) ? "+" : "−"), style);
+    }
+    panel.write(current ? "body" : "body.muted", name_at, feature(face),
+                current ? type::kStrong : type::kBody);
+    panel.y += kRow;
+  }
+  panel.y += 6.0;
+  const bool agree = positive == panel.state.region;
+  panel.write("heading", panel.left, "Voronoi region", type::kHeading);
+  panel.write("body", name_at, feature(panel.state.region), type::kStrong);
+  panel.write(agree ? "pass" : "fail", panel.right, agree ? "✓ the same" : "✗ not the same",
+              type::kStrong, Align::right);
+  panel.y += kRow;
+}
+
+void orders(PanelBuilder& panel) {
+  const RegionOrders::Value& chains = panel.effects.get<RegionOrders>(panel.frame);
+  if (chains.empty()) return;
+  const OrderStage stage{panel.frame.detail};
+  if (stage == OrderStage::numbers) return numbers_of(panel);
+  const RegionOrders::Chain& chain = chains[panel.frame.detail - 1];
+  panel.heading(format("{} first, {} tests of the edges",
+                       chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices",
+                       chain.whole ? "whole" : "short"));
+  const gjk::detail::RegionList list = gjk::detail::list_regions(3, chain.order);
+  const int tried = static_cast<int>(chain.tests.size());
+  for (int i = 0; i < list.count; ++i) {
+    const gjk::Face face = list.conditions[i].face;
+    const TestMark mark = i >= tried             ? TestMark::untried
+                          : chain.tests[i].holds ? TestMark::holds
+                                                 : TestMark::fails;
+    test_row(panel, mark, i == tried - 1, panel.words.face(face), condition_of(panel, chain, face),
+             i < tried ? values_of(panel, chain.tests[i]) : "");
+  }
+  panel.rule();
+  const auto row = [&](const std::string& name, const std::string& value) {
+    panel.write("body", panel.left, name, type::kBody);
+    panel.write("code.current", panel.right, value, type::kCodeBold, Align::right);
+    panel.y += kRow;
+  };
+  std::string sum;
+  for (const int i : panel.words.order(chain.region)) {
+    const std::string weight = gjk::vertex_count(chain.region) > 1
+                                   ? panel.numbers.weight(chain.weights[i]) + " "
+                                   : std::string();
+    sum += (sum.empty() ? "" : " + ") + weight + panel.words.vertex(i);
+  }
+  if (gjk::vertex_count(chain.region) == 3) sum = query_name(panel.run);
+  row("point taken, P′", sum);
+  row("its distance from " + query_name(panel.run), panel.numbers(chain.p.norm()));
+  row("its distance from P: the error", panel.numbers(chain.error));
+}
+
+}  // namespace gjkscope::blocks

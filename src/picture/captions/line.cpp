@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include "effects/projection.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+
+using fmt::format;
+
+void line(const Story& story, FrameText& text) {
+  const UnitVector::Value& built = story.effects.get<UnitVector>(story.frame);
+  const Projection::Value& g = story.effects.get<Projection>(story.frame);
+  if (!built || !g) return;
+  const std::string a = story.words.vertex(0);
+  const std::string b = story.words.vertex(1);
+  const double u = built->of_g.to_b / built->length;
+  const double v = built->of_g.from_a / built->length;
+  const auto weight = [&](double value) { return story.numbers.weight(value); };
+  // A multiple of what rounding leaves of G - Q.
+  const bool on_line = g->norm() < 1e-9 * built->length;
+  if (!on_line) {
+    text.caption = format(
+        "G need not be found first: {0} − G is normal to n, so that dot({1} − {0}, n) is dot({1} − "
+        "G, n) = {2}.",
+        story.q, b, story.numbers(built->of_g.to_b));
+    text.detail =
+        format("So straight from {}: u = {} / {} = {} and v = {} / {} = {}.", story.q,
+               story.numbers(built->of_q.to_b), story.numbers(built->length), weight(u),
+               story.numbers(built->of_q.from_a), story.numbers(built->length), weight(v));
+    return;
+  }
+  if (u > 0.0 && v > 0.0) {
+    text.caption = format(
+        "G = uA + vB divides {0}{1}: from G to {1} is u = {2} of its length, from {0} to G is v = "
+        "{3}.",
+        a, b, weight(u), weight(v));
+  } else if (v < 0.0 || u < 0.0) {
+    const bool before = v < 0.0;
+    text.caption = format(
+        "G lies {} {}: {} to {} points against n, so {} = {} is negative, and {} = {} is more than "
+        "1.",
+        before ? "before" : "beyond", before ? a : b, before ? "from " + a : "from G",
+        before ? "G" : b, before ? "v" : "u", weight(before ? v : u), before ? "u" : "v",
+        weight(before ? u : v));
+  } else {
+    text.caption = format("G is {}: the whole length lies on one side, so u = {} and v = {}.",
+                          v > 0.0 ? b : a, weight(u), weight(v));
+  }
+  text.detail = format("u = {} / {} and v = {} / {}; u + v = 1 on the whole line.",
+                       story.numbers(built->of_g.to_b), story.numbers(built->length),
+                       story.numbers(built->of_g.from_a), story.numbers(built->length));
+}
+
+}  // namespace gjkscope::captions

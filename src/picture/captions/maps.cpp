@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "effects/barycentric.hpp"
+#include "effects/region_orders.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using fmt::format;
+
+std::string feature(const Story& story, gjk::Face face) {
+  return gjk::vertex_count(face) == 3 ? "the interior" : story.words.kind_and_face(face);
+}
+
+/// Vertices of positive weight: what the signs alone would take for the closest feature.
+gjk::Face by_signs(const Story& story) {
+  const std::vector<double>& weights = story.effects.get<BarycentricWeights>(story.frame).weights;
+  gjk::Face face = 0;
+  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+    if (weights[i] > 0.0) face = static_cast<gjk::Face>(face | gjk::face_of(i));
+  }
+  return face;
+}
+
+/// "w = −0.2 alone is negative", "u = −0.1 and w = −0.2 are negative".
+std::string negatives(const Story& story) {
+  const std::vector<double>& weights = story.effects.get<BarycentricWeights>(story.frame).weights;
+  std::string out;
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+    if (weights[i] > 0.0) continue;
+    out +=
+        format("{}{} = {}", count > 0 ? " and " : "", "uvw"[i], story.numbers.weight(weights[i]));
+    ++count;
+  }
+  return count == 0 ? "no coordinate is negative"
+                    : out + (count == 1 ? " alone is negative" : " are negative");
+}
+
+std::string edge_opposite(const Story& story, int vertex) {
+  return story.words.face(
+      static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(vertex)));
+}
+
+void negative(const Story& story, FrameText& text, int i) {
+  const std::string edge = edge_opposite(story, i);
+  text.caption = format("{} is negative beyond {}: a whole half-plane.", "uvw"[i], edge);
+  text.detail =
+      format("The Voronoi region of {} is only the band of it that projects onto {}.", edge, edge);
+}
+
+}  // namespace
+
+void maps(const Story& story, FrameText& text) {
+  const std::string region = feature(story, story.state.region);
+  switch (MapStage{story.frame.detail}) {
+    case MapStage::voronoi:
+      text.caption =
+          format("Voronoi map: each region is closest to one feature, {} to {}.", story.q, region);
+      text.detail =
+          "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
+          "w.";
+      return;
+    case MapStage::interior:
+      text.caption = "Sign map: u, v and w are all positive inside the triangle.";
+      text.detail = "Here both maps are the same. Next: where each of the three turns negative.";
+      return;
+    case MapStage::negative_u:
+      return negative(story, text, 0);
+    case MapStage::negative_v:
+      return negative(story, text, 1);
+    case MapStage::negative_w:
+      return negative(story, text, 2);
+    case MapStage::signs:
+      text.caption = format(
+          "The half-planes overlap: beyond {} both v and w are negative. Signs are not exclusive.",
+          story.words.vertex(0));
+      text.detail =
+          "Three lines make seven regions again, one for each feature, but with other borders.";
+      return;
+    case MapStage::blended:
+      text.caption = "Both maps at once: they agree inside, and the borders outside are others.";
+      text.detail =
+          "Voronoi borders (dashed) are normal to the edges; sign borders are the edges, "
+          "prolonged.";
+      return;
+    case MapStage::difference: {
+      const gjk::Face face = by_signs(story);
+      const bool agree = face == story.state.region;
+      text.caption = agree ? format("At {}, {}: the signs name {}, and that is the closest.",
+                                    story.q, negatives(story), region)
+                           : format("At {}, {}, as if {} were closest, but {} is.", story.q,
+                                    negatives(story), feature(story, face), region);
+      text.detail =
+          "Marked: where the maps disagree. The signs find the region only with further tests, "
+          "in the right order.";
+      return;
+    }
+  }
+}
+
+void orders(const Story& story, FrameText& text) {
+  const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
+  if (chains.empty()) return;
+  const OrderStage stage{story.frame.detail};
+  if (stage == OrderStage::numbers) {
+    text.caption = format(
+        "The coordinates of {} are numbers: the order in which they are tested is ours to choose.",
+        story.q);
+    text.detail =
+        "First with short tests: an edge only asks whether its area is negative, as wABC ≤ 0 for "
+        "AB.";
+    return;
+  }
+  const RegionOrders::Chain& chain = chains[story.frame.detail - 1];
+  const std::string region = feature(story, chain.region);
+  const bool is_edge = gjk::vertex_count(chain.region) == 2;
+  const std::string distance = story.numbers(chain.p.norm());
+  const std::string taken = story.words.face(chain.region);
+  if (chain.error > 0.0) {
+    text.caption =
+        format("{} first: the short test of {} is true already, and P′ is wrong by |P′ − P| = {}.",
+               chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
+               story.numbers(chain.error));
+    const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
+                                 [](double weight) { return weight < 0.0; });
+    text.detail = format("P′ {}: it is at {} from {}, the triangle at {}. Next: whole tests.",
+                         off ? "is not even on " + taken : "is on the wrong edge", distance,
+                         story.q, story.distance());
+  } else if (stage == OrderStage::vertices_first_short) {
+    text.caption =
+        format("Vertices first: the first true test is that of {}, and it is right.", region);
+    text.detail = format("P = P′, at distance {}. {} Next: the same tests, edges first.", distance,
+                         is_edge ? "The vertices are ruled out, so that a short test will do."
+                                 : "The edges are never asked.");
+  } else if (stage == OrderStage::edges_first_short) {
+    text.caption =
+        format("Edges first: the short test of {} is true, and here it is right.", taken);
+    text.detail =
+        format("{} projects onto the edge itself, so that P′ is P. Next: whole tests.", story.q);
+  } else {
+    text.caption =
+        format("Whole tests also ask for u, v > 0 on the edge: edges first, and still {}.", region);
+    text.detail =
+        format("P = P′, at distance {}. Whole tests exclude each other, so that any order will do.",
+               distance);
+  }
+}
+
+}  // namespace gjkscope::captions

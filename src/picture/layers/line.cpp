@@ -1,0 +1,63 @@
+#include "effects/projection.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+constexpr double kAngleMark = 11.0;    // side of the square that says "normal"
+constexpr double kArrowOffset = 16.0;  // of the unit vector from its segment
+constexpr double kProjectedRadius = 5.0;
+
+/// Upwards on the screen, normal to the line from `a` to `b`.
+Point upwards(const Point& a, const Point& b) {
+  const Point along = (b - a).normalized();
+  const Point normal(along.y(), -along.x());
+  return normal.y() > 0.0 ? Point(-normal) : normal;
+}
+
+}  // namespace
+
+void projection(SceneBuilder& scene) {
+  const Projection::Value& g = scene.effects.get<Projection>(scene.frame);
+  if (!g) return;
+  const Point a = scene.vertex_at(0);
+  const Point b = scene.vertex_at(1);
+  const Point foot = scene.at_difference(*g);
+  const Point q = scene.at_difference(Vector2d::Zero());
+  const Point along = (b - a).normalized();
+  const double reach = scene.map.area().size().norm();
+  scene.line("projection.axis", a - reach * along, a);
+  scene.line("projection.axis", b, b + reach * along);
+  const double height = (q - foot).norm();
+  if (height < 1.0) return;  // Q itself
+  const bool is_p = scene.knows_closest_point() && gjk::vertex_count(scene.state.region) == 2;
+  if (!is_p) scene.line("projection.line", q, foot);
+  if (height > 2.0 * kAngleMark) {
+    const Point up = (q - foot) / height;
+    const Point inwards = (0.5 * (a + b) - foot).dot(along) < 0.0 ? Point(-along) : along;
+    scene.add("projection.angle",
+              Polyline{{foot + kAngleMark * inwards, foot + kAngleMark * (inwards + up),
+                        foot + kAngleMark * up}});
+  }
+  if (is_p) return;
+  scene.disk("projection.point", foot, kProjectedRadius);
+  scene.out.moving_labels.push_back(
+      scene.label("G", "G", "projection.label", type::kVertex, foot, kPointRadius, foot - q));
+}
+
+void unit_vector(SceneBuilder& scene) {
+  const UnitVector::Value& built = scene.effects.get<UnitVector>(scene.frame);
+  if (!built) return;
+  const Vector2d a = scene.state.simplex.vertices[0].w;
+  const Point offset = kArrowOffset * upwards(scene.vertex_at(0), scene.vertex_at(1));
+  const Point from = scene.at_difference(a) + offset;
+  const Point to = scene.at_difference(a + built->n) + offset;
+  scene.arrow("unit-vector", from, to);
+  scene.out.moving_labels.push_back(
+      scene.label("n", "n", "unit-vector.label", type::kVertex, 0.5 * (from + to), 2.0, offset));
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,53 @@
+#include "effects/region_orders.hpp"
+#include "geometry/polygon.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+/// The chain of tests that the frame shows; none beside the numbers.
+const RegionOrders::Chain* chain_of(const SceneBuilder& scene) {
+  const RegionOrders::Value& chains = scene.effects.get<RegionOrders>(scene.frame);
+  const int index = scene.frame.detail - 1;
+  if (scene.run.lesson.granularity != Granularity::orders || index < 0 || chains.empty())
+    return nullptr;
+  return &chains[index];
+}
+
+}  // namespace
+
+void short_test(SceneBuilder& scene) {
+  const RegionOrders::Chain* chain = chain_of(scene);
+  if (!chain || chain->whole || gjk::vertex_count(chain->region) != 2) return;
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  int opposite = 0;
+  while (gjk::contains(chain->region, opposite)) ++opposite;
+  const Vector2d from = simplex.vertices[(opposite + 1) % 3].w + scene.shift;
+  const Vector2d edge = simplex.vertices[(opposite + 2) % 3].w + scene.shift - from;
+  Vector2d inwards(edge.y(), -edge.x());
+  if (inwards.dot(simplex.vertices[opposite].w + scene.shift - from) < 0.0) inwards = -inwards;
+  std::vector<Point> points;
+  for (const Vector2d& corner : clip(scene.map.visible(), {from, inwards}))
+    points.push_back(scene.at(corner));
+  if (points.empty()) return;
+  scene.area("wrong.area", points);
+  scene.outline(points);
+}
+
+void wrong_point(SceneBuilder& scene) {
+  const RegionOrders::Chain* chain = chain_of(scene);
+  if (!chain || chain->error == 0.0) return;
+  const Point p = scene.at_difference(chain->p);
+  const Point right = scene.at_difference(scene.state.p);
+  const Point q = scene.at_difference(Vector2d::Zero());
+  scene.line("wrong.line", p, q);
+  scene.line("wrong.error", right, p);
+  scene.disk("wrong", p, kPointRadius);
+  scene.out.moving_labels.push_back(
+      scene.label("P′", "P′", "wrong.label", type::kVertex, p, kPointRadius, p - q));
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,107 @@
+#include "effects/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "effects/projection.hpp"
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr LessonTime kTime{6.0, 61};
+constexpr double kLevel = 0.5 * 3.14159265358979 / 180.0;
+
+TEST(Swing, EqualMassesStayLevel) {
+  for (const Beam& beam : swing({0.5, 0.5}, 0.5, kTime)) {
+    EXPECT_EQ(beam.angle, 0.0);
+    EXPECT_EQ(beam.support, 0.5);
+  }
+}
+
+TEST(Swing, TheHeavierEndGoesDownAndComesBackWhenTheSupportReachesTheBalancePoint) {
+  for (const double v : {0.1, 0.25, 0.4, 0.6, 0.9}) {
+    const std::vector<Beam> ticks = swing({1.0 - v, v}, v, kTime);
+    const double side = v < 0.5 ? 1.0 : -1.0;
+    EXPECT_NEAR(ticks[20].angle, side * std::asin(kSupportHeight / 0.5), 1e-12)
+        << "on the ground after two seconds, v = " << v;
+    EXPECT_DOUBLE_EQ(ticks.back().support, v);
+    EXPECT_LT(std::abs(ticks.back().angle), kLevel) << "level at the end, v = " << v;
+    EXPECT_LT(std::abs(ticks.back().rate), kLevel) << "at rest at the end, v = " << v;
+  }
+}
+
+TEST(Swing, WithoutTheMassThatWouldHaveToBeNegativeTheBeamTips) {
+  for (const double v : {1.05, 1.25, 1.8}) {
+    const std::vector<Beam> ticks = swing({0.0, v}, v, kTime);
+    EXPECT_LT(ticks[20].angle, -kLevel) << "B is down on the middle";
+    EXPECT_NEAR(ticks.back().angle, std::asin(kSupportHeight / v), 1e-12) << "A is down, v = " << v;
+  }
+}
+
+TEST(Swing, NoEndSinksIntoTheGround) {
+  for (double v = -0.9; v < 2.0; v += 0.1) {
+    for (const Beam& beam : swing({std::max(0.0, 1.0 - v), std::max(0.0, v)}, v, kTime)) {
+      EXPECT_GE(-beam.support * std::sin(beam.angle), -kSupportHeight - 1e-12);
+      EXPECT_GE((1.0 - beam.support) * std::sin(beam.angle), -kSupportHeight - 1e-12);
+    }
+  }
+}
+
+TEST(Swing, IsTheSameHoweverOftenOneLooks) {
+  const std::vector<Beam> often = swing({0.7, 0.3}, 0.3, {6.0, 25});
+  const std::vector<Beam> seldom = swing({0.7, 0.3}, 0.3, {6.0, 7});
+  for (std::size_t i = 0; i < seldom.size(); ++i) {
+    EXPECT_EQ(seldom[i].angle, often[4 * i].angle);
+    EXPECT_EQ(seldom[i].rate, often[4 * i].rate);
+  }
+}
+
+TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("segment-balance"));
+  EffectGraph graph(run);
+  for (const Frame& frame : run.frames) {
+    const Balance::Value& value = graph.get<Balance>(frame);
+    ASSERT_EQ(value.moments.size(), static_cast<std::size_t>(run.lesson.time->frames));
+    EXPECT_DOUBLE_EQ(value.moments[frame.detail].seconds, run.seconds(frame));
+    EXPECT_GE(value.masses[0], 0.0);
+    EXPECT_GE(value.masses[1], 0.0);
+  }
+  EXPECT_EQ(graph.count("balance").runs, static_cast<long>(run.runs.size()));
+  const LessonRun still = run_lesson(testing::shipped_lesson("segment-closest"));
+  EffectGraph without(still);
+  EXPECT_TRUE(without.get<Balance>(still.frames[0]).moments.empty());
+}
+
+TEST(UnitVector, GivesTheSameLengthsFromGAndFromQ) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("segment-barycentric"));
+  EffectGraph graph(run);
+  int outside = 0;
+  for (const Frame& frame : run.frames) {
+    const UnitVector::Value& built = graph.get<UnitVector>(frame);
+    const Projection::Value& g = graph.get<Projection>(frame);
+    ASSERT_TRUE(built && g);
+    EXPECT_NEAR(built->n.norm(), 1.0, 1e-15);
+    EXPECT_NEAR(built->n.dot(*g), 0.0, 1e-12) << "Q - G is normal to n";
+    EXPECT_NEAR(built->of_g.to_b, built->of_q.to_b, 1e-12);
+    EXPECT_NEAR(built->of_g.from_a, built->of_q.from_a, 1e-12);
+    EXPECT_NEAR(built->of_g.to_b + built->of_g.from_a, built->length, 1e-12);
+    outside += built->of_g.to_b < 0.0 || built->of_g.from_a < 0.0;
+  }
+  EXPECT_GE(outside, 3) << "G leaves the segment at both ends";
+}
+
+TEST(Projection, AVertexOrATriangleHasNone) {
+  for (const char* id : {"polygon-evolution", "triangle-features"}) {
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    EffectGraph graph(run);
+    EXPECT_FALSE(graph.get<Projection>(run.frames[0]));
+    EXPECT_FALSE(graph.get<UnitVector>(run.frames[0]));
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope
