@@ -171,7 +171,7 @@ void areas(PanelBuilder& panel) {
     names[i] = panel.words.vertex(i);
     corners.push_back(value.simplex.vertices[i].w);
   }
-  const double whole = signed_area(corners);
+  double sum = 0.0;
   const auto row = [&](const std::string& from, const std::string& to, const std::string& third,
                        double area, const std::string& weight) {
     panel.write("strong", panel.left, from + to + third, type::kStrong);
@@ -184,10 +184,11 @@ void areas(PanelBuilder& panel) {
   for (int i = 0; i < 3; ++i) {
     const std::vector<Vector2d> part = {Vector2d::Zero(), corners[(i + 1) % 3],
                                         corners[(i + 2) % 3]};
+    sum += value.weights[i];
     row(q, names[(i + 1) % 3], names[(i + 2) % 3], signed_area(part),
         format("{} {}", kLetters[i], signed_fixed(value.weights[i], 3)));
   }
-  row(names[0], names[1], names[2], whole, "sum 1.000");
+  row(names[0], names[1], names[2], signed_area(corners), "sum " + fixed(sum, 3));
 }
 
 }  // namespace gjkscope::blocks
