@@ -9,6 +9,8 @@
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "effects/region_orders.hpp"
+#include "effects/second_run.hpp"
+#include "effects/shape_hull.hpp"
 #include "effects/sign_map.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
@@ -47,6 +49,8 @@ const std::vector<EffectInfo>& registered_effects() {
       info<ColdStart>("panel", "the same run without the warm start"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
+      info<SecondRun>("view", "the same query in another scalar: its closest point and search"),
+      info<ShapeHull>("view", "convex hulls of shapes that are not convex"),
   };
   return effects;
 }

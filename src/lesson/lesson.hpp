@@ -95,11 +95,13 @@ enum class PanelBlock {
   areas,
   balance,
   signs,
-  orders
+  orders,
+  stop_tests,
+  two_runs
 };
 
 /// The listings that the pseudocode block can show.
-enum class Listing { none, segment, triangle, gjk_point, gjk };
+enum class Listing { none, segment, triangle, support, gjk_point, minkowski, gjk };
 
 /// How one shape moves. Without points it stays where it stands, without turns as it is turned.
 struct LessonMotion {
@@ -143,6 +145,7 @@ struct Lesson {
   LessonShape x;
   LessonShape y;
   ScalarKind scalar = ScalarKind::double_;
+  std::optional<ScalarKind> beside;  ///< Of a second run, for the effect "second-run".
   gjk::Options options;
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 

@@ -49,6 +49,7 @@ class LessonReader {
   void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
                          LessonShape& shape);
   bool claim_vertex_name(const Field& field, const std::string& name);
+  void read_beside(const Field& beside);
   void read_query(const Table& query);
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
@@ -74,6 +75,7 @@ class LessonReader {
   Field warm_;
   ShapePlace place_of_x_;
   ShapePlace place_of_y_;
+  Field beside_;
   std::map<std::string, int> line_of_vertex_name_;
 };
 
@@ -85,7 +87,9 @@ Lesson LessonReader::read(const toml::table& root) {
   if (query)
     lesson_.scalar =
         reader_.choice<ScalarKind>((*query)["scalar"], "scalar").value_or(lesson_.scalar);
-  if (lesson_.scalar == ScalarKind::half) largest_ = limits::kLargestHalf;
+  if (query) read_beside((*query)["beside"]);
+  if (lesson_.scalar == ScalarKind::half || lesson_.beside == ScalarKind::half)
+    largest_ = limits::kLargestHalf;
 
   if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
     read_shape((*shapes)["X"], "X", lesson_.x);
@@ -250,6 +254,15 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
   const std::optional<int> x = vertex_index(field, lesson_.x, "X", second);
   if (!x || !y) return std::nullopt;
   return gjk::VertexPair{*x, *y};
+}
+
+void LessonReader::read_beside(const Field& beside) {
+  beside_ = beside;
+  lesson_.beside = reader_.choice<ScalarKind>(beside, "scalar");
+  if (lesson_.beside == lesson_.scalar) {
+    problems_.add(beside.place(), "the second run has the scalar of the first",
+                  fmt::format("another one than '{}'", name_of(lesson_.scalar)));
+  }
 }
 
 void LessonReader::read_query(const Table& query) {
@@ -473,6 +486,8 @@ void LessonReader::read_views(const Field& views) {
   if (views && views.node->is_array() && (entries.empty() || entries.size() > 2)) {
     problems_.add(views, fmt::format("{} views", entries.size()));
   }
+  constexpr std::string_view kSecondRun = "second-run";
+  bool shows_second_run = false;
   std::string effects_expected = fmt::format("one of: {}", fmt::join(known_effects_, ", "));
   for (const Field& entry : entries) {
     const std::optional<Table> table = reader_.table(entry, "views");
@@ -497,9 +512,18 @@ void LessonReader::read_views(const Field& views) {
         continue;
       }
       if (*name == "balance") check_needs_time(effect, "effect 'balance'");
+      if (*name == kSecondRun && !beside_) {
+        problems_.add(effect.place(), "effect 'second-run' without a scalar for it",
+                      "'beside' in [query]");
+      }
+      shows_second_run = shows_second_run || *name == kSecondRun;
       view.effects.push_back(*name);
     }
     lesson_.views.push_back(std::move(view));
+  }
+  if (beside_ && !shows_second_run) {
+    problems_.add(beside_.place(), "'beside' without a view that shows the second run",
+                  "\"second-run\" among a view's effects");
   }
 }
 
@@ -519,6 +543,9 @@ void LessonReader::read_panel(const Table& panel) {
       problems_.add(entry.place(), "block 'orders' without its frames",
                     "granularity = \"orders\" in [steps]");
     }
+    if (*block == PanelBlock::two_runs && !beside_) {
+      problems_.add(entry.place(), "block 'two-runs' without a second run", "'beside' in [query]");
+    }
     lesson_.panel.push_back(*block);
   }
   const Field listing = panel["listing"];
@@ -532,6 +559,10 @@ void LessonReader::read_panel(const Table& panel) {
   if (listing && !shows_code) {
     problems_.add(listing.place(), "'listing' without the block 'pseudocode'",
                   "\"pseudocode\" among the blocks");
+  }
+  if (lesson_.listing == Listing::minkowski && lesson_.granularity != Granularity::pairs) {
+    problems_.add(listing.place(), "listing 'minkowski' without frames for its pairs",
+                  "granularity 'pairs'");
   }
 }
 

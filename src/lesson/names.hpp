@@ -46,7 +46,7 @@ struct Named<ViewKind> {
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 19> kTable = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 21> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -65,14 +65,18 @@ struct Named<PanelBlock> {
        {"areas", PanelBlock::areas},
        {"balance", PanelBlock::balance},
        {"signs", PanelBlock::signs},
-       {"orders", PanelBlock::orders}}};
+       {"orders", PanelBlock::orders},
+       {"stop-tests", PanelBlock::stop_tests},
+       {"two-runs", PanelBlock::two_runs}}};
 };
 template <>
 struct Named<Listing> {
-  static constexpr std::array<std::pair<std::string_view, Listing>, 4> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Listing>, 6> kTable = {
       {{"segment", Listing::segment},
        {"triangle", Listing::triangle},
+       {"support", Listing::support},
        {"gjk-point", Listing::gjk_point},
+       {"minkowski", Listing::minkowski},
        {"gjk", Listing::gjk}}};
 };
 template <>

@@ -92,6 +92,11 @@ struct LessonRun {
 /// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);
 
+/// The lesson's GJK in another scalar. It starts from the vertices in the world as `run` rounded
+/// them, so that both compute from the very same numbers.
+[[nodiscard]] PositionedRun run_again(const Lesson& lesson, const PositionedRun& run,
+                                      ScalarKind scalar);
+
 /// Where the outcome differs from Lesson::expect; places are those of the keys in the lesson's
 /// file.
 [[nodiscard]] std::vector<Problem> check_expectation(const LessonRun& run);

@@ -57,6 +57,8 @@ std::vector<LessonKey> make_keys() {
        "degrees counter-clockwise, before `translate`"},
 
       {"query", "scalar", one_of<ScalarKind>(), "double", "numbers that the run computes with"},
+      {"query", "beside", one_of<ScalarKind>(), "no second run",
+       "numbers of a second run from the same vertices, for the effect `second-run`"},
       {"query", "direction", one_of<gjk::DirectionRule>(), "perpendicular",
        "how the search direction is built"},
       {"query", "regions", one_of<gjk::RegionOrder>(), "vertices-first",

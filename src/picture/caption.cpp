@@ -1,5 +1,6 @@
 #include "picture/caption.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -92,6 +93,15 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   FrameText text;
   const Story story(run, effects, frame);
   write(story, text);
+  if (frame.step >= 0) {
+    const auto& blocks = run.lesson.panel;
+    if (std::find(blocks.begin(), blocks.end(), PanelBlock::direction_rules) != blocks.end())
+      captions::direction_rules(story, effects.get<DirectionRules>(frame), text);
+    if (story.shows(SecondRun::kName))
+      captions::second_run(story, effects.get<SecondRun>(frame), text);
+    if (story.shows(ShapeHull::kName))
+      captions::shape_hull(story, effects.get<ShapeHull>(frame), text);
+  }
   text.values = values_of(story);
   text.phase = frame.step < 0 ? "start" : std::string(name_of(run.step(frame).phase));
   text.iteration = frame.step < 0 ? 0 : run.step(frame).iteration;

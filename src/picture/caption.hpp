@@ -5,7 +5,8 @@
 
 namespace gjkscope {
 
-/// Caption, detail, filled-in prose and values of one frame.
+/// Caption, detail, filled-in prose and values of one frame. Pulls the effects that the words tell
+/// of.
 [[nodiscard]] FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& frame);
 
 }  // namespace gjkscope

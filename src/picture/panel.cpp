@@ -45,6 +45,10 @@ void write_block(PanelBuilder& panel, PanelBlock kind) {
       return blocks::signs(panel);
     case PanelBlock::orders:
       return blocks::orders(panel);
+    case PanelBlock::stop_tests:
+      return blocks::stop_tests(panel);
+    case PanelBlock::two_runs:
+      return blocks::two_runs(panel);
   }
 }
 

@@ -88,13 +88,18 @@ bool PanelBuilder::knows_support() const {
 std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const {
   std::string out;
   // An edge test also repeats that the projections lie within the edge; the area's sign is what
-  // is new.
+  // is new, unless it is the repeated part that fails.
   for (const gjk::RegionTerm<double>& term : words.terms(test)) {
-    if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2)
+    if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2 &&
+        term.holds)
       continue;
-    const double value = term.denominator > 0.0 ? term.numerator / term.denominator : 0.0;
     if (gjk::vertex_count(test.region) == 3) continue;
     if (!out.empty()) out += " ";
+    if (!(term.denominator > 0.0)) {  // coinciding points, a triangle of area 0
+      out += "0/0";
+      continue;
+    }
+    const double value = term.numerator / term.denominator;
     out +=
         run.lesson.scalar == ScalarKind::double_ ? signed_fixed(value, 3) : numbers.weight(value);
   }

@@ -20,6 +20,8 @@ bool calls_for(const LessonView& view, std::string_view effect) {
   return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
 }
 
+Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
+
 SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                            const LessonView& of_view, const StageMap& stage_map)
     : run(lesson_run),
@@ -98,6 +100,14 @@ bool SceneBuilder::shows(std::string_view effect) const {
     return stage == MapStage::voronoi || stage >= MapStage::blended;
   if (effect == SignMap::kName) return stage != MapStage::voronoi;
   return effect != MapDifference::kName || stage == MapStage::difference;
+}
+
+double SceneBuilder::arrow_length(const Vector2d& p) const {
+  const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
+  // Where P and O are one point to the eye, nothing but the direction is to be seen.
+  if (way < kPointRadius) return kArrowLength;
+  // An arrow as long as the way to O would hide O under its head.
+  return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
 }
 
 bool SceneBuilder::knows_closest_point() const {

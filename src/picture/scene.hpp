@@ -65,6 +65,9 @@ inline constexpr double kLabelGap = 7.0;
 inline constexpr double kLengthOffset = 13.0;  // of a fractional length from its segment
 }  // namespace sizes
 
+/// d, of unit length, in frame pixels.
+[[nodiscard]] Point direction_on_screen(const Eigen::Vector2d& d);
+
 /// True when a lesson's view names this effect.
 [[nodiscard]] bool calls_for(const LessonView& view, std::string_view effect);
 
@@ -106,6 +109,8 @@ struct SceneBuilder {
   [[nodiscard]] std::vector<LabelRequest>& labels_of_difference() {
     return run.lesson.path_of_shapes ? out.moving_labels : out.fixed_labels;
   }
+  /// Of a search direction that starts at `p`, a point of the difference.
+  [[nodiscard]] double arrow_length(const Eigen::Vector2d& p) const;
 
   // What the frame's step knows
   /// True when the view calls for the effect, and, where frames go through maps, this map shows it.

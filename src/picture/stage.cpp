@@ -8,6 +8,8 @@
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "effects/region_orders.hpp"
+#include "effects/second_run.hpp"
+#include "effects/shape_hull.hpp"
 #include "effects/sign_map.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
@@ -69,7 +71,10 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
   if (scene.shows(SignMap::kName)) layers::signs(scene);
   if (scene.shows(MapDifference::kName)) layers::map_difference(scene);
   if (scene.shows(RegionOrders::kName)) layers::short_test(scene);
-  if (view.kind == ViewKind::world) layers::shapes(scene);
+  if (view.kind == ViewKind::world) {
+    if (scene.shows(ShapeHull::kName)) layers::shape_hull(scene);
+    layers::shapes(scene);
+  }
   if (view.kind == ViewKind::difference) layers::difference(scene);
   if (calls_for(view, Projection::kName)) layers::projection(scene);
   if (calls_for(view, BarycentricParts::kName)) layers::parts(scene);
@@ -93,6 +98,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
     layers::simplex(scene);
     if (scene.shows_difference) {
       layers::closest_line(scene);
+      if (calls_for(view, SecondRun::kName)) layers::second_run(scene);
       layers::search(scene);
       layers::closest_point(scene);
     } else {

@@ -10,6 +10,8 @@
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
 #include "effects/registry.hpp"
+#include "effects/second_run.hpp"
+#include "effects/shape_hull.hpp"
 #include "effects/voronoi.hpp"
 #include "lessons.hpp"
 
@@ -146,6 +148,62 @@ TEST(DirectionRules, GiveTheSlidesDigitsInSinglePrecision) {
   EXPECT_EQ(rules[0].rule, gjk::DirectionRule::towards_origin);
   EXPECT_EQ(rules[0].dot_with_edge, static_cast<double>(3.2457051e-06F));
   EXPECT_EQ(rules[1].dot_with_edge, 0.0);
+}
+
+TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
+  const LessonRun run = run_lesson(shipped_lesson("direction-half"));
+  EffectGraph graph(run);
+  const SecondRun::Value& second = graph.get<SecondRun>(run.frames.back());
+  EXPECT_EQ(second.run.x_world, run.runs[0].x_world);
+  EXPECT_EQ(second.run.y_world, run.runs[0].y_world);
+  ASSERT_GE(second.parting, 0);
+  const Frame parting{0, second.parting, -1};
+  EXPECT_EQ(run.step(parting).iteration, 2);
+  EXPECT_EQ(run.pair_name(run.state(parting).support.pair), "B");
+  const gjk::Step<double, 2>* beside = step_beside(second, run, parting);
+  ASSERT_NE(beside, nullptr);
+  EXPECT_EQ(run.pair_name(beside->after.support.pair), "C");
+
+  // By the coordinates: Q projected onto BD, and the vertex farthest along Q - P.
+  const std::vector<Vector2d>& y = run.runs[0].y_world;
+  const Vector2d q = run.runs[0].x_world[0];
+  const Vector2d edge = y[3] - y[1];
+  const Vector2d p = y[1] + (q - y[1]).dot(edge) / edge.squaredNorm() * edge;
+  int farthest = 0;
+  for (int i = 1; i < 5; ++i) {
+    if ((q - p).dot(y[farthest]) < (q - p).dot(y[i])) farthest = i;
+  }
+  EXPECT_EQ(farthest, 2);
+  EXPECT_NEAR((beside->after.p + q - p).norm(), 0.0, 1e-12);
+  const Vector2d d = run.state(parting).d;
+  const double degrees = std::acos(d.normalized().dot((q - p).normalized())) * 180.0 / 3.14159265;
+  EXPECT_GT(degrees, 40.0) << "to be seen by eye";
+  EXPECT_EQ(second.run.trace.result.stop, gjk::StopReason::origin_inside);
+}
+
+TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
+  Lesson lesson = shipped_lesson("polygon-evolution");
+  lesson.beside = ScalarKind::exact;
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph graph(run);
+  EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);
+  EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {0, -1, -1}), nullptr);
+}
+
+TEST(ShapeHull, LeavesOutTheReflexVertexAndKeepsCollinearOnes) {
+  const LessonRun reflex = run_lesson(shipped_lesson("nonconvex-vertex"));
+  EffectGraph graph(reflex);
+  const ShapeHull::Value& hulls = graph.get<ShapeHull>(reflex.frames[0]);
+  EXPECT_EQ(hulls.y.inside, (std::vector<int>{1}));
+  EXPECT_EQ(hulls.y.corners.size(), 4u);
+  // Q = (0.25, 3) and the edge from B = (0.5, 0.25) to C = (2.5, 1.75), by the point-line formula.
+  EXPECT_NEAR(hulls.outline_distance,
+              std::abs(2.0 * (3.0 - 0.25) - 1.5 * (0.25 - 0.5)) / std::hypot(2.0, 1.5), 1e-12);
+  EXPECT_LT(reflex.runs[0].trace.result.distance, hulls.outline_distance);
+
+  const LessonRun line = run_lesson(shipped_lesson("collinear"));
+  EffectGraph of_line(line);
+  EXPECT_TRUE(of_line.get<ShapeHull>(line.frames[0]).y.inside.empty());
 }
 
 }  // namespace

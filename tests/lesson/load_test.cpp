@@ -404,6 +404,52 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   }
 }
 
+TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
+  const std::string shown =
+      replaced(testing::kFullLesson, "\"history\"]", "\"history\", \"second-run\"]");
+  const std::string scalar = "scalar = \"float\"";
+  const LoadedLesson loaded = parse(replaced(shown, scalar, scalar + "\nbeside = \"exact\""));
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  EXPECT_EQ(loaded.lesson->beside, ScalarKind::exact);
+  EXPECT_FALSE(parse(testing::kFullLesson).lesson->beside);
+
+  const auto only_problem = [](const std::string& text) {
+    const LoadedLesson refused = parse(text);
+    return refused.problems.size() == 1 ? to_string(refused.problems[0]) : all_of(refused.problems);
+  };
+  EXPECT_EQ(only_problem(replaced(shown, scalar, scalar + "\nbeside = \"float\"")),
+            "lessons/two.toml:22:10: the second run has the scalar of the first; expected another "
+            "one than 'float'");
+  EXPECT_EQ(only_problem(shown),
+            "lessons/two.toml:41:42: effect 'second-run' without a scalar for it; expected "
+            "'beside' in [query]");
+  EXPECT_EQ(only_problem(replaced(testing::kFullLesson, scalar, scalar + "\nbeside = \"exact\"")),
+            "lessons/two.toml:22:10: 'beside' without a view that shows the second run; expected "
+            "\"second-run\" among a view's effects");
+  EXPECT_EQ(only_problem(replaced(testing::kFullLesson, "\"weights\"]", "\"two-runs\"]")),
+            "lessons/two.toml:47:25: block 'two-runs' without a second run; expected 'beside' in "
+            "[query]");
+}
+
+TEST(Load, CoordinatesOfASecondRunInHalfPrecisionMustBeHalves) {
+  std::string text = replaced(testing::kFullLesson, "\"history\"]", "\"second-run\"]");
+  text = replaced(text, "direction =", "beside = \"half\"\ndirection =");
+  EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
+  const LoadedLesson loaded = parse(replaced(text, "[6, 0]", "[70000, 0]"));
+  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+  EXPECT_NE(to_string(loaded.problems[0]).find("65504"), std::string::npos);
+}
+
+TEST(Load, TheListingOfTheDifferenceNeedsFramesForThePairs) {
+  const std::string text = replaced(testing::kFullLesson, "\"gjk\"", "\"minkowski\"");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+  EXPECT_EQ(to_string(loaded.problems[0]),
+            "lessons/two.toml:48:11: listing 'minkowski' without frames for its pairs; expected "
+            "granularity 'pairs'");
+  EXPECT_TRUE(parse(replaced(text, "\"iteration\"", "\"pairs\"")).lesson);
+}
+
 TEST(Load, PairsAreSteppedThroughForSmallShapesOnly) {
   std::string text = replaced(testing::kFullLesson, "\"iteration\"", "\"pairs\"");
   EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);

@@ -259,6 +259,59 @@ TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
   EXPECT_EQ(*(row + 1), signed_fixed(u_bc, 3) + " " + signed_fixed(v_ca, 3));
 }
 
+/// The texts of one frame.
+std::vector<std::string> texts_of_frame(const std::string& lesson, std::size_t frame) {
+  const LessonRun run = run_lesson(testing::shipped_lesson(lesson));
+  EffectGraph effects(run);
+  const Fonts fonts(kAssets / "fonts.toml");
+  std::vector<std::string> texts;
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+  for (const Mark& mark : frames[frame].picture.marks) {
+    if (const Text* text = std::get_if<Text>(&mark.shape)) texts.push_back(text->text);
+  }
+  return texts;
+}
+
+/// What stands after a text on its row.
+std::string after(const std::vector<std::string>& texts, const std::string& text, int next = 1) {
+  const auto found = std::find(texts.begin(), texts.end(), text);
+  EXPECT_NE(found, texts.end()) << text;
+  return texts.end() - found > next ? *(found + next) : "";
+}
+
+TEST(Panel, PseudocodeKeepsTheValuesOfTheIterationBesideTheirLines) {
+  // Iteration 2 of the pentagon, at its stop phase.
+  const std::vector<std::string> texts = texts_of_frame("polygon-pseudocode", 11);
+  EXPECT_EQ(after(texts, "drop vertices without weight"), "none");
+  EXPECT_EQ(after(texts, "if d = 0: stop"), "no");
+  EXPECT_EQ(after(texts, "w ← support point along d"), "D");
+  EXPECT_EQ(after(texts, "if w in S or no farther: stop"), "no");
+  EXPECT_EQ(after(texts, "add w to S"), "Simplex") << "not yet";
+}
+
+TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
+  const std::vector<std::string> texts = texts_of_frame("stop-repeated", 5);
+  EXPECT_EQ(after(texts, "Q inside S"), "2 of 3 vertices");
+  EXPECT_EQ(after(texts, "Q inside S", 2), "✗");
+  EXPECT_EQ(after(texts, "d = 0", 2), "✓") << "of the next test";
+  EXPECT_EQ(after(texts, "w in S"), "C is there");
+  EXPECT_EQ(after(texts, "w in S", 2), "·");
+  EXPECT_EQ(after(texts, "w no farther than S"), "·") << "nothing is compared any more";
+}
+
+TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
+  const auto holds = [](const std::vector<std::string>& texts, const std::string& words) {
+    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      return text.find(words) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(
+      holds(texts_of_frame("collinear", 1), "BCD has area 0, so none of its weights is positive"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
+  EXPECT_TRUE(holds(texts_of_frame("direction-half", 10), "Half precision finds B"));
+  EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));
+}
+
 TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
   const Fonts fonts(kAssets / "fonts.toml");
   for (const Lesson& lesson : testing::shipped_lessons()) {

@@ -35,6 +35,12 @@ void scan(PanelBuilder& panel);
 void bounds(PanelBuilder& panel);
 void direction_rules(PanelBuilder& panel);
 
+// stop_tests.cpp
+void stop_tests(PanelBuilder& panel);
+
+// two_runs.cpp
+void two_runs(PanelBuilder& panel);
+
 // difference.cpp
 void pairs(PanelBuilder& panel);
 

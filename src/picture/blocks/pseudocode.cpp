@@ -13,164 +13,291 @@ using namespace rows;
 using fmt::format;
 using gjk::Phase;
 
-/// One line of a listing: its text, and which phase or region test it stands for.
+/// One line of a listing: its text, and what of the run it stands for.
 struct CodeLine {
-  std::string_view text;
-  std::optional<gjk::Phase> phase;
-  std::optional<gjk::Face> region;  ///< Set: the line that tests this region, or takes it.
-  bool takes = false;               ///< The line that is reached when the test holds.
+  std::string text;
+  std::optional<Phase> phase = {};
+  std::optional<gjk::Face> region = {};   ///< Set: the line that tests this region, or takes it.
+  bool takes = false;                     ///< The line that is reached when the test holds.
+  std::optional<Phase> stops_after = {};  ///< Set: the stop tests that follow this phase.
 };
 
-const std::vector<CodeLine>& code_of(Listing listing) {
-  static const std::vector<CodeLine> none;
-  static const std::vector<CodeLine> segment = {
-      {"input: A, B, Q", {}, {}, false},
-      {"compute u and v", Phase::closest, {}, false},
-      {"if u ≤ 0", {}, gjk::Face{0b10}, false},
+using Lines = std::vector<CodeLine>;
+
+/// Catto 2010, slides "Closest point algorithm" and "Implementation" to "Testing the interior
+/// region".
+const Lines& segment_lines() {
+  static const Lines lines = {
+      {"input: A, B, Q"},
+      {"compute u and v", Phase::closest},
+      {"if u ≤ 0", {}, gjk::Face{0b10}},
       {"  P ← B", {}, gjk::Face{0b10}, true},
-      {"else if v ≤ 0", {}, gjk::Face{0b01}, false},
+      {"else if v ≤ 0", {}, gjk::Face{0b01}},
       {"  P ← A", {}, gjk::Face{0b01}, true},
-      {"else", {}, gjk::Face{0b11}, false},
+      {"else", {}, gjk::Face{0b11}},
       {"  P ← u A + v B", {}, gjk::Face{0b11}, true},
   };
-  static const std::vector<CodeLine> triangle = {
-      {"compute uAB, vAB, uBC, vBC, uCA, vCA", Phase::closest, {}, false},
-      {"compute uABC, vABC, wABC", Phase::closest, {}, false},
-      {"if vAB ≤ 0 and uCA ≤ 0:  P ← A", {}, gjk::Face{0b001}, false},
-      {"if uAB ≤ 0 and vBC ≤ 0:  P ← B", {}, gjk::Face{0b010}, false},
-      {"if uBC ≤ 0 and vCA ≤ 0:  P ← C", {}, gjk::Face{0b100}, false},
-      {"if u, v > 0, wABC ≤ 0:  P on AB", {}, gjk::Face{0b011}, false},
-      {"if u, v > 0, uABC ≤ 0:  P on BC", {}, gjk::Face{0b110}, false},
-      {"if u, v > 0, vABC ≤ 0:  P on CA", {}, gjk::Face{0b101}, false},
-      {"else:  P ← Q", {}, gjk::Face{0b111}, false},
+  return lines;
+}
+const Lines& triangle_lines() {
+  static const Lines lines = {
+      {"compute uAB, vAB, uBC, vBC, uCA, vCA", Phase::closest},
+      {"compute uABC, vABC, wABC", Phase::closest},
+      {"if vAB ≤ 0 and uCA ≤ 0:  P ← A", {}, gjk::Face{0b001}},
+      {"if uAB ≤ 0 and vBC ≤ 0:  P ← B", {}, gjk::Face{0b010}},
+      {"if uBC ≤ 0 and vCA ≤ 0:  P ← C", {}, gjk::Face{0b100}},
+      {"if u, v > 0, wABC ≤ 0:  P on AB", {}, gjk::Face{0b011}},
+      {"if u, v > 0, uABC ≤ 0:  P on BC", {}, gjk::Face{0b110}},
+      {"if u, v > 0, vABC ≤ 0:  P on CA", {}, gjk::Face{0b101}},
+      {"else:  P ← Q", {}, gjk::Face{0b111}},
   };
-  static const std::vector<CodeLine> gjk_point = {
-      {"S ← any vertex", {}, {}, false},
-      {"loop", {}, {}, false},
-      {"  P ← closest point to Q on S", Phase::closest, {}, false},
-      {"  drop vertices without weight", Phase::cull, {}, false},
-      {"  d ← direction from P to Q", Phase::direction, {}, false},
-      {"  w ← support point along d", Phase::support, {}, false},
-      {"  if w in S: stop", Phase::stop, {}, false},
-      {"  add w to S", Phase::add, {}, false},
-  };
-  static const std::vector<CodeLine> gjk = {
-      {"S ← any vertex", {}, {}, false},
-      {"loop", {}, {}, false},
-      {"  P ← closest point to O on S", Phase::closest, {}, false},
-      {"  drop vertices without weight", Phase::cull, {}, false},
-      {"  d ← from P towards O", Phase::direction, {}, false},
-      {"  w ← support(Y, d) − support(X, −d)", Phase::support, {}, false},
-      {"  if w in S: stop", Phase::stop, {}, false},
-      {"  add w to S", Phase::add, {}, false},
-  };
-  switch (listing) {
-    case Listing::none:
-      return none;
-    case Listing::segment:
-      return segment;
-    case Listing::triangle:
-      return triangle;
-    case Listing::gjk_point:
-      return gjk_point;
-    case Listing::gjk:
-      return gjk;
-  }
-  return none;
+  return lines;
 }
 
-enum class LineState { idle, current, past, crossed };
+/// Catto 2010, slide "GJK algorithm", with the conditions of the slides on termination where they
+/// are tested, as far as the lesson's options ask for them.
+Lines gjk_lines(const LessonRun& run) {
+  const std::string q = query_name(run);
+  const bool point = run.point_query();
+  const bool progress = run.lesson.options.stop_on_no_progress;
+  const bool repeated = run.lesson.options.stop_on_repeated_support;
+  std::string last = repeated ? "w in S" : "";
+  if (progress) last += repeated ? " or no farther" : "w no farther than S";
+  Lines lines = {
+      {"S ← initial simplex"},
+      {"loop"},
+      {point ? "  P ← closest point to Q on S" : "  P ← closest point on S", Phase::closest},
+      {"  drop vertices without weight", Phase::cull},
+      {format("  if {} in S{}: stop", q, progress ? " or P no nearer" : ""),
+       {},
+       {},
+       false,
+       Phase::cull},
+      {point ? "  d ← direction from P to Q" : "  d ← from P towards O", Phase::direction},
+      {"  if d = 0: stop", {}, {}, false, Phase::direction},
+      {point ? "  w ← support point along d" : "  w ← support(Y,d) − support(X,−d)",
+       Phase::support},
+  };
+  if (!last.empty())
+    lines.push_back({format("  if {}: stop", last), {}, {}, false, Phase::support});
+  lines.push_back({"  add w to S", Phase::add});
+  return lines;
+}
 
-LineState line_state(const PanelBuilder& panel, const CodeLine& line, int index) {
-  if (panel.frame.step < 0) return index == 0 ? LineState::current : LineState::idle;
-  if (!line.region) {
-    if (panel.gradual()) {
-      if (line.phase && panel.frame.detail < 0) return LineState::current;
-      return line.phase ? LineState::past : LineState::idle;
-    }
-    return line.phase == panel.phase() ? LineState::current : LineState::idle;
+/// What a line says of the frame's step.
+struct LineView {
+  enum class State { idle, untried, current, past, rejected } state = State::idle;
+  std::optional<bool> verdict = {};  ///< Of a region test.
+  std::string value = {};            ///< What the line computed.
+};
+using State = LineView::State;
+
+void write_line(PanelBuilder& panel, const std::string& text, const LineView& line) {
+  const bool current = line.state == State::current;
+  if (current) panel.highlight();
+  const std::string role = current                         ? "code.current"
+                           : line.state == State::untried  ? "untried"
+                           : line.state == State::rejected ? "code.muted"
+                                                           : "code";
+  const TextStyle style = current ? type::kCodeBold : type::kCode;
+  const std::size_t indent = text.find_first_not_of(' ');
+  const double at = panel.left + 10.0 * static_cast<double>(indent);
+  const std::string words = text.substr(indent);
+  panel.write(role, at, words, style);
+  double right = panel.right;
+  if (line.verdict) {
+    panel.write(*line.verdict ? "pass" : "fail", right, *line.verdict ? "✓" : "✗", style,
+                Align::right);
+    right -= 20.0;
   }
-  const auto& tried = panel.region_tests();
+  constexpr double kSpace = 10.0;
+  const double room = right - at - panel.fonts.width(style, words) - kSpace;
+  if (!line.value.empty() && panel.fonts.width(style, line.value) <= room) {
+    panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
+  }
+  panel.y += kRow;
+}
+
+// Region tests
+// ---------------------------------------------------------------------------------------------------
+
+/// A line of a chain of region tests. `has_takes`: other lines say what follows from a test.
+LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_takes) {
+  if (panel.frame.step < 0) return {};
+  const auto& tests = panel.region_tests();
   for (int i = 0; i <= panel.tests_reached(); ++i) {
-    if (tried[i].region != *line.region) continue;
-    const bool reached = i == panel.tests_reached();
-    if (line.takes) return tried[i].holds ? LineState::current : LineState::idle;
-    return reached ? LineState::current : LineState::crossed;
+    if (tests[i].region != *line.region) continue;
+    const bool holds = tests[i].holds;
+    if (line.takes) {
+      if (!holds) return {State::untried};
+      const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x_world[0];
+      return {State::current, {}, panel.numbers.point(p)};
+    }
+    const bool reached = i == panel.tests_reached() && !(holds && has_takes);
+    std::string value;
+    const bool is_else = gjk::vertex_count(line.region.value()) == panel.state.simplex.count;
+    if (!is_else) value = panel.test_values(tests[i]);
+    return {reached ? State::current : holds ? State::past : State::rejected, holds, value};
   }
-  return LineState::idle;
+  return {State::untried};
 }
 
-/// What this line computed, at this step; nothing for lines that are not current or were not
-/// reached.
-std::string line_value(const PanelBuilder& panel, const CodeLine& line, LineState line_state) {
-  const bool point_query = panel.run.point_query();
-  if (panel.run.lesson.listing == Listing::segment && line_state != LineState::idle) {
-    if (line.region && !line.takes) {
-      for (const auto& test : panel.region_tests()) {
-        if (test.region == *line.region && gjk::vertex_count(test.region) == 1)
-          return panel.test_values(test);
-      }
-    }
-    if (line.phase) {
-      const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
-      if (value.weights.size() == 2)
-        return format("{}, {}", panel.numbers.weight(value.weights[0]),
-                      panel.numbers.weight(value.weights[1]));
-    }
-    return {};
+LineView weights_line(const PanelBuilder& panel) {
+  if (panel.frame.step < 0) return {};
+  LineView line{panel.gradual() && panel.frame.detail < 0 ? State::current : State::past};
+  const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
+  if (panel.run.lesson.listing == Listing::segment && value.weights.size() == 2) {
+    line.value = format("{}, {}", panel.numbers.weight(value.weights[0]),
+                        panel.numbers.weight(value.weights[1]));
   }
-  if (panel.run.lesson.listing == Listing::triangle && line.region) {
-    for (int i = 0; i <= panel.tests_reached(); ++i) {
-      if (panel.region_tests()[i].region == *line.region)
-        return panel.test_values(panel.region_tests()[i]);
+  return line;
+}
+
+void region_chain(PanelBuilder& panel, const Lines& lines, bool has_takes) {
+  for (const CodeLine& line : lines) {
+    if (line.region) {
+      write_line(panel, line.text, region_line(panel, line, has_takes));
+    } else if (line.phase) {
+      write_line(panel, line.text, weights_line(panel));
+    } else {
+      write_line(panel, line.text, {panel.frame.step < 0 ? State::current : State::idle, {}, {}});
     }
-    return {};
   }
-  if (line_state != LineState::current || !point_query) return {};
-  if (!panel.phase()) return panel.words.face(panel.state.simplex.all());
-  switch (*panel.phase()) {
-    case Phase::closest:
-      return panel.numbers.point(panel.state.p + panel.run.run(panel.frame).x_world[0]);
+}
+
+// The loop
+// ---------------------------------------------------------------------------------------------------
+
+/// What a step left beside its line.
+std::string value_of(const PanelBuilder& panel, const gjk::Step<double, 2>& step) {
+  const gjk::State<double, 2>& after = step.after;
+  switch (step.phase) {
+    case Phase::closest: {
+      const bool point = panel.run.point_query();
+      return panel.numbers.point(
+          point ? Eigen::Vector2d(after.p + panel.run.run(panel.frame).x_world[0]) : after.p);
+    }
     case Phase::cull: {
       std::string dropped;
-      for (const auto& vertex : panel.run.step(panel.frame).record.dropped)
+      for (const auto& vertex : step.record.dropped) {
+        if (!dropped.empty()) dropped += " ";
         dropped += panel.run.pair_name(vertex.pair);
+      }
       return dropped.empty() ? "none" : dropped;
     }
     case Phase::direction:
-      return panel.numbers.point(panel.state.d);
+      return panel.numbers.point(after.d);
     case Phase::support:
-      return panel.run.pair_name(panel.state.support.pair);
+      return panel.run.pair_name(after.support.pair);
     case Phase::stop:
-      return panel.state.stop == gjk::StopReason::running ? "no" : "yes";
+      return after.stop == gjk::StopReason::running ? "no" : "yes";
     case Phase::add:
-      return panel.words.face(panel.state.simplex.all());
+      return SimplexWords(panel.run, after.simplex).face(after.simplex.all());
   }
   return {};
+}
+
+/// The steps of the frame's iteration up to the frame's, by phase; null for phases to come.
+std::array<const gjk::Step<double, 2>*, gjk::kPhaseCount> steps_so_far(const PanelBuilder& panel) {
+  std::array<const gjk::Step<double, 2>*, gjk::kPhaseCount> steps = {};
+  const auto& all = panel.run.run(panel.frame).trace.steps;
+  for (int i = 0; i <= panel.frame.step; ++i) {
+    if (all[i].iteration == all[panel.frame.step].iteration)
+      steps[static_cast<std::size_t>(all[i].phase)] = &all[i];
+  }
+  return steps;
+}
+
+void loop(PanelBuilder& panel) {
+  const auto steps = steps_so_far(panel);
+  const auto step_of = [&](Phase phase) { return steps[static_cast<std::size_t>(phase)]; };
+  const gjk::Step<double, 2>* stop = step_of(Phase::stop);
+  bool first = true;
+  // Ten lines leave room for two more blocks when they stand closer than others.
+  for (const CodeLine& line : gjk_lines(panel.run)) {
+    LineView view;
+    if (first && panel.frame.step < 0) {
+      view = {State::current, {}, panel.words.face(panel.state.simplex.all())};
+    } else if (line.phase && step_of(*line.phase)) {
+      const gjk::Step<double, 2>& step = *step_of(*line.phase);
+      view = {
+          panel.phase() == line.phase ? State::current : State::past, {}, value_of(panel, step)};
+    } else if (line.stops_after) {
+      // The run goes on to the next phase where these tests do not hold; one stop phase stands for
+      // all of them.
+      const Phase next = static_cast<Phase>(static_cast<int>(*line.stops_after) + 1);
+      if (stop && !step_of(next == Phase::stop ? Phase::add : next) && step_of(*line.stops_after)) {
+        view = {State::current, {}, value_of(panel, *stop)};
+      } else if (step_of(next)) {
+        view = {State::past, {}, "no"};
+      }
+    }
+    write_line(panel, line.text, view);
+    panel.y += kTightRow - kRow;
+    first = false;
+  }
+}
+
+// Other listings
+// ---------------------------------------------------------------------------------------------------
+
+/// Catto 2010, slide "Support point code".
+void support_listing(PanelBuilder& panel) {
+  const bool current = panel.phase() == Phase::support;
+  const bool known = panel.knows_support();
+  const State state = current ? State::current : State::idle;
+  const std::string best = known ? panel.run.pair_name(panel.state.support.pair) : std::string();
+  const auto& names = panel.run.lesson.y.vertex_names;
+  write_line(panel, "input: polygon, d",
+             {known ? State::past : State::idle,
+              {},
+              known ? panel.numbers.point(panel.state.d) : std::string()});
+  write_line(panel, "w ← first vertex", {state, {}, current ? names[0] : std::string()});
+  write_line(panel, "for each other vertex p",
+             {state, {}, current ? format("{} of them", names.size() - 1) : std::string()});
+  write_line(panel, "  if dot(d, p) > dot(d, w): w ← p", {state, {}, {}});
+  write_line(panel, "return w", {state, {}, best});
+}
+
+/// Catto 2010, slide "Building the Minkowski difference". One frame a pair, then the hull.
+void minkowski_listing(PanelBuilder& panel) {
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  const int per_x = static_cast<int>(positioned.y_world.size());
+  const int all = static_cast<int>(positioned.x_world.size()) * per_x;
+  const int made = panel.frame.detail;
+  const bool building = made >= 1 && made <= all;
+  const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
+  const auto value = [&](const std::string& text) { return building ? text : std::string(); };
+  write_line(panel, "points ← none", {made == 0 ? State::current : State::past});
+  write_line(panel, "for each vertex x of X",
+             {State::past, {}, value(building ? panel.run.lesson.x.vertex_names[pair.x] : "")});
+  write_line(panel, "  for each vertex y of Y",
+             {State::past, {}, value(building ? panel.run.lesson.y.vertex_names[pair.y] : "")});
+  write_line(panel, "    add y − x to the points",
+             {building ? State::current : State::past,
+              {},
+              value(building ? panel.run.pair_name(pair) : "")});
+  write_line(panel, "Z ← convex hull of the points",
+             {made > all ? State::current : State::idle, {}, {}});
 }
 
 }  // namespace
 
 void pseudocode(PanelBuilder& panel) {
-  const std::vector<CodeLine>& lines = code_of(panel.run.lesson.listing);
-  for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-    const CodeLine& line = lines[i];
-    const LineState now = line_state(panel, line, i);
-    const bool current = now == LineState::current;
-    if (current) panel.highlight();
-    const std::string role = current                     ? "code.current"
-                             : now == LineState::crossed ? "code.muted"
-                                                         : "code";
-    const std::size_t indent = line.text.find_first_not_of(' ');
-    panel.write(role, panel.left + 10.0 * static_cast<double>(indent),
-                std::string(line.text.substr(indent)), current ? type::kCodeBold : type::kCode);
-    const std::string value = line_value(panel, line, now);
-    if (!value.empty())
-      panel.write(current ? "code.value" : "code.muted", panel.right, value,
-                  current ? type::kCodeBold : type::kCode, Align::right);
-    if (now == LineState::crossed && value.empty())
-      panel.write("fail", panel.right, "✗", type::kCode, Align::right);
-    panel.y += kRow;
+  switch (panel.run.lesson.listing) {
+    case Listing::none:
+      return;
+    case Listing::segment:
+      return region_chain(panel, segment_lines(), true);
+    case Listing::triangle:
+      return region_chain(panel, triangle_lines(), false);
+    case Listing::support:
+      return support_listing(panel);
+    case Listing::minkowski:
+      return minkowski_listing(panel);
+    case Listing::gjk_point:
+    case Listing::gjk:
+      return loop(panel);
   }
 }
 

@@ -141,12 +141,13 @@ void bounds(PanelBuilder& panel) {
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
     const bool close = b - a < 110.0;
-    const double line_at = close ? a - 6.0 : a;
+    const double p_at = std::min(b, panel.right - 12.0);
+    const double line_at = close ? std::min(a, p_at) - 6.0 : a;
     if (low > 0.0) {
       panel.write("body.muted", std::max(line_at, panel.left + 80.0), "support line", type::kTick,
                   Align::right);
     }
-    panel.write("body.muted", std::min(b, panel.right - 12.0), "P", type::kTick,
+    panel.write("body.muted", p_at, "P", type::kTick,
                 close && low > 0.0 ? Align::left : Align::center);
   } else {
     panel.y += 18.0;

@@ -47,6 +47,13 @@ std::string region_reason(const Story& story) {
                   story.edge_name(face));
   for (const gjk::RegionTerm<double>& term : won->terms) {
     if (term.wants_positive) continue;
+    if (term.denominator == 0.0) {
+      return format(
+          "{} lies in the region of {}: {} has area 0, so none of its weights is positive; {} "
+          "projects onto {}.",
+          story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
+          story.edge_name(face));
+    }
     if (story.run.point_query()) {
       const std::vector<int> ends = story.words.order(face);
       return format(
@@ -148,6 +155,10 @@ void closest(const Story& story, FrameText& text) {
   if (gjk::vertex_count(story.state.region) == 3) {
     text.detail = story.run.point_query() ? format("So P = {}, and the distance is 0.", story.q)
                                           : "So P = O and the distance is 0: the shapes overlap.";
+    return;
+  }
+  if (story.reaches_query()) {
+    text.detail = format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
     return;
   }
   text.detail = format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);

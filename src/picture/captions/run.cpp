@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -61,6 +62,9 @@ void cull(const Story& story, FrameText& text) {
             ? format(
                   "A triangle that contains {} cannot get closer: nothing is left to search for.",
                   story.q)
+        : story.reaches_query() && !dropped.empty()
+            ? format("P is {} as it was before: {} brought nothing, and nothing else will.",
+                     story.q, story.run.pair_name(dropped[0].pair))
             : "P came no nearer than before: nothing is left to search for.";
   } else {
     text.detail = format("Next: a direction d in which to look for a point closer to {}.", story.q);
@@ -92,6 +96,33 @@ void direction(const Story& story, FrameText& text) {
   }
 }
 
+namespace {
+
+/// "B, C and D" where several vertices of Y lie equally far along d, else nothing.
+std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& scan,
+                 double largest) {
+  std::vector<std::string> names;
+  for (const auto& entry : scan) {
+    if (entry.value == largest) {
+      names.push_back(story.run.lesson.y.vertex_names[static_cast<std::size_t>(entry.index)]);
+    }
+  }
+  if (names.size() < 2) return {};
+  const std::string last = names.back();
+  names.pop_back();
+  return format("{} and {}", fmt::join(names, ", "), last);
+}
+
+/// Why a distance of 0 is one: P is O.
+std::string zero_distance(const Story& story) {
+  const gjk::Face all = story.state.simplex.all();
+  if (gjk::vertex_count(all) == 1)
+    return format("The distance is 0: {} is the vertex {}.", story.q, story.words.face(all));
+  return format("The distance is 0: {} lies on {}.", story.q, story.edge_name(all));
+}
+
+}  // namespace
+
 void support(const Story& story, FrameText& text) {
   const gjk::VertexPair pair = story.state.support.pair;
   const std::string name = story.run.pair_name(pair);
@@ -100,9 +131,14 @@ void support(const Story& story, FrameText& text) {
     const auto farthest = std::find_if(scan.begin(), scan.end(),
                                        [&](const auto& entry) { return entry.index == pair.y; });
     const std::size_t count = story.run.lesson.y.vertices.size();
-    text.caption = format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
-                          story.numbers(farthest->value),
-                          count == 2 ? "larger of the two" : format("largest of all {}", count));
+    const std::string all = tied(story, scan, farthest->value);
+    text.caption =
+        all.empty()
+            ? format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
+                     story.numbers(farthest->value),
+                     count == 2 ? "larger of the two" : format("largest of all {}", count))
+            : format("{} lie equally far along d, at {}: the scan keeps {}, the first it saw.", all,
+                     story.numbers(farthest->value), name);
   } else {
     text.caption =
         format("{} lies farthest along d: {} is the support point of {}, {} that of {} along −d.",
@@ -113,10 +149,10 @@ void support(const Story& story, FrameText& text) {
                                  story.state.simplex.vertices.begin() + story.state.simplex.count,
                                  [&](const auto& vertex) { return vertex.pair == pair; });
   text.detail =
-      known ? format("It is in the simplex already: nothing of {} lies farther that way.",
+      known ? format("{} is in the simplex already: nothing of {} lies farther that way.", name,
                      story.set_name())
-            : format("It is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
-                     story.set_name());
+            : format("{} is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
+                     name, story.set_name());
 }
 
 void stop(const Story& story, FrameText& text) {
@@ -129,8 +165,10 @@ void stop(const Story& story, FrameText& text) {
   switch (story.state.stop) {
     case gjk::StopReason::running:
       text.caption = format("Go on: {} is new, and lies farther along d than P does.", support);
-      text.detail = lower > 0.0
-                        ? bounds
+      text.detail =
+          story.reaches_query()
+              ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
+          : lower > 0.0 ? bounds
                         : format("No line separates {} from {} yet, but P is at distance {}.",
                                  story.q, story.set_name(), story.distance());
       return;
@@ -138,7 +176,7 @@ void stop(const Story& story, FrameText& text) {
       text.caption =
           format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.", support,
                  story.set_name(), story.q);
-      text.detail = final_distance;
+      text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
       if (lower > 0.0) {
         text.detail +=
             format(" The dashed line proves it: it has all of {} on one side and {} on the other.",
@@ -152,7 +190,7 @@ void stop(const Story& story, FrameText& text) {
       return;
     case gjk::StopReason::zero_direction:
       text.caption = format("Stop: d = 0, because P is {}.", story.q);
-      text.detail = "The distance is 0.";
+      text.detail = zero_distance(story);
       return;
     case gjk::StopReason::no_progress:
       text.caption =
@@ -160,7 +198,7 @@ void stop(const Story& story, FrameText& text) {
               ? format("Stop: P came no nearer to {} than it was an iteration ago.", story.q)
               : format("Stop: nothing of {} lies farther along d than the simplex does.",
                        story.set_name());
-      text.detail = final_distance;
+      text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
       return;
     case gjk::StopReason::within_tolerance:
       text.caption = "Stop: the bounds are as close as was asked for.";

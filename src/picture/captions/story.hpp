@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "effects/direction_rules.hpp"
+#include "effects/second_run.hpp"
+#include "effects/shape_hull.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"
 
@@ -19,6 +22,7 @@ struct Story {
   [[nodiscard]] bool phase_is(gjk::Phase phase) const;
   [[nodiscard]] bool ended() const { return state.stop != gjk::StopReason::running; }
   [[nodiscard]] bool knows_p() const;
+  [[nodiscard]] bool reaches_query() const { return knows_p() && state.p_sq == 0.0; }
   [[nodiscard]] bool knows_direction() const {
     return phase_is(gjk::Phase::direction) || knows_support();
   }
@@ -75,6 +79,14 @@ void balance(const Story& story, FrameText& text);
 // maps.cpp
 void maps(const Story& story, FrameText& text);
 void orders(const Story& story, FrameText& text);
+// direction_rules.cpp: how far d = O - P is from being perpendicular
+void direction_rules(const Story& story, const DirectionRules::Value& rules, FrameText& text);
+
+// second_run.cpp: where the two runs part
+void second_run(const Story& story, const SecondRun::Value& second, FrameText& text);
+
+// shape_hull.cpp: what a vertex inside of the hull is to GJK
+void shape_hull(const Story& story, const ShapeHull::Value& hulls, FrameText& text);
 
 // difference.cpp
 void pairs(const Story& story, FrameText& text);

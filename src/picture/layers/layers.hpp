@@ -16,6 +16,10 @@ void path(SceneBuilder& scene);
 /// Q in the world of a point query, O in the difference.
 void query_point(SceneBuilder& scene);
 
+// shape_hull.cpp
+/// Hulls of shapes that are not convex.
+void shape_hull(SceneBuilder& scene);
+
 // difference.cpp
 /// Cloud and hull of the differences.
 void difference(SceneBuilder& scene);
@@ -63,7 +67,8 @@ void search_arrow(SceneBuilder& scene, const Point& from, const Eigen::Vector2d&
 /// The search direction at P.
 void search_direction(SceneBuilder& scene);
 /// The line through a point, normal to d.
-void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector2d& d);
+void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector2d& d,
+                  const std::string& role = "support.plane");
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);
 void search_between_shapes(SceneBuilder& scene);
@@ -87,5 +92,9 @@ void grown_obstacle(SceneBuilder& scene);
 void touched_points(SceneBuilder& scene);
 /// The widest strip proved empty between X and Y.
 void slab(SceneBuilder& scene);
+
+// second_run.cpp
+/// Closest point, search direction, support line and support point of the second run.
+void second_run(SceneBuilder& scene);
 
 }  // namespace gjkscope::layers

@@ -26,8 +26,6 @@ void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& ver
   }
 }
 
-Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
-
 }  // namespace
 
 void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
@@ -41,19 +39,15 @@ void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, dou
 }
 
 void search_direction(SceneBuilder& scene) {
-  // An arrow as long as the way to O would hide O under its head.
-  const double way =
-      (scene.at_difference(scene.state.p) - scene.at_difference(Vector2d::Zero())).norm();
-  const double length = way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
-  search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d, length, "d");
+  search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d,
+               scene.arrow_length(scene.state.p), "d");
 }
 
-void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d) {
+void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
+                  const std::string& role) {
   const Point along = direction_on_screen(d);
-  const Point across(-along.y(), along.x());
-  const double reach = scene.map.area().size().norm();
-  scene.add("support.plane", Polyline{{through - reach * across, through + reach * across}});
-  scene.out.obstacles.segments.push_back({through - reach * across, through + reach * across});
+  const Point across = scene.map.area().size().norm() * Point(-along.y(), along.x());
+  scene.line(role, through - across, through + across);
 }
 
 void history(SceneBuilder& scene) {

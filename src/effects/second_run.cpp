@@ -1,0 +1,28 @@
+#include "effects/second_run.hpp"
+
+namespace gjkscope {
+
+EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  Value value{run_again(run.lesson, run.run(frame), run.lesson.beside.value()), -1};
+  const std::vector<gjk::Step<double, 2>>& steps = run.run(frame).trace.steps;
+  for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
+    if (steps[i].phase != gjk::Phase::support) continue;
+    const gjk::Step<double, 2>* beside = step_beside(value, run, {frame.run, i, -1});
+    if (!beside || beside->after.support.pair != steps[i].after.support.pair) value.parting = i;
+  }
+  return value;
+}
+
+const gjk::Step<double, 2>* step_beside(const SecondRun::Value& second, const LessonRun& run,
+                                        const Frame& frame) {
+  if (frame.step < 0) return nullptr;
+  const gjk::Step<double, 2>& step = run.step(frame);
+  for (const gjk::Step<double, 2>& beside : second.run.trace.steps) {
+    if (beside.phase == step.phase && beside.iteration == step.iteration) return &beside;
+  }
+  return nullptr;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,49 @@
+#include "effects/shape_hull.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/polygon.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Vertices this close to the hull, relative to its size, count as on it: about what rounding puts
+/// between three points of a line whose coordinates are not dyadic.
+constexpr double kOnHull = 1e-12;
+
+ShapeHull::Hull hull_of(const std::vector<Vector2d>& points) {
+  ShapeHull::Hull hull{convex_hull(points), {}};
+  const std::size_t count = hull.corners.size();
+  const double size = (points[hull.corners[0]] - points[hull.corners[count / 2]]).norm();
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    // Points on an edge of the hull belong to it, too.
+    const bool on_hull = std::any_of(hull.corners.begin(), hull.corners.end(), [&](const int& a) {
+      const std::size_t k = static_cast<std::size_t>(&a - hull.corners.data());
+      return segment_distance(points[i], points[a], points[hull.corners[(k + 1) % count]]) <=
+             kOnHull * size;
+    });
+    if (!on_hull) hull.inside.push_back(i);
+  }
+  return hull;
+}
+
+}  // namespace
+
+EffectKey ShapeHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+ShapeHull::Value ShapeHull::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  const PositionedRun& positioned = run.run(frame);
+  const std::vector<Vector2d>& y = positioned.y_world;
+  Value value{hull_of(positioned.x_world), hull_of(y), std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    value.outline_distance =
+        std::min(value.outline_distance,
+                 segment_distance(positioned.x_world[0], y[i], y[(i + 1) % y.size()]));
+  }
+  return value;
+}
+
+}  // namespace gjkscope

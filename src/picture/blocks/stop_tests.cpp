@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using fmt::format;
+using gjk::StopReason;
+using namespace rows;
+
+/// The tests as they stand beside the pseudocode, which calls the support point w.
+std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
+  switch (reason) {
+    case StopReason::origin_inside:
+      return query_name(panel.run) + " inside S";
+    case StopReason::zero_direction:
+      return "d = 0";
+    case StopReason::repeated_support:
+      return "w in S";
+    case StopReason::no_progress:
+      return panel.phase() == gjk::Phase::stop && !panel.stop_follows_support()
+                 ? "P no nearer"
+                 : "w no farther than S";
+    case StopReason::within_tolerance:
+      return "bounds close enough";
+    default:
+      return "iteration cap";
+  }
+}
+
+/// What a test compared.
+std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& test) {
+  const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
+  switch (test.reason) {
+    case StopReason::origin_inside:
+      return format("{} of 3 vertices", panel.state.simplex.count);
+    case StopReason::zero_direction:
+      return "|d| = " + number(panel.state.d.norm());
+    case StopReason::repeated_support:
+      return format("{} {}", panel.run.pair_name(panel.state.support.pair),
+                    test.holds ? "is there" : "is new");
+    case StopReason::no_progress:
+      if (!panel.stop_follows_support())
+        return format("|P| = {} as before", number(std::sqrt(test.right)));
+      return format("{} by {}", panel.run.pair_name(panel.state.support.pair),
+                    number(test.left - test.right));
+    case StopReason::within_tolerance:
+      return format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
+    default:
+      return format("{} of {}", panel.state.iteration, panel.run.lesson.options.iteration_cap);
+  }
+}
+
+/// True for tests that the lesson switched off.
+bool left_out(const gjk::Options& options, StopReason reason) {
+  return (reason == StopReason::repeated_support && !options.stop_on_repeated_support) ||
+         (reason == StopReason::no_progress && !options.stop_on_no_progress) ||
+         (reason == StopReason::within_tolerance && !(options.tolerance > 0.0));
+}
+
+}  // namespace
+
+void stop_tests(PanelBuilder& panel) {
+  panel.heading("Stop tests: the first that holds");
+  static const std::vector<gjk::StopTest<double>> none;
+  const bool decided = panel.phase() == gjk::Phase::stop;
+  const auto& tests = decided ? panel.run.step(panel.frame).record.stop_tests : none;
+  constexpr std::array<StopReason, 6> kOrder = {
+      StopReason::origin_inside, StopReason::zero_direction,   StopReason::repeated_support,
+      StopReason::no_progress,   StopReason::within_tolerance, StopReason::iteration_cap};
+  for (std::size_t i = 0; i < kOrder.size(); ++i) {
+    if (left_out(panel.run.lesson.options, kOrder[i])) continue;
+    const bool tried = i < tests.size() && tests[i].tried;
+    const bool holds = tried && tests[i].holds;
+    if (holds) panel.highlight("highlight.pass");
+    panel.write(!tried  ? "untried"
+                : holds ? "pass"
+                        : "fail",
+                panel.left,
+                !tried  ? "·"
+                : holds ? "✓"
+                        : "✗",
+                type::kStrong);
+    panel.write(tried ? "body" : "untried", panel.left + 24.0, name_of_test(panel, kOrder[i]),
+                holds ? type::kStrong : TextStyle{Face::regular, 15});
+    if (tried) {
+      panel.write(holds ? "code.current" : "code", panel.right, compared(panel, tests[i]),
+                  holds ? type::kCodeBold : type::kCode, Align::right);
+    }
+    panel.y += kRow + 2.0;
+  }
+}
+
+}  // namespace gjkscope::blocks

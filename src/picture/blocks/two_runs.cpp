@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "effects/second_run.hpp"
+#include "lesson/names.hpp"
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using fmt::format;
+using gjk::Phase;
+using gjk::State;
+using namespace rows;
+
+/// One column: a run, and its state at the frame.
+struct Column {
+  std::string title;
+  double x = 0.0;  ///< Right edge.
+  const PositionedRun& run;
+  const State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
+  Numbers numbers;
+};
+
+}  // namespace
+
+void two_runs(PanelBuilder& panel) {
+  const Lesson& lesson = panel.run.lesson;
+  const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
+  const gjk::Step<double, 2>* beside = step_beside(second, panel.run, panel.frame);
+  const PositionedRun& first = panel.run.run(panel.frame);
+  const State<double, 2>* state = panel.phase() ? &panel.state : nullptr;
+  Lesson other = lesson;
+  other.scalar = *lesson.beside;
+  const double half = 0.5 * (panel.right - panel.left - 62.0);
+  const std::array<Column, 2> columns = {
+      Column{std::string(name_of(lesson.scalar)), panel.left + 62.0 + half, first, state,
+             panel.numbers},
+      Column{std::string(name_of(*lesson.beside)), panel.right, second.run,
+             beside ? &beside->after : nullptr, Numbers(other)}};
+
+  panel.write("heading", panel.left, "Two runs", type::kHeading);
+  for (const Column& column : columns)
+    panel.write("heading", column.x, column.title, type::kHeading, Align::right);
+  panel.y += kRow + 2.0;
+
+  const auto known = [&](Phase since) {
+    return panel.phase() && *panel.phase() >= since && *panel.phase() != Phase::add;
+  };
+  const auto row = [&](const std::string& name, bool shown, auto value) {
+    panel.write("code", panel.left, name, type::kCode);
+    std::array<std::string, 2> texts;
+    for (int i = 0; i < 2; ++i)
+      texts[i] = shown && columns[i].state ? value(columns[i]) : std::string("–");
+    const bool differ = shown && texts[0] != texts[1];
+    for (int i = 0; i < 2; ++i) {
+      panel.write(!differ  ? "code"
+                  : i == 0 ? "fail"
+                           : "pass",
+                  columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode, Align::right);
+    }
+    panel.y += kRow;
+  };
+  const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
+    row(name, known(since),
+        [&](const Column& column) { return column.numbers(vector(column)[axis]); });
+  };
+  const auto p = [](const Column& column) {
+    return Eigen::Vector2d(column.state->p + column.run.x_world[0]);
+  };
+  const auto d = [](const Column& column) { return column.state->d; };
+  coordinate("P.x", Phase::closest, p, 0);
+  coordinate("P.y", Phase::closest, p, 1);
+  coordinate("d.x", Phase::direction, d, 0);
+  coordinate("d.y", Phase::direction, d, 1);
+  row("towards", known(Phase::direction), [](const Column& column) {
+    const Eigen::Vector2d& along = column.state->d;
+    return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
+  });
+  row("support", known(Phase::support),
+      [&](const Column& column) { return panel.run.pair_name(column.state->support.pair); });
+  row("stops", known(Phase::stop), [](const Column& column) {
+    return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
+  });
+}
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,100 @@
+#include "effects/second_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using Eigen::Vector2d;
+using fmt::format;
+
+std::string arithmetic(ScalarKind scalar) {
+  switch (scalar) {
+    case ScalarKind::half:
+      return "half precision";
+    case ScalarKind::single:
+      return "single precision";
+    case ScalarKind::double_:
+      return "double precision";
+    case ScalarKind::exact:
+      return "exact arithmetic";
+  }
+  return {};
+}
+
+std::string at_the_start(std::string words) {
+  words[0] = static_cast<char>(std::toupper(words[0]));
+  return words;
+}
+
+double degrees_between(const Vector2d& a, const Vector2d& b) {
+  const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  return std::abs(angle) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+void second_run(const Story& story, const SecondRun::Value& second, FrameText& text) {
+  const gjk::Step<double, 2>* step = step_beside(second, story.run, story.frame);
+  if (!step) return;
+  const std::string first = at_the_start(arithmetic(story.run.lesson.scalar));
+  const std::string other = arithmetic(*story.run.lesson.beside);
+  const gjk::State<double, 2>& mine = story.state;
+  const gjk::State<double, 2>& beside = step->after;
+  Lesson in_other = story.run.lesson;
+  in_other.scalar = *story.run.lesson.beside;
+  const Numbers numbers(in_other);
+  const auto point = [&](const Vector2d& v) {
+    return format("({}, {})", numbers(v.x()), numbers(v.y()));
+  };
+  const double degrees = degrees_between(mine.d, beside.d);
+  const std::string name = story.run.pair_name(mine.support.pair);
+  const std::string name_beside = story.run.pair_name(beside.support.pair);
+  switch (step->phase) {
+    case gjk::Phase::closest: {
+      const double away = (mine.p - beside.p).norm();
+      if (away == 0.0) return;
+      text.detail =
+          format("So {}, rounded: {} has P = {}, and this one lies {} away from it.", story.p_is(),
+                 other, point(beside.p + story.positioned.x_world[0]), numbers(away));
+      return;
+    }
+    case gjk::Phase::direction:
+      if (degrees < 0.05) return;
+      text.caption = format("d = {} − P takes over what P was off by: it points {}° off.", story.q,
+                            fixed(degrees, 1));
+      text.detail =
+          format("d = {}; {} has d = {}.", story.numbers.point(mine.d), other, point(beside.d));
+      return;
+    case gjk::Phase::support:
+      if (mine.support.pair == beside.support.pair) return;
+      text.caption = format("{} finds {} farthest along its d. Along the d of {} it is {}.", first,
+                            name, other, name_beside);
+      text.detail = format("The wrong support point: {}° of round-off in d are enough for it.",
+                           fixed(degrees, 1));
+      return;
+    case gjk::Phase::stop:
+      if (!story.ended() || beside.stop != gjk::StopReason::running) return;
+      text.caption = format("{} stops, with {} once more, and P at distance {}. {} goes on to {}.",
+                            first, name, story.distance(), at_the_start(other), name_beside);
+      text.detail =
+          second.run.trace.result.distance > 0.0
+              ? format("It comes to distance {}.", numbers(second.run.trace.result.distance))
+              : format("It finds {} inside, at distance 0: the wrong support point hid the answer.",
+                       story.q);
+      if (story.trace.result.settled) {
+        text.detail += format(" No bound proves {}, so this run's answer was settled exactly, too.",
+                              story.distance());
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace gjkscope::captions

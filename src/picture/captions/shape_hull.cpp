@@ -1,0 +1,32 @@
+#include "effects/shape_hull.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+
+using fmt::format;
+
+void shape_hull(const Story& story, const ShapeHull::Value& hulls, FrameText& text) {
+  if (!story.run.point_query() || hulls.y.inside.empty()) return;
+  const std::string inside = story.run.lesson.y.vertex_names[hulls.y.inside[0]];
+  if (story.phase_is(gjk::Phase::support)) {
+    const auto& scan = story.run.step(story.frame).record.scan_y;
+    const auto entry = std::find_if(scan.begin(), scan.end(), [&](const auto& seen) {
+      return seen.index == hulls.y.inside[0];
+    });
+    if (entry == scan.end()) return;
+    text.detail = format("{0} can never win: it lies inside the hull, and reaches only {1} here.",
+                         inside, story.numbers(entry->value));
+  } else if (story.phase_is(gjk::Phase::stop) && story.ended()) {
+    text.detail = format(
+        "The distance {} is that of the hull; the polygon's own outline is {} away. GJK has not "
+        "seen {}.",
+        story.numbers(story.trace.result.distance), story.numbers(hulls.outline_distance), inside);
+  }
+}
+
+}  // namespace gjkscope::captions

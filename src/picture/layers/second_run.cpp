@@ -1,0 +1,41 @@
+#include "effects/second_run.hpp"
+
+#include "lesson/names.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+void second_run(SceneBuilder& scene) {
+  if (!scene.shows_difference || !scene.knows_closest_point()) return;
+  const SecondRun::Value& second = scene.effects.get<SecondRun>(scene.frame);
+  const gjk::Step<double, 2>* step = step_beside(second, scene.run, scene.frame);
+  if (!step) return;
+  const gjk::State<double, 2>& state = step->after;
+  const std::string scalar(name_of(*scene.run.lesson.beside));
+  const Point p = scene.at_difference(state.p);
+  const auto name = [&](const std::string& what, const Point& anchor, double radius,
+                        const Point& towards) {
+    scene.out.moving_labels.push_back(scene.label("second:" + what, scalar + " " + what,
+                                                  "second.label", type::kSmallVertex, anchor,
+                                                  radius, towards));
+  };
+  if (scene.has_support()) {
+    support_line(scene, scene.at_difference(state.support.w), state.d, "second.plane");
+    scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
+  }
+  if (scene.has_direction() && state.d.norm() > 0.0) {
+    const Point along = direction_on_screen(state.d);
+    const Point tip = p + scene.arrow_length(state.p) * along;
+    scene.arrow("second.direction", p, tip);
+    name("d", tip, 6.0, along);
+  }
+  scene.disk("second.closest", p, kPointRadius);
+  // Where both are the same point to the eye one label is enough.
+  if ((p - scene.at_difference(scene.state.p)).norm() > 3.0 * kPointRadius)
+    name("P", p, kPointRadius, p - scene.at_difference(scene.state.p));
+}
+
+}  // namespace gjkscope::layers

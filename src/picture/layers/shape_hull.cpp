@@ -1,0 +1,20 @@
+#include "effects/shape_hull.hpp"
+
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::layers {
+
+void shape_hull(SceneBuilder& scene) {
+  const ShapeHull::Value& hulls = scene.effects.get<ShapeHull>(scene.frame);
+  const auto draw = [&](const ShapeHull::Hull& hull, const std::vector<Eigen::Vector2d>& world) {
+    if (hull.inside.empty()) return;  // the shape is its own hull
+    std::vector<Point> points;
+    for (const int corner : hull.corners) points.push_back(scene.at(world[corner]));
+    scene.area("hull", points);
+    scene.outline(points);
+  };
+  draw(hulls.x, scene.positioned.x_world);
+  draw(hulls.y, scene.positioned.y_world);
+}
+
+}  // namespace gjkscope::layers
