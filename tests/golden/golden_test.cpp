@@ -1,0 +1,216 @@
+// What every lesson came to when it was last looked at: the outcome that its file states, its trace
+// as text, a few pictures as lists of marks, and fewer still as pixels. A change that is meant is
+// taken over by `scripts/golden`, and shows in the diff.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "golden/golden_text.hpp"
+#include "lessons.hpp"
+#include "paint/canvas.hpp"
+#include "paint/png.hpp"
+#include "picture/frame.hpp"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kGolden = fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "golden";
+const fs::path kAssets = fs::path(GJKSCOPE_SOURCE_DIR) / "assets";
+
+/// scripts/golden names the lessons to write anew in GJKSCOPE_GOLDEN, or "all".
+bool writes(const std::string& lesson) {
+  const char* named = std::getenv("GJKSCOPE_GOLDEN");
+  if (named == nullptr) return false;
+  std::istringstream in(named);
+  for (std::string name; in >> name;) {
+    if (name == "all" || name == lesson) return true;
+  }
+  return false;
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+void write(const fs::path& file, const std::string& bytes) {
+  std::ofstream out(file, std::ios::binary);
+  out << bytes;
+  ASSERT_TRUE(out.flush()) << file;
+}
+
+std::vector<fs::path> files_in(const char* folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(kGolden / folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Compares, or writes where scripts/golden asks for it.
+void hold_to(const fs::path& file, const std::string& lesson, const std::string& got) {
+  if (writes(lesson)) return write(file, got);
+  if (!fs::exists(file)) {
+    ADD_FAILURE() << lesson << " has no " << fs::relative(file, GJKSCOPE_SOURCE_DIR).string()
+                  << " yet: look at its frames, then run\n  scripts/golden " << lesson;
+    return;
+  }
+  const golden::Difference difference = golden::first_difference(read(file), got);
+  if (difference.where.empty()) return;
+  ADD_FAILURE() << lesson << " differs first at " << difference.where
+                << "\n  expected: " << difference.expected << "\n  got:      " << difference.got
+                << "\nIf that is meant: scripts/golden " << lesson;
+}
+
+/// "polygon-evolution-0015", with what follows a dot or nothing: frame 15 of polygon-evolution.
+struct FrameName {
+  std::string lesson;
+  std::size_t frame = 0;  ///< From 0.
+};
+FrameName frame_name(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::string stem = name.substr(0, name.find('.'));
+  const std::size_t hyphen = stem.rfind('-');
+  return {stem.substr(0, hyphen), std::stoul(stem.substr(hyphen + 1)) - 1};
+}
+
+class GoldenPictures : public ::testing::Test {
+ protected:
+  /// The picture that a file is named after; frames of a lesson are made once.
+  const Picture* picture_of(const fs::path& file) {
+    const FrameName name = frame_name(file);
+    auto found = frames_.find(name.lesson);
+    if (found == frames_.end()) {
+      const LessonRun run = run_lesson(testing::shipped_lesson(name.lesson));
+      EffectGraph effects(run);
+      found = frames_.emplace(name.lesson, lesson_pictures(run, effects, fonts)).first;
+    }
+    if (name.frame < found->second.size()) return &found->second[name.frame].picture;
+    ADD_FAILURE() << name.lesson << " has no frame " << name.frame + 1;
+    return nullptr;
+  }
+
+  Fonts fonts{kAssets / "fonts.toml"};
+
+ private:
+  std::map<std::string, std::vector<FramePicture>> frames_;
+};
+
+TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    EXPECT_TRUE(lesson.expect.stop && lesson.expect.supports && lesson.expect.distance)
+        << lesson.path << ": [expect] needs 'stop', 'supports' and 'distance'";
+    for (const Problem& problem : check_expectation(run_lesson(lesson)))
+      ADD_FAILURE() << to_string(problem);
+  }
+}
+
+TEST(Golden, TracesAreThoseThatWereLookedAt) {
+  std::set<fs::path> known;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const fs::path file = kGolden / "traces" / (lesson.id + ".txt");
+    known.insert(file);
+    hold_to(file, lesson.id, golden::trace(run_lesson(lesson)));
+  }
+  for (const fs::path& file : files_in("traces"))
+    EXPECT_TRUE(known.contains(file)) << file << " is of no lesson: delete it";
+}
+
+TEST_F(GoldenPictures, MarksAreThoseThatWereLookedAt) {
+  const std::vector<fs::path> files = files_in("pictures");
+  EXPECT_GE(files.size(), 3u);
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const Picture* picture = picture_of(file);
+    if (picture) hold_to(file, frame_name(file).lesson, golden::marks(*picture));
+  }
+}
+
+/// Software renderers round differently on other processors. A pixel counts as another when a
+/// channel is off by more than kNoise of 255: antialiased edges stay below, a moved line is far
+/// above. kOthers of the pixels may be: a label that moves by a pixel makes about ten times as
+/// many.
+constexpr int kNoise = 40;
+constexpr double kOthers = 2e-4;
+
+double share_of_others(const Image& a, const Image& b) {
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
+    bool same = true;
+    for (std::size_t k = i; k < i + 3; ++k)
+      same = same && std::abs(int{a.pixels[k]} - int{b.pixels[k]}) <= kNoise;
+    others += same ? 0 : 1;
+  }
+  return 4.0 * static_cast<double>(others) / static_cast<double>(a.pixels.size());
+}
+
+Image decoded(const std::string& png) {
+  Image image;
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
+                            static_cast<int>(png.size()), &image.width, &image.height, &channels,
+                            4),
+      &stbi_image_free);
+  if (pixels) image.pixels.assign(pixels.get(), pixels.get() + 4 * image.width * image.height);
+  return image;
+}
+
+/// Files are called LESSON-FRAME.THEME.png.
+TEST_F(GoldenPictures, PixelsAreThoseThatWereLookedAt) {
+  constexpr int kWidth = 640;
+  constexpr int kHeight = 360;
+  const std::vector<fs::path> files = files_in("pixels");
+  EXPECT_GE(files.size(), 2u);
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const Picture* picture = picture_of(file);
+    if (!picture) continue;
+    const std::string theme = file.stem().extension().string().substr(1);
+    Canvas canvas(fonts, Theme::load(kAssets / "themes", theme), kWidth, kHeight, 2,
+                  page_of(kWidth, kHeight).zoom);
+    const Image image = shrink(canvas.paint(*picture), 2);
+    const std::string lesson = frame_name(file).lesson;
+    if (writes(lesson)) {
+      const std::vector<std::uint8_t> png = encode_png(image);
+      write(file, std::string(png.begin(), png.end()));
+      continue;
+    }
+    const Image expected = decoded(read(file));
+    ASSERT_EQ(expected.pixels.size(), image.pixels.size());
+    EXPECT_LE(share_of_others(expected, image), kOthers)
+        << "of the pixels differ. If that is meant: scripts/golden " << lesson;
+  }
+}
+
+TEST(GoldenText, TheFirstDifferenceIsNamedByItsStep) {
+  LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
+  const std::string expected = golden::trace(run);
+  EXPECT_EQ(golden::first_difference(expected, expected).where, "");
+  for (gjk::Step<double, 2>& step : run.runs[0].trace.steps) {
+    if (step.iteration == 2 && step.phase == gjk::Phase::support) step.after.support.pair.y = 0;
+  }
+  const golden::Difference difference = golden::first_difference(expected, golden::trace(run));
+  EXPECT_EQ(difference.where, "iteration 2, scan");
+  EXPECT_NE(difference.expected.find("D"), std::string::npos);
+  EXPECT_EQ(golden::first_difference("start\n  a\n", "start\n").got, "(nothing)");
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,113 @@
+#include "golden/golden_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
+#include <vector>
+
+#include "cli/trace_text.hpp"
+#include "lesson/names.hpp"
+
+namespace gjkscope::golden {
+namespace {
+
+std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
+  std::vector<std::string> supports;
+  for (const gjk::Step<double, 2>& step : positioned.trace.steps) {
+    if (step.phase == gjk::Phase::support)
+      supports.push_back(run.pair_name(step.after.support.pair));
+  }
+  const gjk::Result<double, 2>& result = positioned.trace.result;
+  return fmt::format("  at [{}, {}]: supports {}; {}; {}; distance {}\n", positioned.position.x(),
+                     positioned.position.y(),
+                     supports.empty() ? "none" : fmt::format("{}", fmt::join(supports, " ")),
+                     name_of(result.stop), name_of(result.verdict), result.distance);
+}
+
+std::string pixel(double value) {
+  const std::string text = fmt::format("{:.1f}", value);
+  return text == "-0.0" ? "0.0" : text;
+}
+std::string point(const Point& p) { return fmt::format("{},{}", pixel(p.x()), pixel(p.y())); }
+std::string points(const std::vector<Point>& list) {
+  std::vector<std::string> texts;
+  for (const Point& p : list) texts.push_back(point(p));
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
+struct ShapeText {
+  std::string operator()(const Polygon& shape) const { return "polygon " + points(shape.points); }
+  std::string operator()(const Polyline& shape) const {
+    return fmt::format("{} {}", shape.closed ? "outline" : "line", points(shape.points));
+  }
+  std::string operator()(const Arrow& shape) const {
+    return fmt::format("arrow {} {}", point(shape.from), point(shape.to));
+  }
+  std::string operator()(const Disk& shape) const {
+    return fmt::format("disk {} radius {}", point(shape.center), pixel(shape.radius));
+  }
+  std::string operator()(const Cross& shape) const {
+    return fmt::format("cross {} radius {}", point(shape.center), pixel(shape.radius));
+  }
+  std::string operator()(const Box& shape) const {
+    return fmt::format("box {} {} corner {}", point(shape.rect.min), point(shape.rect.max),
+                       pixel(shape.corner));
+  }
+  std::string operator()(const Text& shape) const {
+    constexpr std::array<std::string_view, 3> kAligns = {"left", "center", "right"};
+    return fmt::format("text {} {} size {} \"{}\"", point(shape.at),
+                       kAligns[static_cast<std::size_t>(shape.align)], shape.style.size,
+                       shape.text);
+  }
+};
+
+}  // namespace
+
+std::string trace(const LessonRun& run) {
+  LessonRun first = run;
+  first.runs.resize(1);
+  std::string out = trace_text(first);
+  if (run.runs.size() > 1) out += "\nfurther runs\n";
+  for (std::size_t i = 1; i < run.runs.size(); ++i) out += run_line(run, run.runs[i]);
+  return out;
+}
+
+std::string marks(const Picture& picture) {
+  std::string out;
+  for (const Mark& mark : picture.marks) {
+    out += fmt::format("{}: {}", mark.role, std::visit(ShapeText{}, mark.shape));
+    if (mark.clip >= 0) out += fmt::format(" in view {}", mark.clip + 1);
+    out += '\n';
+  }
+  return out;
+}
+
+Difference first_difference(const std::string& expected, const std::string& got) {
+  std::istringstream a(expected);
+  std::istringstream b(got);
+  std::string heading;
+  std::string label;
+  for (int number = 1;; ++number) {
+    std::string line_a;
+    std::string line_b;
+    const bool more_a = static_cast<bool>(std::getline(a, line_a));
+    const bool more_b = static_cast<bool>(std::getline(b, line_b));
+    if (!more_a && !more_b) return {};
+    // A trace has headings ("iteration 2"), and the phase in the first column of their lines.
+    if (more_a && !line_a.empty() && line_a[0] != ' ') {
+      heading = line_a;
+      label.clear();
+    } else if (line_a.size() > 2 && line_a[2] != ' ') {
+      label = line_a.substr(2, line_a.find("  ", 2) - 2);
+    }
+    if (more_a == more_b && line_a == line_b) continue;
+    std::string where = fmt::format("line {}", number);
+    if (heading.find(':') == std::string::npos && !heading.empty()) {
+      where = heading + (label.empty() ? "" : ", " + label);
+    }
+    return {where, more_a ? line_a : "(nothing)", more_b ? line_b : "(nothing)"};
+  }
+}
+
+}  // namespace gjkscope::golden

@@ -1,0 +1,27 @@
+#pragma once
+// Runs and pictures as text to keep: one line a fact, so that a difference is a line, and the line
+// says where.
+
+#include <string>
+
+#include "lesson/run.hpp"
+#include "picture/picture.hpp"
+
+namespace gjkscope::golden {
+
+/// The lesson's first run as `gjkscope trace` prints it, and one line for each run after it.
+[[nodiscard]] std::string trace(const LessonRun& run);
+
+/// One line a mark, in painting order: role, shape, coordinates to a tenth of a frame pixel.
+[[nodiscard]] std::string marks(const Picture& picture);
+
+/// The first line in which two texts differ.
+struct Difference {
+  std::string where;  ///< "iteration 2, support"; of a list of marks "line 12".
+  std::string expected;
+  std::string got;
+};
+/// Empty `where`: there is none.
+[[nodiscard]] Difference first_difference(const std::string& expected, const std::string& got);
+
+}  // namespace gjkscope::golden
