@@ -46,17 +46,54 @@ template <class R>
   return value.hi;
 }
 
-/// A vertex of Z from the vertices themselves, in the run's unit. Nothing rounds when N is exact,
-/// and little when it is a DoubleWord.
-template <class N, class R, class S>
-[[nodiscard]] std::array<N, 2> careful_vertex(const Query<S, 2>& query,
-                                              const Prepared<R, 2>& prepared, VertexPair pair) {
-  const Vec<R, 2> x = converted<R, S, 2>(query.x.vertices[pair.x]);
-  const Vec<R, 2> y = converted<R, S, 2>(query.y.vertices[pair.y]);
-  if (!prepared.same_frame) return careful_difference<N>(query, x, y, prepared.unit);
-  const Vec<R, 2> scaled_x = x * prepared.unit;
-  const Vec<R, 2> scaled_y = y * prepared.unit;
-  return {N{scaled_y[0]} - N{scaled_x[0]}, N{scaled_y[1]} - N{scaled_x[1]}};
+/// Adds up numbers and products of two, with what rounding loses kept beside them.
+template <class R>
+class CarefulSum {
+ public:
+  void add(const R& a) {
+    const DoubleWord<R> next = exact_sum(sum_.hi, a);
+    sum_ = {next.hi, R(sum_.lo + next.lo)};
+  }
+  void add_product(const R& a, const R& b) {
+    const DoubleWord<R> product = exact_product(a, b);
+    add(product.hi);
+    sum_.lo = sum_.lo + product.lo;
+  }
+  [[nodiscard]] DoubleWord<R> normalised() const {
+    const R hi = sum_.hi + sum_.lo;
+    return {hi, sum_.lo - R(hi - sum_.hi)};
+  }
+
+ private:
+  DoubleWord<R> sum_;
+};
+
+/// A vertex of Z from the vertices themselves, in the run's unit, with about twice the digits.
+template <class R, class S>
+[[nodiscard]] Flat<DoubleWord<R>> careful_vertex(const Query<S, 2>& query,
+                                                 const Prepared<R, 2>& prepared, VertexPair pair) {
+  const auto in_unit = [&](const S& value) {
+    return R(ScalarTraits<R>::from(value) * prepared.unit);
+  };
+  const auto coordinate = [&](int row) {
+    CarefulSum<R> sum;
+    const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, const R& sign) {
+      const Vec<S, 2>& local = shape.vertices[vertex];
+      if (!turned) return sum.add(sign * in_unit(local[row]));
+      for (int k = 0; k < 2; ++k) {
+        sum.add_product(ScalarTraits<R>::from(shape.pose.rotation(row, k)),
+                        sign * in_unit(local[k]));
+      }
+    };
+    if (!prepared.same_frame) {
+      sum.add(in_unit(query.y.pose.translation[row]));
+      sum.add(-in_unit(query.x.pose.translation[row]));
+    }
+    add(query.y, pair.y, prepared.y_turned, R(1));
+    add(query.x, pair.x, prepared.x_turned, R(-1));
+    return sum.normalised();
+  };
+  return {coordinate(0), coordinate(1)};
 }
 
 /// The length of a vector whose squares may underflow.
@@ -64,9 +101,10 @@ template <class R>
 [[nodiscard]] R careful_length(const R& x, const R& y) {
   const R size = std::max(magnitude(x), magnitude(y));
   if (size == R(0)) return size;
-  const int exponent = ScalarTraits<R>::is_in_range(size) ? 0 : ScalarTraits<R>::exponent(size);
+  if (ScalarTraits<R>::is_in_range(size)) return length(Flat<R>{x, y});
+  const int exponent = ScalarTraits<R>::exponent(size);
   const auto scaled = [&](const R& a) { return ScalarTraits<R>::scaled(a, -exponent); };
-  const R in_unit = length(Vec<R, 2>(scaled(x), scaled(y)));
+  const R in_unit = length(Flat<R>{scaled(x), scaled(y)});
   return ScalarTraits<R>::scaled(in_unit, exponent);
 }
 
@@ -74,20 +112,14 @@ template <class R>
 /// the determinant, three times in the length, the quotient, and the bound.
 inline constexpr int kCarefulRoundings = 6;
 
-/// Distance of O from the feature of Z, vertex or line through an edge, that the simplex names, in
-/// the run's unit: nothing rounds before the last few operations when N is exact, and little when
-/// it is a DoubleWord. Negative when O lies on that side of the edge to which perpendicular(edge)
-/// points.
-template <class N, class R, class S>
-[[nodiscard]] R careful_distance(const Query<S, 2>& query, const Prepared<R, 2>& prepared,
-                                 const Simplex<R, 2>& simplex) {
-  const std::array<N, 2> a = careful_vertex<N>(query, prepared, simplex.vertices[0].pair);
-  if (simplex.count == 1) return R(careful_length(rounded(a[0]), rounded(a[1])));
-  const std::array<N, 2> b = careful_vertex<N>(query, prepared, simplex.vertices[1].pair);
-  const N edge_x = b[0] - a[0];
-  const N edge_y = b[1] - a[1];
-  return R(rounded(a[0] * edge_y - a[1] * edge_x) /
-           careful_length(rounded(edge_x), rounded(edge_y)));
+/// Distance of O from a vertex of Z, or from the line through an edge, in the run's unit: nothing
+/// rounds before the last few operations when N is exact, and little when it is a DoubleWord.
+/// Negative when O lies on that side of the edge to which perpendicular(edge) points.
+template <class R, class N>
+[[nodiscard]] R careful_distance(const Flat<N>& a, const Flat<N>& b, bool on_edge) {
+  if (!on_edge) return R(careful_length(rounded(a.x), rounded(a.y)));
+  const Flat<N> edge = b - a;
+  return R(rounded(cross(a, edge)) / careful_length(rounded(edge.x), rounded(edge.y)));
 }
 
 /// The largest coordinate of the simplex.
@@ -101,7 +133,7 @@ template <class R, int D>
 /// The weights put P at O, but for the least that rounding can do.
 template <class R, int D>
 [[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex) {
-  const R rounding = ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
+  const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
   return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
 }
 
@@ -110,15 +142,13 @@ template <class R, int D>
 template <class R, class S>
 void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
                          const Prepared<R, 2>& prepared) {
-  std::array<std::array<DoubleWord<R>, 2>, 3> w;
+  std::array<Flat<DoubleWord<R>>, 3> w;
   for (int i = 0; i < 3; ++i) {
-    w[i] = careful_vertex<DoubleWord<R>>(query, prepared, simplex.vertices[i].pair);
+    w[i] = careful_vertex(query, prepared, simplex.vertices[i].pair);
   }
   R sum(0);
   for (int i = 0; i < 3; ++i) {
-    const auto& b = w[(i + 1) % 3];
-    const auto& c = w[(i + 2) % 3];
-    simplex.weights[i] = magnitude(rounded(b[0] * c[1] - b[1] * c[0]));
+    simplex.weights[i] = magnitude(rounded(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
     sum = sum + simplex.weights[i];
   }
   for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
@@ -196,57 +226,87 @@ template <class R, class S, int D>
   return count;
 }
 
-/// True when certainly no vertex of Z but those of the simplex lies as far along d, which is in
-/// doubt by `angle`.
+/// Of four vertices of Z the distance from O to the farthest: those that are made of the points of
+/// X, and of Y, that lie far apart.
 template <class R, class S>
-[[nodiscard]] bool is_certainly_farthest(const Simplex<R, 2>& simplex, const Vec<R, 2>& d,
-                                         const R& angle, const Query<S, 2>& query,
-                                         const Prepared<R, 2>& prepared) {
-  const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.extent);
-  const VertexPair first = simplex.vertices[0].pair;
-  const VertexPair last = simplex.vertices[simplex.count - 1].pair;
-  return count_as_far(along_x(query, prepared, d), first.x, last.x, error) *
-             count_as_far(along_y(query, prepared, d), first.y, last.y, error) ==
-         simplex.count;
+[[nodiscard]] R corner_reach(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
+  R most_sq(0);
+  for (const int x : query.x.vertices.far_apart()) {
+    for (const int y : query.y.vertices.far_apart()) {
+      const Vec<R, 2> w = support_point(query, prepared, {x, y}).w;
+      most_sq = std::max(most_sq, dot(w, w));
+    }
+  }
+  return ScalarTraits<R>::root(most_sq);
 }
+
+/// What bounds may have to ask of the shapes, when what the run found does not do.
+template <class R, class S>
+struct ShapesAsked {
+  const Query<S, 2>& query;
+  const Prepared<R, 2>& prepared;
+  VertexPair a;
+  VertexPair b;
+  bool on_edge;
+
+  [[nodiscard]] R corner_reach() const { return detail::corner_reach(query, prepared); }
+  [[nodiscard]] R careful_distance() const {
+    const Flat<DoubleWord<R>> at_a = careful_vertex(query, prepared, a);
+    return detail::careful_distance<R>(at_a, on_edge ? careful_vertex(query, prepared, b) : at_a,
+                                       on_edge);
+  }
+  /// True when certainly no vertex of Z but those of the feature lies as far along d, which is in
+  /// doubt by `angle`.
+  [[nodiscard]] bool is_certainly_farthest(const Flat<R>& d, const R& angle) const {
+    const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.extent);
+    const VertexPair last = on_edge ? b : a;
+    const Vec<R, 2> direction(d.x, d.y);
+    return count_as_far(along_x(query, prepared, direction), a.x, last.x, error) *
+               count_as_far(along_y(query, prepared, direction), a.y, last.y, error) ==
+           (on_edge ? 2 : 1);
+  }
+};
+
+/// Where a run in the plane ended outside of Z: at vertex a, or between a and b.
+template <class R>
+struct Feature {
+  Flat<R> a;
+  Flat<R> b;
+  bool on_edge;
+  R least_weight;       ///< Of P, on an edge.
+  R plane_distance_sq;  ///< See State.
+  R plane_reach_sq;
+};
 
 /// Bounds from P, when it is a vertex of Z or lies between two, and from the best support plane.
 ///
 /// Far from O the numbers of the run do. The nearer P is, the more of its distance is the rounding
 /// of vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
 /// vertices that P lies between may be the wrong ones, unless all others are certainly farther.
-template <class R, class S>
-[[nodiscard, gnu::flatten]] Bounds<R> bounds_outside(const State<R, 2>& state,
-                                                     const Query<S, 2>& query,
-                                                     const Prepared<R, 2>& prepared) {
+template <class R, class Shapes>
+[[nodiscard]] Bounds<R> bounds_outside(const Feature<R>& feature, const Prepared<R, 2>& prepared,
+                                       const Shapes& shapes) {
   const R u = ScalarTraits<R>::unit_roundoff();
-  const Simplex<R, 2>& simplex = state.best;
-  const Vec<R, 2>& a = simplex.vertices[0].w;
-  const Vec<R, 2>& b = simplex.vertices[1].w;
-  const bool on_edge = simplex.count == 2;
-  const Vec<R, 2> edge = b - a;
+  const bool on_edge = feature.on_edge;
+  const Flat<R>& a = feature.a;
+  const Flat<R> edge = feature.b - a;
   const R edge_length = on_edge ? length(edge) : R(0);
-  const R size = on_edge ? std::max(length(a), length(b)) : length(a);
+  const R length_a = length(a);
+  const R length_b = length(feature.b);
+  const R size = on_edge ? std::max(length_a, length_b) : length_a;
   const R vertex_error = prepared.vertex_error + u * size;
 
   Bounds<R> out;
-  R to_line = on_edge ? R(determinant<R, 2>({a, edge}) / edge_length) : size;
+  R to_line = on_edge ? R(cross(a, edge) / edge_length) : size;
   R error = prepared.vertex_error + R(4) * u * magnitude(to_line);
-  if (on_edge) error = error + u * (size + R(3) * std::min(length(a), length(b)));
-  const R plane_error = detail::plane_error(state, prepared);
-  out.lower = std::max(R(ScalarTraits<R>::root(state.plane_distance_sq) - plane_error), R(0));
+  if (on_edge) error = error + u * (size + R(3) * std::min(length_a, length_b));
+  out.lower = plane_bound(feature.plane_distance_sq, feature.plane_reach_sq, prepared);
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  // The largest vertex of Z is no smaller than `size`, nor than box_reach over the root of 2.
-  R allowed = R(15.5) * u * size;
-  const R width = magnitude(to_line) + error - out.lower;
-  bool wide = allowed < width;
-  if (wide) {
-    allowed = std::max(allowed, R(R(10.9) * u * box_reach(query, prepared)));
-    wide = allowed < width;
-  }
+  const R allowed = R(15.5) * u * shapes.corner_reach();
+  const bool wide = allowed < magnitude(to_line) + error - out.lower;
   if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
-    to_line = careful_distance<DoubleWord<R>>(query, prepared, simplex);
+    to_line = shapes.careful_distance();
     error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error;
   }
   out.distance = magnitude(to_line);
@@ -255,13 +315,14 @@ template <class R, class S>
   if (on_edge) {
     // The foot of the perpendicular from O may lie beyond an end of the edge by this much.
     const R beyond = vertex_error + R(4) * u * size + angle * out.distance;
-    const R to_end = edge_length * std::min(simplex.weights[0], simplex.weights[1]);
-    if (to_end < beyond) out.upper = length(Vec<R, 2>(out.upper, std::min(beyond, edge_length)));
+    if (edge_length * feature.least_weight < beyond) {
+      out.upper = length(Flat<R>{out.upper, std::min(beyond, edge_length)});
+    }
   }
   if (near || wide) {
-    const Vec<R, 2> normal = perpendicular<R, 2>({edge});
-    const Vec<R, 2> d = !on_edge ? Vec<R, 2>(-a) : R(0) < to_line ? Vec<R, 2>(-normal) : normal;
-    if (is_certainly_farthest(simplex, d, angle, query, prepared)) {
+    const Flat<R> normal{edge.y, -edge.x};
+    const Flat<R> d = !on_edge ? -a : R(0) < to_line ? -normal : normal;
+    if (shapes.is_certainly_farthest(d, angle)) {
       out.lower = std::max(R(out.distance - error), R(0));
     }
   }
@@ -275,22 +336,28 @@ template <class R, class S>
 template <class R, class S, int D>
 [[nodiscard]] Bounds<R> bounds(const State<R, D>& state, const Query<S, D>& query,
                                const Prepared<R, D>& prepared) {
+  const Simplex<R, D>& simplex = state.best;
   Bounds<R> out;
-  const R error =
-      prepared.vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * prepared.reach;
-  if (state.best.count == D + 1) {
-    out.tight = true;
-    if (!surely_inside(state.best, prepared)) out.upper = error;
+  out.tight = true;
+  if (simplex.count == D + 1) {
+    if (!surely_inside(simplex, prepared)) out.upper = prepared.simplex_error();
     return out;
   }
   if constexpr (D == 2) {
-    return bounds_outside(state, query, prepared);
+    const bool on_edge = simplex.count == 2;
+    const Feature<R> feature{flat(simplex.vertices[0].w),
+                             flat(simplex.vertices[1].w),
+                             on_edge,
+                             std::min(simplex.weights[0], simplex.weights[1]),
+                             state.plane_distance_sq,
+                             state.plane_reach_sq};
+    return bounds_outside(feature, prepared,
+                          ShapesAsked<R, S>{query, prepared, simplex.vertices[0].pair,
+                                            simplex.vertices[1].pair, on_edge});
   } else {
-    out.lower = ScalarTraits<R>::root(state.plane_distance_sq) - plane_error(state, prepared);
-    out.lower = std::max(out.lower, R(0));
+    out.lower = plane_bound(state.plane_distance_sq, state.plane_reach_sq, prepared);
     out.distance = std::max(out.lower, ScalarTraits<R>::root(state.best_sq));
-    out.upper = out.distance + error;
-    out.tight = true;
+    out.upper = out.distance + prepared.simplex_error();
     return out;
   }
 }

@@ -18,6 +18,7 @@
 #include "gjk/certificate.hpp"
 #include "gjk/closest_point.hpp"
 #include "gjk/direction.hpp"
+#include "gjk/quick.hpp"
 #include "gjk/stop.hpp"
 #include "gjk/support.hpp"
 
@@ -42,21 +43,6 @@ struct Trace {
   Result<R, D> result;
 };
 
-namespace detail {
-
-template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared) {
-  Vec<R, D> sum = Vec<R, D>::Zero();
-  for (const Vec<S, D>& vertex : shape.vertices) {
-    sum = sum + prepared.in_unit(converted<R, S, D>(vertex));
-  }
-  const R count = ScalarTraits<R>::from(static_cast<double>(shape.vertices.size()));
-  return shape.pose.template rotated<R>(Vec<R, D>(sum / count)) +
-         prepared.in_unit(converted<R, S, D>(shape.pose.translation));
-}
-
-}  // namespace detail
-
 /// The state before the first phase.
 template <class R, class S, int D>
 [[nodiscard]] State<R, D> start(const Query<S, D>& query, const Options& options,
@@ -68,18 +54,13 @@ template <class R, class S, int D>
     state.phase = Phase::stop;
     return state;
   }
-  if (options.start_rule == StartRule::centre_to_centre) {
-    State<R, D> probe;
-    probe.d = detail::centre(query.x, prepared) - detail::centre(query.y, prepared);
-    NoRecord none;
-    detail::find_support(probe, query, prepared, none);
-    state.simplex.vertices[0] = probe.support;
-    state.simplex.count = 1;
-  } else {
-    for (int i = 0; i < options.start_count; ++i) {
-      state.simplex.vertices[i] = support_point(query, prepared, options.start[i]);
-    }
-    state.simplex.count = options.start_count;
+  state.simplex.count = std::max(options.start_count, 1);
+  for (int i = 0; i < options.start_count; ++i) {
+    state.simplex.vertices[i] = support_point(query, prepared, options.start[i]);
+  }
+  if (options.start_count == 0) {
+    const VertexPair first = detail::farthest_pair(query, prepared, Vec<R, D>(-prepared.offset));
+    state.simplex.vertices[0] = support_point(query, prepared, first);
   }
   state.region = state.simplex.all();
   return state;
@@ -163,6 +144,7 @@ template <class R, class S>
   const State<R, 2> other = looking_along(Vec<R, 2>(R(1), R(0)));
   if (other.touches_plane) return true;
   Options again;
+  again.start_count = 1;
   again.start[0] = other.support.pair;
   return touches(run(query, again, prepared), query, prepared);
 }
@@ -191,6 +173,20 @@ template <class R, class S>
     }
   }
   return true;
+}
+
+/// a * 2^exponent, on the wanted side where that is denormal and rounds.
+template <class R>
+[[nodiscard]] R scaled_below(const R& a, int exponent) {
+  const R out = ScalarTraits<R>::scaled(a, exponent);
+  const bool above = a < ScalarTraits<R>::scaled(out, -exponent);
+  return above ? R(out - std::numeric_limits<R>::denorm_min()) : out;
+}
+template <class R>
+[[nodiscard]] R scaled_above(const R& a, int exponent) {
+  const R out = ScalarTraits<R>::scaled(a, exponent);
+  const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
+  return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
 }
 
 /// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in
@@ -234,26 +230,25 @@ template <class R, class S>
     out.verdict = touches(end, query, exact) ? Verdict::touching : Verdict::overlapping;
   } else {
     out.verdict = Verdict::separated;
-    const R distance = magnitude(careful_distance<Expansion>(query, near_one, out.simplex));
-    bounds.distance = Traits::scaled(distance, near_one.exponent - prepared.exponent);
+    const auto& ends = end.best.vertices;
+    const R distance =
+        magnitude(careful_distance<R>(flat(ends[0].w), flat(ends[1].w), end.best.count == 2));
     const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
-    bounds.lower = bounds.distance * (R(1) - few);
-    bounds.upper = bounds.distance * (R(1) + few);
+    // A denormal quotient is off by up to half of the smallest number.
+    const bool denormal = distance < std::numeric_limits<R>::min();
+    const R least = denormal ? std::numeric_limits<R>::denorm_min() : R(0);
+    const int exponent = near_one.exponent - prepared.exponent;
+    bounds.distance = Traits::scaled(distance, exponent);
+    bounds.lower = scaled_below(std::max(R(distance * (R(1) - few) - least), R(0)), exponent);
+    bounds.upper = scaled_above(R(distance * (R(1) + few) + least), exponent);
   }
 }
 
-/// a * 2^exponent, on the wanted side where that is denormal and rounds.
-template <class R>
-[[nodiscard]] R scaled_below(const R& a, int exponent) {
-  const R out = ScalarTraits<R>::scaled(a, exponent);
-  const bool above = a < ScalarTraits<R>::scaled(out, -exponent);
-  return above ? R(out - std::numeric_limits<R>::denorm_min()) : out;
-}
-template <class R>
-[[nodiscard]] R scaled_above(const R& a, int exponent) {
-  const R out = ScalarTraits<R>::scaled(a, exponent);
-  const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
-  return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
+/// The distance and the witness points are numbers of the scalar.
+template <class R, int D>
+[[nodiscard]] bool is_in_scalar(const Result<R, D>& out) {
+  return ScalarTraits<typename Result<R, D>::Real>::is_finite(out.distance) &&
+         gjk::is_finite(out.x) && gjk::is_finite(out.y);
 }
 
 }  // namespace detail
@@ -273,7 +268,11 @@ template <class R, class S, int D>
   out.stop = state.stop;
   if (state.error != Error::none || state.best.count == 0) return out;
   out.iterations = state.iteration;
-  out.simplex = state.best;
+  out.simplex.count = state.best.count;
+  for (int i = 0; i < state.best.count; ++i) {
+    out.simplex.vertices[i] = state.best.vertices[i];
+    out.simplex.weights[i] = state.best.weights[i];
+  }
   const bool at_origin = state.best_sq == R(0);
   if constexpr (Traits::kExact) {
     out.distance_sq = state.best_sq;
@@ -315,24 +314,39 @@ template <class R, class S, int D>
       out.upper = detail::scaled_above(bounds.upper, prepared.exponent);
     }
     out.distance_sq = out.distance * out.distance;
-    if (!Traits::is_finite(out.distance)) {
-      Result<R, D> refused;
-      refused.error = Error::overflow;
-      refused.stop = StopReason::failed;
-      return refused;
-    }
   }
   detail::set_witness_points(out, query, prepared);
+  if (!detail::is_in_scalar(out)) {
+    out = {};
+    out.error = Error::overflow;
+    out.stop = StopReason::failed;
+  }
   return out;
 }
+
+namespace detail {
+template <class R, class S, int D>
+[[gnu::noinline]] void run_by_phases(const Query<S, D>& query, const Options& options,
+                                     const Prepared<R, D>& prepared, Result<R, D>& out) {
+  out = result(run_inline(query, options, prepared), query, options, prepared);
+}
+}  // namespace detail
 
 /// Distance between two convex shapes, computed in R: distance<float>(query) stays in float.
 /// Allocates only where exact arithmetic has to settle the answer.
 template <class R = Default, class S, int D>
-[[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
-                                                  const Options& options = {}) {
+[[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
+                                                                const Options& options = {}) {
   const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
-  return result(detail::run_inline(query, options, prepared), query, options, prepared);
+  Result<RunScalar<R, S>, D> out;
+  if constexpr (D == 2 && std::is_same_v<RunScalar<R, S>, double>) {
+    if (quick::is_ordinary(query, options, prepared) &&
+        quick::distance(query, options, prepared, out)) {
+      return out;
+    }
+  }
+  detail::run_by_phases(query, options, prepared, out);
+  return out;
 }
 
 /// The same run, every phase recorded.

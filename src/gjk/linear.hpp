@@ -15,6 +15,30 @@ namespace gjk {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
+/// A vector of the plane as two numbers: for types that Eigen does not know, and for values that
+/// stay in registers where Eigen's go through memory.
+template <class N>
+struct Flat {
+  N x;
+  N y;
+
+  friend Flat operator+(const Flat& a, const Flat& b) { return {N(a.x + b.x), N(a.y + b.y)}; }
+  friend Flat operator-(const Flat& a, const Flat& b) { return {N(a.x - b.x), N(a.y - b.y)}; }
+  friend Flat operator-(const Flat& a) { return {N(-a.x), N(-a.y)}; }
+};
+template <class N>
+[[nodiscard]] N dot(const Flat<N>& a, const Flat<N>& b) {
+  return N(a.x * b.x) + N(a.y * b.y);
+}
+template <class N>
+[[nodiscard]] N cross(const Flat<N>& a, const Flat<N>& b) {
+  return N(a.x * b.y) - N(a.y * b.x);
+}
+template <class S>
+[[nodiscard]] Flat<S> flat(const Vec<S, 2>& a) {
+  return {a[0], a[1]};
+}
+
 /// The same coordinates in another scalar; in the same one, the vector itself.
 template <class R, class S, int D>
 [[nodiscard]] decltype(auto) converted(const Vec<S, D>& a) {
@@ -60,6 +84,10 @@ template <class S, int D>
 
 template <class S, int D>
 [[nodiscard]] auto length(const Vec<S, D>& a) {
+  return ScalarTraits<S>::root(dot(a, a));
+}
+template <class S>
+[[nodiscard]] S length(const Flat<S>& a) {
   return ScalarTraits<S>::root(dot(a, a));
 }
 

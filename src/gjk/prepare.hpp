@@ -12,12 +12,12 @@ namespace gjk {
 /// Made once by `prepare`. R: the scalar of the run, not of the query.
 template <class R, int D>
 struct Prepared {
-  Error error = Error::none;
-
   /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
   /// overflow or underflow.
   int exponent = 0;
   R unit = R(1);  ///< 2^-exponent, for scalars that round.
+
+  Error error = Error::none;
 
   bool x_turned = false;  ///< The pose of X has a rotation.
   bool y_turned = false;
@@ -53,6 +53,10 @@ struct Prepared {
   R scan_error = R(0);     ///< To the choice of a support point: how much farther along d / |d| the
                            ///< true one may lie.
   R careful_error = R(0);  ///< To a length computed with about twice the digits.
+  /// To |P|: the vertices of a simplex, and what is computed of them.
+  [[nodiscard]] R simplex_error() const {
+    return vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * reach;
+  }
 };
 
 namespace detail {
@@ -67,8 +71,7 @@ template <class S, int D>
 
 [[nodiscard]] inline bool bad_start(const Options& options, int x_count, int y_count,
                                     int dimension) {
-  if (options.start_rule != StartRule::given) return false;
-  if (options.start_count < 1 || options.start_count > dimension + 1) return true;
+  if (options.start_count < 0 || options.start_count > dimension + 1) return true;
   return std::any_of(options.start.begin(), options.start.begin() + options.start_count,
                      [&](const VertexPair& pair) {
                        return pair.x < 0 || pair.x >= x_count || pair.y < 0 || pair.y >= y_count;
@@ -97,37 +100,50 @@ template <class N, class R, class S, int D>
 /// How much longer than a vector its image under `pose` can be: 1 for a rotation.
 template <class R, class S, int D>
 [[nodiscard]] R stretch(const Pose<S, D>& pose) {
+  const auto entry = [&](int row, int column) {
+    return ScalarTraits<R>::from(pose.rotation(row, column));
+  };
   R most_sq(1);
   for (int i = 0; i < D; ++i) {
     R row_sq(0);
     for (int k = 0; k < D; ++k) {
-      row_sq = row_sq + magnitude(dot<R, D>(converted<R, S, D>(pose.rotation.col(i)),
-                                            converted<R, S, D>(pose.rotation.col(k))));
+      R product = entry(0, i) * entry(0, k);
+      for (int row = 1; row < D; ++row) product = product + R(entry(row, i) * entry(row, k));
+      row_sq = row_sq + magnitude(product);
     }
     most_sq = row_sq < most_sq ? most_sq : row_sq;  // lets a NaN through
   }
   return (R(1) + most_sq) / R(2);  // at least the root, for numbers from 1 on
 }
 
+/// Fills in the offset where centres are not the shapes' own origins. Returns how far from these
+/// they lie.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] R measure_offset_of_centres(const Query<S, D>& query,
+                                                         Prepared<R, D>& prepared) {
+  const auto offset =
+      careful_difference<DoubleWord<R>>(query, prepared.x_centre, prepared.y_centre, prepared.unit);
+  for (int i = 0; i < D; ++i) prepared.offset[i] = offset[i].hi;
+  return length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
+         length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
+}
+
 /// Fills in what is measured in the run's unit of length.
 template <class R, class S, int D>
 void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
-  const Vec<R, D> x_place = prepared.in_unit(converted<R, S, D>(query.x.pose.translation));
-  const Vec<R, D> y_place = prepared.in_unit(converted<R, S, D>(query.y.pose.translation));
   bool is_exact = !prepared.centred;
-  for (int i = 0; i < D; ++i) {
-    const DoubleWord<R> offset = exact_sum(y_place[i], R(-x_place[i]));
-    prepared.offset[i] = offset.hi;
-    is_exact = is_exact && offset.lo == R(0);
-  }
   R from_centres(0);
   if (prepared.centred) {
-    const auto offset = careful_difference<DoubleWord<R>>(query, prepared.x_centre,
-                                                          prepared.y_centre, prepared.unit);
-    for (int i = 0; i < D; ++i) prepared.offset[i] = offset[i].hi;
-    from_centres = length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
-                   length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
+    from_centres = measure_offset_of_centres(query, prepared);
+  } else {
+    for (int i = 0; i < D; ++i) {
+      const R x_place = ScalarTraits<R>::from(query.x.pose.translation[i]) * prepared.unit;
+      const R y_place = ScalarTraits<R>::from(query.y.pose.translation[i]) * prepared.unit;
+      const DoubleWord<R> offset = exact_sum(y_place, R(-x_place));
+      prepared.offset[i] = offset.hi;
+      is_exact = is_exact && offset.lo == R(0);
+    }
   }
 
   // How many roundings, times what they are relative to. In the world a vertex of Z is a single
@@ -153,30 +169,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   prepared.reach = far + extent;
   prepared.vertex_error = prepared.same_frame ? R(0) : R(u * vertex_roundings);
   prepared.scan_error = u * scan_roundings;
-  prepared.careful_error = R(64) * u * u * (prepared.reach + from_centres);
-}
-
-/// Of the box around Z: the distance of its farthest corner from O. In the plane less than 1.42
-/// times that of the farthest vertex of Z.
-template <class R, class S, int D>
-[[nodiscard]] R box_reach(const Query<S, D>& query, const Prepared<R, D>& prepared) {
-  Vec<R, D> low = prepared.offset;
-  Vec<R, D> high = prepared.offset;
-  const auto add = [&](const Shape<S, D>& shape, const Vec<R, D>& centre, bool negative) {
-    Vec<R, D> least = Vec<R, D>::Constant(std::numeric_limits<R>::max());
-    Vec<R, D> most = -least;
-    for (const Vec<S, D>& vertex : shape.vertices) {
-      const Vec<R, D> local = prepared.in_unit(converted<R, S, D>(vertex) - centre);
-      const Vec<R, D> placed = shape.pose.template rotated<R>(local);
-      least = least.cwiseMin(placed);
-      most = most.cwiseMax(placed);
-    }
-    low = low + (negative ? Vec<R, D>(-most) : least);
-    high = high + (negative ? Vec<R, D>(-least) : most);
-  };
-  add(query.x, prepared.x_centre, true);
-  add(query.y, prepared.y_centre, false);
-  return length(Vec<R, D>(low.cwiseAbs().cwiseMax(high.cwiseAbs())));
+  prepared.careful_error = R(256) * u * u * (prepared.reach + from_centres);
 }
 
 /// e with all coordinates of a shape, in its frame and in the world, below 2^(e + D).
@@ -194,12 +187,12 @@ template <class R, class S, int D>
   return std::max(exponent(local) + exponent(turn), exponent(norm_max(shape.pose.translation)));
 }
 
-/// Measures in a unit of length in which squares of coordinates neither overflow nor underflow.
+/// Measures again, in a unit of length in which squares of coordinates neither overflow nor
+/// underflow.
 template <class R, class S, int D>
-[[nodiscard]] Error measure_in_good_unit(const Query<S, D>& query, Prepared<R, D>& prepared) {
+[[nodiscard, gnu::noinline]] Error measure_in_good_unit(const Query<S, D>& query,
+                                                        Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
-  measure(query, prepared);
-  if (Traits::is_in_range(prepared.reach)) return Error::none;
   if (!is_finite(query.x.pose)) return Error::x_not_finite;
   if (!is_finite(query.y.pose)) return Error::y_not_finite;
   // Squares in `measure` may have gone out of range: first a unit in which they do not.
@@ -209,9 +202,7 @@ template <class R, class S, int D>
     prepared.unit = Traits::scaled(R(1), -prepared.exponent);
     measure(query, prepared);
   };
-  take_unit(coordinate_exponent<R>(query.x) < coordinate_exponent<R>(query.y)
-                ? coordinate_exponent<R>(query.y)
-                : coordinate_exponent<R>(query.x));
+  take_unit(std::max(coordinate_exponent<R>(query.x), coordinate_exponent<R>(query.y)));
   if (prepared.reach == R(0)) return Error::none;
   if (Traits::is_finite(prepared.reach)) {
     take_unit(prepared.exponent + Traits::exponent(prepared.reach));
@@ -220,20 +211,14 @@ template <class R, class S, int D>
   return Traits::is_in_range(prepared.reach) ? Error::none : Error::underflow;
 }
 
-}  // namespace detail
-
-/// Checks the query and measures it for a run in R.
+/// Returns the first thing found wrong.
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
-  Prepared<R, D> prepared;
-  const auto refuse = [&](Error error) {
-    prepared.error = error;
-    return prepared;
-  };
-  if (query.x.vertices.empty()) return refuse(Error::x_has_no_vertices);
-  if (query.y.vertices.empty()) return refuse(Error::y_has_no_vertices);
-  if (!query.x.vertices.is_finite()) return refuse(Error::x_not_finite);
-  if (!query.y.vertices.is_finite()) return refuse(Error::y_not_finite);
+[[nodiscard]] Error check_and_measure(const Query<S, D>& query, const Options& options,
+                                      Prepared<R, D>& prepared) {
+  if (query.x.vertices.empty()) return Error::x_has_no_vertices;
+  if (query.y.vertices.empty()) return Error::y_has_no_vertices;
+  if (!query.x.vertices.is_finite()) return Error::x_not_finite;
+  if (!query.y.vertices.is_finite()) return Error::y_not_finite;
   prepared.x_turned = query.x.pose.is_turned();
   prepared.y_turned = query.y.pose.is_turned();
   prepared.same_frame = !prepared.x_turned && !prepared.y_turned &&
@@ -242,18 +227,33 @@ template <class R, class S, int D>
     prepared.offset =
         converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
   } else {
-    prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
-    prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
-    prepared.centred = !is_zero(prepared.x_centre) || !is_zero(prepared.y_centre);
-    const Error error = detail::measure_in_good_unit(query, prepared);
-    if (error != Error::none) return refuse(error);
+    prepared.centred = !is_zero(query.x.vertices.centre()) || !is_zero(query.y.vertices.centre());
+    if (prepared.centred) {
+      prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
+      prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
+    }
+    measure(query, prepared);
+    if (!ScalarTraits<R>::is_in_range(prepared.reach)) {
+      const Error error = measure_in_good_unit(query, prepared);
+      if (error != Error::none) return error;
+    }
   }
   if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
-    return refuse(Error::bad_options);
-  if (detail::bad_start(options, static_cast<int>(query.x.vertices.size()),
-                        static_cast<int>(query.y.vertices.size()), D)) {
-    return refuse(Error::bad_start);
+    return Error::bad_options;
+  if (bad_start(options, static_cast<int>(query.x.vertices.size()),
+                static_cast<int>(query.y.vertices.size()), D)) {
+    return Error::bad_start;
   }
+  return Error::none;
+}
+
+}  // namespace detail
+
+/// Checks the query and measures it for a run in R.
+template <class R, class S, int D>
+[[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
+  Prepared<R, D> prepared;
+  prepared.error = detail::check_and_measure(query, options, prepared);
   return prepared;
 }
 

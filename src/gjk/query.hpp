@@ -43,7 +43,15 @@ struct Pose {
     }
     return local;
   }
-  [[nodiscard]] bool is_turned() const { return rotation != Eigen::Matrix<S, D, D>::Identity(); }
+  [[nodiscard]] bool is_turned() const {
+    bool turned = false;
+    for (int row = 0; row < D; ++row) {
+      for (int column = 0; column < D; ++column) {
+        turned = turned || rotation(row, column) != S(row == column ? 1 : 0);
+      }
+    }
+    return turned;
+  }
 };
 
 /// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
@@ -84,6 +92,8 @@ class Points {
   /// Distance from `centre` to the farthest point, up to a rounding or two; no denormal is too
   /// small.
   [[nodiscard]] const S& radius() const { return radius_; }
+  /// Indices of two points that lie far apart: at least as far as the longest side of the box.
+  [[nodiscard]] const std::array<int, 2>& far_apart() const { return far_apart_; }
   /// The points are the corners of a convex polygon, in order, none on the line through its
   /// neighbours. Looked for in the plane, from kRingFrom points on.
   [[nodiscard]] bool is_ring() const { return ring_; }
@@ -99,6 +109,12 @@ class Points {
       finite_ = finite_ && gjk::is_finite(point);
       low_ = low_.cwiseMin(point);
       high_ = high_.cwiseMax(point);
+    }
+    int longest = 0;
+    (high_ / S(2) - low_ / S(2)).maxCoeff(&longest);
+    for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+      if (points_[i][longest] == low_[longest]) far_apart_[0] = i;
+      if (points_[i][longest] == high_[longest]) far_apart_[1] = i;
     }
     const Vec<S, D> middle = low_ / S(2) + high_ / S(2);
     if (norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle)) centre_ = middle;
@@ -150,6 +166,7 @@ class Points {
   Vec<S, D> high_ = Vec<S, D>::Zero();
   Vec<S, D> centre_ = Vec<S, D>::Zero();
   S radius_ = S(0);
+  std::array<int, 2> far_apart_ = {};
   bool finite_ = true;
   bool ring_ = false;
 };
@@ -183,12 +200,6 @@ enum class RegionOrder : std::uint8_t {
   vertices_first,  ///< Vertices, edges, ..., interior: the slides' order.
   edges_first,     ///< Edges before vertices. Exact arithmetic cannot tell the difference; rounding
                    ///< can.
-};
-
-/// Where the run starts.
-enum class StartRule : std::uint8_t {
-  given,  ///< The vertex pairs of Options::start: a first vertex, a simplex, or a warm start.
-  centre_to_centre,  ///< The support point along the line between the centres of the two shapes.
 };
 
 /// Indices of the vertices of X and Y whose difference is a vertex of the simplex.
@@ -225,10 +236,11 @@ struct Options {
   /// verdict open (see gjk.hpp). Off, the answer is what the run itself computed.
   bool certify = true;
 
-  StartRule start_rule = StartRule::given;
-  /// Used by StartRule::given: the first `start_count` pairs, 1 to D+1 of them.
+  /// The first simplex, or a warm start: the first `start_count` pairs, up to D+1 of them. With
+  /// none of them the run starts from the support point along the line between the centres of the
+  /// two shapes (Points::centre), which saves an iteration or two.
   std::array<VertexPair, kMaxDimension + 1> start = {};
-  int start_count = 1;
+  int start_count = 0;
 };
 
 /// Why a query was refused. Each names the first thing found wrong.
@@ -238,9 +250,9 @@ enum class Error : std::uint8_t {
   y_has_no_vertices,
   x_not_finite,  ///< A vertex or the pose of X holds a NaN or an infinity.
   y_not_finite,
-  overflow,     ///< The distance, or a pose's entries, exceed the scalar's range.
+  overflow,     ///< The distance, a witness point, or a pose's entries exceed the scalar's range.
   underflow,    ///< Coordinates so small that no unit of length saves their products: Eigen::half.
-  bad_start,    ///< A start pair names no vertex, or their count is not 1 to D+1.
+  bad_start,    ///< A start pair names no vertex, or their count is not 0 to D+1.
   bad_options,  ///< The iteration cap is below 1, or the tolerance is not in [0, 1).
 };
 

@@ -13,10 +13,9 @@ template <class S, int D>
   if constexpr (ScalarTraits<S>::kExact) {
     return keep * keep * state.best_sq;
   } else {
-    const S u = ScalarTraits<S>::unit_roundoff();
-    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.vertex_error +
-                    S(8 * D) * u * prepared.reach;
-    const S wanted = keep * upper + plane_error(state, prepared);
+    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();
+    const S wanted =
+        keep * upper + plane_error(state.plane_distance_sq, state.plane_reach_sq, prepared);
     return wanted * wanted;
   }
 }

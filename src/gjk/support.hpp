@@ -165,14 +165,22 @@ template <class R, class S, int D>
 
 namespace detail {
 
-/// What rounding may have added to the distance of the best support plane, in the run's unit: to
-/// its support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
+/// What rounding may have added to the distance of a support plane, in the run's unit: to its
+/// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
 template <class R, int D>
-[[nodiscard]] R plane_error(const State<R, D>& state, const Prepared<R, D>& prepared) {
+[[nodiscard]] R plane_error(const R& distance_sq, const R& reach_sq,
+                            const Prepared<R, D>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
   return prepared.vertex_error + prepared.scan_error +
-         u * (R(D + 1) * ScalarTraits<R>::root(state.plane_reach_sq) +
-              R(4) * ScalarTraits<R>::root(state.plane_distance_sq));
+         u * (R(D + 1) * ScalarTraits<R>::root(reach_sq) +
+              R(4) * ScalarTraits<R>::root(distance_sq));
+}
+/// The lower bound of the distance that a support plane proves.
+template <class R, int D>
+[[nodiscard]] R plane_bound(const R& distance_sq, const R& reach_sq,
+                            const Prepared<R, D>& prepared) {
+  return std::max(
+      R(ScalarTraits<R>::root(distance_sq) - plane_error(distance_sq, reach_sq, prepared)), R(0));
 }
 
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
@@ -189,17 +197,21 @@ void note_support_plane(State<R, D>& state) {
 
 /// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
 /// points").
+template <class R, class S, int D>
+[[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
+                                       const Vec<R, D>& d) {
+  return {farthest_vertex(along_x(query, prepared, d)),
+          farthest_vertex(along_y(query, prepared, d))};
+}
+
 template <class R, class S, int D, class Rec>
 void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
                   Rec& record) {
-  const Along<R, S, D> x = along_x(query, prepared, state.d);
-  const Along<R, S, D> y = along_y(query, prepared, state.d);
-  const VertexPair pair{farthest_vertex(x), farthest_vertex(y)};
   if constexpr (Rec::kOn) {
-    record.scan_x = scan_entries(x);
-    record.scan_y = scan_entries(y);
+    record.scan_x = scan_entries(along_x(query, prepared, state.d));
+    record.scan_y = scan_entries(along_y(query, prepared, state.d));
   }
-  state.support = support_point(query, prepared, pair);
+  state.support = support_point(query, prepared, farthest_pair(query, prepared, state.d));
   state.support_value = dot(state.d, state.support.w);
   note_support_plane(state);
   if (state.support_value == R(0)) state.touches_plane = true;

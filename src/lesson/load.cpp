@@ -294,11 +294,12 @@ void LessonReader::read_query(const Table& query) {
 }
 
 void LessonReader::read_start(const Field& start) {
-  if (!start) return;
   gjk::Options& options = lesson_.options;
+  options.start_count = 1;
+  if (!start) return;
   if (start.node->is_string()) {
     const std::vector<std::string> known = {"centre-to-centre"};
-    if (reader_.name(start, "start", known)) options.start_rule = gjk::StartRule::centre_to_centre;
+    if (reader_.name(start, "start", known)) options.start_count = 0;
     return;
   }
   const std::vector<Field> entries = reader_.entries(start, "name of a simplex vertex");

@@ -51,19 +51,18 @@ template <class S>
 DistanceBounds bounds_after(const gjk::State<S, 2>& state, const gjk::Prepared<S, 2>& prepared) {
   using Traits = gjk::ScalarTraits<S>;
   // Phase closest has found P, cull makes it the best.
-  const bool found_nearer = state.previous == gjk::Phase::closest &&
-                            (state.best.count == 0 || state.p_sq < state.best_sq);
+  const bool found_nearer =
+      state.previous == gjk::Phase::closest && gjk::detail::came_nearer(state);
   const S& upper_sq = found_nearer ? state.p_sq : state.best_sq;
   if constexpr (Traits::kExact) {
     return {Traits::root_below(state.plane_distance_sq), Traits::root_above(upper_sq)};
   } else {
-    const S plane = Traits::root(state.plane_distance_sq);
-    const S lower = std::max(S(plane - gjk::detail::plane_error(state, prepared)), S(0));
-    const S rounding = prepared.vertex_error + S(16) * Traits::unit_roundoff() * prepared.reach;
+    const S lower =
+        gjk::detail::plane_bound(state.plane_distance_sq, state.plane_reach_sq, prepared);
     const bool full = found_nearer ? gjk::vertex_count(state.region) == 3 : state.best.count == 3;
     const gjk::Simplex<S, 2>& nearest = found_nearer ? state.simplex : state.best;
     const bool inside = full && gjk::detail::surely_inside(nearest, prepared);
-    const S upper = inside ? S(0) : S(Traits::root_above(upper_sq) + rounding);
+    const S upper = inside ? S(0) : S(Traits::root_above(upper_sq) + prepared.simplex_error());
     const double largest = std::numeric_limits<double>::max();
     return {std::min(gjk::detail::scaled_below(widened(lower), prepared.exponent), largest),
             gjk::detail::scaled_above(widened(upper), prepared.exponent)};
@@ -108,7 +107,6 @@ PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options
 gjk::Options warm(gjk::Options options, const WideTrace& last) {
   const gjk::Simplex<double, 2>& simplex = last.result.simplex;
   if (simplex.count == 0) return options;
-  options.start_rule = gjk::StartRule::given;
   options.start_count = simplex.count;
   for (int i = 0; i < simplex.count; ++i) options.start[i] = simplex.vertices[i].pair;
   return options;

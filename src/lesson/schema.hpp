@@ -43,7 +43,7 @@ inline constexpr double kTurn = 360.0;          ///< Degrees.
 inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.
 inline constexpr int kMoments = 500;            ///< Of a simulation, at all positions together.
 inline constexpr double kSeconds = 3600.0;
-inline constexpr int kCap = 100;                ///< The steps of all positions are kept in memory.
+inline constexpr int kCap = 100;  ///< The steps of all positions are kept in memory.
 inline constexpr int kSimplexVertices = 3;
 /// Coordinates: doubles of this size still differ by less than a frame shows of a world as large;
 /// their products stay far from overflow in single precision, too.

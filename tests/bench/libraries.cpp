@@ -5,13 +5,11 @@
 namespace bench {
 namespace {
 
-/// A pair whose shapes have been measured.
+/// A pair whose shapes have been measured; poses are set query by query, as they are for all.
 template <class S>
 struct Prepared {
   families::Pair<S> pair;
-  gjk::Points<S, 2> x;
-  gjk::Points<S, 2> y;
-  [[nodiscard]] gjk::Query<S, 2> query() const { return {{x, pair.x_pose}, {y, pair.y_pose}}; }
+  gjk::Query<S, 2> query;
 };
 
 /// `run(query)` answers in any scalar.
@@ -21,11 +19,16 @@ Contestant prepare_with(std::span<const Pair> pairs, Run run) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Prepared<S>& out = (*prepared)[i];
     out.pair = families::converted<S>(pairs[i]);
-    out.x = out.pair.x;
-    out.y = out.pair.y;
+    out.query = out.pair.query();
   }
   return contestant(
-      pairs.size(), [=](std::size_t i) { return run((*prepared)[i].query()); },
+      pairs.size(),
+      [=](std::size_t i) {
+        auto& [pair, query] = (*prepared)[i];
+        query.x.pose = pair.x_pose;
+        query.y.pose = pair.y_pose;
+        return run(query);
+      },
       [](const auto& result) {
         const bool answered =
             result.verdict != gjk::Verdict::undecided && result.verdict != gjk::Verdict::none;

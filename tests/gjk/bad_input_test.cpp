@@ -166,7 +166,7 @@ TEST(all_zero_verdict, "a point on itself touches it, at the origin as elsewhere
 }
 
 TEST(start, "start pairs that name no vertex, or too few or too many of them") {
-  for (const int count : {0, -1, 4, 5, 1000000}) {
+  for (const int count : {-1, 4, 5, 1000000}) {
     const check::Context context("count", count);
     Case<double> bad;
     bad.options.start_count = count;
@@ -179,7 +179,7 @@ TEST(start, "start pairs that name no vertex, or too few or too many of them") {
     bad.options.start_count = 2;
     bad.options.start[1] = pair;
     check_refused(Error::bad_start, bad);
-    bad.options.start_rule = gjk::StartRule::centre_to_centre;  // does not read them
+    bad.options.start_count = 0;  // does not read them
     check_accepted(bad);
   }
 }

@@ -33,6 +33,7 @@ TEST(errors, "each fault has its name, and the first one is named") {
   const Pair<double> good = points_apart(1.0);
   CHECK_EQ(Error::none, prepared<double>(good).error);
   gjk::Options options;
+  options.start_count = 1;
   options.start[0] = {0, 1};
   CHECK_EQ(Error::bad_start, prepared<double>(good, options).error);
   options.tolerance = 1.0;
@@ -50,12 +51,12 @@ TEST(errors, "each fault has its name, and the first one is named") {
   CHECK_EQ(Error::x_has_no_vertices, prepared<double>(bad, options).error);
 }
 
-TEST(start_limits, "start pairs may name every vertex, and no other; 1 to 3 of them") {
+TEST(start_limits, "start pairs may name every vertex, and no other; up to 3 of them") {
   const Pair<double> pair{{{0, 0}, {1, 0}}, {{5, 0}, {5, 1}, {5, 2}}};
   for (int count = -1; count < 6; ++count) {
     gjk::Options options;
     options.start_count = count;
-    CHECK_EQ(count >= 1 && count <= 3 ? Error::none : Error::bad_start,
+    CHECK_EQ(count >= 0 && count <= 3 ? Error::none : Error::bad_start,
              prepared<double>(pair, options).error);
   }
   for (int x = -1; x < 4; ++x) {
@@ -153,7 +154,8 @@ Wide difference(const Pair<double>& pair, std::size_t x, std::size_t y) {
 struct Ratios {
   long double reach_low = 1e9L;
   long double reach_high = 0;
-  long double box_high = 0;
+  long double corner_low = 1;
+  long double corner_high = 0;
   long double vertex = 0;
   int pairs = 0;
 };
@@ -185,21 +187,24 @@ Ratios measure(Family family, int pairs) {
     const long double reach = static_cast<long double>(ready.reach) / largest;
     found.reach_low = std::min(found.reach_low, reach);
     found.reach_high = std::max(found.reach_high, reach);
-    const auto box = static_cast<long double>(gjk::detail::box_reach(narrow.query(), ready));
-    found.box_high = std::max(found.box_high, box / largest);
+    const auto corner = static_cast<long double>(gjk::detail::corner_reach(narrow.query(), ready));
+    found.corner_low = std::min(found.corner_low, corner / largest);
+    found.corner_high = std::max(found.corner_high, corner / largest);
     ++found.pairs;
   }
   return found;
 }
 
-TEST(reach, "no point of Z lies beyond reach, and some point nearly as far as its box reaches") {
+TEST(reach,
+     "no point of Z lies beyond reach; of four corners one lies at least a fifth as far as any") {
   for (int i = 0; i < kFamilyCount; ++i) {
     const auto family = static_cast<Family>(i);
     const check::Context context("seed", kSeed, kFamilyNames[i]);
     const Ratios found = measure<double, double>(family, 500);
     CHECK(found.reach_low >= 1 - 0x1p-50L);
     CHECK(found.reach_high <= 3);
-    CHECK(found.box_high <= 1.4143L);
+    CHECK(found.corner_low >= 0.2L);
+    CHECK(found.corner_high <= 1 + 0x1p-50L);
     CHECK(found.pairs > 400);
   }
 }

@@ -177,13 +177,12 @@ TEST(flat_rings, "a corner that rounding could have bent is none") {
   CHECK(!points(bent(-1e-13)).is_ring());
 }
 
-TEST(defaults, "the default options are the slides': vertices first, start at the first vertices") {
+TEST(defaults,
+     "the default options are the slides': vertices first; the start is between the centres") {
   const gjk::Options options;
   CHECK_EQ(gjk::DirectionRule::perpendicular, options.direction_rule);
   CHECK_EQ(gjk::RegionOrder::vertices_first, options.region_order);
-  CHECK_EQ(gjk::StartRule::given, options.start_rule);
-  CHECK_EQ(1, options.start_count);
-  CHECK(options.start[0] == gjk::VertexPair{});
+  CHECK_EQ(0, options.start_count);
   CHECK(options.stop_on_repeated_support);
   CHECK(options.stop_on_no_progress);
   CHECK_EQ(0.0, options.tolerance);

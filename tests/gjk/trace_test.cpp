@@ -84,6 +84,7 @@ TEST(phases, "one iteration is closest, cull, direction, support, stop, add") {
 
 TEST(pentagon, "the slides' pentagon: from E to C, from CE to D, E dropped, D repeats") {
   gjk::Options options;
+  options.start_count = 1;
   options.start[0] = {0, 4};
   const auto trace = traced({{-3, 4}}, kPentagon, options);
   std::vector<int> supports;
@@ -109,7 +110,7 @@ TEST(start_simplex, "a run may start with a segment or a triangle") {
 
 TEST(centre, "centre to centre starts at the support point along the line of centres") {
   gjk::Options options;
-  options.start_rule = gjk::StartRule::centre_to_centre;
+  options.start_count = 0;
   const Points right = {{4, -1}, {6, -1}, {6, 1}, {4, 1}};
   const auto trace = traced(kSquare, right, options);
   CHECK_EQ(1, trace.initial.simplex.count);

@@ -84,7 +84,6 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_TRUE(options.stop_on_no_progress);
   EXPECT_EQ(options.tolerance, 0.125);
   EXPECT_EQ(options.iteration_cap, 20);
-  EXPECT_EQ(options.start_rule, gjk::StartRule::given);
   ASSERT_EQ(options.start_count, 2);
   EXPECT_EQ(options.start[0], (gjk::VertexPair{2, 2}));
   EXPECT_EQ(options.start[1], (gjk::VertexPair{0, 0}));
@@ -175,7 +174,7 @@ TEST(Load, CentreToCentreIsAStart) {
   const LoadedLesson loaded =
       parse(replaced(testing::kFullLesson, R"(["M-C", "K-A"])", "\"centre-to-centre\""));
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  EXPECT_EQ(loaded.lesson->options.start_rule, gjk::StartRule::centre_to_centre);
+  EXPECT_EQ(loaded.lesson->options.start_count, 0);
 }
 
 TEST(Load, AnEmptyStopListLeavesBothTestsOut) {

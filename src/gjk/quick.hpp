@@ -1,0 +1,429 @@
+#pragma once
+// The ordinary query in the plane: the run that the phases make, kept in registers.
+//
+// The decisions are those of the phases, taken in the same order from the same operations, so the
+// answer has the same bits; tests/truth/properties_test.cpp holds `distance`, which comes this way,
+// to `trace`, which does not. Missing is what ordinary queries do not need: a run that comes to
+// such a place gives up, and the phases start over.
+
+#include "gjk/certificate.hpp"
+#include "gjk/stop.hpp"
+
+namespace gjk::quick {
+
+/// A shape, its vertices seen from its centre.
+template <class S>
+struct Body {
+  const Vec<S, 2>* vertices;
+  const S* rotation;  ///< Column by column.
+  Flat<double> centre;
+  int count;
+  bool turned;
+  bool centred;
+
+  Body(const Shape<S, 2>& shape, bool is_turned, bool is_centred, const Vec<double, 2>& middle)
+      : vertices(&shape.vertices[0]),
+        rotation(shape.pose.rotation.data()),
+        centre(flat(middle)),
+        count(static_cast<int>(shape.vertices.size())),
+        turned(is_turned),
+        centred(is_centred) {}
+
+  [[nodiscard]] Flat<double> vertex(int i) const {
+    return {static_cast<double>(vertices[i][0]), static_cast<double>(vertices[i][1])};
+  }
+  [[nodiscard]] Flat<double> from_centre(int i) const {
+    return centred ? vertex(i) - centre : vertex(i);
+  }
+  [[nodiscard]] Flat<double> rotated(const Flat<double>& a) const {
+    if (!turned) return a;
+    return {rotation[0] * a.x + rotation[2] * a.y, rotation[1] * a.x + rotation[3] * a.y};
+  }
+  [[nodiscard]] Flat<double> placed(int i) const { return rotated(from_centre(i)); }
+
+  /// Of a direction in the world, the first vertex that lies farthest along it; two chains of
+  /// comparisons, as in detail::scan.
+  [[nodiscard]] int farthest(const Flat<double>& d) const {
+    const Flat<double> local = to_local(d);
+    if (centred) return scan([&](int i) { return dot(local, vertex(i) - centre); });
+    return scan([&](int i) { return dot(local, vertex(i)); });
+  }
+  /// As detail::count_as_far.
+  [[nodiscard]] int count_as_far(const Flat<double>& d, int i, int j, double error) const {
+    const Flat<double> local = to_local(d);
+    const auto along = [&](int k) { return dot(local, from_centre(k)); };
+    const double certainly_nearer = std::min(along(i), along(j)) - error;
+    int as_far = 0;
+    for (int k = 0; k < count; ++k) as_far += along(k) < certainly_nearer ? 0 : 1;
+    return as_far;
+  }
+
+ private:
+  [[nodiscard]] Flat<double> to_local(const Flat<double>& d) const {
+    if (!turned) return d;
+    return {rotation[0] * d.x + rotation[1] * d.y, rotation[2] * d.x + rotation[3] * d.y};
+  }
+  template <class Along>
+  [[nodiscard]] int scan(const Along& along) const {
+    detail::Farthest<double> even{0, along(0)};
+    detail::Farthest<double> odd = even;
+    int i = 1;
+    for (; i + 1 < count; i += 2) {
+      odd.offer_next(i, along(i));
+      even.offer_next(i + 1, along(i + 1));
+    }
+    if (i < count) odd.offer_next(i, along(i));
+    even.offer(odd.index, odd.value);
+    return even.index;
+  }
+};
+
+/// A vertex of the simplex.
+struct Corner {
+  Flat<double> w;
+  VertexPair pair;
+};
+
+/// Both, and the offset between their centres.
+template <class S>
+struct Bodies {
+  Body<S> x;
+  Body<S> y;
+  Flat<double> offset;
+
+  Bodies(const Query<S, 2>& query, const Prepared<double, 2>& prepared)
+      : x(query.x, prepared.x_turned, prepared.centred, prepared.x_centre),
+        y(query.y, prepared.y_turned, prepared.centred, prepared.y_centre),
+        offset(flat(prepared.offset)) {}
+
+  [[nodiscard]] VertexPair farthest(const Flat<double>& d) const {
+    return {x.farthest(-d), y.farthest(d)};
+  }
+  [[nodiscard]] Corner corner(VertexPair pair) const {
+    return {(y.placed(pair.y) - x.placed(pair.x)) + offset, pair};
+  }
+};
+
+/// The simplex, and the weights of P.
+struct Corners {
+  Corner a;
+  Corner b;
+  Corner c;
+  int count = 1;
+  double weight_a = 1.0;
+  double weight_b = 0.0;
+  double weight_c = 0.0;
+
+  void keep(const Corner& only) {
+    a = only;
+    count = 1;
+  }
+  void keep(const Corner& first, const Corner& second) {
+    a = first;
+    b = second;
+    count = 2;
+  }
+};
+
+/// Phases closest and cull of a segment.
+inline void cull_segment(Corners& simplex) {
+  const Flat<double> edge = simplex.b.w - simplex.a.w;
+  if (!(0.0 < dot(simplex.b.w, edge))) {
+    simplex.keep(simplex.b);
+  } else if (!(0.0 < -dot(simplex.a.w, edge))) {
+    simplex.keep(simplex.a);
+  }
+}
+
+/// Phases closest and cull of a triangle. False where rounding leaves no region to believe.
+[[nodiscard]] inline bool cull_triangle(Corners& simplex) {
+  const Corner a = simplex.a;
+  const Corner b = simplex.b;
+  const Corner c = simplex.c;
+  const Flat<double> ab = b.w - a.w;
+  const Flat<double> bc = c.w - b.w;
+  const Flat<double> ac = c.w - a.w;
+  const bool a_in_ab = 0.0 < dot(b.w, ab);
+  const bool b_in_ab = 0.0 < -dot(a.w, ab);
+  const bool b_in_bc = 0.0 < dot(c.w, bc);
+  const bool c_in_bc = 0.0 < -dot(b.w, bc);
+  const bool a_in_ac = 0.0 < dot(c.w, ac);
+  const bool c_in_ac = 0.0 < -dot(a.w, ac);
+  const double volume = cross(ab, ac);
+  const double sign = volume < 0.0 ? -1.0 : 1.0;
+  const double of_a = sign * cross(b.w, c.w);
+  const double of_b = sign * -cross(a.w, c.w);
+  const double of_c = sign * cross(a.w, b.w);
+  if (volume == 0.0) return false;
+  if (!b_in_ab && !c_in_ac) {
+    simplex.keep(a);
+  } else if (!a_in_ab && !c_in_bc) {
+    simplex.keep(b);
+  } else if (!a_in_ac && !b_in_bc) {
+    simplex.keep(c);
+  } else if (a_in_ab && b_in_ab && !(0.0 < of_c)) {
+    simplex.keep(a, b);
+  } else if (b_in_bc && c_in_bc && !(0.0 < of_a)) {
+    simplex.keep(b, c);
+  } else if (a_in_ac && c_in_ac && !(0.0 < of_b)) {
+    simplex.keep(a, c);
+  } else {
+    const double sum = of_a + of_b + of_c;
+    simplex.weight_a = of_a / sum;
+    simplex.weight_b = of_b / sum;
+    simplex.weight_c = of_c / sum;
+    return 0.0 < of_a && 0.0 < of_b && 0.0 < of_c;
+  }
+  return true;
+}
+
+/// Where a run ended.
+struct Found {
+  Corners simplex;
+  double plane_sq = 0.0;  ///< See State.
+  double plane_reach_sq = 0.0;
+  int iterations = 1;
+  StopReason stop = StopReason::running;  ///< As it is where the run gave up.
+};
+
+/// The phases in their order, from the simplex of the first start.
+template <class S>
+[[nodiscard, gnu::noinline, gnu::flatten]] Found walk(const Bodies<S>& bodies,
+                                                      const Options& options) {
+  Found found;
+  Corners simplex;
+  simplex.a =
+      bodies.corner(options.start_count == 0 ? bodies.farthest(-bodies.offset) : options.start[0]);
+  double plane_sq = 0.0;
+  double plane_reach_sq = 0.0;
+  double best_sq = std::numeric_limits<double>::infinity();
+  int iteration = 1;
+  for (;; ++iteration) {
+    if (simplex.count == 2) {
+      cull_segment(simplex);
+    } else if (simplex.count == 3) {
+      if (!cull_triangle(simplex)) return found;
+      if (simplex.count == 3) {
+        found.stop = StopReason::origin_inside;
+        break;
+      }
+    }
+    const Flat<double> a = simplex.a.w;
+    const Flat<double> b = simplex.b.w;
+    const bool on_edge = simplex.count == 2;
+    Flat<double> p = a;
+    Flat<double> d = -a;
+    if (on_edge) {
+      const Flat<double> edge = b - a;
+      const double edge_sq = dot(edge, edge);
+      simplex.weight_a = dot(b, edge) / edge_sq;
+      simplex.weight_b = -dot(a, edge) / edge_sq;
+      p = {simplex.weight_a * a.x + simplex.weight_b * b.x,
+           simplex.weight_a * a.y + simplex.weight_b * b.y};
+      const Flat<double> normal{edge.y, -edge.x};
+      d = 0.0 < dot(normal, a) ? -normal : normal;
+      if (cross(a, b) == 0.0) return found;
+    }
+    const double p_sq = dot(p, p);
+    const double d_sq = dot(d, d);
+    if (!(p_sq < best_sq) || d_sq == 0.0) return found;
+    best_sq = p_sq;
+
+    const Corner support = bodies.corner(bodies.farthest(d));
+    const double value = dot(d, support.w);
+    if (value < 0.0) {
+      const double distance_sq = value * (value / d_sq);
+      if (plane_sq < distance_sq) {
+        plane_sq = distance_sq;
+        plane_reach_sq = dot(support.w, support.w);
+      }
+    }
+    if (support.pair == simplex.a.pair || (on_edge && support.pair == simplex.b.pair)) {
+      found.stop = StopReason::repeated_support;
+      break;
+    }
+    const double along_a = dot(d, a);
+    const double along_b = on_edge ? dot(d, b) : along_a;
+    if (!((along_a < along_b ? along_b : along_a) < value)) {
+      found.stop = StopReason::no_progress;
+      break;
+    }
+    if (options.iteration_cap <= iteration) return found;
+    (on_edge ? simplex.c : simplex.b) = support;
+    simplex.count = on_edge ? 3 : 2;
+  }
+  if (simplex.count == 1) simplex.weight_a = 1.0;
+  found.simplex = simplex;
+  found.plane_sq = plane_sq;
+  found.plane_reach_sq = plane_reach_sq;
+  found.iterations = iteration;
+  return found;
+}
+
+/// What detail::bounds_outside asks.
+template <class S>
+struct Asked {
+  const Corners& simplex;
+  const Bodies<S>& bodies;
+  const Query<S, 2>& query;
+  const Prepared<double, 2>& prepared;
+
+  [[nodiscard]] double corner_reach() const {
+    const auto& [x0, x1] = query.x.vertices.far_apart();
+    const auto& [y0, y1] = query.y.vertices.far_apart();
+    const Flat<double> from = bodies.x.placed(x0);
+    const Flat<double> from_other = bodies.x.placed(x1);
+    const Flat<double> to = bodies.y.placed(y0);
+    const Flat<double> to_other = bodies.y.placed(y1);
+    const auto length_sq = [&](const Flat<double>& difference) {
+      const Flat<double> w = difference + bodies.offset;
+      return dot(w, w);
+    };
+    return std::sqrt(
+        std::max(std::max(length_sq(to - from), length_sq(to - from_other)),
+                 std::max(length_sq(to_other - from), length_sq(to_other - from_other))));
+  }
+  [[nodiscard]] double careful_distance() const {
+    return careful_distance_of(query, prepared, simplex.a.pair, simplex.b.pair, simplex.count == 2);
+  }
+  [[nodiscard]] bool is_certainly_farthest(const Flat<double>& d, double angle) const {
+    const bool on_edge = simplex.count == 2;
+    const VertexPair first = simplex.a.pair;
+    const VertexPair last = on_edge ? simplex.b.pair : first;
+    const double error = length(d) * (prepared.scan_error + 2.0 * angle * prepared.extent);
+    return bodies.x.count_as_far(-d, first.x, last.x, error) *
+               bodies.y.count_as_far(d, first.y, last.y, error) ==
+           (on_edge ? 2 : 1);
+  }
+
+ private:
+  [[nodiscard, gnu::noinline]] static double careful_distance_of(
+      const Query<S, 2>& query, const Prepared<double, 2>& prepared, VertexPair a, VertexPair b,
+      bool on_edge) {
+    return detail::ShapesAsked<double, S>{query, prepared, a, b, on_edge}.careful_distance();
+  }
+};
+
+/// As detail::surely_inside, and what the phases ask of a triangle and its weights.
+[[nodiscard]] inline bool is_surely_inside(const Corners& simplex,
+                                           const Prepared<double, 2>& prepared) {
+  constexpr double u = 0x1p-53;
+  const Flat<double>& a = simplex.a.w;
+  const Flat<double>& b = simplex.b.w;
+  const Flat<double>& c = simplex.c.w;
+  const auto norm_max = [](const Flat<double>& v) {
+    return std::max(std::abs(v.x), std::abs(v.y));
+  };
+  const double size = std::max(std::max(norm_max(a), norm_max(b)), norm_max(c));
+  const double r = 1.5 * size;
+  const double error = (2.0 * prepared.vertex_error + 32.0 * u * r) * r;
+  const double least =
+      std::min(std::min(std::abs(cross(b, c)), std::abs(cross(a, c))), std::abs(cross(a, b)));
+  const Flat<double> p{simplex.weight_a * a.x + simplex.weight_b * b.x + simplex.weight_c * c.x,
+                       simplex.weight_a * a.y + simplex.weight_b * b.y + simplex.weight_c * c.y};
+  return error < least && !(2.0 * u * size < norm_max(p));
+}
+
+/// As detail::set_witness_points: put together from the vertex of the largest weight.
+template <class S>
+[[nodiscard]] Flat<double> witness(const Corners& simplex, const Body<S>& body,
+                                   const Vec<S, 2>& translation, int VertexPair::*index) {
+  const double weight_a = simplex.weight_a;
+  const double weight_b = simplex.weight_b;
+  const double weight_c = simplex.weight_c;
+  Flat<double> local = body.vertex(simplex.a.pair.*index);
+  if (simplex.count == 2) {
+    const Flat<double> other = body.vertex(simplex.b.pair.*index);
+    const bool from_other = weight_a < weight_b;
+    const double weight = (from_other ? weight_a : weight_b) / (weight_a + weight_b);
+    const Flat<double> from = from_other ? other : local;
+    const Flat<double> edge = (from_other ? local : other) - from;
+    local = {from.x + edge.x * weight, from.y + edge.y * weight};
+  } else if (simplex.count == 3) {
+    const Flat<double> b = body.vertex(simplex.b.pair.*index);
+    const Flat<double> c = body.vertex(simplex.c.pair.*index);
+    const double sum = weight_a + weight_b + weight_c;
+    const auto from = [&](const Flat<double>& base, const Flat<double>& p, double p_weight,
+                          const Flat<double>& q, double q_weight) {
+      const Flat<double> to_p = p - base;
+      const Flat<double> to_q = q - base;
+      const double s = p_weight / sum;
+      const double t = q_weight / sum;
+      return Flat<double>{base.x + (to_p.x * s + to_q.x * t), base.y + (to_p.y * s + to_q.y * t)};
+    };
+    if (std::max(weight_a, weight_b) < weight_c) {
+      local = from(c, local, weight_a, b, weight_b);
+    } else if (weight_a < weight_b) {
+      local = from(b, local, weight_a, c, weight_c);
+    } else {
+      local = from(local, b, weight_b, c, weight_c);
+    }
+  }
+  const Flat<double> world = body.rotated(local);
+  return {world.x + static_cast<double>(translation[0]),
+          world.y + static_cast<double>(translation[1])};
+}
+
+/// Fills in the answer. False when it is not proved, or came from a place that is not ordinary.
+template <class S>
+[[nodiscard, gnu::flatten]] bool distance(const Query<S, 2>& query, const Options& options,
+                                          const Prepared<double, 2>& prepared,
+                                          Result<double, 2>& out) {
+  const Bodies<S> bodies(query, prepared);
+  const Found found = walk(bodies, options);
+  const Corners& simplex = found.simplex;
+  if (found.stop == StopReason::running) return false;
+  if (simplex.count == 3) {
+    if (!is_surely_inside(simplex, prepared)) return false;
+    out.verdict = Verdict::overlapping;
+    out.distance = 0.0;
+    out.lower = 0.0;
+    out.upper = 0.0;
+  } else {
+    const detail::Feature<double> feature{
+        simplex.a.w,        simplex.b.w,
+        simplex.count == 2, std::min(simplex.weight_a, simplex.weight_b),
+        found.plane_sq,     found.plane_reach_sq};
+    const detail::Bounds<double> bounds =
+        detail::bounds_outside(feature, prepared, Asked<S>{simplex, bodies, query, prepared});
+    if (!(0.0 < bounds.lower) || !bounds.tight) return false;
+    out.verdict = Verdict::separated;
+    out.distance = bounds.distance;
+    out.lower = bounds.lower;
+    out.upper = bounds.upper;
+    out.distance_sq = bounds.distance * bounds.distance;
+  }
+  out.stop = found.stop;
+  out.iterations = found.iterations;
+  out.simplex.count = simplex.count;
+  const auto set = [&](int i, const Corner& corner, double weight) {
+    out.simplex.vertices[i].w[0] = corner.w.x;
+    out.simplex.vertices[i].w[1] = corner.w.y;
+    out.simplex.vertices[i].pair = corner.pair;
+    out.simplex.weights[i] = weight;
+  };
+  set(0, simplex.a, simplex.weight_a);
+  if (simplex.count > 1) set(1, simplex.b, simplex.weight_b);
+  if (simplex.count > 2) set(2, simplex.c, simplex.weight_c);
+  const Flat<double> x = witness(simplex, bodies.x, query.x.pose.translation, &VertexPair::x);
+  const Flat<double> y = witness(simplex, bodies.y, query.y.pose.translation, &VertexPair::y);
+  out.x[0] = x.x;
+  out.x[1] = x.y;
+  out.y[0] = y.x;
+  out.y[1] = y.y;
+  return true;
+}
+
+/// True when the query may go this way: the default rules, and no shape so large that climbing
+/// beats scanning.
+template <class S>
+[[nodiscard]] bool is_ordinary(const Query<S, 2>& query, const Options& options,
+                               const Prepared<double, 2>& prepared) {
+  return prepared.error == Error::none && prepared.exponent == 0 && options.start_count <= 1 &&
+         options.direction_rule == DirectionRule::perpendicular &&
+         options.region_order == RegionOrder::vertices_first && options.stop_on_repeated_support &&
+         options.stop_on_no_progress && options.tolerance == 0.0 && !prepared.same_frame &&
+         !query.x.vertices.is_ring() && !query.y.vertices.is_ring();
+}
+
+}  // namespace gjk::quick
