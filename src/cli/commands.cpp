@@ -12,6 +12,7 @@
 #include "cli/input.hpp"
 #include "cli/trace_json.hpp"
 #include "cli/trace_text.hpp"
+#include "cli/transcript.hpp"
 #include "effects/registry.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
@@ -126,32 +127,9 @@ int list_lessons(const Environment& env, bool json) {
 
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json) {
-  std::vector<Lesson> lessons;
-  int exit_code = kDone;
-  if (choice.all) {
-    for (LoadedLesson& loaded : load_lessons(env.share / "lessons", view_effects())) {
-      for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
-      if (loaded.lesson) {
-        lessons.push_back(std::move(*loaded.lesson));
-      } else {
-        exit_code = kProblem;
-      }
-    }
-  }
-  for (const std::string& name : choice.names) {
-    FoundLesson found = find_lesson(env, name);
-    if (found.lesson) {
-      lessons.push_back(std::move(*found.lesson));
-    } else {
-      exit_code = std::max(exit_code, found.exit_code);
-    }
-  }
-  // A list with a mistake in it is not exported by half.
-  if (exit_code != kDone) return exit_code;
-  if (lessons.empty()) {
-    env.err << fmt::format("gjkscope: {} holds no lessons\n", (env.share / "lessons").string());
-    return kCannot;
-  }
+  FoundLessons found = find_lessons(env, choice);
+  if (found.exit_code != kDone) return found.exit_code;
+  const std::vector<Lesson> lessons = std::move(found.lessons);
   options.assets_dir = env.share / "assets";
   const std::vector<std::string> themes = Theme::names(options.assets_dir / "themes");
   if (!themes.empty() && std::find(themes.begin(), themes.end(), options.theme) == themes.end()) {
@@ -222,6 +200,20 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
   env.err << fmt::format("{} problem{} in {} of {} files\n", problem_count,
                          problem_count == 1 ? "" : "s", bad_files, files.size());
   return kProblem;
+}
+
+int transcript_command(const Environment& env, const LessonChoice& choice, bool markdown,
+                       bool questions) {
+  FoundLessons found = find_lessons(env, choice);
+  if (found.exit_code != kDone) return found.exit_code;
+  bool first = true;
+  for (Lesson& lesson : found.lessons) {
+    if (!first) env.out << '\n';
+    first = false;
+    if (!questions) lesson.questions.clear();
+    env.out << transcript(run_lesson(std::move(lesson)), markdown);
+  }
+  return flushed(env) ? kDone : kCannot;
 }
 
 int explain_command(const Environment& env, const std::string& name, bool json) {

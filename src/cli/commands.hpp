@@ -56,6 +56,10 @@ int solve_command(const Environment& env, const std::vector<std::string>& files,
 /// expect.
 int check_command(const Environment& env, const std::vector<std::string>& files);
 
+/// Title, prose and captions of lessons; `markdown`: with headings and lists.
+int transcript_command(const Environment& env, const LessonChoice& choice, bool markdown,
+                       bool questions);
+
 int explain_command(const Environment& env, const std::string& name, bool json);
 
 /// "1280x720"; nullopt when it is not of that form.

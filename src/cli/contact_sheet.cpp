@@ -10,18 +10,15 @@ namespace {
 
 constexpr int kSidecarVersion = 1;
 
-std::string described(const FrameText& text) {
-  return text.detail.empty() ? text.caption : text.caption + " " + text.detail;
-}
-
 std::string figure(const ExportedLesson& lesson, const ExportedFrame& frame) {
   return fmt::format(
-      R"(<figure id="{id}-{step}"><a href="{file}"><img src="{file}" width="{width}" height="{height}" loading="lazy" alt="{alt}"></a>)"
+      R"(<figure id="{id}-{step}"{kind}><a href="{file}"><img src="{file}" width="{width}" height="{height}" loading="lazy" alt="{alt}"></a>)"
       R"(<figcaption><span class="step">{step}</span> {caption}<span class="detail">{detail}</span></figcaption></figure>)"
       "\n",
       fmt::arg("id", escape_html(lesson.id)), fmt::arg("step", frame.step),
+      fmt::arg("kind", frame.text.question ? R"( class="question")" : ""),
       fmt::arg("file", escape_html(frame.file)), fmt::arg("width", lesson.width),
-      fmt::arg("height", lesson.height), fmt::arg("alt", escape_html(described(frame.text))),
+      fmt::arg("height", lesson.height), fmt::arg("alt", escape_html(alternative_text(frame.text))),
       fmt::arg("caption", escape_html(frame.text.caption)),
       fmt::arg("detail", escape_html(frame.text.detail)));
 }
@@ -96,14 +93,21 @@ std::string sidecar(const ExportedLesson& lesson) {
   for (const ExportedFrame& frame : lesson.frames) {
     Json values = Json::object();
     for (const auto& [name, value] : frame.text.values) values[name] = value;
-    frames.push_back({{"step", frame.step},
-                      {"file", frame.file},
-                      {"phase", frame.text.phase},
-                      {"iteration", frame.text.iteration},
-                      {"caption", frame.text.caption},
-                      {"detail", frame.text.detail},
-                      {"prose", frame.text.prose},
-                      {"values", std::move(values)}});
+    Json one = {{"step", frame.step},
+                {"file", frame.file},
+                {"position", frame.text.position},
+                {"phase", frame.text.phase},
+                {"iteration", frame.text.iteration},
+                {"caption", frame.text.caption},
+                {"detail", frame.text.detail},
+                {"alt", alternative_text(frame.text)},
+                {"prose", frame.text.prose},
+                {"values", std::move(values)}};
+    if (const std::optional<FrameQuestion>& question = frame.text.question) {
+      one["question"] = {
+          {"ask", question->ask}, {"choices", question->choices}, {"answer", question->answer}};
+    }
+    frames.push_back(std::move(one));
   }
   const Json json = {{"version", kSidecarVersion}, {"lesson", lesson.id},
                      {"title", lesson.title},      {"chapter", lesson.chapter},

@@ -166,7 +166,9 @@ class Exporter {
 
   /// Hands the lesson's frames to the writer. False when a signal came before the last one.
   bool add(const Lesson& lesson, std::size_t lesson_index, Progress& progress) {
-    const LessonRun run = run_lesson(lesson);
+    Lesson asked_for = lesson;
+    if (!options_.questions) asked_for.questions.clear();
+    const LessonRun run = run_lesson(std::move(asked_for));
     for (const PositionedRun& positioned : run.runs) {
       if (const std::string why = why_not_drawn(positioned); !why.empty()) {
         throw std::runtime_error(

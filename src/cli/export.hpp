@@ -20,6 +20,7 @@ struct ExportOptions {
   std::optional<int> last_step;   ///< Past the last frame means: to the last.
   int jobs = 0;                   ///< Threads that shrink, encode and write; 0: one a processor.
   std::string format = "png";
+  bool questions = true;  ///< Frames that ask are among them.
   bool index = false;     ///< Also write index.html, the contact sheet of these lessons.
   bool progress = false;  ///< Say on stderr what is being done.
 };

@@ -73,6 +73,34 @@ FoundLesson find_lesson(const Environment& env, const std::string& name) {
   return {std::move(loaded.lesson), exit_code};
 }
 
+FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
+  FoundLessons all;
+  const fs::path folder = env.share / "lessons";
+  if (choice.all) {
+    for (LoadedLesson& loaded : load_lessons(folder, view_effects())) {
+      for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
+      if (loaded.lesson) {
+        all.lessons.push_back(std::move(*loaded.lesson));
+      } else {
+        all.exit_code = kProblem;
+      }
+    }
+  }
+  for (const std::string& name : choice.names) {
+    FoundLesson found = find_lesson(env, name);
+    if (found.lesson) {
+      all.lessons.push_back(std::move(*found.lesson));
+    } else {
+      all.exit_code = std::max(all.exit_code, found.exit_code);
+    }
+  }
+  if (all.exit_code == kDone && all.lessons.empty()) {
+    env.err << fmt::format("gjkscope: {} holds no lessons\n", folder.string());
+    all.exit_code = kCannot;
+  }
+  return all;
+}
+
 std::optional<std::string> read_text(const Environment& env, const std::string& file) {
   if (file == "-") return std::string(std::istreambuf_iterator<char>(env.in), {});
   std::error_code none;

@@ -27,6 +27,15 @@ struct FoundLesson {
 };
 [[nodiscard]] FoundLesson find_lesson(const Environment& env, const std::string& name);
 
+/// The lessons of a choice, in the order named; for all of them, that of the chapters. When any of
+/// them has a problem there are none, but an exit code: a list with a mistake in it is not done by
+/// half.
+struct FoundLessons {
+  std::vector<Lesson> lessons;
+  int exit_code = kDone;
+};
+[[nodiscard]] FoundLessons find_lessons(const Environment& env, const LessonChoice& choice);
+
 /// A whole file, or standard input for "-"; nothing when it cannot be read.
 [[nodiscard]] std::optional<std::string> read_text(const Environment& env, const std::string& file);
 

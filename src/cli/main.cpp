@@ -53,6 +53,7 @@ struct Arguments {
   std::string name;
   std::vector<std::string> files;
   bool json = false;
+  bool markdown = false;
   ScalarKind scalar = ScalarKind::double_;
   ExportOptions export_options;
   std::pair<int, int> size = {1280, 720};
@@ -67,6 +68,11 @@ void add_commands(CLI::App& app, Arguments& args) {
     parsed(command, "--scalar", args.scalar, value_of<ScalarKind>,
            "one of half, float, double, exact", help)
         ->type_name("half|float|double|exact");
+  };
+
+  const auto add_no_questions = [&](CLI::App* command) {
+    command->add_flag("--no-questions{false}", args.export_options.questions,
+                      "Leave out the frames that ask");
   };
 
   CLI::App* lessons = app.add_subcommand("lessons", "List the lessons: id, chapter, title, steps");
@@ -93,6 +99,7 @@ void add_commands(CLI::App& app, Arguments& args) {
   exported->add_option("--jobs", options.jobs, "Threads; 0: one a processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  add_no_questions(exported);
   exported->add_flag("--index", options.index, "Also write index.html, a contact sheet");
   add_json(exported);
   exported->footer(
@@ -124,6 +131,16 @@ void add_commands(CLI::App& app, Arguments& args) {
   check->add_option("file", args.files, "Ids or files of lessons")->required();
   check->footer("Examples:\n  gjkscope check lessons/*.toml\n");
 
+  CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
+  told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
+  told->add_flag("--all", args.lessons.all, "All shipped lessons");
+  told->add_flag("--markdown", args.markdown, "With headings and lists");
+  add_no_questions(told);
+  told->footer(
+      "A frame's words are also the alternative text of its figure.\n\n"
+      "Examples:\n  gjkscope transcript polygon-evolution\n"
+      "  gjkscope transcript --all --markdown > lessons.md\n");
+
   CLI::App* explain = app.add_subcommand("explain", "Say which effects a lesson computes");
   explain->add_option("lesson", args.name, "Id or file of a lesson")->required();
   add_json(explain);
@@ -137,11 +154,14 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
+  ExportOptions& options = args.export_options;
+  const bool tells = app.got_subcommand("transcript");
   if (args.lessons.all == !args.lessons.names.empty()) {
-    std::cerr << "gjkscope export: name lessons, or say --all\n";
+    std::cerr << "gjkscope " << (tells ? "transcript" : "export")
+              << ": name lessons, or say --all\n";
     return kUsage;
   }
-  ExportOptions& options = args.export_options;
+  if (tells) return transcript_command(env, args.lessons, args.markdown, options.questions);
   std::tie(options.width, options.height) = args.size;
   options.first_step = args.steps.first;
   options.last_step = args.steps.last;

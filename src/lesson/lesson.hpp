@@ -125,6 +125,16 @@ struct LessonTime {
   int frames = 2;
 };
 
+/// What a frame can ask before a step answers it: which support point comes next, which region
+/// holds the query point, which vertices are dropped, and whether the run stops.
+enum class Ask { support, region, dropped, stop };
+
+/// The answer is the step's of the run, so any shapes make a question.
+struct LessonQuestion {
+  Ask ask = Ask::support;
+  std::optional<int> at;  ///< The iteration that answers; without it each that can.
+};
+
 /// What the run must come to; the last run of a path. `check` and the tests compare.
 struct Expectation {
   std::optional<gjk::StopReason> stop;
@@ -158,6 +168,7 @@ struct Lesson {
   std::vector<LessonView> views;
   std::vector<PanelBlock> panel;
   Listing listing = Listing::none;
+  std::vector<LessonQuestion> questions;
   Expectation expect;
 };
 

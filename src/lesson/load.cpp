@@ -60,6 +60,7 @@ class LessonReader {
   void check_needs_time(const Field& field, std::string_view what);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
+  void read_questions(const Field& questions);
   void read_expect(const Table& expect);
 
   std::optional<gjk::VertexPair> simplex_vertex(const Field& field);
@@ -111,6 +112,7 @@ Lesson LessonReader::read(const toml::table& root) {
   }
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
+  read_questions(file["questions"]);
   if (const auto expect = reader_.table(file["expect"], "expect")) read_expect(*expect);
   return lesson_;
 }
@@ -564,6 +566,39 @@ void LessonReader::read_panel(const Table& panel) {
   if (lesson_.listing == Listing::minkowski && lesson_.granularity != Granularity::pairs) {
     problems_.add(listing.place(), "listing 'minkowski' without frames for its pairs",
                   "granularity 'pairs'");
+  }
+}
+
+void LessonReader::read_questions(const Field& questions) {
+  const Granularity granularity = lesson_.granularity;
+  const bool in_tests = granularity == Granularity::test;
+  if (questions && !in_tests && granularity != Granularity::phase &&
+      granularity != Granularity::iteration) {
+    problems_.add(questions.place(),
+                  fmt::format("questions with granularity '{}'", name_of(granularity)),
+                  "granularity 'phase', 'iteration' or 'test'");
+    return;
+  }
+  for (const Field& entry : reader_.entries(questions, "table [[questions]]")) {
+    const std::optional<Table> table = reader_.table(entry, "questions");
+    if (!table) continue;
+    const Field ask = (*table)["ask"];
+    const std::optional<Ask> asked = reader_.choice<Ask>(ask, "question");
+    const std::optional<int> at = reader_.whole_number((*table)["at"], 1, limits::kCap);
+    if (!asked) continue;
+    if (in_tests && asked != Ask::region) {
+      problems_.add(ask.place(),
+                    fmt::format("question '{}' with granularity 'test'", name_of(*asked)),
+                    "'region': frames go through the first region tests");
+    }
+    const auto same = [&](const LessonQuestion& other) {
+      return other.ask == *asked && (!other.at || !at || *other.at == *at);
+    };
+    if (std::any_of(lesson_.questions.begin(), lesson_.questions.end(), same)) {
+      problems_.add(ask.place(), fmt::format("question '{}' is asked twice", name_of(*asked)),
+                    "each question once in an iteration");
+    }
+    lesson_.questions.push_back({*asked, at});
   }
 }
 

@@ -70,6 +70,14 @@ struct Named<PanelBlock> {
        {"two-runs", PanelBlock::two_runs}}};
 };
 template <>
+struct Named<Ask> {
+  static constexpr std::array<std::pair<std::string_view, Ask>, 4> kTable = {
+      {{"support", Ask::support},
+       {"region", Ask::region},
+       {"dropped", Ask::dropped},
+       {"stop", Ask::stop}}};
+};
+template <>
 struct Named<Listing> {
   static constexpr std::array<std::pair<std::string_view, Listing>, 6> kTable = {
       {{"segment", Listing::segment},

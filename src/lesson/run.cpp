@@ -9,6 +9,7 @@
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/questions.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
 
@@ -310,6 +311,7 @@ LessonRun run_lesson(Lesson lesson) {
         run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
   }
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) add_frames(run, i);
+  add_question_frames(run);
   return run;
 }
 
@@ -327,7 +329,7 @@ PositionedRun run_again(const Lesson& lesson, const PositionedRun& run, ScalarKi
 }
 
 std::vector<Problem> check_expectation(const LessonRun& run) {
-  std::vector<Problem> problems;
+  std::vector<Problem> problems = unasked_questions(run);
   const Lesson& lesson = run.lesson;
   const gjk::Trace<double, 2>& trace = run.runs.back().trace;
   const auto differ = [&](std::string_view key, std::string what, std::string expected) {

@@ -57,13 +57,16 @@ enum WitnessDetail { kWitnessP, kWitnessY, kWitnessX, kWitnessDistance };
 
 /// What one frame shows.
 struct Frame {
-  int run = 0;      ///< Index into LessonRun::runs.
-  int step = -1;    ///< Index into the trace's steps; -1: the start, before the first phase.
-  int detail = -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
-                    ///< Granularity::pairs: number of pairs made so far; one more than there are:
-                    ///< the hull. Granularity::support and witness: see SupportDetail and
-                    ///< WitnessDetail. Granularity::time: index of the moment. Granularity::maps,
-                    ///< orders: MapStage, OrderStage.
+  int run = 0;        ///< Index into LessonRun::runs.
+  int step = -1;      ///< Index into the trace's steps; -1: the start, before the first phase.
+  int detail = -1;    ///< Granularity::test: index of the region test reached, -1 before the first.
+                      ///< Granularity::pairs: number of pairs made so far; one more than there are:
+                      ///< the hull. Granularity::support and witness: see SupportDetail and
+                      ///< WitnessDetail. Granularity::time: index of the moment. Granularity::maps,
+                      ///< orders: MapStage, OrderStage.
+  int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
+                      ///< before it shows; the next frame that asks nothing answers.
+  int answer = -1;    ///< Of a frame that asks: index of the step that answers.
 };
 
 struct LessonRun {
@@ -97,8 +100,8 @@ struct LessonRun {
 [[nodiscard]] PositionedRun run_again(const Lesson& lesson, const PositionedRun& run,
                                       ScalarKind scalar);
 
-/// Where the outcome differs from Lesson::expect; places are those of the keys in the lesson's
-/// file.
+/// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are
+/// those of the keys in the lesson's file.
 [[nodiscard]] std::vector<Problem> check_expectation(const LessonRun& run);
 
 }  // namespace gjkscope

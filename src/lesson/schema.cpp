@@ -38,6 +38,7 @@ std::vector<LessonKey> make_keys() {
       {"", "time", "table [time]", "no time", "the moments that frames show"},
       {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
+      {"", "questions", "tables [[questions]]", "none", "what frames ask before they tell it"},
       {"", "expect", "table [expect]", required, "what the run must come to; it is checked"},
 
       {"shapes", "X", "table [shapes.X]", required, "shape X; a point query has a single vertex"},
@@ -120,6 +121,12 @@ std::vector<LessonKey> make_keys() {
        "none", "blocks from top to bottom"},
       {"panel", "listing", one_of<Listing>(), "none",
        "what the block `pseudocode` shows; needed with that block and only then"},
+
+      {"questions", "ask", one_of<Ask>(), required,
+       "the next support point, the region that holds the query point, the vertices dropped, or "
+       "whether the run stops and why"},
+      {"questions", "at", fmt::format("whole number from 1 to {}", kCap), "each that can",
+       "iteration that answers"},
 
       {"expect", "stop",
        "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "

@@ -22,6 +22,7 @@ bool tells_slab(const Story& story) {
 }
 
 void write(const Story& story, FrameText& text) {
+  if (story.frame.question >= 0) return captions::question(story, text);
   const Granularity granularity = story.run.lesson.granularity;
   if (granularity == Granularity::pairs) return captions::pairs(story, text);
   if (story.frame.step < 0) return captions::start(story, text);
@@ -105,6 +106,10 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   text.values = values_of(story);
   text.phase = frame.step < 0 ? "start" : std::string(name_of(run.step(frame).phase));
   text.iteration = frame.step < 0 ? 0 : run.step(frame).iteration;
+  if (frame.question >= 0) {
+    text.phase = "question";
+    text.iteration = run.run(frame).trace.steps[frame.answer].iteration;
+  }
   text.prose = expand(run.lesson.prose,
                       std::map<std::string, std::string>(text.values.begin(), text.values.end()));
   return text;

@@ -96,6 +96,11 @@ std::string position_of(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
   const int count = static_cast<int>(run.frames.size());
   const Granularity granularity = run.lesson.granularity;
+  if (frame.question >= 0) {
+    // How many iterations there are would tell whether this is the last.
+    return fmt::format("iteration {} · question",
+                       run.run(frame).trace.steps[frame.answer].iteration);
+  }
   if (granularity == Granularity::phase || granularity == Granularity::iteration) {
     if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
@@ -148,6 +153,38 @@ struct View {
 
 }  // namespace
 
+std::string alternative_text(const FrameText& text) {
+  return text.detail.empty() ? text.caption : text.caption + " " + text.detail;
+}
+
+namespace {
+
+/// The last frame answers the questions that were asked right before it.
+void tell_answers(std::vector<FrameText>& texts) {
+  FrameText& answering = texts.back();
+  std::string answers;
+  for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
+    const std::string& answer = texts[i - 1].question->answer;
+    answers = answers.empty() ? answer : answer + "; " + answers;
+  }
+  if (answers.empty()) return;
+  const bool starts_so = answering.caption.starts_with(answers + " ");
+  answering.caption =
+      fmt::format("Answer: {}{}", starts_so ? "" : answers + ". ", answering.caption);
+}
+
+}  // namespace
+
+std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects) {
+  std::vector<FrameText> texts;
+  for (const Frame& frame : run.frames) {
+    texts.push_back(frame_text(run, effects, frame));
+    texts.back().position = position_of(run, static_cast<int>(texts.size()) - 1);
+    if (frame.question < 0) tell_answers(texts);
+  }
+  return texts;
+}
+
 Page page_of(int width, int height) {
   const Page smallest;
   const double zoom = std::min(width / smallest.width, height / smallest.height);
@@ -159,12 +196,11 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
   const double width = page.width;
   const double height = page.height;
   const double text_width = width - 2.0 * kMargin;
-  std::vector<FrameText> texts;
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
   std::size_t prose_lines = 0;
-  for (const Frame& frame : run.frames) {
-    texts.push_back(frame_text(run, effects, frame));
+  for (const FrameText& text : texts) {
     prose_lines =
-        std::max(prose_lines, wrapped(fonts, type::kProse, texts.back().prose, text_width).size());
+        std::max(prose_lines, wrapped(fonts, type::kProse, text.prose, text_width).size());
   }
   const Layout layout = layout_of(run, static_cast<int>(prose_lines), width, height);
 
@@ -221,8 +257,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
     };
 
     write("title", {kMargin, 44.0}, run.lesson.title, type::kTitle);
-    write("position", {width - kMargin, 44.0}, position_of(run, static_cast<int>(index)),
-          type::kPosition, Align::right);
+    write("position", {width - kMargin, 44.0}, text.position, type::kPosition, Align::right);
     double y = layout.prose_y;
     for (const std::string& line : wrapped(fonts, type::kProse, text.prose, text_width)) {
       write("prose", {kMargin, y}, line, type::kProse);
@@ -266,7 +301,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
 
     y = layout.caption_y;
     for (const std::string& line : wrapped(fonts, type::kCaption, text.caption, text_width)) {
-      write("caption", {kMargin, y}, line, type::kCaption);
+      write(text.question ? "caption.question" : "caption", {kMargin, y}, line, type::kCaption);
       y += kCaptionLine;
     }
     for (const std::string& line : wrapped(fonts, type::kDetail, text.detail, text_width)) {

@@ -1,6 +1,7 @@
 #pragma once
 // Lesson + run + effects -> pictures: the layout of a frame, and the words that go with it.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,17 +11,32 @@
 
 namespace gjkscope {
 
-/// The words and numbers of a frame: what the sidecar file, the contact sheet and the alternative
-/// text say.
+/// What a frame asks.
+struct FrameQuestion {
+  std::string ask;                   ///< "support", ...
+  std::vector<std::string> choices;  ///< As the frame lists them.
+  std::string answer;                ///< The next frame that asks nothing tells it.
+};
+
+/// The words and numbers of a frame: what the sidecar file, the contact sheet, the transcript and
+/// the alternative text say.
 struct FrameText {
-  std::string caption;  ///< What happened and why, from this step's values.
-  std::string detail;   ///< The numbers behind it, and what comes next.
-  std::string prose;    ///< The lesson's prose, placeholders filled in.
-  std::string phase;    ///< "closest", ..., or "start"
-  int iteration = 0;    ///< From 1; 0 before the first.
+  std::string caption;   ///< What happened and why, from this step's values.
+  std::string detail;    ///< The numbers behind it, and what comes next.
+  std::string prose;     ///< The lesson's prose, placeholders filled in.
+  std::string phase;     ///< "closest", ..., or "start"
+  int iteration = 0;     ///< From 1; 0 before the first.
+  std::string position;  ///< Where in the lesson it is: "iteration 2 of 4 · support".
   std::vector<std::pair<std::string, std::string>>
       values;  ///< Name and printed value, in reading order.
+  std::optional<FrameQuestion> question;
 };
+
+/// What a frame says to who cannot see it: the alternative text of its figure.
+[[nodiscard]] std::string alternative_text(const FrameText& text);
+
+/// The words of all frames of a lesson, in order; nothing is drawn for them.
+[[nodiscard]] std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects);
 
 struct FramePicture {
   Picture picture;

@@ -16,6 +16,7 @@ struct Tick {
   std::string label;
   std::string short_label;  ///< Where the label is wider than the tick.
   bool event = false;       ///< A vertex dropped, containment, the end.
+  bool question = false;
 };
 struct Group {
   std::string label;
@@ -31,8 +32,15 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
   const Granularity granularity = run.lesson.granularity;
   const int per_x = static_cast<int>(run.lesson.y.vertices.size());
   const int all = static_cast<int>(run.lesson.x.vertices.size()) * per_x;
-  for (const Frame& frame : run.frames) {
-    if (granularity == Granularity::path) {
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    if (frame.question >= 0) {
+      // A question belongs to the group of its answer.
+      const int iteration = run.run(frame).trace.steps[frame.answer].iteration;
+      const bool in_tests = granularity == Granularity::test;
+      (in_tests ? groups.back() : group(format("iteration {}", iteration)))
+          .ticks.push_back({"question", "", false, true});
+    } else if (granularity == Granularity::path) {
       const SimplexWords words(run, run.state(frame).simplex);
       const gjk::Face face = run.state(frame).region;
       group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face))
@@ -124,9 +132,16 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   constexpr double kGroupGap = 18.0;
   constexpr double kTickGap = 5.0;
   constexpr double kWidest = 116.0;
+  constexpr double kQuestionWidth = 10.0;
   const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) +
                       kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
-  const double width = std::min(kWidest, (area.size().x() - gaps) / count);
+  const int questions =
+      static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(),
+                                     [](const Frame& frame) { return frame.question >= 0; }));
+  const double width = std::min(
+      kWidest, (area.size().x() - gaps - kQuestionWidth * questions) / (count - questions));
+  // What comes after a question would answer it.
+  const bool asks = run.frames[static_cast<std::size_t>(current)].question >= 0;
   double x = area.min.x();
   int index = 0;
   const double bar_y = area.min.y() + 14.0;
@@ -134,15 +149,24 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   for (const Group& group : groups) {
     const int first = index;
     const double group_x = x;
+    if (asks && first > current) break;
+    std::vector<double> centers;
     for (const Tick& tick : group.ticks) {
+      if (asks && index > current) break;
       const bool now = index == current;
       const std::string role = now               ? "timeline.current"
                                : index < current ? "timeline.done"
                                                  : "timeline.ahead";
-      marks.push_back({role, Box{{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}}, 4.0}});
+      const double tick_width = tick.question ? kQuestionWidth : width;
+      centers.push_back(x + 0.5 * tick_width);
+      if (tick.question) {
+        marks.push_back({role, Disk{{centers.back(), bar_y + 5.0}, 0.5 * kQuestionWidth}});
+      } else {
+        marks.push_back({role, Box{{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}}, 4.0}});
+      }
       if (tick.event)
         marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});
-      x += width + kTickGap;
+      x += tick_width + kTickGap;
       ++index;
     }
     const double group_end = x - kTickGap;
@@ -164,7 +188,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     const auto place = [&](int k, const std::string& label, bool now) {
       const TextStyle tick_style = now ? type::kTickBold : type::kTick;
       const double half = 0.5 * fonts.width(tick_style, label);
-      const double center = std::clamp(group_x + (k - first) * (width + kTickGap) + 0.5 * width,
+      const double center = std::clamp(centers[static_cast<std::size_t>(k - first)],
                                        area.min.x() + half, area.max.x() - half);
       constexpr double kSpace = 6.0;
       for (const auto& [low, high] : taken) {

@@ -22,11 +22,12 @@ TEST(Program, HelpNamesEveryCommandAndEveryExitCode) {
   const Ran ran = run_program("--help");
   EXPECT_EQ(kDone, ran.exit_code);
   EXPECT_TRUE(ran.err.empty());
-  for (const char* word : {"lessons", "export", "trace", "solve", "check", "explain", "--version",
-                           "Exit codes", "Examples", "GJKSCOPE_SHARE"}) {
+  for (const char* word : {"lessons", "export", "trace", "solve", "check", "transcript", "explain",
+                           "--version", "Exit codes", "Examples", "GJKSCOPE_SHARE"}) {
     EXPECT_TRUE(holds(ran.out, word)) << word;
   }
-  for (const char* command : {"lessons", "export", "trace", "solve", "check", "explain"}) {
+  for (const char* command :
+       {"lessons", "export", "trace", "solve", "check", "transcript", "explain"}) {
     const Ran help = run_program(std::string(command) + " --help");
     EXPECT_EQ(kDone, help.exit_code);
     EXPECT_TRUE(holds(help.out, "Examples")) << command;
@@ -44,6 +45,7 @@ TEST(Program, AMistakenCommandLineIsToldOnStderr) {
        {"", "lesons", "solve", "solve --scalar quad x.json", "export --all", "export --out x",
         "export --out x --size 12by8 --all", "export --out x --steps 5..2 --all",
         "export --out x --format gif --all", "export --all polygons-gjk --out x", "--nonsense",
+        "transcript", "transcript --all polygons-gjk", "transcript polygons-gjk no-such-lesson",
         "trace no-such-lesson", "explain no-such-lesson", "export --out x no-such-lesson"}) {
     SCOPED_TRACE(arguments);
     const Ran ran = run_program(arguments);

@@ -174,10 +174,10 @@ TEST(Captions, TellTheRunOfThePentagon) {
   const double distance = std::abs(2.6 * (2.7 - 2.4) + 1.5 * (2.3 + 0.4)) / std::hypot(2.6, 1.5);
   EXPECT_EQ(frames.back().text.detail.substr(0, 23), "The distance is 1.6091.") << distance;
   EXPECT_NEAR(distance, 1.6091, 5e-5);
-  EXPECT_EQ(frames[14].text.caption, "E is dropped: P lies on CD, so its weight is 0.");
+  EXPECT_EQ(frames[16].text.caption, "Answer: E is dropped: P lies on CD, so its weight is 0.");
   EXPECT_EQ(frames[0].text.phase, "start");
-  EXPECT_EQ(frames[14].text.phase, "cull");
-  EXPECT_EQ(frames[14].text.iteration, 3);
+  EXPECT_EQ(frames[16].text.phase, "cull");
+  EXPECT_EQ(frames[16].text.iteration, 3);
 }
 
 std::vector<FramePicture> frames_of(const std::string& id) {

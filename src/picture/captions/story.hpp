@@ -102,5 +102,9 @@ void slab(const Story& story, FrameText& text);
 void answer(const Story& story, FrameText& text);
 void witness(const Story& story, FrameText& text);
 
+// question.cpp
+/// The question of a frame that asks one, what there is to choose from, and the answer.
+void question(const Story& story, FrameText& text);
+
 }  // namespace captions
 }  // namespace gjkscope

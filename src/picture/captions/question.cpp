@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "lesson/names.hpp"
+#include "lesson/questions.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using fmt::format;
+
+/// Vertices of a large shape to choose from: this many, evenly spaced, and the right one.
+constexpr int kMostVertices = 8;
+
+std::vector<std::string> some_vertices(const LessonShape& shape, int right) {
+  const int count = static_cast<int>(shape.vertex_names.size());
+  const int stride = (count + kMostVertices - 1) / kMostVertices;
+  std::vector<std::string> names;
+  for (int i = right % stride; i < count; i += stride) names.push_back(shape.vertex_names[i]);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& choices) {
+  return format("{}", fmt::join(choices, "  ·  "));
+}
+
+/// One question, as a frame puts it.
+class Asking {
+ public:
+  Asking(const Story& story, FrameText& text)
+      : story_(story),
+        text_(text),
+        run_(story.run),
+        step_(story.trace.steps[story.frame.answer]),
+        before_(state_before(story.trace, story.frame.answer)),
+        words_(run_, before_.simplex),
+        asked_(*text.question) {}
+
+  void support() {
+    const gjk::VertexPair pair = step_.after.support.pair;
+    const LessonShape& x = run_.lesson.x;
+    const LessonShape& y = run_.lesson.y;
+    asked_.choices = some_vertices(y, pair.y);
+    asked_.answer = run_.pair_name(pair);
+    if (run_.point_query()) {
+      text_.caption =
+          format("Question: which vertex of {} lies farthest along d?", story_.set_name());
+      text_.detail = listed(asked_.choices);
+      return;
+    }
+    const std::vector<std::string> of_x = some_vertices(x, pair.x);
+    text_.caption =
+        format("Question: which vertex of {} lies farthest along d, and which of {} along −d?",
+               y.name, x.name);
+    text_.detail =
+        format("{}: {}      {}: {}", y.name, listed(asked_.choices), x.name, listed(of_x));
+    std::vector<std::string> pairs;
+    for (const std::string& of_y : asked_.choices) {
+      for (const std::string& name : of_x) pairs.push_back(format("{}−{}", of_y, name));
+    }
+    asked_.choices = std::move(pairs);
+  }
+
+  void region() {
+    // Regions whose tests have failed are no choice any more.
+    const bool in_tests = run_.lesson.granularity == Granularity::test;
+    const gjk::detail::RegionList order =
+        gjk::detail::list_regions(before_.simplex.count, run_.lesson.options.region_order);
+    for (int i = in_tests ? story_.frame.detail + 1 : 0; i < order.count; ++i)
+      asked_.choices.push_back(words_.face(order.conditions[i].face));
+    asked_.answer = words_.face(step_.after.region);
+    text_.caption =
+        format("Question: which Voronoi region of {} holds {}?",
+               run_.point_query() ? words_.face(before_.simplex.all()) : "the simplex", story_.q);
+    text_.detail = listed(asked_.choices);
+  }
+
+  void dropped() {
+    const auto& dropped = step_.record.dropped;
+    asked_.choices = {"none"};
+    for (int i = 0; i < before_.simplex.count; ++i) asked_.choices.push_back(words_.vertex(i));
+    if (before_.simplex.count > 2) asked_.choices.emplace_back("two of them");
+    asked_.answer = dropped.empty()       ? "none"
+                    : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)
+                                          : "two of them";
+    text_.caption = format("Question: which vertex of the {} is dropped?",
+                           gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
+    text_.detail = listed(asked_.choices);
+  }
+
+  void stop() {
+    const bool stops = step_.after.stop != gjk::StopReason::running;
+    asked_.choices = {"no", "yes"};
+    asked_.answer = stops ? "yes" : "no";
+    text_.caption = "Question: does GJK stop here, and why?";
+    text_.detail = format(
+        "It stops when the support point is no news, when {} is inside, or when P gets no closer.",
+        story_.q);
+  }
+
+ private:
+  const Story& story_;
+  FrameText& text_;
+  const LessonRun& run_;
+  const gjk::Step<double, 2>& step_;
+  const gjk::State<double, 2>& before_;
+  SimplexWords words_;
+  FrameQuestion& asked_;
+};
+
+}  // namespace
+
+void question(const Story& story, FrameText& text) {
+  const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  text.question = FrameQuestion{std::string(name_of(ask)), {}, {}};
+  Asking asking(story, text);
+  switch (ask) {
+    case Ask::support:
+      return asking.support();
+    case Ask::region:
+      return asking.region();
+    case Ask::dropped:
+      return asking.dropped();
+    case Ask::stop:
+      return asking.stop();
+  }
+}
+
+}  // namespace gjkscope::captions

@@ -1,0 +1,155 @@
+#include "lesson/questions.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "lesson/load.hpp"
+#include "lesson_texts.hpp"
+
+namespace gjkscope {
+namespace {
+
+/// The pentagon of the slides: E; C; CE; D; CDE, E dropped; CD; C again.
+std::string pentagon(const std::string& granularity, const std::string& questions) {
+  return fmt::format(R"(title = "Pentagon"
+chapter = 3
+order = 1
+prose = "Evolution."
+steps.granularity = "{}"
+shapes.X.name = "Q"
+shapes.X.vertices = [[2.7, 2.3]]
+views = [{{ show = "world" }}]
+query.start = ["E"]
+expect.stop = "repeated-support"
+{}
+[shapes.Y]
+names = ["A", "B", "C", "D", "E"]
+vertices = [[-1.4, -1.6], [1.2, -1.8], [2.4, -0.4], [0.9, 2.2], [-2.0, 0.4]]
+)",
+                     granularity, questions);
+}
+
+LoadedLesson parse(const std::string& text) {
+  return parse_lesson(text, "pentagon.toml", testing::effects_of_views());
+}
+
+LessonRun ran(const std::string& granularity, const std::string& questions) {
+  LoadedLesson loaded = parse(pentagon(granularity, questions));
+  for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
+  return run_lesson(loaded.lesson.value_or(Lesson{}));
+}
+
+/// The frames that ask, each with the checks that hold for all of them.
+std::vector<Frame> asking(const LessonRun& run) {
+  std::vector<Frame> out;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    if (frame.question < 0) continue;
+    out.push_back(frame);
+    if (i == 0 || i + 1 == run.frames.size()) {
+      ADD_FAILURE() << "a question stands between what is known and what answers it";
+      continue;
+    }
+    EXPECT_EQ(run.frames[i - 1].step, frame.step) << "shows what the last frame showed";
+    EXPECT_EQ(run.frames[i - 1].detail, frame.detail);
+    EXPECT_LT(frame.step, frame.answer);
+  }
+  return out;
+}
+
+TEST(Questions, EachStandsBeforeTheFrameThatAnswers) {
+  const LessonRun plain = ran("phase", "");
+  const LessonRun run = ran("phase", R"(questions = [{ ask = "support" }])");
+  const std::vector<Frame> asked = asking(run);
+  ASSERT_EQ(asked.size(), 3u);
+  EXPECT_EQ(run.frames.size(), plain.frames.size() + 3);
+  for (const Frame& frame : asked) {
+    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[frame.answer];
+    EXPECT_EQ(step.phase, gjk::Phase::support);
+    EXPECT_EQ(run.step(frame).phase, gjk::Phase::direction);
+  }
+  std::size_t at = 0;
+  for (const Frame& frame : run.frames) {
+    if (frame.question >= 0) continue;
+    EXPECT_EQ(frame.step, plain.frames[at].step);
+    ++at;
+  }
+}
+
+TEST(Questions, OfASingleVertexAreNotAsked) {
+  // Iteration 1 has a single vertex: one region, and nothing to drop.
+  for (const char* ask : {"region", "dropped"}) {
+    const std::vector<Frame> asked =
+        asking(ran("phase", fmt::format(R"(questions = [{{ ask = "{}" }}])", ask)));
+    EXPECT_EQ(asked.size(), 2u) << ask;
+  }
+}
+
+TEST(Questions, OneIterationMayBeMeant) {
+  const LessonRun run = ran("phase", R"(questions = [{ ask = "stop", at = 3 }])");
+  const std::vector<Frame> asked = asking(run);
+  ASSERT_EQ(asked.size(), 1u);
+  const gjk::Step<double, 2>& step = run.run(asked[0]).trace.steps[asked[0].answer];
+  EXPECT_EQ(step.iteration, 3);
+  EXPECT_EQ(step.after.stop, gjk::StopReason::repeated_support);
+}
+
+TEST(Questions, AFrameForAnIterationIsAskedForAllThatItAnswers) {
+  const LessonRun run =
+      ran("iteration", R"(questions = [{ ask = "support", at = 2 }, { ask = "dropped", at = 2 }])");
+  int asked = 0;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    if (frame.question < 0) continue;
+    ++asked;
+    EXPECT_EQ(run.step(frame).iteration, 1);
+    EXPECT_EQ(run.run(frame).trace.steps[frame.answer].iteration, 2);
+  }
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Questions, ARegionIsAskedForBeforeTheTestThatHolds) {
+  LoadedLesson loaded = parse(R"(title = "Triangle"
+chapter = 2
+order = 1
+prose = "Tests."
+steps.granularity = "test"
+questions = [{ ask = "region" }]
+views = [{ show = "world" }]
+query.start = ["A", "B", "C"]
+expect.stop = "repeated-support"
+shapes.X.vertices = [[1.35, 1.45]]
+[shapes.Y]
+names = ["A", "B", "C"]
+vertices = [[-1.85, -1.05], [1.55, -0.75], [0.0, 1.7]]
+)");
+  ASSERT_TRUE(loaded.lesson);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  // The weights, regions A, B, C and AB, which fail, the question, and BC.
+  ASSERT_EQ(run.frames.size(), 7u);
+  EXPECT_EQ(run.frames[5].question, 0);
+  EXPECT_EQ(run.frames[5].detail, 3);
+  EXPECT_TRUE(run.step(run.frames[6]).record.region_tests[4].holds);
+}
+
+TEST(Questions, ThatNoFrameAsksAreAProblem) {
+  LoadedLesson loaded =
+      parse(pentagon("phase", R"(questions = [{ ask = "stop" }, { ask = "region", at = 1 }])"));
+  ASSERT_TRUE(loaded.lesson);
+  const std::vector<Problem> problems = unasked_questions(run_lesson(*loaded.lesson));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].what, "no frame asks 'region' in iteration 1");
+}
+
+TEST(Questions, NeedFramesThatAnswer) {
+  LoadedLesson loaded = parse(pentagon("answer", R"(questions = [{ ask = "stop" }])"));
+  ASSERT_EQ(loaded.problems.size(), 1u);
+  EXPECT_EQ(loaded.problems[0].what, "questions with granularity 'answer'");
+  EXPECT_EQ(loaded.problems[0].line, 10);
+  loaded = parse(pentagon("test", R"(questions = [{ ask = "stop" }])"));
+  ASSERT_EQ(loaded.problems.size(), 1u);
+  EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'test'");
+}
+
+}  // namespace
+}  // namespace gjkscope

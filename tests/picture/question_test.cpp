@@ -1,0 +1,119 @@
+// Frames that ask: what they say, what they keep to themselves, and how the next frame answers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lessons.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Choices = std::vector<std::string>;
+
+std::vector<FrameText> texts_of_frames(const Lesson& lesson) {
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  return lesson_texts(run, effects);
+}
+
+/// The question frames of a lesson, each with the frame that answers.
+struct Asked {
+  FrameText question;
+  FrameText answer;
+};
+
+std::vector<Asked> asked(const Lesson& lesson) {
+  const std::vector<FrameText> texts = texts_of_frames(lesson);
+  std::vector<Asked> out;
+  for (std::size_t i = 0; i + 1 < texts.size(); ++i) {
+    if (texts[i].question) out.push_back({texts[i], texts[i + 1]});
+  }
+  return out;
+}
+
+Lesson asking(const std::string& id, std::vector<LessonQuestion> questions) {
+  Lesson lesson = testing::shipped_lesson(id);
+  lesson.questions = std::move(questions);
+  return lesson;
+}
+
+TEST(QuestionFrames, OfThePentagon) {
+  const std::vector<Asked> all = asked(testing::shipped_lesson("polygon-evolution"));
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].question.caption, "Question: which vertex of ABCDE lies farthest along d?");
+  EXPECT_EQ(all[0].question.question->choices, (Choices{"A", "B", "C", "D", "E"}));
+  EXPECT_EQ(all[0].question.question->answer, "D");
+  EXPECT_TRUE(all[0].answer.caption.starts_with("Answer: D lies farthest along d"));
+  EXPECT_EQ(all[0].question.position, "iteration 2 · question");
+  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
+  EXPECT_EQ(all[1].question.question->answer, "E");
+  EXPECT_EQ(all[2].question.question->answer, "yes");
+  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. Stop: C is in the simplex"));
+}
+
+TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
+  const std::vector<Asked> all = asked(asking("polygons-gjk", {{Ask::support, 1}}));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].question.question->choices.size(), 20u);
+  EXPECT_EQ(all[0].question.question->answer, "L−D");
+  EXPECT_NE(all[0].question.detail.find("K  ·  L  ·  M  ·  N"), std::string::npos);
+}
+
+TEST(QuestionFrames, RegionsThatAreRuledOutAreNoChoice) {
+  const std::vector<Asked> all = asked(testing::shipped_lesson("triangle-ordered-test"));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].question.question->choices, (Choices{"BC", "CA", "ABC"}));
+  EXPECT_EQ(all[0].question.question->answer, "BC");
+}
+
+TEST(QuestionFrames, TheAnswerIsAmongTheChoices) {
+  for (const std::string id : {"polygon-evolution", "polygons-gjk", "polygon-pseudocode"}) {
+    const std::vector<Asked> all = asked(
+        asking(id, {{Ask::support, {}}, {Ask::region, {}}, {Ask::dropped, {}}, {Ask::stop, {}}}));
+    EXPECT_GT(all.size(), 6u) << id;
+    for (const Asked& one : all) {
+      const FrameQuestion& question = *one.question.question;
+      EXPECT_NE(std::find(question.choices.begin(), question.choices.end(), question.answer),
+                question.choices.end())
+          << id << ": " << one.question.caption << " " << question.answer;
+      EXPECT_TRUE(one.answer.caption.starts_with("Answer: ")) << one.answer.caption;
+    }
+  }
+}
+
+TEST(QuestionFrames, DrawWhatTheLastFrameDrewAndNothingOfWhatComes) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
+  EffectGraph effects(run);
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+  const auto count = [](const FramePicture& frame, const std::string& role) {
+    return std::count_if(frame.picture.marks.begin(), frame.picture.marks.end(),
+                         [&](const Mark& mark) { return mark.role == role; });
+  };
+  int questions = 0;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    if (!frames[i].text.question) continue;
+    ++questions;
+    EXPECT_EQ(count(frames[i], "timeline.ahead"), 0);
+    EXPECT_EQ(count(frames[i], "caption"), 0);
+    EXPECT_GE(count(frames[i], "caption.question"), 1);
+    for (const char* role : {"simplex.edge", "simplex.vertex", "support", "direction", "closest"})
+      EXPECT_EQ(count(frames[i], role), count(frames[i - 1], role)) << role;
+  }
+  EXPECT_EQ(questions, 3);
+}
+
+TEST(QuestionFrames, LeftOutTheOthersSayWhatTheySaidBefore) {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  lesson.questions.clear();
+  for (const FrameText& text : texts_of_frames(lesson)) {
+    EXPECT_FALSE(text.question);
+    EXPECT_FALSE(text.caption.starts_with("Answer")) << text.caption;
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope
