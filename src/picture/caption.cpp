@@ -94,7 +94,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   FrameText text;
   const Story story(run, effects, frame);
   write(story, text);
-  if (frame.step >= 0) {
+  if (frame.step >= 0 && frame.question < 0) {
     const auto& blocks = run.lesson.panel;
     if (std::find(blocks.begin(), blocks.end(), PanelBlock::direction_rules) != blocks.end())
       captions::direction_rules(story, effects.get<DirectionRules>(frame), text);
