@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "effects/second_run.hpp"
+#include "effects/shape_hull.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
@@ -97,11 +99,9 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   if (frame.step >= 0 && frame.question < 0) {
     const auto& blocks = run.lesson.panel;
     if (std::find(blocks.begin(), blocks.end(), PanelBlock::direction_rules) != blocks.end())
-      captions::direction_rules(story, effects.get<DirectionRules>(frame), text);
-    if (story.shows(SecondRun::kName))
-      captions::second_run(story, effects.get<SecondRun>(frame), text);
-    if (story.shows(ShapeHull::kName))
-      captions::shape_hull(story, effects.get<ShapeHull>(frame), text);
+      captions::direction_rules(story, text);
+    if (story.shows(SecondRun::kName)) captions::second_run(story, text);
+    if (story.shows(ShapeHull::kName)) captions::shape_hull(story, text);
   }
   text.values = values_of(story);
   text.phase = frame.step < 0 ? "start" : std::string(name_of(run.step(frame).phase));

@@ -92,6 +92,14 @@ void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
   }
 }
 
+double SceneBuilder::arrow_length(const Vector2d& p) const {
+  const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
+  // Where P and O are one point to the eye, nothing but the direction is to be seen.
+  if (way < kPointRadius) return kArrowLength;
+  // An arrow as long as the way to O would hide O under its head.
+  return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
+}
+
 bool SceneBuilder::shows(std::string_view effect) const {
   if (!calls_for(view, effect)) return false;
   if (run.lesson.granularity != Granularity::maps) return true;
@@ -100,14 +108,6 @@ bool SceneBuilder::shows(std::string_view effect) const {
     return stage == MapStage::voronoi || stage >= MapStage::blended;
   if (effect == SignMap::kName) return stage != MapStage::voronoi;
   return effect != MapDifference::kName || stage == MapStage::difference;
-}
-
-double SceneBuilder::arrow_length(const Vector2d& p) const {
-  const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
-  // Where P and O are one point to the eye, nothing but the direction is to be seen.
-  if (way < kPointRadius) return kArrowLength;
-  // An arrow as long as the way to O would hide O under its head.
-  return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
 }
 
 bool SceneBuilder::knows_closest_point() const {

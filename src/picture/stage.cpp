@@ -72,7 +72,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
   if (scene.shows(MapDifference::kName)) layers::map_difference(scene);
   if (scene.shows(RegionOrders::kName)) layers::short_test(scene);
   if (view.kind == ViewKind::world) {
-    if (scene.shows(ShapeHull::kName)) layers::shape_hull(scene);
+    if (calls_for(view, ShapeHull::kName)) layers::shape_hull(scene);
     layers::shapes(scene);
   }
   if (view.kind == ViewKind::difference) layers::difference(scene);

@@ -12,6 +12,12 @@
 namespace gjkscope::golden {
 namespace {
 
+std::string placement(const std::string& name, const Placement& at) {
+  std::string out = fmt::format("{} at [{}, {}]", name, at.translate.x(), at.translate.y());
+  if (at.rotate_degrees != 0.0) out += fmt::format(" turned by {}", at.rotate_degrees);
+  return out;
+}
+
 std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
   std::vector<std::string> supports;
   for (const gjk::Step<double, 2>& step : positioned.trace.steps) {
@@ -19,8 +25,9 @@ std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
       supports.push_back(run.pair_name(step.after.support.pair));
   }
   const gjk::Result<double, 2>& result = positioned.trace.result;
-  return fmt::format("  at [{}, {}]: supports {}; {}; {}; distance {}\n", positioned.position.x(),
-                     positioned.position.y(),
+  return fmt::format("  {}, {}: supports {}; {}; {}; distance {}\n",
+                     placement(run.lesson.x.name, positioned.x),
+                     placement(run.lesson.y.name, positioned.y),
                      supports.empty() ? "none" : fmt::format("{}", fmt::join(supports, " ")),
                      name_of(result.stop), name_of(result.verdict), result.distance);
 }

@@ -10,7 +10,8 @@ namespace gjkscope::captions {
 
 using fmt::format;
 
-void direction_rules(const Story& story, const DirectionRules::Value& rules, FrameText& text) {
+void direction_rules(const Story& story, FrameText& text) {
+  const DirectionRules::Value& rules = story.effects.get<DirectionRules>(story.frame);
   const auto built = [&](gjk::DirectionRule rule) {
     return std::find_if(rules.begin(), rules.end(), [&](const auto& b) { return b.rule == rule; });
   };

@@ -54,6 +54,10 @@ std::string region_reason(const Story& story) {
           story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
           story.edge_name(face));
     }
+    if (term.numerator == 0.0) {
+      return format("{} lies on {}: {} has weight 0 in the triangle, the other two are positive.",
+                    story.q, story.edge_name(face), story.words.vertex(term.vertex));
+    }
     if (story.run.point_query()) {
       const std::vector<int> ends = story.words.order(face);
       return format(

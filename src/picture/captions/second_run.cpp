@@ -39,7 +39,8 @@ double degrees_between(const Vector2d& a, const Vector2d& b) {
 
 }  // namespace
 
-void second_run(const Story& story, const SecondRun::Value& second, FrameText& text) {
+void second_run(const Story& story, FrameText& text) {
+  const SecondRun::Value& second = story.effects.get<SecondRun>(story.frame);
   const gjk::Step<double, 2>* step = step_beside(second, story.run, story.frame);
   if (!step) return;
   const std::string first = at_the_start(arithmetic(story.run.lesson.scalar));
@@ -88,7 +89,7 @@ void second_run(const Story& story, const SecondRun::Value& second, FrameText& t
               : format("It finds {} inside, at distance 0: the wrong support point hid the answer.",
                        story.q);
       if (story.trace.result.settled) {
-        text.detail += format(" No bound proves {}, so this run's answer was settled exactly, too.",
+        text.detail += format(" No bound proves {}, so this run's answer was settled exactly.",
                               story.distance());
       }
       return;

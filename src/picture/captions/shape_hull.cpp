@@ -10,7 +10,8 @@ namespace gjkscope::captions {
 
 using fmt::format;
 
-void shape_hull(const Story& story, const ShapeHull::Value& hulls, FrameText& text) {
+void shape_hull(const Story& story, FrameText& text) {
+  const ShapeHull::Value& hulls = story.effects.get<ShapeHull>(story.frame);
   if (!story.run.point_query() || hulls.y.inside.empty()) return;
   const std::string inside = story.run.lesson.y.vertex_names[hulls.y.inside[0]];
   if (story.phase_is(gjk::Phase::support)) {

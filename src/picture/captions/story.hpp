@@ -6,9 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "effects/direction_rules.hpp"
-#include "effects/second_run.hpp"
-#include "effects/shape_hull.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"
 
@@ -79,14 +76,15 @@ void balance(const Story& story, FrameText& text);
 // maps.cpp
 void maps(const Story& story, FrameText& text);
 void orders(const Story& story, FrameText& text);
+
 // direction_rules.cpp: how far d = O - P is from being perpendicular
-void direction_rules(const Story& story, const DirectionRules::Value& rules, FrameText& text);
+void direction_rules(const Story& story, FrameText& text);
 
 // second_run.cpp: where the two runs part
-void second_run(const Story& story, const SecondRun::Value& second, FrameText& text);
+void second_run(const Story& story, FrameText& text);
 
 // shape_hull.cpp: what a vertex inside of the hull is to GJK
-void shape_hull(const Story& story, const ShapeHull::Value& hulls, FrameText& text);
+void shape_hull(const Story& story, FrameText& text);
 
 // difference.cpp
 void pairs(const Story& story, FrameText& text);
