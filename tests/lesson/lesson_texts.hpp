@@ -98,10 +98,6 @@ show = "difference"
 blocks = ["pseudocode", "weights"]
 listing = "gjk"
 
-[[questions]]
-ask = "region"
-at = 2
-
 [expect]
 stop = "no-progress"
 supports = ["K-B"]

@@ -101,9 +101,6 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
   EXPECT_EQ(lesson.panel, (std::vector<PanelBlock>{PanelBlock::pseudocode, PanelBlock::weights}));
   EXPECT_EQ(lesson.listing, Listing::gjk);
-  ASSERT_EQ(lesson.questions.size(), 1u);
-  EXPECT_EQ(lesson.questions[0].ask, Ask::region);
-  EXPECT_EQ(lesson.questions[0].at, 2);
   EXPECT_EQ(lesson.expect.stop, gjk::StopReason::no_progress);
   EXPECT_EQ(lesson.expect.supports, (std::vector<std::string>{"K-B"}));
   EXPECT_EQ(lesson.expect.distance, 2.5);
@@ -383,10 +380,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "block 'pseudocode' without a 'listing'"},
         Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "[]\nlisting = ¦\"gjk\"",
                 "'listing' without the block 'pseudocode'"},
-        Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]", "3 views"},
-        Refused{"\"region\"", "¦\"regoin\"", "unknown question 'regoin'", "region"},
-        Refused{"at = 2", "at = 2\n[[questions]]\nask = ¦\"region\"",
-                "question 'region' is asked twice"}));
+        Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]", "3 views"}));
 
 TEST(Load, TimeHasMomentsForEachPosition) {
   const std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");

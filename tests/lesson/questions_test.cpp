@@ -145,10 +145,32 @@ TEST(Questions, NeedFramesThatAnswer) {
   LoadedLesson loaded = parse(pentagon("answer", R"(questions = [{ ask = "stop" }])"));
   ASSERT_EQ(loaded.problems.size(), 1u);
   EXPECT_EQ(loaded.problems[0].what, "questions with granularity 'answer'");
-  EXPECT_EQ(loaded.problems[0].line, 10);
+  EXPECT_EQ(loaded.problems[0].line, 11);
   loaded = parse(pentagon("test", R"(questions = [{ ask = "stop" }])"));
   ASSERT_EQ(loaded.problems.size(), 1u);
   EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'test'");
+}
+
+TEST(Questions, AreReadAndMistakesFound) {
+  const LessonRun run = ran("phase", R"(questions = [{ ask = "region", at = 2 }])");
+  ASSERT_EQ(run.lesson.questions.size(), 1u);
+  EXPECT_EQ(run.lesson.questions[0].ask, Ask::region);
+  EXPECT_EQ(run.lesson.questions[0].at, 2);
+
+  const auto problems = [](const std::string& questions) {
+    const LoadedLesson loaded = parse(pentagon("phase", questions));
+    EXPECT_EQ(loaded.problems.size(), 1u) << questions;
+    return loaded.problems.empty() ? Problem{} : loaded.problems[0];
+  };
+  const Problem misspelled = problems(R"(questions = [{ ask = "regoin" }])");
+  EXPECT_EQ(misspelled.what, "unknown question 'regoin'");
+  EXPECT_EQ(misspelled.nearest, "region");
+  EXPECT_EQ((std::pair{misspelled.line, misspelled.column}), (std::pair{11, 22}));
+  const Problem twice = problems(R"(questions = [{ ask = "stop" }, { ask = "stop", at = 2 }])");
+  EXPECT_EQ(twice.what, "question 'stop' is asked twice");
+  EXPECT_EQ(twice.column, 40);
+  EXPECT_EQ(problems("questions = [{ at = 2 }]").column, 14);
+  EXPECT_EQ(problems(R"(questions = [{ ask = "stop", at = 0 }])").column, 35);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[0].question.question->answer, "D");
   EXPECT_TRUE(all[0].answer.caption.starts_with("Answer: D lies farthest along d"));
   EXPECT_EQ(all[0].question.position, "iteration 2 · question");
-  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
+  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "E", "C", "D", "two of them"}));
   EXPECT_EQ(all[1].question.question->answer, "E");
   EXPECT_EQ(all[2].question.question->answer, "yes");
   EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. Stop: C is in the simplex"));
