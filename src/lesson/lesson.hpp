@@ -156,7 +156,8 @@ struct Lesson {
   LessonShape y;
   ScalarKind scalar = ScalarKind::double_;
   std::optional<ScalarKind> beside;  ///< Of a second run, for the effect "second-run".
-  gjk::Options options;
+  /// Start at the first vertices, unless told otherwise.
+  gjk::Options options = {.start_count = 1};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
   Granularity granularity = Granularity::phase;

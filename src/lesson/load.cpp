@@ -296,9 +296,8 @@ void LessonReader::read_query(const Table& query) {
 }
 
 void LessonReader::read_start(const Field& start) {
-  gjk::Options& options = lesson_.options;
-  options.start_count = 1;
   if (!start) return;
+  gjk::Options& options = lesson_.options;
   if (start.node->is_string()) {
     const std::vector<std::string> known = {"centre-to-centre"};
     if (reader_.name(start, "start", known)) options.start_count = 0;

@@ -59,8 +59,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
     } else if (granularity == Granularity::time) {
       const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
       const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
-      const auto weight = [&](int i) {
-        return fixed(weights.numerator[i] / weights.denominator, 2);
+      const auto weight = [&](int k) {
+        return fixed(weights.numerator[k] / weights.denominator, 2);
       };
       group(format("u = {}, v = {}", weight(0), weight(1)))
           .ticks.push_back({fixed(run.seconds(frame), 2) + " s", "", false});
