@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "picture/layers/layers.hpp"
@@ -16,8 +17,11 @@ using namespace sizes;
 constexpr double kDrop = 0.47;        // of the beam below its segment, in lengths of the segment
 constexpr double kFoot = 0.05;        // half the width of the support's foot, in the same unit
 constexpr double kMassRadius = 24.0;  // of mass 1; areas are as masses
+constexpr double kLargestRadius = 240.0;  // beyond that a mass hides the stage
 
-double radius_of(double weight) { return kMassRadius * std::sqrt(std::abs(weight)); }
+double radius_of(double weight) {
+  return std::min(kMassRadius * std::sqrt(std::abs(weight)), kLargestRadius);
+}
 
 /// A mass stands on its end of the beam; one that would have to be negative is only outlined.
 void mass(SceneBuilder& scene, int vertex, double weight, const Point& end, const Point& up) {
