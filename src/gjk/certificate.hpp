@@ -188,15 +188,22 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
   set(out.y, query.y, &VertexPair::y, prepared.y_turned);
 }
 
-/// True when every weight of the full simplex around O is positive beyond doubt: a determinant of D
-/// vertices, none longer than r and each in doubt by e + u r, errs by less than r^(D-1) (D e +
+/// What rounding can do to a determinant of D vertices with no coordinate larger than `size`: when
+/// none is longer than r and each in doubt by e + u r, it errs by less than r^(D-1) (D e +
 /// 8 D D! u r).
 template <class R, int D>
-[[nodiscard]] bool surely_inside(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
-  const R r = ScalarTraits<R>::from(D == 2 ? 1.5 : 1.8) * largest_coordinate(simplex);
+[[nodiscard]] R volume_error(const R& size, const Prepared<R, D>& prepared) {
+  const R r = ScalarTraits<R>::from(D == 2 ? 1.5 : 1.8) * size;
   R error =
       R(D) * prepared.vertex_error + R(D == 2 ? 32 : 144) * ScalarTraits<R>::unit_roundoff() * r;
   for (int i = 1; i < D; ++i) error = error * r;
+  return error;
+}
+
+/// True when every weight of the full simplex around O is positive beyond doubt.
+template <class R, int D>
+[[nodiscard]] bool surely_inside(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
+  const R error = volume_error(largest_coordinate(simplex), prepared);
   Barycentric<R, D> coordinates;
   volume_coordinates(simplex, coordinates);
   for (int i = 0; i <= D; ++i) {
@@ -216,14 +223,16 @@ struct Bounds {
 
 /// How many vertices may lie as far along a direction as vertices `i` and `j`, for all that
 /// rounding lets one know.
+template <class R, class Along>
+[[nodiscard]] int count_as_far(int count, const Along& along, int i, int j, const R& error) {
+  const R certainly_nearer = std::min(R(along(i)), R(along(j))) - error;
+  int as_far = 0;
+  for (int k = 0; k < count; ++k) as_far += along(k) < certainly_nearer ? 0 : 1;
+  return as_far;
+}
 template <class R, class S, int D>
 [[nodiscard]] int count_as_far(const Along<R, S, D>& along, int i, int j, const R& error) {
-  const R certainly_nearer = std::min(along(i), along(j)) - error;
-  int count = 0;
-  for (std::size_t k = 0; k < along.vertices.size(); ++k) {
-    count += along(k) < certainly_nearer ? 0 : 1;
-  }
-  return count;
+  return count_as_far<R>(static_cast<int>(along.vertices.size()), along, i, j, error);
 }
 
 /// Of four vertices of Z the distance from O to the farthest: those that are made of the points of
@@ -258,7 +267,7 @@ struct ShapesAsked {
   /// True when certainly no vertex of Z but those of the feature lies as far along d, which is in
   /// doubt by `angle`.
   [[nodiscard]] bool is_certainly_farthest(const Flat<R>& d, const R& angle) const {
-    const R error = length(d) * (prepared.scan_error + R(2) * angle * prepared.extent);
+    const R error = length(d) * prepared.scan_error_within(angle);
     const VertexPair last = on_edge ? b : a;
     const Vec<R, 2> direction(d.x, d.y);
     return count_as_far(along_x(query, prepared, direction), a.x, last.x, error) *

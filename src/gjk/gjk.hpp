@@ -99,16 +99,6 @@ template <class R, class S, int D>
                               const Prepared<R, D>& prepared) {
   State<R, D> state = start(query, options, prepared);
   NoRecord none;
-  while (state.stop == StopReason::running) step(state, query, options, prepared, none);
-  return state;
-}
-/// The same, with all of the phases in one function and without asking after each which one is
-/// next: that would take as long as the phases.
-template <class R, class S, int D>
-[[nodiscard, gnu::flatten]] State<R, D> run_inline(const Query<S, D>& query, const Options& options,
-                                                   const Prepared<R, D>& prepared) {
-  State<R, D> state = start(query, options, prepared);
-  NoRecord none;
   while (state.stop == StopReason::running) {
     find_closest_point(state, options, none);
     cull(state, options, none);
@@ -118,6 +108,13 @@ template <class R, class S, int D>
     if (state.stop == StopReason::running) add_support(state);
   }
   return state;
+}
+/// The same, with all of the phases in one function. Not for exact arithmetic: that would take the
+/// compiler minutes and save nothing.
+template <class R, class S, int D>
+[[nodiscard, gnu::flatten]] State<R, D> run_inline(const Query<S, D>& query, const Options& options,
+                                                   const Prepared<R, D>& prepared) {
+  return run(query, options, prepared);
 }
 
 /// `state` is the end of an exact run that found P = O. True when some support plane of Z passes
@@ -150,14 +147,14 @@ template <class R, class S>
 }
 
 /// Exact products need room for all their digits: true when no coordinate is so much smaller than
-/// the run's unit that a product of it could underflow.
-template <class R, class S>
-[[nodiscard, gnu::noinline]] bool has_exact_products(const Query<S, 2>& query,
-                                                     const Prepared<R, 2>& prepared) {
+/// 2^exponent that a product of it could underflow.
+template <class S>
+[[nodiscard, gnu::noinline]] bool has_exact_products(const Query<S, 2>& query, bool same_frame,
+                                                     int exponent) {
   // Products of up to two coordinates in the world, of up to four numbers when poses turn them.
-  const double least = prepared.same_frame ? 0x1p-400 : 0x1p-200;
-  const auto has_room = [&](const S& value, int exponent) {
-    const double size = std::abs(std::ldexp(static_cast<double>(value), -exponent));
+  const double least = same_frame ? 0x1p-400 : 0x1p-200;
+  const auto has_room = [&](const S& value, int unit) {
+    const double size = std::abs(std::ldexp(static_cast<double>(value), -unit));
     return value == S(0) || (least <= size && size <= 1.0 / least);
   };
   for (const Shape<S, 2>* shape : {&query.x, &query.y}) {
@@ -165,11 +162,10 @@ template <class R, class S>
       if (!has_room(shape->pose.rotation(i / 2, i % 2), 0)) return false;
     }
     for (int k = 0; k < 2; ++k) {
-      if (!has_room(shape->pose.translation[k], prepared.exponent)) return false;
+      if (!has_room(shape->pose.translation[k], exponent)) return false;
     }
     for (const Vec<S, 2>& vertex : shape->vertices) {
-      if (!has_room(vertex[0], prepared.exponent) || !has_room(vertex[1], prepared.exponent))
-        return false;
+      if (!has_room(vertex[0], exponent) || !has_room(vertex[1], exponent)) return false;
     }
   }
   return true;
@@ -197,16 +193,14 @@ template <class R, class S>
                               Bounds<R>& bounds) {
   using Traits = ScalarTraits<R>;
   // In a unit about as large as Z, so that any power of two times the same query ends the same way.
-  Prepared<R, 2> near_one = prepared;
+  Prepared<Expansion, 2> exact;
+  exact.exponent = prepared.exponent;
   if (R(0) < prepared.reach) {
     constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
-    near_one.exponent =
+    exact.exponent =
         std::clamp(prepared.exponent + Traits::exponent(prepared.reach), -kLimit, kLimit);
-    near_one.unit = Traits::scaled(R(1), -near_one.exponent);
   }
-  if (!has_exact_products(query, near_one)) return;
-  Prepared<Expansion, 2> exact;
-  exact.exponent = near_one.exponent;
+  if (!has_exact_products(query, prepared.same_frame, exact.exponent)) return;
   exact.x_turned = prepared.x_turned;
   exact.y_turned = prepared.y_turned;
   exact.same_frame = prepared.same_frame;
@@ -237,7 +231,7 @@ template <class R, class S>
     // A denormal quotient is off by up to half of the smallest number.
     const bool denormal = distance < std::numeric_limits<R>::min();
     const R least = denormal ? std::numeric_limits<R>::denorm_min() : R(0);
-    const int exponent = near_one.exponent - prepared.exponent;
+    const int exponent = exact.exponent - prepared.exponent;
     bounds.distance = Traits::scaled(distance, exponent);
     bounds.lower = scaled_below(std::max(R(distance * (R(1) - few) - least), R(0)), exponent);
     bounds.upper = scaled_above(R(distance * (R(1) + few) + least), exponent);
@@ -273,8 +267,8 @@ template <class R, class S, int D>
     out.simplex.vertices[i] = state.best.vertices[i];
     out.simplex.weights[i] = state.best.weights[i];
   }
-  const bool at_origin = state.best_sq == R(0);
   if constexpr (Traits::kExact) {
+    const bool at_origin = state.best_sq == R(0);
     out.distance_sq = state.best_sq;
     out.distance = std::max(Traits::root(state.best_sq), Traits::root(state.plane_distance_sq));
     out.lower = Traits::root_below(state.plane_distance_sq);

@@ -53,6 +53,10 @@ struct Prepared {
   R scan_error = R(0);     ///< To the choice of a support point: how much farther along d / |d| the
                            ///< true one may lie.
   R careful_error = R(0);  ///< To a length computed with about twice the digits.
+  /// As `scan_error`, along a direction that is in doubt by `angle`, too.
+  [[nodiscard]] R scan_error_within(const R& angle) const {
+    return scan_error + R(2) * angle * extent;
+  }
   /// To |P|: the vertices of a simplex, and what is computed of them.
   [[nodiscard]] R simplex_error() const {
     return vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * reach;
@@ -76,25 +80,6 @@ template <class S, int D>
                      [&](const VertexPair& pair) {
                        return pair.x < 0 || pair.x >= x_count || pair.y < 0 || pair.y >= y_count;
                      });
-}
-
-/// y - x in the world, for two points in their shapes' frames, times `unit`. N: a type in which
-/// little or nothing rounds.
-template <class N, class R, class S, int D>
-[[nodiscard]] std::array<N, D> careful_difference(const Query<S, D>& query, const Vec<R, D>& x,
-                                                  const Vec<R, D>& y, const R& unit) {
-  const auto exact = [&](const R& value) { return N{value}; };
-  const auto from = [&](const S& value) { return N{ScalarTraits<R>::from(value)}; };
-  std::array<N, D> out;
-  for (int row = 0; row < D; ++row) {
-    out[row] = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
-               exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
-    for (int k = 0; k < D; ++k) {
-      out[row] = out[row] + (from(query.y.pose.rotation(row, k)) * exact(y[k] * unit) -
-                             from(query.x.pose.rotation(row, k)) * exact(x[k] * unit));
-    }
-  }
-  return out;
 }
 
 /// How much longer than a vector its image under `pose` can be: 1 for a rotation.
@@ -121,9 +106,18 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] R measure_offset_of_centres(const Query<S, D>& query,
                                                          Prepared<R, D>& prepared) {
-  const auto offset =
-      careful_difference<DoubleWord<R>>(query, prepared.x_centre, prepared.y_centre, prepared.unit);
-  for (int i = 0; i < D; ++i) prepared.offset[i] = offset[i].hi;
+  const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
+  const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
+  const R& unit = prepared.unit;
+  for (int row = 0; row < D; ++row) {
+    DoubleWord<R> offset = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
+                           exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
+    for (int k = 0; k < D; ++k) {
+      offset = offset + (from(query.y.pose.rotation(row, k)) * exact(prepared.y_centre[k] * unit) -
+                         from(query.x.pose.rotation(row, k)) * exact(prepared.x_centre[k] * unit));
+    }
+    prepared.offset[row] = offset.hi;
+  }
   return length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
          length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
 }

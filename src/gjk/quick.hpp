@@ -41,40 +41,24 @@ struct Body {
   }
   [[nodiscard]] Flat<double> placed(int i) const { return rotated(from_centre(i)); }
 
-  /// Of a direction in the world, the first vertex that lies farthest along it; two chains of
-  /// comparisons, as in detail::scan.
+  /// Of a direction in the world, the first vertex that lies farthest along it.
   [[nodiscard]] int farthest(const Flat<double>& d) const {
     const Flat<double> local = to_local(d);
-    if (centred) return scan([&](int i) { return dot(local, vertex(i) - centre); });
-    return scan([&](int i) { return dot(local, vertex(i)); });
+    if (centred) {
+      return detail::scan<double>(count, [&](int i) { return dot(local, vertex(i) - centre); });
+    }
+    return detail::scan<double>(count, [&](int i) { return dot(local, vertex(i)); });
   }
-  /// As detail::count_as_far.
   [[nodiscard]] int count_as_far(const Flat<double>& d, int i, int j, double error) const {
     const Flat<double> local = to_local(d);
-    const auto along = [&](int k) { return dot(local, from_centre(k)); };
-    const double certainly_nearer = std::min(along(i), along(j)) - error;
-    int as_far = 0;
-    for (int k = 0; k < count; ++k) as_far += along(k) < certainly_nearer ? 0 : 1;
-    return as_far;
+    return detail::count_as_far<double>(
+        count, [&](int k) { return dot(local, from_centre(k)); }, i, j, error);
   }
 
  private:
   [[nodiscard]] Flat<double> to_local(const Flat<double>& d) const {
     if (!turned) return d;
     return {rotation[0] * d.x + rotation[1] * d.y, rotation[2] * d.x + rotation[3] * d.y};
-  }
-  template <class Along>
-  [[nodiscard]] int scan(const Along& along) const {
-    detail::Farthest<double> even{0, along(0)};
-    detail::Farthest<double> odd = even;
-    int i = 1;
-    for (; i + 1 < count; i += 2) {
-      odd.offer_next(i, along(i));
-      even.offer_next(i + 1, along(i + 1));
-    }
-    if (i < count) odd.offer_next(i, along(i));
-    even.offer(odd.index, odd.value);
-    return even.index;
   }
 };
 
@@ -290,7 +274,7 @@ struct Asked {
     const bool on_edge = simplex.count == 2;
     const VertexPair first = simplex.a.pair;
     const VertexPair last = on_edge ? simplex.b.pair : first;
-    const double error = length(d) * (prepared.scan_error + 2.0 * angle * prepared.extent);
+    const double error = length(d) * prepared.scan_error_within(angle);
     return bodies.x.count_as_far(-d, first.x, last.x, error) *
                bodies.y.count_as_far(d, first.y, last.y, error) ==
            (on_edge ? 2 : 1);
@@ -315,8 +299,7 @@ struct Asked {
     return std::max(std::abs(v.x), std::abs(v.y));
   };
   const double size = std::max(std::max(norm_max(a), norm_max(b)), norm_max(c));
-  const double r = 1.5 * size;
-  const double error = (2.0 * prepared.vertex_error + 32.0 * u * r) * r;
+  const double error = detail::volume_error(size, prepared);
   const double least =
       std::min(std::min(std::abs(cross(b, c)), std::abs(cross(a, c))), std::abs(cross(a, b)));
   const Flat<double> p{simplex.weight_a * a.x + simplex.weight_b * b.x + simplex.weight_c * c.x,

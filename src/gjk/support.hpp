@@ -67,12 +67,11 @@ struct Farthest {
   }
 };
 
-/// The first vertex with the largest dot product (Catto 2010, slide "Support point code"). Vertices
-/// with even and with odd indices are scanned side by side, because each step of a scan waits for
-/// the one before it.
-template <class R, class S, int D>
-[[nodiscard]] int scan(const Along<R, S, D>& along) {
-  const int count = static_cast<int>(along.vertices.size());
+/// Of `count` vertices the first with the largest `along(i)` (Catto 2010, slide "Support point
+/// code"). Vertices with even and with odd indices are scanned side by side, because each step of a
+/// scan waits for the one before it.
+template <class R, class Along>
+[[nodiscard]] int scan(int count, const Along& along) {
   Farthest<R> even{0, along(0)};
   Farthest<R> odd = even;
   int i = 1;
@@ -83,6 +82,10 @@ template <class R, class S, int D>
   if (i < count) odd.offer_next(i, along(i));
   even.offer(odd.index, odd.value);
   return even.index;
+}
+template <class R, class S, int D>
+[[nodiscard]] int scan(const Along<R, S, D>& along) {
+  return scan<R>(static_cast<int>(along.vertices.size()), along);
 }
 
 /// The vertex that `scan` would find, without looking at all of them. Along a direction the

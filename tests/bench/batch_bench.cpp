@@ -1,137 +1,105 @@
-// The batch against the scalar code, on the same float pairs: nanoseconds a pair, how many times
-// faster, and the share of pairs that the lanes handed over. One thread; the two take turns, and
-// medians over the turns are printed.
-//
-//   batch-bench [turns] [pairs]
+// The batch beside the scalar code, on the same pairs of floats.
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <string>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "bench/grid_pairs.hpp"
+#include "bench/interleave.hpp"
 #include "gjk/batch.hpp"
-#include "random_pairs.hpp"
 
 namespace {
 
-using gjk::Vec;
-using random_pairs::Pair;
+using namespace bench;
+using FloatPair = families::Pair<float>;
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+constexpr double kWanted = 4.0;  ///< Times as fast as the scalar code, as a geometric mean.
 
-template <class S>
-gjk::Pose<S, 2> pose(double angle, double x, double y) {
-  gjk::Pose<S, 2> out;
-  out.rotation << static_cast<S>(std::cos(angle)), static_cast<S>(-std::sin(angle)),
-      static_cast<S>(std::sin(angle)), static_cast<S>(std::cos(angle));
-  out.translation = Vec<S, 2>(static_cast<S>(x), static_cast<S>(y));
-  return out;
-}
-
-/// Polygons of `count` vertices and size 1, X at rest, Y turned by its pose and moved to `gap` from
-/// X; below 0 they overlap, centre distance -gap.
-std::vector<Pair<float>> at_gap(int count, int pairs, double gap, std::uint64_t seed) {
-  random_pairs::Source random(seed);
-  std::vector<Pair<float>> out;
-  while (static_cast<int>(out.size()) < pairs) {
-    Pair<float> pair;
-    pair.x = random.polygon<float>(count, 1.0, 0, 0);
-    pair.y = random.polygon<float>(count, 1.0, 0, 0);
-    const double angle = random.between(0, 6.283185307179586);
-    const double towards = random.between(0, 6.283185307179586);
-    const double reach = gap < 0 ? -gap : 4;
-    Vec<double, 2> at(reach * std::cos(towards), reach * std::sin(towards));
-    if (gap >= 0) {
-      std::vector<Vec<double, 2>> x;
-      std::vector<Vec<double, 2>> y;
-      for (const Vec<float, 2>& v : pair.x) x.push_back(v.cast<double>());
-      for (const Vec<float, 2>& v : pair.y) y.push_back(v.cast<double>());
-      const auto far =
-          gjk::distance(gjk::Query<double, 2>{{x}, {y, pose<double>(angle, at[0], at[1])}});
-      at -= (far.y - far.x) * ((far.distance - gap) / far.distance);
-    }
-    pair.y_pose = pose<float>(angle, at[0], at[1]);
-    out.push_back(std::move(pair));
-  }
-  return out;
-}
-
-std::vector<Pair<float>> of_family(random_pairs::Family family, int pairs, std::uint64_t seed) {
-  random_pairs::Source random(seed);
-  std::vector<Pair<float>> out;
-  while (static_cast<int>(out.size()) < pairs) out.push_back(random.pair<float>(family));
-  return out;
-}
-
-struct Timing {
-  std::string name;
-  std::vector<double> turns;
-  [[nodiscard]] double median() {
-    std::sort(turns.begin(), turns.end());
-    return turns[turns.size() / 2];
-  }
+struct Settings {
+  std::size_t pairs = 2000;
+  std::size_t repetitions = 31;
 };
 
-double compare(const std::string& name, const std::vector<Pair<float>>& pairs, int turns) {
+std::vector<FloatPair> in_float(const std::vector<Pair>& pairs) {
+  std::vector<FloatPair> out;
+  for (const Pair& pair : pairs) out.push_back(families::converted<float>(pair));
+  return out;
+}
+
+std::vector<FloatPair> of_family(families::Family family, std::size_t pairs) {
+  families::Source random(1);
+  std::vector<FloatPair> out;
+  while (out.size() < pairs) {
+    out.push_back(random.pair<float>(family, families::Representation::float_values));
+  }
+  return out;
+}
+
+/// Prints a line; returns how many times faster the batch is.
+double compare(const std::string& name, const std::vector<FloatPair>& pairs,
+               std::size_t repetitions) {
   gjk::Batch batch;
   std::vector<gjk::Query<float, 2>> queries;
-  for (const Pair<float>& pair : pairs) {
-    queries.push_back(pair.query());
-    batch.add(queries.back());
-  }
+  for (const FloatPair& pair : pairs) batch.add(queries.emplace_back(pair.query()));
   std::vector<gjk::BatchResult> results(pairs.size());
-  const double count = static_cast<double>(pairs.size());
-  Timing lanes{"lanes", {}};
-  Timing scalar{"scalar", {}};
   int handed_over = 0;
-  float sum = 0;
-  for (int turn = 0; turn < turns; ++turn) {
-    double start = seconds();
-    for (const gjk::Query<float, 2>& query : queries) sum += gjk::distance(query).distance;
-    scalar.turns.push_back((seconds() - start) / count * 1e9);
-    start = seconds();
-    for (int i = 0; i < 4; ++i) handed_over = batch.distance(results);
-    lanes.turns.push_back((seconds() - start) / count * 1e9 / 4);
-  }
-  int apart = 0;
-  for (const gjk::BatchResult& result : results) {
-    apart += result.verdict == gjk::Verdict::separated ? 1 : 0;
-  }
-  const double ratio = scalar.median() / lanes.median();
-  std::printf("%-20s %8.1f %8.1f %7.2f %9.3f %% %8.1f %%%s\n", name.c_str(), scalar.median(),
-              lanes.median(), ratio, 100.0 * handed_over / count, 100.0 * apart / count,
-              sum > -1 ? "" : " ");
-  return ratio;
+
+  Contestant scalar;
+  scalar.sweep = [&] {
+    double sum = 0.0;
+    for (const gjk::Query<float, 2>& query : queries) {
+      sum += static_cast<double>(gjk::distance(query).distance);
+    }
+    return sum;
+  };
+  Contestant lanes;
+  lanes.sweep = [&] {
+    handed_over = batch.distance(results);
+    return 0.0;
+  };
+  const std::vector<Timing> timings = interleave({scalar, lanes}, pairs.size(), repetitions);
+
+  const Quartiles times = ratio(timings[0], timings[1]);
+  fmt::print("{:<22}{:8.1f}{:8.1f}{:8.2f} ({:.2f} ... {:.2f}){:10.2f} %\n", name,
+             quartiles(timings[0].ns).median, quartiles(timings[1].ns).median, times.median,
+             times.low, times.high, 100.0 * handed_over / static_cast<double>(pairs.size()));
+  return times.median;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int turns = argc > 1 ? std::atoi(argv[1]) : 31;
-  const int pairs = argc > 2 ? std::atoi(argv[2]) : 2000;
-  std::printf("%-20s %8s %8s %7s %11s %10s\n", "", "scalar", "batch", "times", "handed over",
-              "separated");
-  double product = 1;
-  int sets = 0;
+  CLI::App app("Times the batch of float pairs beside the scalar code");
+  Settings settings;
+  app.add_option("--pairs", settings.pairs, "pairs a line")->check(CLI::PositiveNumber);
+  app.add_option("--repetitions", settings.repetitions, "repetitions of a line")
+      ->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+
+  fmt::print(
+      "{} pairs a line, {} interleaved repetitions, one thread. Median ns a pair, times as fast\n"
+      "with quartiles over the repetitions, pairs that the lanes handed over to the scalar "
+      "code.\n\n"
+      "{:<22}{:>8}{:>8}{:>8}{:>28}\n",
+      settings.pairs, settings.repetitions, "", "scalar", "batch", "times", "handed over");
+  double log_sum = 0.0;
+  int lines = 0;
   for (const int count : {3, 4, 8}) {
-    const auto run = [&](const char* name, double gap) {
-      product *= compare(std::to_string(count) + " " + name,
-                         at_gap(count, pairs, gap, static_cast<std::uint64_t>(count)), turns);
-      ++sets;
-    };
-    run("separated", 1.0);
-    run("gap 1e-3", 1e-3);
-    run("gap 1e-6", 1e-6);
-    run("overlap", -0.3);
+    for (const Spacing& spacing : kSpacings) {
+      PairSource random(static_cast<std::uint64_t>(count));
+      log_sum += std::log(compare(fmt::format("{} {}", count, spacing.name),
+                                  in_float(random.pairs(settings.pairs, count, spacing)),
+                                  settings.repetitions));
+      ++lines;
+    }
   }
-  std::printf("geometric mean %.2f\n", std::pow(product, 1.0 / sets));
-  for (int i = 0; i < random_pairs::kFamilyCount; ++i) {
-    compare(std::string(random_pairs::kFamilyNames[i]),
-            of_family(static_cast<random_pairs::Family>(i), pairs, 1), turns);
+  const double mean = std::exp(log_sum / lines);
+  fmt::print("geometric mean {:.2f}, wanted >= {:.2f}: {}\n\n", mean, kWanted,
+             mean >= kWanted ? "ok" : "FAIL");
+  for (int i = 0; i < families::kFamilyCount; ++i) {
+    compare(std::string(families::kFamilyNames[static_cast<std::size_t>(i)]),
+            of_family(static_cast<families::Family>(i), settings.pairs), settings.repetitions);
   }
   return 0;
 }
