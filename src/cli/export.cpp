@@ -16,9 +16,9 @@
 #include <thread>
 
 #include "cli/contact_sheet.hpp"
-#include "cli/file.hpp"
 #include "cli/frame_writer.hpp"
 #include "effects/graph.hpp"
+#include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cli/file.hpp"
+#include "lesson/file.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "lesson/decimal.hpp"
 
 namespace gjkscope {
 namespace {
@@ -276,6 +279,15 @@ class CaseReader {
   int broken_ = 0;
 };
 
+std::string points_json(const std::vector<Vector2d>& points) {
+  std::vector<std::string> pairs;
+  for (const Vector2d& point : points) {
+    assert(point.allFinite());
+    pairs.push_back(fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y())));
+  }
+  return fmt::format("[{}]", fmt::join(pairs, ", "));
+}
+
 LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char letter) {
   LessonShape shape;
   shape.name = std::move(name);
@@ -290,6 +302,18 @@ LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char
 
 std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file) {
   return CaseReader(text, file).read();
+}
+
+std::string case_json(const Case& value, std::string_view name) {
+  std::string out = "{";
+  if (!name.empty()) {
+    const std::string text = json(name).dump(-1, ' ', false, json::error_handler_t::replace);
+    out += fmt::format(R"("name": {}, )", text);
+  }
+  return out +
+         fmt::format(R"("dimension": 2, "a": {}, "b": {}}})", points_json(value.a),
+                     points_json(value.b)) +
+         "\n";
 }
 
 Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {

@@ -36,6 +36,10 @@ struct ReadCase {
 /// that cannot be read does not keep the others from being read.
 [[nodiscard]] std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file);
 
+/// One case on a line of its own, with a line break: its coordinates read back to the same bits.
+/// They must be finite. An empty name is left out.
+[[nodiscard]] std::string case_json(const Case& value, std::string_view name);
+
 /// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
 [[nodiscard]] Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar);
 

@@ -3,6 +3,7 @@
 // The file format is described in lessons/README.md.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,16 @@ namespace gjkscope {
 
 enum class ScalarKind { half, single, double_, exact };
 
+/// Of `start` the pairs that count.
+[[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
+  return a.direction_rule == b.direction_rule && a.region_order == b.region_order &&
+         a.stop_on_repeated_support == b.stop_on_repeated_support &&
+         a.stop_on_no_progress == b.stop_on_no_progress && a.tolerance == b.tolerance &&
+         a.iteration_cap == b.iteration_cap && a.certify == b.certify &&
+         a.start_count == b.start_count &&
+         std::equal(a.start.begin(), a.start.begin() + a.start_count, b.start.begin());
+}
+
 /// A shape with named vertices. world = rotate(rotate_degrees) * vertex + translate.
 struct LessonShape {
   std::string name;                       ///< "X", "Y", "Q"
@@ -20,6 +31,7 @@ struct LessonShape {
   std::vector<Eigen::Vector2d> vertices;  ///< In drawing order.
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  friend bool operator==(const LessonShape&, const LessonShape&) = default;
 };
 
 /// Steps of a lesson: one frame for each iteration, phase or region test of the run, for each
@@ -66,6 +78,7 @@ enum class ViewKind { world, difference };
 struct Camera {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double height = 1.0;
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 struct LessonView {
@@ -73,6 +86,7 @@ struct LessonView {
   std::string title;
   std::optional<Camera> camera;
   std::vector<std::string> effects;  ///< Names of registered effects (effects/registry.hpp).
+  friend bool operator==(const LessonView&, const LessonView&) = default;
 };
 
 /// Blocks of the side panel, from top to bottom.
@@ -107,6 +121,7 @@ enum class Listing { none, segment, triangle, support, gjk_point, minkowski, gjk
 struct LessonMotion {
   std::vector<Eigen::Vector2d> points;  ///< Translations at the corners of its way.
   std::vector<double> turns;            ///< Degrees counter-clockwise, one for each corner.
+  friend bool operator==(const LessonMotion&, const LessonMotion&) = default;
 };
 
 /// Positions of the shapes, one run each: the corners of X's way, or `frames` positions at equal
@@ -117,12 +132,14 @@ struct LessonPath {
   LessonMotion y;
   int frames = 0;                 ///< 0: the corners themselves.
   std::optional<double> seconds;  ///< The clock: how long all of it takes.
+  friend bool operator==(const LessonPath&, const LessonPath&) = default;
 };
 
 /// Moments of a simulation: `frames` at equal steps, from 0 to `seconds`.
 struct LessonTime {
   double seconds = 1.0;
   int frames = 2;
+  friend bool operator==(const LessonTime&, const LessonTime&) = default;
 };
 
 /// What a frame can ask before a step answers it: which support point comes next, which region
@@ -133,6 +150,7 @@ enum class Ask { support, region, dropped, stop };
 struct LessonQuestion {
   Ask ask = Ask::support;
   std::optional<int> at;  ///< The iteration that answers; without it each that can.
+  friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
 
 /// What the run must come to; the last run of a path. `check` and the tests compare.
@@ -141,6 +159,7 @@ struct Expectation {
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.
+  friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 
 struct Lesson {
@@ -171,6 +190,7 @@ struct Lesson {
   Listing listing = Listing::none;
   std::vector<LessonQuestion> questions;
   Expectation expect;
+  friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 
 }  // namespace gjkscope

@@ -176,9 +176,7 @@ void LessonReader::read_vertex_names(const Field& names, const Field& vertices,
   const std::size_t count = shape.vertices.size();
   std::vector<std::string> read;
   if (!names) {
-    const std::string stem = key == "X" ? "x" : "y";
-    for (std::size_t i = 1; i <= count; ++i) {
-      const std::string name = count == 1 ? shape.name : stem + std::to_string(i);
+    for (const std::string& name : default_vertex_names(shape, key)) {
       if (claim_vertex_name(vertices, name)) read.push_back(name);
     }
   }
@@ -751,6 +749,15 @@ std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
   std::stable_sort(lessons.begin(), lessons.end(),
                    [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   return lessons;
+}
+
+std::vector<std::string> default_vertex_names(const LessonShape& shape, std::string_view key) {
+  const std::size_t count = shape.vertices.size();
+  if (count == 1) return {shape.name};
+  const std::string stem = key == "X" ? "x" : "y";
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= count; ++i) names.push_back(stem + std::to_string(i));
+  return names;
 }
 
 std::vector<LessonText> texts_of(const Lesson& lesson) {

@@ -41,6 +41,11 @@ struct LoadedLesson {
 [[nodiscard]] std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
                                                      const std::vector<std::string>& known_effects);
 
+/// What the vertices of shape "X" or "Y" are called where a file does not name them: a single one
+/// like the shape, else x1, x2, ... or y1, y2, ...
+[[nodiscard]] std::vector<std::string> default_vertex_names(const LessonShape& shape,
+                                                            std::string_view key);
+
 /// A text that frames show, and its key for `place_of`. The loader cannot know which characters the
 /// fonts can draw (picture/type.hpp, Fonts::first_missing): whoever knows both checks these.
 struct LessonText {

@@ -249,7 +249,7 @@ void add_frames(LessonRun& run, int index) {
 }
 
 /// Half a unit in the last digit of the shortest decimal that reads back as `value`: the precision
-/// it was written with.
+/// it was written with, but at least six decimals.
 double written_precision(double value) {
   const std::string text =
       fmt::format("{}", value);  // the shortest that reads back: "12.5", "1e-07"
@@ -257,7 +257,9 @@ double written_precision(double value) {
   const std::size_t dot = text.find('.');
   const int decimals = dot == std::string::npos ? 0 : static_cast<int>(e - dot) - 1;
   const int exponent = e < text.size() ? std::stoi(text.substr(e + 1)) : 0;
-  return 0.5 * std::pow(10.0, exponent - decimals);
+  // Of a whole number, or of a short one, no more digits were needed to write it.
+  constexpr int kLeast = 6;
+  return 0.5 * std::pow(10.0, exponent - std::max(decimals, kLeast));
 }
 
 }  // namespace
@@ -313,6 +315,18 @@ LessonRun run_lesson(Lesson lesson) {
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) add_frames(run, i);
   add_question_frames(run);
   return run;
+}
+
+Case case_of(const PositionedRun& run) { return {run.x_world, run.y_world}; }
+
+Case case_of(const Lesson& lesson) {
+  const Scenery first = sceneries_of(lesson).front();
+  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S>(lesson.x.vertices);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S>(lesson.y.vertices);
+    return Case{world_vertices<S>({x, pose_of<S>(first.x)}),
+                world_vertices<S>({y, pose_of<S>(first.y)})};
+  });
 }
 
 PositionedRun run_afresh(const LessonRun& run, int index) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lesson/case.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
 
@@ -49,21 +50,27 @@ struct PositionedRun {
 
 /// What the frames of one support step show, one after the other: d, the support point of Y along
 /// d, that of X along -d, their difference.
-enum SupportDetail { kSupportDirection, kSupportOfY, kSupportOfX, kSupportOfZ };
+inline constexpr int kSupportDirection = 0;
+inline constexpr int kSupportOfY = 1;
+inline constexpr int kSupportOfX = 2;
+inline constexpr int kSupportOfZ = 3;
 
 /// What the frames of one answer show, one after the other: P and its weights, the same weights on
 /// the vertices of Y, on those of X, and the distance between what they give.
-enum WitnessDetail { kWitnessP, kWitnessY, kWitnessX, kWitnessDistance };
+inline constexpr int kWitnessP = 0;
+inline constexpr int kWitnessY = 1;
+inline constexpr int kWitnessX = 2;
+inline constexpr int kWitnessDistance = 3;
 
 /// What one frame shows.
 struct Frame {
-  int run = 0;        ///< Index into LessonRun::runs.
-  int step = -1;      ///< Index into the trace's steps; -1: the start, before the first phase.
-  int detail = -1;    ///< Granularity::test: index of the region test reached, -1 before the first.
-                      ///< Granularity::pairs: number of pairs made so far; one more than there are:
-                      ///< the hull. Granularity::support and witness: see SupportDetail and
-                      ///< WitnessDetail. Granularity::time: index of the moment. Granularity::maps,
-                      ///< orders: MapStage, OrderStage.
+  int run = 0;      ///< Index into LessonRun::runs.
+  int step = -1;    ///< Index into the trace's steps; -1: the start, before the first phase.
+  int detail = -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
+                    ///< Granularity::pairs: number of pairs made so far; one more than there are:
+                    ///< the hull. Granularity::support and witness: kSupportDirection
+                    ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
+                    ///< Granularity::maps, orders: MapStage, OrderStage.
   int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
                       ///< before it shows; the next frame that asks nothing answers.
   int answer = -1;    ///< Of a frame that asks: index of the step that answers.
@@ -91,6 +98,11 @@ struct LessonRun {
 };
 
 [[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+/// The shapes as they stand in the world, rounded as the run rounds them; of a lesson: as they
+/// stand in its first run. Finite where they can be drawn (why_not_drawn).
+[[nodiscard]] Case case_of(const PositionedRun& run);
+[[nodiscard]] Case case_of(const Lesson& lesson);
 
 /// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);

@@ -25,7 +25,7 @@ inline constexpr std::string_view kRequired = "required";
 
 /// Limits of what a lesson may hold: what a frame can show, and what a run should have to compute.
 namespace limits {
-inline constexpr int kFileBytes = 1 << 20;
+inline constexpr int kFileBytes = 1 << 21;  ///< Room for the largest shapes, all digits written.
 inline constexpr int kTitleLength = 80;
 inline constexpr int kSourceLength = 120;
 inline constexpr int kProseLength = 300;  ///< Two lines of a frame.

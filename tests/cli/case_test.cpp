@@ -2,10 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <random>
+
+#include "lesson/run.hpp"
 
 namespace gjkscope {
 namespace {
+
+using Eigen::Vector2d;
 
 const std::string kGood = R"({"dimension":2,"a":[[0,0]],"b":[[3,4],[5,6]]})";
 
@@ -165,6 +172,72 @@ TEST(Case, BecomesALessonToTrace) {
   EXPECT_EQ(ScalarKind::exact, lesson.scalar);
   EXPECT_EQ("x1", lesson.x.vertex_names[0]);
   EXPECT_EQ("y2", lesson.y.vertex_names[1]);
+}
+
+// ---- written ----
+
+/// 0.0 and -0.0 differ.
+void expect_same_bits(const std::vector<Vector2d>& points, const std::vector<Vector2d>& expected) {
+  ASSERT_EQ(points.size(), expected.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(points[i][k]),
+                std::bit_cast<std::uint64_t>(expected[i][k]))
+          << points[i][k] << " for " << expected[i][k];
+    }
+  }
+}
+
+TEST(CaseJson, IsOneLine) {
+  const Case value{{Vector2d(0, -0.0)}, {Vector2d(3, 0.1), Vector2d(1e-7, 1e300)}};
+  EXPECT_EQ(case_json(value, "two \"points\""),
+            R"({"name": "two \"points\"", "dimension": 2, "a": [[0.0, -0.0]], )"
+            R"("b": [[3.0, 0.1], [1e-07, 1e+300]]})"
+            "\n");
+  EXPECT_TRUE(case_json(value, "").starts_with(R"({"dimension": 2, "a")"));
+  EXPECT_EQ(only(case_json(value, "two \"points\"\n")).name, "two \"points\"\n");
+}
+
+TEST(CaseJson, ReadsBackToTheSameBits) {
+  std::mt19937_64 random(20100311);
+  Case value;
+  for (const double number : {0.0, -0.0, 0.1, 1e308, std::numeric_limits<double>::max(), 0x1p-1074,
+                              -0x1.fffffffffffffp-1023, 0x1p-1022, 0x1p53 + 2.0, 1.0 / 3.0})
+    value.a.emplace_back(number, -number);
+  while (value.b.size() < 10000) {
+    const Vector2d point(std::bit_cast<double>(random()), std::bit_cast<double>(random()));
+    if (point.allFinite()) value.b.push_back(point);
+  }
+  const ReadCase read = only(case_json(value, "bits"));
+  ASSERT_TRUE(read.value);
+  EXPECT_EQ(read.name, "bits");
+  expect_same_bits(read.value->a, value.a);
+  expect_same_bits(read.value->b, value.b);
+}
+
+TEST(CaseOf, ARunIsTheShapesInTheWorld) {
+  Lesson lesson = lesson_of({{Vector2d(1, 0)}, {Vector2d(2, 0), Vector2d(3, 1)}}, "placed",
+                            ScalarKind::double_);
+  lesson.x.translate = Vector2d(10, 20);
+  lesson.x.rotate_degrees = 90.0;
+  const Case placed = case_of(lesson);
+  EXPECT_NEAR(placed.a[0].x(), 10.0, 1e-15);
+  EXPECT_EQ(placed.a[0].y(), 21.0);
+  expect_same_bits(placed.b, lesson.y.vertices);
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    lesson.scalar = scalar;
+    const Case from_run = case_of(run_lesson(lesson).runs[0]);
+    expect_same_bits(case_of(lesson).a, from_run.a);
+    expect_same_bits(case_of(lesson).b, from_run.b);
+  }
+}
+
+TEST(CaseOf, AMovingLessonIsWhereItStarts) {
+  Lesson lesson = lesson_of({{Vector2d(1, 0)}, {Vector2d(2, 0)}}, "moving", ScalarKind::double_);
+  lesson.path_of_shapes.emplace().x.points = {Vector2d(5, 6), Vector2d(7, 8)};
+  EXPECT_EQ(case_of(lesson).a[0], Vector2d(6, 6));
+  EXPECT_EQ(case_of(run_lesson(lesson).runs[1]).a[0], Vector2d(8, 8));
 }
 
 }  // namespace

@@ -600,7 +600,7 @@ TEST(Load, LongLinesAreReadUpToTheLimitOfAFile) {
   const LoadedLesson beyond = parse("title = \"" + std::string(5000000, 'x') + "\"");
   ASSERT_EQ(beyond.problems.size(), 1u);
   EXPECT_EQ(to_string(beyond.problems[0]),
-            "lessons/two.toml:1:1: the file is too large; expected at most 1048576 bytes");
+            "lessons/two.toml:1:1: the file is too large; expected at most 2097152 bytes");
 }
 
 // --- files and folders --------------------------------------------------------------------------

@@ -1,5 +1,5 @@
-// Lesson files with one or several slips in them: each must give a lesson that runs to its end, or
-// problems with places. The seeds are fixed, so that a failure can be repeated.
+// Lesson files with one or several slips in them: each must give a lesson that runs to its end and
+// can be saved, or problems with places. The seeds are fixed, so that a failure can be repeated.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
+#include "lesson/save.hpp"
 #include "lesson_texts.hpp"
 
 namespace gjkscope {
@@ -243,6 +244,9 @@ void meet(const std::string& text, const std::vector<std::string>& effects, Tall
     const LessonRun run = run_lesson(*loaded.lesson);
     expect_sound(run);
     (void)check_expectation(run);
+    const LoadedLesson saved = parse_lesson(lesson_toml(*loaded.lesson), "mutant.toml", effects);
+    ASSERT_TRUE(saved.lesson) << to_string(saved.problems[0]);
+    ASSERT_EQ(*saved.lesson, *loaded.lesson);
   } else if (loaded.problems[0].what.starts_with("not TOML")) {
     ++tally.not_toml;
   } else {

@@ -15,7 +15,6 @@
 #include <thread>
 
 #include "cli/contact_sheet.hpp"
-#include "cli/file.hpp"
 #include "effects/registry.hpp"
 #include "lesson/load.hpp"
 
@@ -265,23 +264,6 @@ TEST(ContactSheet, WordsAreText) {
   EXPECT_NE(html.find("&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt; &amp; &quot;quotes&quot;"),
             std::string::npos);
   EXPECT_NE(html.find("alt=\"u &lt; v &quot;and&quot; &lt;b&gt;\""), std::string::npos);
-}
-
-TEST(WriteWhole, ReplacesAFileAndSaysWhyItCannot) {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("gjkscope-file-" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  write_whole(folder / "a", std::string_view("one"));
-  write_whole(folder / "a", std::string_view("two"));
-  EXPECT_EQ(contents(folder), (std::map<std::string, std::string>{{"a", "two"}}));
-  try {
-    write_whole(folder / "none" / "b", std::string_view("x"));
-    ADD_FAILURE() << "there is no such folder";
-  } catch (const std::runtime_error& error) {
-    EXPECT_EQ(error.what(),
-              "cannot write " + (folder / "none" / "b").string() + ": No such file or directory");
-  }
-  fs::remove_all(folder);
 }
 
 TEST(ExportResult, SummaryIsJson) {

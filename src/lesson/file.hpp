@@ -8,9 +8,13 @@
 
 namespace gjkscope {
 
-/// Writes under a temporary name in the same folder and renames. Throws std::runtime_error with the
-/// path and the system's reason; then nothing is left behind.
+/// Writes under a temporary name in the same folder and renames: whenever the process ends, there
+/// is the old file or the new one. A file that is replaced keeps its permissions, a symbolic link
+/// stays one. Throws std::runtime_error with the path and the system's reason; then nothing is left
+/// behind.
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+/// The same for what somebody wrote: the text is on the disk before it takes the old one's place,
+/// so that a power failure does not leave half of it, either.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
 /// Removes the temporary files that a killed process left in `folder`.

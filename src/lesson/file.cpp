@@ -1,7 +1,8 @@
-#include "cli/file.hpp"
+#include "lesson/file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,13 +24,24 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
          fmt::format("{}{}-{}{}", kPrefix, ::getpid(), path.filename().string(), kSuffix);
 }
 
+/// The file itself where `path` is a symbolic link to it.
+std::filesystem::path followed(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  const std::filesystem::path target = std::filesystem::canonical(path, error);
+  return error ? path : target;
+}
+
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& path)
-      : final_(path),
-        name_(temporary_name(path)),
+      : final_(followed(path)),
+        name_(temporary_name(final_)),
         descriptor_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) fail();
+    // Where the system keeps no permissions there are none to keep.
+    struct stat old = {};
+    if (::stat(final_.c_str(), &old) == 0) (void)::fchmod(descriptor_, old.st_mode & 0777);
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -47,6 +59,11 @@ class TemporaryFile {
     }
   }
 
+  void flush() const {
+    // Not every file system can.
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) fail();
+  }
+
   void keep() {
     // Network file systems report a full disk only here.
     const int closed = ::close(descriptor_);
@@ -61,7 +78,7 @@ class TemporaryFile {
         fmt::format("cannot write {}: {}", final_.string(), std::strerror(errno)));
   }
 
-  const std::filesystem::path& final_;
+  std::filesystem::path final_;
   std::filesystem::path name_;
   int descriptor_;
   bool kept_ = false;
@@ -78,7 +95,10 @@ void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view text) {
-  write_whole(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  TemporaryFile file(path);
+  file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  file.flush();
+  file.keep();
 }
 
 void remove_leftovers(const std::filesystem::path& folder) {

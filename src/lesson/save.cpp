@@ -1,0 +1,279 @@
+#include "lesson/save.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lesson/decimal.hpp"
+#include "lesson/load.hpp"
+#include "lesson/names.hpp"
+#include "lesson/problem.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kWidth = 120;  // characters of a line that can be broken
+constexpr std::string_view kIndent = "    ";
+
+/// What stands between the quotes.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\u{:04X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string as_text(std::string_view text) { return '"' + escaped(text) + '"'; }
+
+std::vector<std::string> as_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> out;
+  for (const std::string& text : texts) out.push_back(as_text(text));
+  return out;
+}
+
+template <class E>
+std::vector<std::string> names_as_texts(const std::vector<E>& values) {
+  std::vector<std::string> out;
+  for (const E value : values) out.push_back(as_text(name_of(value)));
+  return out;
+}
+
+std::string in_brackets(const Vector2d& point) {
+  return fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y()));
+}
+
+std::vector<std::string> in_brackets(const std::vector<Vector2d>& points) {
+  std::vector<std::string> out;
+  for (const Vector2d& point : points) out.push_back(in_brackets(point));
+  return out;
+}
+
+/// 0.0 and -0.0 differ.
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// Where a line of TOML's long texts may begin. Parsers skip what they take for a blank: ' ' and,
+/// some of them, Unicode's, which are in the ranges left out here.
+bool may_begin_line(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte > ' ' && byte < 0x80) || (byte >= 0xC3 && byte < 0xE0);
+}
+
+/// On one line where it fits, else filled lines that each end with a backslash.
+std::string long_text(std::string_view text, std::string_view key) {
+  const std::string short_form = as_text(text);
+  const int short_width =
+      character_count(key) + character_count(" = ") + character_count(short_form);
+  if (short_width <= kWidth || !may_begin_line(text.front())) return short_form;
+  std::string out = "\"\"\"";
+  int width = kWidth;
+  while (!text.empty()) {
+    std::size_t end = 1;  // of a word and the blanks behind it
+    while (end < text.size() && !(text[end - 1] == ' ' && may_begin_line(text[end]))) ++end;
+    const std::string word = escaped(text.substr(0, end));
+    text.remove_prefix(end);
+    width += character_count(word);
+    if (width >= kWidth) {
+      out += fmt::format("\\\n{}", kIndent);
+      width = character_count(kIndent) + character_count(word);
+    }
+    out += word;
+  }
+  return out + "\"\"\"";
+}
+
+/// The text of a file, key by key.
+class TomlText {
+ public:
+  /// The table that the next keys belong to; without any it is not written.
+  void table(std::string_view header) { header_ = header; }
+
+  void key(std::string_view name, std::string_view value) {
+    if (!header_.empty()) {
+      text_ += fmt::format("\n{}\n", header_);
+      header_.clear();
+    }
+    text_ += fmt::format("{} = {}\n", name, value);
+  }
+
+  /// On one line where it fits.
+  void list(std::string_view name, const std::vector<std::string>& entries) {
+    const std::string one_line = fmt::format("[{}]", fmt::join(entries, ", "));
+    if (character_count(name) + character_count(" = ") + character_count(one_line) <= kWidth) {
+      key(name, one_line);
+      return;
+    }
+    std::string lines = "[";
+    int width = kWidth;
+    for (const std::string& entry : entries) {
+      width += character_count(" ,") + character_count(entry);
+      if (width > kWidth) {
+        lines += fmt::format("\n{}", kIndent);
+        width = character_count(kIndent) + character_count(entry) + 1;
+      } else {
+        lines += ' ';
+      }
+      lines += entry + ",";
+    }
+    key(name, lines + "\n]");
+  }
+
+  template <class E>
+  void choice(std::string_view name, E value, E otherwise) {
+    if (value != otherwise) key(name, as_text(name_of(value)));
+  }
+  void number(std::string_view name, double value, double otherwise) {
+    if (!same_bits(value, otherwise)) key(name, decimal(value));
+  }
+  void whole_number(std::string_view name, int value, int otherwise) {
+    if (value != otherwise) key(name, std::to_string(value));
+  }
+  void text(std::string_view name, std::string_view value, std::string_view otherwise) {
+    if (value != otherwise) key(name, as_text(value));
+  }
+
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+  std::string header_;
+};
+
+void write_shape(TomlText& out, const LessonShape& shape, std::string_view key) {
+  out.table(fmt::format("[shapes.{}]", key));
+  out.text("name", shape.name, key);
+  if (shape.vertex_names != default_vertex_names(shape, key))
+    out.list("names", as_texts(shape.vertex_names));
+  out.list("vertices", in_brackets(shape.vertices));
+  if (!same_bits(shape.translate.x(), 0.0) || !same_bits(shape.translate.y(), 0.0))
+    out.key("translate", in_brackets(shape.translate));
+  out.number("rotate", shape.rotate_degrees, 0.0);
+}
+
+void write_start(TomlText& out, const Lesson& lesson) {
+  const gjk::Options& options = lesson.options;
+  if (options.start_count == 0) {
+    out.key("start", as_text("centre-to-centre"));
+    return;
+  }
+  if (options.start_count == 1 && options.start[0] == gjk::VertexPair{}) return;
+  std::vector<std::string> names;
+  for (int i = 0; i < options.start_count; ++i) {
+    const gjk::VertexPair pair = options.start[i];
+    std::string name = lesson.y.vertex_names[pair.y];
+    if (lesson.x.vertices.size() > 1) name += "-" + lesson.x.vertex_names[pair.x];
+    names.push_back(as_text(name));
+  }
+  out.list("start", names);
+}
+
+void write_query(TomlText& out, const Lesson& lesson) {
+  const Lesson defaults;
+  const gjk::Options& options = lesson.options;
+  out.table("[query]");
+  out.choice("scalar", lesson.scalar, defaults.scalar);
+  if (lesson.beside) out.key("beside", as_text(name_of(*lesson.beside)));
+  out.choice("direction", options.direction_rule, defaults.options.direction_rule);
+  out.choice("regions", options.region_order, defaults.options.region_order);
+  if (!options.stop_on_repeated_support || !options.stop_on_no_progress) {
+    std::vector<gjk::StopReason> tests;
+    if (options.stop_on_repeated_support) tests.push_back(gjk::StopReason::repeated_support);
+    if (options.stop_on_no_progress) tests.push_back(gjk::StopReason::no_progress);
+    out.list("stop", names_as_texts(tests));
+  }
+  out.number("tolerance", options.tolerance, defaults.options.tolerance);
+  out.whole_number("cap", options.iteration_cap, defaults.options.iteration_cap);
+  write_start(out, lesson);
+  if (lesson.warm_start) out.key("warm", "true");
+}
+
+void write_steps(TomlText& out, const Lesson& lesson) {
+  out.table("[steps]");
+  out.choice("granularity", lesson.granularity, Lesson().granularity);
+  if (lesson.until) out.key("until", as_text(name_of(*lesson.until)));
+  if (!lesson.phases.empty()) out.list("phases", names_as_texts(lesson.phases));
+}
+
+void write_motion(TomlText& out, const LessonMotion& motion) {
+  if (!motion.points.empty()) out.list("points", in_brackets(motion.points));
+  std::vector<std::string> turns;
+  for (const double turn : motion.turns) turns.push_back(decimal(turn));
+  if (!turns.empty()) out.list("turns", turns);
+}
+
+void write_path(TomlText& out, const LessonPath& path) {
+  out.table("[path]");
+  write_motion(out, path.x);
+  out.whole_number("frames", path.frames, 0);
+  if (path.seconds) out.key("seconds", decimal(*path.seconds));
+  out.table("[path.Y]");
+  write_motion(out, path.y);
+}
+
+void write_view(TomlText& out, const LessonView& view) {
+  out.table("[[views]]");
+  out.key("show", as_text(name_of(view.kind)));
+  out.text("title", view.title, "");
+  if (view.camera) {
+    out.key("camera", fmt::format("{{ center = {}, height = {} }}",
+                                  in_brackets(view.camera->center), decimal(view.camera->height)));
+  }
+  if (!view.effects.empty()) out.list("effects", as_texts(view.effects));
+}
+
+void write_expect(TomlText& out, const Expectation& expect) {
+  out.table("[expect]");
+  if (expect.stop) out.key("stop", as_text(name_of(*expect.stop)));
+  if (expect.supports) out.list("supports", as_texts(*expect.supports));
+  if (expect.distance) out.key("distance", decimal(*expect.distance));
+}
+
+}  // namespace
+
+std::string lesson_toml(const Lesson& lesson) {
+  TomlText out;
+  out.text("title", lesson.title, "");
+  out.key("chapter", std::to_string(lesson.chapter));
+  out.key("order", std::to_string(lesson.order));
+  out.text("source", lesson.source, "");
+  if (!lesson.prose.empty()) out.key("prose", long_text(lesson.prose, "prose"));
+  write_shape(out, lesson.x, "X");
+  write_shape(out, lesson.y, "Y");
+  write_query(out, lesson);
+  write_steps(out, lesson);
+  if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes);
+  if (lesson.time) {
+    out.table("[time]");
+    out.key("seconds", decimal(lesson.time->seconds));
+    out.key("frames", std::to_string(lesson.time->frames));
+  }
+  for (const LessonView& view : lesson.views) write_view(out, view);
+  out.table("[panel]");
+  if (!lesson.panel.empty()) out.list("blocks", names_as_texts(lesson.panel));
+  out.choice("listing", lesson.listing, Listing::none);
+  for (const LessonQuestion& question : lesson.questions) {
+    out.table("[[questions]]");
+    out.key("ask", as_text(name_of(question.ask)));
+    if (question.at) out.key("at", std::to_string(*question.at));
+  }
+  write_expect(out, lesson.expect);
+  return out.take();
+}
+
+}  // namespace gjkscope
