@@ -256,7 +256,7 @@ struct ShapesAsked {
   const Prepared<R, 2>& prepared;
   VertexPair a;
   VertexPair b;
-  bool on_edge;
+  bool on_edge = false;
 
   [[nodiscard]] R corner_reach() const { return detail::corner_reach(query, prepared); }
   [[nodiscard]] R careful_distance() const {

@@ -227,7 +227,9 @@ template <class R, class S>
     const auto& ends = end.best.vertices;
     const R distance =
         magnitude(careful_distance<R>(flat(ends[0].w), flat(ends[1].w), end.best.count == 2));
-    const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
+    // Expansions are read as doubles, whatever else R can hold.
+    const R few = R(kCarefulRoundings) *
+                  std::max(Traits::unit_roundoff(), R(ScalarTraits<double>::unit_roundoff()));
     // A denormal quotient is off by up to half of the smallest number.
     const bool denormal = distance < std::numeric_limits<R>::min();
     const R least = denormal ? std::numeric_limits<R>::denorm_min() : R(0);

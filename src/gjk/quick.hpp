@@ -64,7 +64,7 @@ struct Body {
 
 /// A vertex of the simplex.
 struct Corner {
-  Flat<double> w;
+  Flat<double> w = {};
   VertexPair pair;
 };
 
@@ -291,7 +291,6 @@ struct Asked {
 /// As detail::surely_inside, and what the phases ask of a triangle and its weights.
 [[nodiscard]] inline bool is_surely_inside(const Corners& simplex,
                                            const Prepared<double, 2>& prepared) {
-  constexpr double u = 0x1p-53;
   const Flat<double>& a = simplex.a.w;
   const Flat<double>& b = simplex.b.w;
   const Flat<double>& c = simplex.c.w;
@@ -304,7 +303,7 @@ struct Asked {
       std::min(std::min(std::abs(cross(b, c)), std::abs(cross(a, c))), std::abs(cross(a, b)));
   const Flat<double> p{simplex.weight_a * a.x + simplex.weight_b * b.x + simplex.weight_c * c.x,
                        simplex.weight_a * a.y + simplex.weight_b * b.y + simplex.weight_c * c.y};
-  return error < least && !(2.0 * u * size < norm_max(p));
+  return error < least && !(2.0 * ScalarTraits<double>::unit_roundoff() * size < norm_max(p));
 }
 
 /// As detail::set_witness_points: put together from the vertex of the largest weight.
