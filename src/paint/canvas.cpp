@@ -98,6 +98,24 @@ void average_row(const std::uint8_t* from, std::size_t stride, std::uint8_t* to,
 
 }  // namespace
 
+namespace {
+
+/// While it lives, a context of Dear ImGui is the current one; then the one that was before.
+class CurrentImGui {
+ public:
+  explicit CurrentImGui(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
+    ImGui::SetCurrentContext(context);
+  }
+  ~CurrentImGui() { ImGui::SetCurrentContext(before_); }
+  CurrentImGui(const CurrentImGui&) = delete;
+  CurrentImGui& operator=(const CurrentImGui&) = delete;
+
+ private:
+  ImGuiContext* before_;
+};
+
+}  // namespace
+
 struct Canvas::Context {
   Context(const Fonts& fonts, const Theme& the_theme, int the_width, int the_height, int factor,
           double zoom)
@@ -121,6 +139,7 @@ struct Canvas::Context {
     Image first;
     target(first);
 
+    const CurrentImGui current(nullptr);
     imgui.context = ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -168,6 +187,7 @@ struct Canvas::Context {
   }
 
   void paint(const Picture& picture, Image& image) {
+    const CurrentImGui current(imgui.context);
     target(image);
     const std::size_t list_count = build_lists(picture);
     std::vector<ImDrawList*> pointers;
@@ -218,7 +238,7 @@ struct Canvas::Context {
       list.PushTextureID(ImGui::GetIO().Fonts->TexID);
       list.PushClipRectFullScreen();
       // Texture 0 is incomplete, and then fixed-function GL draws plain colour.
-      const Placement placement{Point::Zero(), scale, nullptr};
+      const DrawPlacement placement{Point::Zero(), scale, nullptr};
       next = paint_marks(list, picture, next, theme, *fonts_in_atlas, placement);
     } while (next < picture.marks.size());
     return count;
@@ -232,6 +252,7 @@ struct Canvas::Context {
     ImGuiHandle& operator=(const ImGuiHandle&) = delete;
     ~ImGuiHandle() { close(); }
     void close() {
+      const CurrentImGui current(context);
       if (has_backend) ImGui_ImplOpenGL2_Shutdown();
       if (context) ImGui::DestroyContext(context);
       has_backend = false;

@@ -18,7 +18,7 @@ struct Image {
 };
 
 /// Draws images of `width` x `height` pixels, `zoom` pixels for each frame pixel of a picture, at
-/// `supersampling` times that size. One canvas a process at a time: Dear ImGui has one context.
+/// `supersampling` times that size. Contexts of Dear ImGui that others have are left as they are.
 class Canvas {
  public:
   /// Throws std::runtime_error saying what was tried.

@@ -172,7 +172,7 @@ Points intersect(Points polygon, const Points& inside) {
 
 class MarkPainter {
  public:
-  MarkPainter(ImDrawList& list, const AtlasFonts& fonts, const Placement& placement)
+  MarkPainter(ImDrawList& list, const AtlasFonts& fonts, const DrawPlacement& placement)
       : list_(list), fonts_(fonts), placement_(placement) {}
 
   void operator()(const Polygon& polygon) const {
@@ -392,7 +392,7 @@ class MarkPainter {
 
   ImDrawList& list_;
   const AtlasFonts& fonts_;
-  Placement placement_;
+  DrawPlacement placement_;
   const Style* style_ = nullptr;
   Points clip_outline_;
 };
@@ -461,7 +461,8 @@ const ImFont& AtlasFonts::font(const TextStyle& style) const {
 }
 
 std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t first,
-                        const Theme& theme, const AtlasFonts& fonts, const Placement& placement) {
+                        const Theme& theme, const AtlasFonts& fonts,
+                        const DrawPlacement& placement) {
   MarkPainter painter(list, fonts, placement);
   const auto corner = [&](const Point& p) {
     const Point q = placement.origin + placement.scale * p;

@@ -37,7 +37,7 @@ class AtlasFonts {
 };
 
 /// Where a picture stands in a draw list: `origin` is its upper left corner, in pixels of the list.
-struct Placement {
+struct DrawPlacement {
   Point origin = Point::Zero();
   double scale = 1.0;  ///< Pixels of the list per frame pixel; that of the fonts.
   /// Bound while shapes are drawn. Their texture coordinates are those of the font atlas's white
@@ -51,6 +51,6 @@ struct Placement {
 /// The background is the caller's.
 [[nodiscard]] std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t first,
                                       const Theme& theme, const AtlasFonts& fonts,
-                                      const Placement& placement);
+                                      const DrawPlacement& placement);
 
 }  // namespace gjkscope

@@ -118,7 +118,7 @@ std::string position_of(const LessonRun& run, int index) {
                        run.run(frame).trace.result.iterations,
                        kParts[static_cast<std::size_t>(frame.detail)]);
   }
-  const std::string position =
+  std::string position =
       fmt::format("position {} of {}", frame.run + 1, static_cast<int>(run.runs.size()));
   if (run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds)
     return fmt::format("{} · t = {} s", position, fixed(run.run(frame).time, 2));
@@ -142,14 +142,6 @@ bool shows(const Rect& card, const LabelRequest& label) {
   return (label.anchor.array() >= card.min.array()).all() &&
          (label.anchor.array() <= card.max.array()).all();
 }
-
-/// One view of the lesson over all its frames: its scenes, and the labels' memory.
-struct View {
-  StageMap map;
-  std::vector<Scene> scenes;
-  LabelPlacer placer;
-  Rect title_box;
-};
 
 }  // namespace
 
@@ -191,128 +183,184 @@ Page page_of(int width, int height) {
   return {width / zoom, height / zoom, zoom};
 }
 
-std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
-                                          const Fonts& fonts, const Page& page) {
-  const double width = page.width;
-  const double height = page.height;
-  const double text_width = width - 2.0 * kMargin;
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
-  std::size_t prose_lines = 0;
-  for (const FrameText& text : texts) {
-    prose_lines =
-        std::max(prose_lines, wrapped(fonts, type::kProse, text.prose, text_width).size());
-  }
-  const Layout layout = layout_of(run, static_cast<int>(prose_lines), width, height);
+namespace {
 
-  std::vector<View> views;
-  for (std::size_t i = 0; i < run.lesson.views.size(); ++i) {
-    const LessonView& view = run.lesson.views[i];
+/// Marks of a picture, and words on it.
+struct PageWriter {
+  Picture& picture;
+  void add(std::string role, decltype(Mark::shape) shape) {
+    picture.marks.push_back({std::move(role), std::move(shape)});
+  }
+  void write(std::string role, const Point& at, const std::string& words, const TextStyle& style,
+             Align align = Align::left) {
+    add(std::move(role), Text{at, words, style, align});
+  }
+  /// Lines downwards from `at`; returns the base line of what comes next.
+  double write_lines(const std::string& role, Point at, const std::vector<std::string>& lines,
+                     const TextStyle& style, double height) {
+    for (const std::string& line : lines) {
+      write(role, at, line, style);
+      at.y() += height;
+    }
+    return at.y();
+  }
+  void append(std::vector<Mark> marks) {
+    std::move(marks.begin(), marks.end(), std::back_inserter(picture.marks));
+  }
+};
+
+}  // namespace
+
+/// One view of the lesson: its scenes, and the labels' memory.
+struct LessonPictures::View {
+  Stage stage;
+  LabelPlacer placer;
+  Rect title_box;
+  bool has_fixed_labels = false;
+};
+
+LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
+                               const Page& page, LabelScope scope)
+    : run_(run),
+      effects_(effects),
+      fonts_(fonts),
+      page_(page),
+      scope_(scope),
+      texts_(lesson_texts(run, effects)) {
+  const double text_width = page_.width - 2.0 * kMargin;
+  std::size_t prose_lines = 0;
+  for (const FrameText& text : texts_) {
+    prose_lines =
+        std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
+  }
+  const Layout layout = layout_of(run_, static_cast<int>(prose_lines), page_.width, page_.height);
+  panel_ = layout.panel;
+  prose_y_ = layout.prose_y;
+  caption_y_ = layout.caption_y;
+  timeline_ = layout.timeline;
+  for (std::size_t i = 0; i < run_.lesson.views.size(); ++i) {
+    const LessonView& view = run_.lesson.views[i];
     const Rect& card = layout.views[i];
-    const double title_width = fonts.width(type::kViewTitle, default_title(run, view));
+    const double title_width = fonts_.width(type::kViewTitle, default_title(run_, view));
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
     const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
-    View built{StageMap(card, camera_of(run, view, card)), {}, LabelPlacer(fonts, inner), title};
-    for (const Frame& frame : run.frames)
-      built.scenes.push_back(stage_scene(run, effects, frame, view, built.map));
-    // Labels of things that stay get a place that suits every frame.
-    Obstacles all;
-    for (const Scene& scene : built.scenes) {
-      all.segments.insert(all.segments.end(), scene.obstacles.segments.begin(),
-                          scene.obstacles.segments.end());
-      for (const Obstacles::Segment& line : scene.obstacles.passing) {
-        const bool known =
-            std::any_of(all.passing.begin(), all.passing.end(),
-                        [&](const auto& other) { return other.a == line.a && other.b == line.b; });
-        if (!known) all.passing.push_back(line);
-      }
-      all.circles.insert(all.circles.end(), scene.obstacles.circles.begin(),
-                         scene.obstacles.circles.end());
+    const Camera camera = camera_of(run_, view, card);
+    views_.push_back({{card, view.kind, camera}, LabelPlacer(fonts_, inner), title});
+  }
+}
+
+LessonPictures::~LessonPictures() = default;
+
+std::vector<LessonPictures::Stage> LessonPictures::stages() const {
+  std::vector<Stage> stages;
+  for (const View& view : views_) stages.push_back(view.stage);
+  return stages;
+}
+
+Scene LessonPictures::scene(std::size_t view, const Frame& frame) const {
+  const Stage& stage = views_[view].stage;
+  return stage_scene(run_, effects_, frame, run_.lesson.views[view],
+                     StageMap(stage.card, stage.camera));
+}
+
+/// Labels of things that stay get a place that suits every frame.
+void LessonPictures::place_fixed_labels(std::size_t index, const Frame& shown) {
+  View& view = views_[index];
+  if (view.has_fixed_labels) return;
+  view.has_fixed_labels = true;
+  std::vector<Scene> scenes;
+  for (const Frame& frame : run_.frames) {
+    if (scope_ == LabelScope::lesson || &frame == &shown) scenes.push_back(scene(index, frame));
+  }
+  Obstacles all;
+  for (const Scene& of_frame : scenes) {
+    const Obstacles& more = of_frame.obstacles;
+    all.segments.insert(all.segments.end(), more.segments.begin(), more.segments.end());
+    for (const Obstacles::Segment& line : more.passing) {
+      const bool known =
+          std::any_of(all.passing.begin(), all.passing.end(),
+                      [&](const auto& other) { return other.a == line.a && other.b == line.b; });
+      if (!known) all.passing.push_back(line);
     }
-    built.placer.begin_frame(std::move(all));
-    built.placer.reserve(title);
-    std::set<std::string> placed;
-    for (const Scene& scene : built.scenes) {
-      for (const LabelRequest& label : scene.fixed_labels) {
-        if (shows(card, label) && placed.insert(label.id).second)
-          (void)built.placer.place(label, true);
-      }
+    all.circles.insert(all.circles.end(), more.circles.begin(), more.circles.end());
+  }
+  view.placer.begin_frame(std::move(all));
+  view.placer.reserve(view.title_box);
+  std::set<std::string> placed;
+  for (const Scene& of_frame : scenes) {
+    for (const LabelRequest& label : of_frame.fixed_labels) {
+      if (shows(view.stage.card, label) && placed.insert(label.id).second)
+        (void)view.placer.place(label, true);
     }
-    views.push_back(std::move(built));
+  }
+}
+
+Picture LessonPictures::picture(int index) {
+  const Frame& frame = run_.frames[static_cast<std::size_t>(index)];
+  const FrameText& text = texts_[static_cast<std::size_t>(index)];
+  const double text_width = page_.width - 2.0 * kMargin;
+  Picture picture;
+  picture.width = page_.width;
+  picture.height = page_.height;
+  picture.clip_corner = kCardCorner;
+  PageWriter page{picture};
+
+  page.write("title", {kMargin, 44.0}, run_.lesson.title, type::kTitle);
+  page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
+             Align::right);
+  page.write_lines("prose", {kMargin, prose_y_},
+                   wrapped(fonts_, type::kProse, text.prose, text_width), type::kProse, kProseLine);
+
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    place_fixed_labels(i, frame);
+    View& view = views_[i];
+    const Rect& card = view.stage.card;
+    page.add("card", Box{card, kCardCorner});
+    const int clip = static_cast<int>(picture.clips.size());
+    picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
+    Scene of_frame = scene(i, frame);
+    for (Mark& mark : of_frame.marks) mark.clip = clip;
+    page.append(std::move(of_frame.marks));
+    view.placer.begin_frame(std::move(of_frame.obstacles));
+    view.placer.reserve(view.title_box);
+    std::set<std::string> drawn;
+    for (const LabelRequest& label : of_frame.fixed_labels) {
+      if (shows(card, label) && drawn.insert(label.id).second)
+        picture.marks.push_back(view.placer.place(label, true));
+    }
+    for (const AreaLabelRequest& label : of_frame.area_labels)
+      page.append(view.placer.place_inside(label));
+    for (const LabelRequest& label : of_frame.moving_labels) {
+      if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
+    }
+    page.add(
+        "view-title.box",
+        Box{{view.title_box.min + Point(6.0, 7.0), view.title_box.max - Point(6.0, 3.0)}, 5.0});
+    page.write("view-title", card.min + Point(14.0, 26.0),
+               default_title(run_, run_.lesson.views[i]), type::kViewTitle);
+  }
+  if (panel_) {
+    page.add("card", Box{*panel_, kCardCorner});
+    page.append(panel_marks(run_, effects_, frame, fonts_, *panel_));
   }
 
-  std::vector<FramePicture> pictures;
-  for (std::size_t index = 0; index < run.frames.size(); ++index) {
-    const Frame& frame = run.frames[index];
-    const FrameText& text = texts[index];
-    Picture picture;
-    picture.width = width;
-    picture.height = height;
-    picture.clip_corner = kCardCorner;
-    const auto add = [&](std::string role, decltype(Mark::shape) shape) {
-      picture.marks.push_back({std::move(role), std::move(shape)});
-    };
-    const auto write = [&](std::string role, const Point& at, const std::string& words,
-                           const TextStyle& style, Align align = Align::left) {
-      add(std::move(role), Text{at, words, style, align});
-    };
+  const double detail_y = page.write_lines(
+      text.question ? "caption.question" : "caption", {kMargin, caption_y_},
+      wrapped(fonts_, type::kCaption, text.caption, text_width), type::kCaption, kCaptionLine);
+  page.write_lines("detail", {kMargin, detail_y},
+                   wrapped(fonts_, type::kDetail, text.detail, text_width), type::kDetail,
+                   kCaptionLine);
+  page.append(timeline_marks(run_, index, fonts_, timeline_));
+  return picture;
+}
 
-    write("title", {kMargin, 44.0}, run.lesson.title, type::kTitle);
-    write("position", {width - kMargin, 44.0}, text.position, type::kPosition, Align::right);
-    double y = layout.prose_y;
-    for (const std::string& line : wrapped(fonts, type::kProse, text.prose, text_width)) {
-      write("prose", {kMargin, y}, line, type::kProse);
-      y += kProseLine;
-    }
-
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      View& view = views[i];
-      const Rect& card = layout.views[i];
-      add("card", Box{card, kCardCorner});
-      const int clip = static_cast<int>(picture.clips.size());
-      picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
-      Scene& scene = view.scenes[index];
-      for (Mark& mark : scene.marks) {
-        mark.clip = clip;
-        picture.marks.push_back(std::move(mark));
-      }
-      view.placer.begin_frame(scene.obstacles);
-      view.placer.reserve(view.title_box);
-      std::set<std::string> drawn;
-      for (const LabelRequest& label : scene.fixed_labels) {
-        if (shows(card, label) && drawn.insert(label.id).second)
-          picture.marks.push_back(view.placer.place(label, true));
-      }
-      for (const AreaLabelRequest& label : scene.area_labels) {
-        for (Mark& mark : view.placer.place_inside(label)) picture.marks.push_back(std::move(mark));
-      }
-      for (const LabelRequest& label : scene.moving_labels) {
-        if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
-      }
-      add("view-title.box",
-          Box{{view.title_box.min + Point(6.0, 7.0), view.title_box.max - Point(6.0, 3.0)}, 5.0});
-      write("view-title", card.min + Point(14.0, 26.0), default_title(run, run.lesson.views[i]),
-            type::kViewTitle);
-    }
-    if (layout.panel) {
-      add("card", Box{*layout.panel, kCardCorner});
-      for (Mark& mark : panel_marks(run, effects, frame, fonts, *layout.panel))
-        picture.marks.push_back(std::move(mark));
-    }
-
-    y = layout.caption_y;
-    for (const std::string& line : wrapped(fonts, type::kCaption, text.caption, text_width)) {
-      write(text.question ? "caption.question" : "caption", {kMargin, y}, line, type::kCaption);
-      y += kCaptionLine;
-    }
-    for (const std::string& line : wrapped(fonts, type::kDetail, text.detail, text_width)) {
-      write("detail", {kMargin, y}, line, type::kDetail);
-      y += kCaptionLine;
-    }
-    for (Mark& mark : timeline_marks(run, static_cast<int>(index), fonts, layout.timeline))
-      picture.marks.push_back(std::move(mark));
-    pictures.push_back({std::move(picture), text});
-  }
-  return pictures;
+std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
+                                          const Fonts& fonts, const Page& page) {
+  LessonPictures pictures(run, effects, fonts, page);
+  std::vector<FramePicture> out;
+  for (int i = 0; i < static_cast<int>(run.frames.size()); ++i)
+    out.push_back({pictures.picture(i), pictures.texts()[static_cast<std::size_t>(i)]});
+  return out;
 }
 
 }  // namespace gjkscope

@@ -8,6 +8,7 @@
 
 #include "effects/graph.hpp"
 #include "picture/picture.hpp"
+#include "picture/scene.hpp"
 
 namespace gjkscope {
 
@@ -53,8 +54,52 @@ struct Page {
 /// The page of an image of `width` x `height` pixels.
 [[nodiscard]] Page page_of(int width, int height);
 
-/// All frames of a lesson. Labels keep their place from frame to frame, so frames are built in
-/// order, together.
+/// What places of labels are chosen for: all frames of the lesson, so that labels stay where they
+/// are from frame to frame; or the first frame drawn alone, which is quicker.
+enum class LabelScope { lesson, frame };
+
+/// The pictures of a lesson, each built when it is asked for. Labels of things that move keep their
+/// place from one picture asked for to the next.
+class LessonPictures {
+ public:
+  /// One view on the page: what `camera` sees of it, centred in `card`.
+  struct Stage {
+    Rect card;
+    ViewKind kind = ViewKind::world;
+    Camera camera;
+  };
+
+  /// All but `page` must outlive the pictures.
+  LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
+                 const Page& page = {}, LabelScope scope = LabelScope::lesson);
+  ~LessonPictures();
+  LessonPictures(const LessonPictures&) = delete;
+  LessonPictures& operator=(const LessonPictures&) = delete;
+
+  /// `index` is that of the frame in LessonRun::frames.
+  [[nodiscard]] Picture picture(int index);
+  [[nodiscard]] const std::vector<FrameText>& texts() const { return texts_; }
+  [[nodiscard]] std::vector<Stage> stages() const;
+
+ private:
+  struct View;
+  [[nodiscard]] Scene scene(std::size_t view, const Frame& frame) const;
+  void place_fixed_labels(std::size_t index, const Frame& shown);
+
+  const LessonRun& run_;
+  EffectGraph& effects_;
+  const Fonts& fonts_;
+  Page page_;
+  LabelScope scope_;
+  std::vector<FrameText> texts_;
+  std::vector<View> views_;
+  std::optional<Rect> panel_;
+  double prose_y_ = 0.0;
+  double caption_y_ = 0.0;
+  Rect timeline_;
+};
+
+/// All of them, in order.
 [[nodiscard]] std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& effects,
                                                         const Fonts& fonts, const Page& page = {});
 

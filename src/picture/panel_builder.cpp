@@ -22,7 +22,7 @@ PanelBuilder::PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       y(card.min.y() + 30.0) {}
 
 void PanelBuilder::add(std::string role, decltype(Mark::shape) shape) {
-  marks.push_back({std::move(role), std::move(shape)});
+  marks.push_back({std::move(role), std::move(shape), -1, subject});
 }
 
 void PanelBuilder::write(std::string role, double x, std::string text, const TextStyle& style,

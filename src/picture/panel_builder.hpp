@@ -57,9 +57,10 @@ struct PanelBuilder {
   const gjk::State<double, 2>& state;
   Numbers numbers;
   SimplexWords words;
-  double left;   ///< Of the text.
-  double right;  ///< Of the text.
-  double y;      ///< Base line of the current row.
+  double left;           ///< Of the text.
+  double right;          ///< Of the text.
+  double y;              ///< Base line of the current row.
+  Subject subject = {};  ///< Of what is written from here on.
   std::vector<Mark> marks;
 };
 

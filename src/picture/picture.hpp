@@ -58,10 +58,31 @@ struct Text {
   Align align = Align::left;
 };
 
+/// What a mark stands for, where a reader may point at it.
+struct Subject {
+  enum class Kind {
+    none,
+    vertex_of_x,  ///< `x` is its index.
+    vertex_of_y,  ///< `y` is its index.
+    shape_x,
+    shape_y,
+    difference_vertex,  ///< Of vertices `x` and `y`.
+    difference,         ///< Z as a whole.
+    region,             ///< Voronoi region of the face with the bits `x`.
+    frame,              ///< `x` is its index.
+    phase               ///< `x` is the gjk::Phase.
+  };
+  Kind kind = Kind::none;
+  int x = -1;
+  int y = -1;
+  friend bool operator==(const Subject&, const Subject&) = default;
+};
+
 struct Mark {
   std::string role;  ///< "simplex.edge"; a theme without it falls back to "simplex".
   std::variant<Polygon, Polyline, Arrow, Disk, Cross, Box, Text> shape;
   int clip = -1;  ///< Index into Picture::clips, or -1.
+  Subject subject = {};
 };
 
 struct Picture {

@@ -22,6 +22,11 @@ bool calls_for(const LessonView& view, std::string_view effect) {
 
 Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
 
+Subject subject_of(const LessonRun& run, gjk::VertexPair pair) {
+  if (run.point_query()) return {Subject::Kind::vertex_of_y, -1, pair.y};
+  return {Subject::Kind::difference_vertex, pair.x, pair.y};
+}
+
 SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                            const LessonView& of_view, const StageMap& stage_map)
     : run(lesson_run),
@@ -36,16 +41,17 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
       phase(frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase)) {}
 
-void SceneBuilder::add(std::string role, decltype(Mark::shape) shape) {
-  out.marks.push_back({std::move(role), std::move(shape)});
+void SceneBuilder::add(std::string role, decltype(Mark::shape) shape, const Subject& subject) {
+  out.marks.push_back({std::move(role), std::move(shape), -1, subject});
 }
 
-void SceneBuilder::area(std::string role, const std::vector<Point>& points) {
-  add(std::move(role), Polygon{points});
+void SceneBuilder::area(std::string role, const std::vector<Point>& points,
+                        const Subject& subject) {
+  add(std::move(role), Polygon{points}, subject);
 }
 
-void SceneBuilder::line(std::string role, const Point& a, const Point& b) {
-  add(std::move(role), Polyline{{a, b}});
+void SceneBuilder::line(std::string role, const Point& a, const Point& b, const Subject& subject) {
+  add(std::move(role), Polyline{{a, b}}, subject);
   out.obstacles.segments.push_back({a, b});
 }
 
@@ -55,8 +61,9 @@ void SceneBuilder::outline(const std::vector<Point>& points) {
   }
 }
 
-void SceneBuilder::disk(std::string role, const Point& center, double radius) {
-  add(std::move(role), Disk{center, radius});
+void SceneBuilder::disk(std::string role, const Point& center, double radius,
+                        const Subject& subject) {
+  add(std::move(role), Disk{center, radius}, subject);
   out.obstacles.circles.push_back({center, radius});
 }
 
@@ -84,11 +91,13 @@ void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const 
 void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
                                   const std::string& role) {
   if (shows_difference) {
-    disk(role + ".vertex", at_difference(vertex.w), kSimplexRadius);
+    disk(role + ".vertex", at_difference(vertex.w), kSimplexRadius, subject_of(run, vertex.pair));
     if (!run.point_query()) pair_label(vertex, role + ".label");
   } else {
-    disk(role + ".vertex", at(vertex_of_x(vertex)), kSimplexRadius);
-    disk(role + ".vertex", at(vertex_of_y(vertex)), kSimplexRadius);
+    disk(role + ".vertex", at(vertex_of_x(vertex)), kSimplexRadius,
+         {Subject::Kind::vertex_of_x, vertex.pair.x});
+    disk(role + ".vertex", at(vertex_of_y(vertex)), kSimplexRadius,
+         {Subject::Kind::vertex_of_y, -1, vertex.pair.y});
   }
 }
 

@@ -71,6 +71,9 @@ inline constexpr double kLengthOffset = 13.0;  // of a fractional length from it
 /// True when a lesson's view names this effect.
 [[nodiscard]] bool calls_for(const LessonView& view, std::string_view effect);
 
+/// A vertex of the Minkowski difference; of a point query it is a vertex of Y.
+[[nodiscard]] Subject subject_of(const LessonRun& run, gjk::VertexPair pair);
+
 /// Builds the scene of one view at one frame; each layer (picture/layers/) adds its marks and
 /// labels to `out`.
 struct SceneBuilder {
@@ -91,12 +94,12 @@ struct SceneBuilder {
   [[nodiscard]] Point vertex_at(int i) const { return at_difference(state.simplex.vertices[i].w); }
 
   // Marks; all but areas are obstacles for labels, too
-  void add(std::string role, decltype(Mark::shape) shape);
-  void area(std::string role, const std::vector<Point>& points);
-  void line(std::string role, const Point& a, const Point& b);
+  void add(std::string role, decltype(Mark::shape) shape, const Subject& subject = {});
+  void area(std::string role, const std::vector<Point>& points, const Subject& subject = {});
+  void line(std::string role, const Point& a, const Point& b, const Subject& subject = {});
   /// The closed outline as an obstacle alone.
   void outline(const std::vector<Point>& points);
-  void disk(std::string role, const Point& center, double radius);
+  void disk(std::string role, const Point& center, double radius, const Subject& subject = {});
   void arrow(std::string role, const Point& from, const Point& to);
   /// A label `radius` and a little away from its anchor, preferably on the side `towards`.
   [[nodiscard]] LabelRequest label(std::string id, std::string text, std::string role,

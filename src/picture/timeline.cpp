@@ -157,12 +157,15 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       const std::string role = now               ? "timeline.current"
                                : index < current ? "timeline.done"
                                                  : "timeline.ahead";
+      const Subject subject{Subject::Kind::frame, index};
       const double tick_width = tick.question ? kQuestionWidth : width;
       centers.push_back(x + 0.5 * tick_width);
       if (tick.question) {
-        marks.push_back({role, Disk{{centers.back(), bar_y + 5.0}, 0.5 * kQuestionWidth}});
+        marks.push_back(
+            {role, Disk{{centers.back(), bar_y + 5.0}, 0.5 * kQuestionWidth}, -1, subject});
       } else {
-        marks.push_back({role, Box{{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}}, 4.0}});
+        const Rect bar{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}};
+        marks.push_back({role, Box{bar, 4.0}, -1, subject});
       }
       if (tick.event)
         marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});

@@ -92,6 +92,7 @@ TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   for (Lesson lesson : testing::shipped_lessons()) {
     lesson.phases.clear();
+    lesson.time.reset();
     for (const Granularity granularity :
          {Granularity::answer, Granularity::support, Granularity::witness}) {
       lesson.granularity = granularity;

@@ -182,7 +182,7 @@ void bound_steps(PanelBuilder& panel) {
     int last = step;
     const auto& steps = positioned.trace.steps;
     while (last + 1 < static_cast<int>(steps.size()) && last < panel.frame.step &&
-           steps[static_cast<std::size_t>(last + 1)].iteration == iteration)
+           steps[static_cast<std::size_t>(last) + 1].iteration == iteration)
       ++last;
     const DistanceBounds& bounds = positioned.bounds[static_cast<std::size_t>(last)];
     const double middle = panel.y - 5.0;

@@ -232,7 +232,10 @@ void loop(PanelBuilder& panel) {
         view = {State::past, {}, "no"};
       }
     }
+    const std::optional<Phase> phase = line.stops_after ? Phase::stop : line.phase;
+    if (phase) panel.subject = {Subject::Kind::phase, static_cast<int>(*phase)};
     write_line(panel, line.text, view);
+    panel.subject = {};
     panel.y += kTightRow - kRow;
     first = false;
   }

@@ -4,6 +4,7 @@
 
 #include "effects/direction_rules.hpp"
 #include "picture/blocks/blocks.hpp"
+#include "picture/scene.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -16,9 +17,10 @@ bool weights_known(const PanelBuilder& panel) {
   return panel.phase() && *panel.phase() != Phase::add;
 }
 
-void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries,
-             const std::vector<std::string>& names, double x0, double x1,
-             const std::string& title) {
+void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries, bool of_x,
+             double x0, double x1, const std::string& title) {
+  const LessonShape& shape = of_x ? panel.run.lesson.x : panel.run.lesson.y;
+  const std::vector<std::string>& names = shape.vertex_names;
   panel.write("heading", x0, title, type::kHeading);
   panel.y += kRow;
   int best = -1;
@@ -31,12 +33,15 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&](const auto& seen) { return seen.index == i; });
     const bool wins = i == best;
+    panel.subject =
+        of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
     panel.write(wins ? "support.label" : "body", x0, names[i], wins ? type::kStrong : type::kBody);
     panel.write(wins ? "support.label" : "code", x1,
                 entry == entries.end() ? "–" : panel.numbers(entry->value),
                 wins ? type::kCodeBold : type::kCode, Align::right);
     panel.y += kTightRow;
   }
+  panel.subject = {};
   if (names.size() > kShown) {
     panel.write("body.muted", x0, format("and {} more", names.size() - kShown), type::kBody);
     panel.y += kTightRow;
@@ -54,6 +59,7 @@ void simplex(PanelBuilder& panel) {
   const double middle = 0.5 * panel.fonts.cap_height(type::kStrong);
   int rows = 0;
   for (int i = 0; i < panel.state.simplex.count; ++i, ++rows) {
+    panel.subject = subject_of(panel.run, panel.state.simplex.vertices[i].pair);
     panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("strong", name_at, panel.words.vertex(i), type::kStrong);
     const bool has_weight = weights_known(panel);
@@ -67,6 +73,7 @@ void simplex(PanelBuilder& panel) {
   }
   if (panel.phase() == Phase::cull) {
     for (const auto& vertex : panel.run.step(panel.frame).record.dropped) {
+      panel.subject = subject_of(panel.run, vertex.pair);
       panel.add("dropped", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
       panel.write("body.muted", name_at, panel.run.pair_name(vertex.pair), type::kStrong);
       panel.write("body.muted", x0, "dropped: weight 0", type::kBody);
@@ -75,6 +82,7 @@ void simplex(PanelBuilder& panel) {
     }
   }
   if (panel.knows_support()) {
+    panel.subject = subject_of(panel.run, panel.state.support.pair);
     panel.add("support", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("support.label", name_at, panel.run.pair_name(panel.state.support.pair),
                 type::kStrong);
@@ -89,6 +97,7 @@ void simplex(PanelBuilder& panel) {
     panel.y += kRow;
     ++rows;
   }
+  panel.subject = {};
   // Blocks below keep their place while the simplex grows and shrinks.
   for (; rows < 4; ++rows) panel.y += kRow;
 }
@@ -101,8 +110,8 @@ void scan(PanelBuilder& panel) {
     record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
   const double top = panel.y;
   if (panel.run.point_query()) {
-    scan_of(panel, record ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
-            panel.right, "Support scan: dot(d, vertex)");
+    scan_of(panel, record ? record->scan_y : none, false, panel.left, panel.right,
+            "Support scan: dot(d, vertex)");
     return;
   }
   const double middle = 0.5 * (panel.left + panel.right);
@@ -110,12 +119,10 @@ void scan(PanelBuilder& panel) {
   const bool in_parts = panel.run.lesson.granularity == Granularity::support;
   const bool knows_y = record && !(in_parts && panel.frame.detail < kSupportOfY);
   const bool knows_x = record && !(in_parts && panel.frame.detail < kSupportOfX);
-  scan_of(panel, knows_y ? record->scan_y : none, panel.run.lesson.y.vertex_names, panel.left,
-          middle - 14.0, "dot(d, Y)");
+  scan_of(panel, knows_y ? record->scan_y : none, false, panel.left, middle - 14.0, "dot(d, Y)");
   const double bottom = panel.y;
   panel.y = top;
-  scan_of(panel, knows_x ? record->scan_x : none, panel.run.lesson.x.vertex_names, middle + 14.0,
-          panel.right, "dot(−d, X)");
+  scan_of(panel, knows_x ? record->scan_x : none, true, middle + 14.0, panel.right, "dot(−d, X)");
   panel.y = std::max(panel.y, bottom);
 }
 

@@ -10,7 +10,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using fmt::format;
 using gjk::Phase;
 using gjk::State;
 using namespace rows;

@@ -46,6 +46,7 @@ void weights(PanelBuilder& panel) {
   for (int i = 0; i < count; ++i) {
     const double weight = value.weights[i];
     sum += weight;
+    panel.subject = subject_of(panel.run, value.simplex.vertices[i].pair);
     panel.write("strong", panel.left,
                 point_query ? std::string(kLetters[i])
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
@@ -60,6 +61,7 @@ void weights(PanelBuilder& panel) {
                 type::kCodeBold, Align::right);
     panel.y += 28.0;
   }
+  panel.subject = {};
   panel.y -= 6.0;
   for (const int tick : {-1, 0, 1, 2}) {
     panel.write("body.muted", x0 + (tick - kLow) / (kHigh - kLow) * (x1 - x0), fixed(tick, 0),

@@ -38,7 +38,7 @@ void difference(SceneBuilder& scene) {
     const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
     std::vector<Point> points;
     for (const int index : hull) points.push_back(scene.at(cloud[index].z));
-    scene.area("hull", points);
+    scene.area("hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
   if (wants_cloud && pairs_made(scene, all) > 0) {
@@ -48,7 +48,8 @@ void difference(SceneBuilder& scene) {
     for (const CloudPoint& point : cloud) middle += scene.at(point.z) / static_cast<double>(all);
     for (int i = 0; i < made; ++i) {
       const Point point = scene.at(cloud[i].z);
-      scene.disk("cloud.point", point, kCloudRadius);
+      scene.disk("cloud.point", point, kCloudRadius,
+                 {Subject::Kind::difference_vertex, cloud[i].pair.x, cloud[i].pair.y});
       if (names_all) {
         const std::string name = scene.run.pair_name(cloud[i].pair);
         scene.out.fixed_labels.push_back(scene.label("cloud:" + name, name, "cloud.label",

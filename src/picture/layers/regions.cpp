@@ -70,7 +70,7 @@ void regions(SceneBuilder& scene) {
     if (fate == RegionFate::holds && !is_map) role = "region.active";
     if (gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
-    scene.area(std::move(role), points);
+    scene.area(std::move(role), points, {Subject::Kind::region, region.face});
     const bool interior = gjk::vertex_count(region.face) == 3;
     const std::string name = interior ? "interior" : "region " + words.face(region.face);
     scene.out.area_labels.push_back(

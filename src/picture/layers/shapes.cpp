@@ -8,23 +8,43 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-void shape(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
-           const LessonMotion* motion, const std::string& role) {
+/// Of a shape with more vertices than this, the outline alone is drawn: names and disks would cover
+/// it and each other.
+constexpr std::size_t kMostNamed = 256;
+
+/// Without the points that are less than half a pixel from the one before.
+std::vector<Point> told_apart(const std::vector<Point>& points) {
+  std::vector<Point> out;
+  for (const Point& point : points) {
+    if (out.empty() || (point - out.back()).norm() >= 0.5) out.push_back(point);
+  }
+  return out;
+}
+
+void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std::string& role) {
+  using Kind = Subject::Kind;
+  const LessonShape& shape = is_x ? scene.run.lesson.x : scene.run.lesson.y;
+  const std::vector<Vector2d>& world = is_x ? scene.positioned.x_world : scene.positioned.y_world;
+  const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   std::vector<Point> points;
   for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
+  const bool named = world.size() <= kMostNamed;
+  if (!named) points = told_apart(points);
   const Point middle = centroid(points);
   if (points.size() == 2) {
-    scene.line(role, points[0], points[1]);
+    scene.line(role, points[0], points[1], whole);
   } else if (points.size() > 2) {
     if (is_convex(world)) {
-      scene.area(role, points);
+      scene.area(role, points, whole);
     } else {
-      scene.add(role, Polyline{points, true});
+      scene.add(role, Polyline{points, true}, whole);
     }
     scene.outline(points);
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    scene.disk(role + ".vertex", points[i], kVertexRadius);
+  for (std::size_t i = 0; named && i < points.size(); ++i) {
+    const int index = static_cast<int>(i);
+    scene.disk(role + ".vertex", points[i], kVertexRadius,
+               is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
     Point away = points[i] - middle;
     if (points.size() == 1) away = Point::Zero();
     // Beside a vertex that moves, no place is free for good.
@@ -42,10 +62,10 @@ void shapes(SceneBuilder& scene) {
   const LessonMotion* of_x = lesson.path_of_shapes ? &lesson.path_of_shapes->x : nullptr;
   const LessonMotion* of_y = lesson.path_of_shapes ? &lesson.path_of_shapes->y : nullptr;
   if (scene.run.point_query()) {
-    shape(scene, lesson.y, scene.positioned.y_world, of_y, "shape");
+    shape(scene, false, of_y, "shape");
   } else {
-    shape(scene, lesson.x, scene.positioned.x_world, of_x, "shape.x");
-    shape(scene, lesson.y, scene.positioned.y_world, of_y, "shape.y");
+    shape(scene, true, of_x, "shape.x");
+    shape(scene, false, of_y, "shape.y");
   }
 }
 
@@ -71,7 +91,7 @@ void path(SceneBuilder& scene) {
 void query_point(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
     const Point q = scene.at(scene.positioned.x_world[0]);
-    scene.disk("query", q, kPointRadius);
+    scene.disk("query", q, kPointRadius, {Subject::Kind::vertex_of_x, 0});
     std::string name = scene.run.lesson.x.vertex_names[0];
     if (scene.shows(Projection::kName)) {
       // Within a pixel of the line, G has no mark of its own.
