@@ -14,6 +14,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gjkscope-config.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gjkscope)
 
 if(NOT GJKSCOPE_CORE_ONLY)
-  install(TARGETS gjkscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS gjkscope gjkscope-viewer RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY lessons assets DESTINATION ${CMAKE_INSTALL_DATADIR}/gjkscope)
 endif()

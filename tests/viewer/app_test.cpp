@@ -1,0 +1,308 @@
+// The window's content, driven by input, without a window.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "command_line.hpp"
+#include "headless_app.hpp"
+#include "hit.hpp"
+#include "lesson/case.hpp"
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+using test::HeadlessApp;
+using test::TemporaryFolder;
+using Kind = Subject::Kind;
+
+const Subject kK{Kind::vertex_of_y, -1, 0};
+
+TEST(App, OpensOnTwoPolygonsPausedInTheirRun) {
+  HeadlessApp window;
+  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+  EXPECT_GT(window.session().index(), 0);
+  EXPECT_FALSE(window.session().is_unsaved());
+  const int before = window.session().index();
+  for (int i = 0; i < 50; ++i) window.frame(1.0);
+  EXPECT_EQ(before, window.session().index());
+  EXPECT_FALSE(window.app().wakes_at()) << "nothing happens by itself";
+}
+
+TEST(App, StepsByKeys) {
+  HeadlessApp window;
+  Session& session = window.session();
+  window.key("Home");
+  EXPECT_EQ(0, session.index());
+  window.key("Right");
+  EXPECT_EQ(1, session.index());
+  window.key("PageDown");
+  EXPECT_EQ(2, session.index());
+  window.key("Left");
+  EXPECT_EQ(1, session.index());
+  window.key("Right", false, true);
+  EXPECT_EQ(2, session.text().iteration);
+  window.key("End");
+  EXPECT_EQ(session.frame_count() - 1, session.index());
+}
+
+TEST(App, PlaysAndStopsAtTheEnd) {
+  HeadlessApp window;
+  window.key("Home");
+  window.key("Space");
+  EXPECT_TRUE(window.app().wakes_at());
+  for (int i = 0; i < 200; ++i) window.frame(1.0);
+  EXPECT_EQ(window.session().frame_count() - 1, window.session().index());
+  EXPECT_FALSE(window.app().wakes_at());
+}
+
+TEST(App, AVertexFollowsTheHandAndTheRunFollowsTheVertex) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const auto before = session.lesson().y.vertices;
+  const double distance = session.run().runs[0].trace.result.distance;
+  const Point from = window.at(kK);
+  window.drag(from, from + Point(60, -40));
+  const auto after = session.lesson().y.vertices;
+  EXPECT_GT((after[0] - before[0]).norm(), 0.1);
+  for (std::size_t i = 1; i < after.size(); ++i) EXPECT_EQ(before[i], after[i]);
+  EXPECT_LT((window.at(kK) - from - Point(60, -40)).norm(), 1.5);
+  EXPECT_NE(distance, session.run().runs[0].trace.result.distance);
+  window.key("Z", true);
+  EXPECT_EQ(before, session.lesson().y.vertices);
+  window.key("Y", true);
+  EXPECT_EQ(after, session.lesson().y.vertices);
+}
+
+TEST(App, AShapeAndTheDifferenceMoveAsAWhole) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const auto y = session.lesson().y.vertices;
+  const Point inside = window.at({Kind::shape_y});
+  window.drag(inside, inside + Point(30, 10));
+  const Eigen::Vector2d by = session.lesson().y.vertices[0] - y[0];
+  EXPECT_GT(by.norm(), 0.05);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    EXPECT_LT((session.lesson().y.vertices[i] - y[i] - by).norm(), 1e-12);
+  const auto then = session.lesson().y.vertices;
+  const Point z = window.at({Kind::difference});
+  window.drag(z, z + Point(0, 40));
+  EXPECT_LT(session.lesson().y.vertices[0].y(), then[0].y());
+}
+
+TEST(App, TheHandleOfASelectedShapeTurnsIt) {
+  HeadlessApp window;
+  window.click(window.at({Kind::shape_y}));
+  EXPECT_EQ(0.0, window.session().lesson().y.rotate_degrees);
+  const std::optional<Point> handle = window.app().rotation_handle_at(edit::Which::y);
+  ASSERT_TRUE(handle);
+  window.drag(*handle, *handle + Point(60, 30));
+  EXPECT_LT(window.session().lesson().y.rotate_degrees, -5.0);
+}
+
+TEST(App, VerticesAreAddedAndDeleted) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const Point a = window.at({Kind::vertex_of_y, -1, 1});
+  const Point b = window.at({Kind::vertex_of_y, -1, 2});
+  window.click(0.5 * (a + b), 2);
+  ASSERT_EQ(5u, session.lesson().y.vertices.size());
+  window.key("Delete");
+  EXPECT_EQ(4u, session.lesson().y.vertices.size());
+  window.key("Z", true);
+  EXPECT_EQ(5u, session.lesson().y.vertices.size());
+}
+
+TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
+  HeadlessApp window;
+  window.click(window.at({Kind::frame, 7}));
+  EXPECT_EQ(7, window.session().index());
+  const Point from = window.at({Kind::frame, 3});
+  const Point to = window.at({Kind::frame, 12});
+  window.drag(from, to);
+  EXPECT_EQ(12, window.session().index());
+  window.click(window.at({Kind::phase, static_cast<int>(gjk::Phase::support)}));
+  EXPECT_EQ("support", window.session().text().phase);
+}
+
+TEST(App, ThePointedDifferenceIsLinkedToItsVertices) {
+  HeadlessApp window;
+  window.move(window.at({Kind::difference_vertex, 0, 0}));
+  EXPECT_TRUE(is_linked(window.app().hovered(), kK));
+  EXPECT_TRUE(is_linked(window.app().hovered(), {Kind::vertex_of_x, 0}));
+}
+
+TEST(App, TheWheelZoomsAboutThePointer) {
+  HeadlessApp window;
+  const Point at = window.at(kK);
+  window.move(at);
+  const double before = window.session().stages()[0].camera.height;
+  window.wheel(1.0);
+  EXPECT_LT(window.session().stages()[0].camera.height, before);
+  EXPECT_LT((window.at(kK) - at).norm(), 0.5);
+  window.key("F");
+  EXPECT_FALSE(window.session().is_unsaved());
+}
+
+TEST(App, APredictionIsClickedOnTheStage) {
+  HeadlessApp window;
+  Session& session = window.session();
+  window.key("Home");
+  window.key("P");
+  for (int i = 0; i < 40 && !(session.question() && session.question()->ask == "support"); ++i) {
+    if (session.question()) {
+      window.key("1");
+    } else {
+      window.key("Right");
+    }
+  }
+  ASSERT_TRUE(session.question());
+  const int asked = static_cast<int>(session.answers().size());
+  window.key("Right");
+  ASSERT_TRUE(session.question()) << "an open question is not stepped over";
+  const gjk::VertexPair pair = session.run()
+                                   .run(session.frame())
+                                   .trace.steps[static_cast<std::size_t>(session.frame().answer)]
+                                   .after.support.pair;
+  window.click(window.at({Kind::difference_vertex, pair.x, pair.y}));
+  ASSERT_EQ(asked + 1, static_cast<int>(session.answers().size()));
+  EXPECT_TRUE(session.answers().back().is_right());
+}
+
+TEST(App, CopiesAndPastesTheShapesAsACase) {
+  HeadlessApp window;
+  std::string clipboard;
+  window.app().copy = [&](const std::string& text) { clipboard = text; };
+  window.app().paste = [&] { return clipboard; };
+  const auto y = window.session().lesson().y.vertices;
+  window.key("C", true);
+  const auto cases = parse_cases(clipboard, "clipboard");
+  ASSERT_TRUE(cases.front().value);
+  window.key("V", true);
+  EXPECT_EQ(y, window.session().lesson().y.vertices);
+  clipboard = "{\"a\": [[0,0]], \"b\": [[1,]]}";
+  window.key("V", true);
+  EXPECT_NE("", window.app().message());
+  EXPECT_EQ(y, window.session().lesson().y.vertices);
+}
+
+TEST(App, WorkThatWasNotSavedIsThereAgain) {
+  const TemporaryFolder folder;
+  std::vector<Eigen::Vector2d> edited;
+  {
+    HeadlessApp window("polygons-gjk", folder.path());
+    const Point from = window.at(kK);
+    window.drag(from, from + Point(50, 0));
+    edited = window.session().lesson().y.vertices;
+    for (int i = 0; i < 3; ++i) window.frame(1.0);
+  }
+  // As if that process had been killed: its number is nobody's.
+  fs::path kept;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (entry.path().filename().string().starts_with("unsaved-")) kept = entry.path();
+  }
+  ASSERT_FALSE(kept.empty());
+  fs::rename(kept, folder.path() / "unsaved-999999999.toml");
+  HeadlessApp again("", folder.path());
+  EXPECT_EQ(edited, again.session().lesson().y.vertices);
+  EXPECT_TRUE(again.session().is_unsaved());
+  EXPECT_NE(std::string::npos, again.app().message().find("restored"));
+}
+
+TEST(App, AFileThatChangesIsReadAgainAndABrokenOneIsSaidWithItsPlace) {
+  const TemporaryFolder folder;
+  const std::string text =
+      test::read_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "polygons-gjk.toml");
+  const std::string file = folder.file("mine.toml", text);
+  HeadlessApp window(file);
+  window.key("End");
+  const int index = window.session().index();
+  (void)folder.file("mine.toml", text + "\nnonsense = 1\n");
+  window.app().file_changed(file);
+  EXPECT_NE(std::string::npos, window.app().message().find("mine.toml:")) << window.app().message();
+  EXPECT_EQ(index, window.session().index());
+  std::string other = text;
+  other.replace(other.find("Polygon to polygon"), 18, "Changed just nowXX");
+  (void)folder.file("mine.toml", other);
+  window.app().file_changed(file);
+  EXPECT_TRUE(window.session().lesson().title.starts_with("Changed just now"));
+  EXPECT_EQ(index, window.session().index());
+}
+
+TEST(App, ReloadsDoNotGrowTheMemory) {
+  const TemporaryFolder folder;
+  const std::string text =
+      test::read_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "stop-vertex.toml");
+  const std::string file = folder.file("mine.toml", text);
+  HeadlessApp window(file);
+  for (int i = 0; i < 600; ++i) {
+    std::string changed = text;
+    changed[changed.find("title = \"") + 9] = static_cast<char>('A' + i % 26);
+    (void)folder.file("mine.toml", changed);
+    window.app().file_changed(file);
+  }
+  // The history is the only thing that remembers, and it has an end.
+  int entries = 0;
+  while (window.session().undo()) ++entries;
+  EXPECT_LE(entries, 500);
+  EXPECT_GE(entries, 400);
+}
+
+TEST(App, SavesALessonThatGivesTheSameRun) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  const Point from = window.at(kK);
+  window.drag(from, from + Point(37, 21));
+  const std::string file = (folder.path() / "saved.toml").string();
+  window.app().save_to(file);
+  EXPECT_FALSE(window.session().is_unsaved());
+  const auto loaded = load_lesson(file, testing::view_effects());
+  ASSERT_TRUE(loaded.lesson);
+  EXPECT_EQ(window.session().lesson().y.vertices, loaded.lesson->y.vertices);
+}
+
+TEST(App, ANameThatIsNothingIsSaid) {
+  EXPECT_THROW(HeadlessApp("no-such-lesson"), std::runtime_error);
+  EXPECT_THROW(HeadlessApp("/no/such/file.toml"), std::runtime_error);
+}
+
+TEST(App, EveryLessonOpensAndEveryFrameDraws) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    HeadlessApp window(lesson.id);
+    while (window.session().step(1)) window.frame();
+    window.key("F5");
+    window.key("Escape");
+    EXPECT_FALSE(window.app().wants_to_quit());
+  }
+}
+
+TEST(App, AWindowOfAnySizeDraws) {
+  HeadlessApp window;
+  for (const auto& [width, height] :
+       {std::pair(1.0, 1.0), {1.0, 900.0}, {3000.0, 2.0}, {300.0, 300.0}, {2560.0, 1440.0}}) {
+    window.resize(width, height);
+    window.key("Right");
+  }
+}
+
+TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {
+  const TemporaryFolder folder;
+  std::string json = R"({"a": [[-3, 0], [-2, 0], [-2, 1]], "b": [)";
+  constexpr int kCount = 100'000;
+  for (int i = 0; i < kCount; ++i) {
+    const double angle = 6.283185307179586 * i / kCount;
+    json += fmt::format("{}[{}, {}]", i ? ", " : "", std::cos(angle), std::sin(angle));
+  }
+  const std::string file = folder.file("many.json", json + "]}");
+  HeadlessApp window(file);
+  const Point from = window.at({Kind::vertex_of_x, 0});
+  window.drag(from, from + Point(20, 0));
+  EXPECT_GT(window.session().lesson().x.vertices[0].x(), -3.0);
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,108 @@
+// Changes of shapes.
+
+#include "edit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+using edit::Which;
+using Eigen::Vector2d;
+using testing::shipped_lesson;
+
+std::vector<Vector2d> world(const Lesson& lesson, Which which) {
+  const LessonRun run = run_lesson(lesson);
+  return which == Which::x ? run.runs.front().x_world : run.runs.front().y_world;
+}
+
+TEST(Edit, AVertexOfATurnedShapeGoesWhereItIsPut) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  lesson.y.rotate_degrees = 30.0;
+  lesson.y.translate = {0.5, -0.25};
+  const LessonRun run = run_lesson(lesson);
+  edit::put_vertex(lesson, Which::y, 2, run.runs.front().y, {1.0, 4.0});
+  EXPECT_LT((world(lesson, Which::y)[2] - Vector2d(1.0, 4.0)).norm(), 1e-12);
+  EXPECT_LT((world(lesson, Which::y)[1] - run.runs.front().y_world[1]).norm(), 1e-12);
+}
+
+TEST(Edit, AShapeMovesAsAWhole) {
+  for (const bool turned : {false, true}) {
+    Lesson lesson = shipped_lesson("polygons-gjk");
+    if (turned) lesson.x.rotate_degrees = 10.0;
+    const auto before = world(lesson, Which::x);
+    edit::move_shape(lesson, Which::x, {0.5, -2.0});
+    const auto after = world(lesson, Which::x);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_LT((after[i] - before[i] - Vector2d(0.5, -2.0)).norm(), 1e-12);
+  }
+}
+
+TEST(Edit, AShapeOnAPathTakesThePathWithIt) {
+  Lesson lesson = shipped_lesson("segment-regions");
+  const LessonRun before = run_lesson(lesson);
+  edit::move_shape(lesson, Which::x, {1.0, 0.5});
+  const LessonRun after = run_lesson(lesson);
+  ASSERT_EQ(before.runs.size(), after.runs.size());
+  for (std::size_t i = 0; i < before.runs.size(); ++i)
+    EXPECT_LT((after.runs[i].x_world[0] - before.runs[i].x_world[0] - Vector2d(1.0, 0.5)).norm(),
+              1e-12);
+}
+
+TEST(Edit, AShapeTurnsAboutItsMiddle) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  const auto before = world(lesson, Which::y);
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& vertex : before) middle += vertex / static_cast<double>(before.size());
+  edit::turn_shape(lesson, Which::y, 90.0);
+  const auto after = world(lesson, Which::y);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Vector2d arm = before[i] - middle;
+    EXPECT_LT((after[i] - middle - Vector2d(-arm.y(), arm.x())).norm(), 1e-12);
+  }
+}
+
+TEST(Edit, ANewVertexHasANameOfItsOwnAndStartPairsKeepTheirVertices) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  const gjk::VertexPair start = lesson.options.start[0];
+  const std::string of_x = lesson.x.vertex_names[static_cast<std::size_t>(start.x)];
+  const LessonRun run = run_lesson(lesson);
+  const int index = edit::insert_vertex(lesson, Which::x, 0, run.runs.front().x, {-3.0, -1.0});
+  EXPECT_EQ(1, index);
+  EXPECT_EQ(6u, lesson.x.vertices.size());
+  std::set<std::string> names(lesson.x.vertex_names.begin(), lesson.x.vertex_names.end());
+  names.insert(lesson.y.vertex_names.begin(), lesson.y.vertex_names.end());
+  EXPECT_EQ(10u, names.size());
+  EXPECT_EQ(of_x, lesson.x.vertex_names[static_cast<std::size_t>(lesson.options.start[0].x)]);
+  EXPECT_TRUE(edit::erase_vertex(lesson, Which::x, index));
+  EXPECT_EQ(start, lesson.options.start[0]);
+}
+
+TEST(Edit, AStartVertexThatGoesIsForgotten) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  ASSERT_TRUE(edit::erase_vertex(lesson, Which::y, lesson.options.start[0].y));
+  EXPECT_EQ(gjk::VertexPair{}, lesson.options.start[0]);
+  EXPECT_EQ(gjk::Error::none, run_lesson(lesson).runs.front().trace.result.error);
+}
+
+TEST(Edit, TheLastVertexStays) {
+  Lesson lesson = shipped_lesson("segment-closest");
+  EXPECT_FALSE(edit::erase_vertex(lesson, Which::x, 0));
+}
+
+TEST(Edit, TheNearestEdgeIsFoundByDistance) {
+  const std::vector<Vector2d> square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const auto right = edit::nearest_edge(square, {2.5, 1.0});
+  ASSERT_TRUE(right);
+  EXPECT_EQ(1, right->edge);
+  EXPECT_DOUBLE_EQ(0.5, right->distance);
+  EXPECT_EQ(3, edit::nearest_edge(square, {0.25, 1.0})->edge);
+  EXPECT_FALSE(edit::nearest_edge({{0, 0}}, {1, 1}));
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,115 @@
+#include "headless_app.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gjkscope::test {
+
+namespace {
+const std::filesystem::path kShare = GJKSCOPE_SOURCE_DIR;
+}
+
+const Fonts& fonts() {
+  static const Fonts loaded(kShare / "assets" / "fonts.toml");
+  return loaded;
+}
+
+HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& state)
+    : context_(ImGui::CreateContext()) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.MousePos = ImVec2(-1e9f, -1e9f);
+  try {
+    app_ = std::make_unique<App>(App::Paths{kShare, state}, fonts(), name);
+  } catch (...) {
+    ImGui::DestroyContext(context_);
+    throw;
+  }
+  settle();
+}
+
+HeadlessApp::~HeadlessApp() { ImGui::DestroyContext(context_); }
+
+void HeadlessApp::frame(double seconds) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(static_cast<float>(width_), static_cast<float>(height_));
+  io.DeltaTime = static_cast<float>(seconds);
+  now_ += seconds;
+  app_->tick(now_);
+  const double scale = app_->layout(width_, height_);
+  if (!atlas_fonts_ || atlas_fonts_->scale() != scale) {
+    io.Fonts->Clear();
+    io.Fonts->AddFontDefault();
+    atlas_fonts_ = std::make_unique<AtlasFonts>(*io.Fonts, fonts(), scale);
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  }
+  app_->set_colors();
+  ImGui::NewFrame();
+  app_->draw(*atlas_fonts_);
+  ImGui::Render();
+  io.MouseWheel = 0.0f;
+}
+
+void HeadlessApp::settle() {
+  for (int i = 0; i < 3; ++i) frame();
+}
+
+void HeadlessApp::resize(double width, double height) {
+  width_ = width;
+  height_ = height;
+  settle();
+}
+
+void HeadlessApp::move(const Point& to) {
+  ImGui::GetIO().MousePos = ImVec2(static_cast<float>(to.x()), static_cast<float>(to.y()));
+  settle();
+}
+
+void HeadlessApp::button(bool down, int clicks) {
+  ImGui::GetIO().MouseDown[0] = down;
+  if (down) app_->clicked(clicks);
+  settle();
+}
+
+void HeadlessApp::click(const Point& at, int clicks) {
+  move(at);
+  for (int i = 1; i <= clicks; ++i) {
+    button(true, i);
+    button(false, i);
+  }
+}
+
+void HeadlessApp::drag(const Point& from, const Point& to) {
+  move(from);
+  button(true);
+  constexpr int kMoves = 5;
+  for (int i = 1; i <= kMoves; ++i) move(from + (to - from) * i / kMoves);
+  button(false);
+}
+
+void HeadlessApp::wheel(double by) {
+  ImGui::GetIO().MouseWheel = static_cast<float>(by);
+  settle();
+}
+
+void HeadlessApp::key(const std::string& key, bool ctrl, bool shift) {
+  if (!ImGui::GetIO().WantTextInput || key == "Escape") app_->press({key, ctrl, shift});
+  settle();
+}
+
+void HeadlessApp::type(const std::string& text) {
+  ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+  settle();
+}
+
+Point HeadlessApp::at(const Subject& subject) {
+  const std::optional<Point> place = app_->place_of(subject);
+  EXPECT_TRUE(place) << "no mark of subject " << static_cast<int>(subject.kind) << " " << subject.x
+                     << " " << subject.y;
+  return place.value_or(Point::Zero());
+}
+
+}  // namespace gjkscope::test

@@ -1,0 +1,242 @@
+// History, the place in the run, and predict mode.
+
+#include "session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "edit.hpp"
+#include "headless_app.hpp"
+#include "lessons.hpp"
+
+namespace gjkscope {
+namespace {
+
+using edit::Which;
+using Eigen::Vector2d;
+using test::fonts;
+using testing::shipped_lesson;
+
+void move_y(Session& session, double by) {
+  EXPECT_TRUE(session.change("move", [&](Lesson& lesson) {
+    edit::move_shape(lesson, Which::y, {by, 0.0});
+  }));
+}
+
+TEST(Session, UndoAndRedoGiveBackEveryLesson) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "file.toml"));
+  std::vector<Lesson> states = {session.lesson()};
+  for (int i = 0; i < 5; ++i) {
+    move_y(session, 0.25);
+    states.push_back(session.lesson());
+  }
+  for (int i = 4; i >= 0; --i) {
+    EXPECT_EQ("move", session.undo_name());
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(states[static_cast<std::size_t>(i)], session.lesson());
+  }
+  EXPECT_FALSE(session.undo());
+  for (std::size_t i = 1; i <= 5; ++i) {
+    EXPECT_TRUE(session.redo());
+    EXPECT_EQ(states[i], session.lesson());
+  }
+  EXPECT_FALSE(session.redo());
+  EXPECT_TRUE(session.undo());
+  move_y(session, 1.0);
+  EXPECT_EQ("", session.redo_name()) << "a change forgets what was undone";
+}
+
+TEST(Session, ADragIsOneEntry) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  const Lesson before = session.lesson();
+  session.begin_drag("drag");
+  for (int i = 0; i < 20; ++i)
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.01, 0.0}); });
+  session.end_drag();
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_FALSE(session.undo());
+}
+
+TEST(Session, TheRunFollowsADragToTheBit) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.begin_drag("drag");
+  for (int i = 0; i < 10; ++i) {
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {-0.1, 0.03}); });
+    const LessonRun fresh = run_lesson(session.lesson());
+    EXPECT_EQ(fresh.runs[0].trace.result.distance, session.run().runs[0].trace.result.distance);
+  }
+  session.end_drag();
+}
+
+TEST(Session, AfterAnEditTheSamePhaseAndIterationStay) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  for (int i = 0; i < session.frame_count(); ++i) {
+    session.go_to(i);
+    const std::string before = session.text().phase;
+    const int iteration = session.text().iteration;
+    move_y(session, 1e-3);
+    EXPECT_EQ(before, session.text().phase);
+    EXPECT_EQ(iteration, session.text().iteration);
+  }
+  session.go_to(session.frame_count() - 1);
+  // Far apart along x two iterations do: the place is the last one there is.
+  move_y(session, 100.0);
+  EXPECT_LT(session.index(), session.frame_count());
+}
+
+TEST(Session, StepsByIterationStandAtTheFirstFrameOfEach) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  std::vector<int> forth = {session.index()};
+  while (session.step_iteration(1)) forth.push_back(session.index());
+  for (std::size_t i = 1; i + 1 < forth.size(); ++i) {
+    session.go_to(forth[i]);
+    EXPECT_EQ("closest", session.text().phase);
+    EXPECT_EQ(static_cast<int>(i), session.text().iteration);
+  }
+  session.go_to(forth.back());
+  std::vector<int> back;
+  while (session.step_iteration(-1)) back.push_back(session.index());
+  EXPECT_EQ(0, back.back());
+}
+
+TEST(Session, GoesToTheNextRunOfAPhaseAndFromTheStartAgain) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  std::vector<int> iterations;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(session.go_to_next(gjk::Phase::support));
+    EXPECT_EQ("support", session.text().phase);
+    iterations.push_back(session.text().iteration);
+  }
+  EXPECT_EQ((std::vector<int>{1, 2, 3, 4, 1}), iterations);
+}
+
+TEST(Session, ARunThatCannotBeShownLeavesAllAsItWas) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  const Lesson before = session.lesson();
+  const auto break_it = [](Lesson& lesson) {
+    lesson.y.vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
+  };
+  EXPECT_FALSE(session.change("break", break_it));
+  EXPECT_NE("", session.problem());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_EQ("", session.undo_name());
+  session.begin_drag("break");
+  session.drag(break_it);
+  EXPECT_NE("", session.problem());
+  EXPECT_FALSE(session.picture().marks.empty());
+  session.end_drag();
+  EXPECT_EQ(before, session.lesson());
+  Lesson broken = before;
+  break_it(broken);
+  EXPECT_FALSE(session.reload(broken));
+  EXPECT_FALSE(session.open(broken, {}));
+  EXPECT_EQ(before, session.lesson());
+}
+
+TEST(Session, ReloadKeepsThePlaceAndCanBeUndone) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
+  session.go_to(9);
+  const Lesson before = session.lesson();
+  Lesson other = before;
+  other.title = "Other";
+  ASSERT_TRUE(session.reload(other));
+  EXPECT_EQ(9, session.index());
+  EXPECT_FALSE(session.is_unsaved());
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_TRUE(session.is_unsaved());
+}
+
+TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.set_predicting(true);
+  int asked = 0;
+  for (int guard = 0; guard < 500; ++guard) {
+    if (const FrameQuestion* question = session.question()) {
+      // Always the first choice: right as often as it is the answer.
+      const std::string chosen = question->choices.front();
+      const std::string answer = question->answer;
+      EXPECT_NE(question->choices.end(),
+                std::find(question->choices.begin(), question->choices.end(), answer));
+      session.answer(chosen);
+      ++asked;
+      EXPECT_EQ(answer, session.answers().back().right);
+      EXPECT_EQ(chosen == answer, session.answers().back().is_right());
+      EXPECT_TRUE(session.text().caption.starts_with("Answer") || session.question());
+    } else if (!session.step(1)) {
+      break;
+    }
+  }
+  EXPECT_EQ(asked, static_cast<int>(session.answers().size()));
+  EXPECT_GT(asked, 8);
+  EXPECT_GT(session.right_answers(), 0);
+  EXPECT_LT(session.right_answers(), asked);
+  const nlohmann::json log = nlohmann::json::parse(session.answers_json());
+  EXPECT_EQ(asked, log["asked"]);
+  EXPECT_EQ(session.right_answers(), log["right"]);
+  EXPECT_EQ(static_cast<std::size_t>(asked), log["answers"].size());
+  session.set_predicting(false);
+  for (const Frame& frame : session.run().frames) EXPECT_LT(frame.question, 0);
+}
+
+TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
+  for (const auto& [width, height] : {std::pair(1280, 720), {720, 1280}, {2560, 1080}}) {
+    Session session(fonts());
+    ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+    session.set_page(page_of(width, height));
+    session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
+    EXPECT_NEAR(5.0, session.stages()[0].camera.height, 1e-9);
+    EXPECT_EQ(Vector2d(1.0, -2.0), session.stages()[0].camera.center);
+    // What is looked at does not change what is saved as the shapes.
+    EXPECT_FALSE(session.is_unsaved());
+  }
+}
+
+TEST(Session, ViewsStandStillWhileShapesMove) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  const Camera before = session.stages()[1].camera;
+  session.begin_drag("drag");
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {3.0, 1.0}); });
+  EXPECT_NEAR(before.height, session.stages()[1].camera.height, 1e-9);
+  EXPECT_LT((before.center - session.stages()[1].camera.center).norm(), 1e-9);
+  session.end_drag();
+  session.fit();
+  EXPECT_GT((before.center - session.stages()[1].camera.center).norm(), 0.1);
+}
+
+TEST(Session, TheSamePicturesAsTheExports) {
+  const Lesson lesson = shipped_lesson("polygons-gjk");
+  Session session(fonts());
+  ASSERT_TRUE(session.open(lesson, {}));
+  Lesson plain = lesson;
+  plain.questions.clear();
+  const LessonRun run = run_lesson(plain);
+  EffectGraph effects(run);
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts());
+  ASSERT_EQ(static_cast<int>(frames.size()), session.frame_count());
+  for (int i = 0; i < session.frame_count(); ++i) {
+    session.go_to(i);
+    const Picture& shown = session.picture();
+    const Picture& exported = frames[static_cast<std::size_t>(i)].picture;
+    ASSERT_EQ(exported.marks.size(), shown.marks.size()) << "frame " << i;
+    for (std::size_t k = 0; k < shown.marks.size(); ++k)
+      EXPECT_EQ(exported.marks[k].role, shown.marks[k].role);
+    EXPECT_EQ(frames[static_cast<std::size_t>(i)].text.caption, session.text().caption);
+  }
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,153 @@
+// The program in a real window, on a display of its own (Xvfb), driven by SDL events.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "command_line.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::read_file;
+using test::TemporaryFolder;
+
+struct Ran {
+  int exit_code = 0;
+  std::string err;
+};
+
+/// `display`: on a display of its own, else without any.
+Ran run_viewer(const TemporaryFolder& folder, const std::string& arguments, bool display = true) {
+  const std::string err = (folder.path() / "err").string();
+  const std::string environment =
+      "env -u DISPLAY -u WAYLAND_DISPLAY XDG_STATE_HOME=" + folder.path().string() + " ";
+  const std::string on = display ? "xvfb-run -a -s '-screen 0 1280x800x24' " : "";
+  // A window that should not have opened would wait for ever.
+  const std::string command =
+      environment + "timeout 60 " + on + GJKSCOPE_VIEWER + " " + arguments + " >/dev/null 2>" + err;
+  const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe)
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(err)};
+}
+
+/// Plays a script and gives the states that it wrote.
+class Played {
+ public:
+  explicit Played(const std::string& script, const std::string& arguments = "") {
+    std::string lines = script;
+    for (std::size_t at = lines.find("$DIR"); at != std::string::npos; at = lines.find("$DIR"))
+      lines.replace(at, 4, folder_.path().string());
+    ran = run_viewer(folder_,
+                     arguments + " --size 1280 800 --script " + folder_.file("script", lines));
+  }
+  [[nodiscard]] json state(const std::string& name) const {
+    return json::parse(read_file(folder_.path() / name));
+  }
+  [[nodiscard]] std::string text(const std::string& name) const {
+    return read_file(folder_.path() / name);
+  }
+  Ran ran;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST(RealWindow, EventsStepDragUndoAndPredict) {
+  const Played played(R"(state $DIR/start
+key Right
+key Right
+state $DIR/stepped
+drag y:0 y:0+40,-30
+state $DIR/dragged
+key Ctrl+Z
+state $DIR/undone
+click frame:5
+state $DIR/scrubbed
+click phase:stop
+state $DIR/stop
+key Home
+key P
+key Right
+key Right
+key Right
+key Right
+state $DIR/asked
+key 1
+state $DIR/answered
+key F5
+state $DIR/presenting
+screenshot $DIR/shot.png
+key Escape
+state $DIR/left
+resize 1 1
+resize 900 700
+state $DIR/resized
+)");
+  ASSERT_EQ(0, played.ran.exit_code) << played.ran.err;
+  const int start = played.state("start")["frame"];
+  EXPECT_EQ(start + 2, played.state("stepped")["frame"]);
+  EXPECT_NE(played.state("start")["y"], played.state("dragged")["y"]);
+  EXPECT_EQ(played.state("start")["x"], played.state("dragged")["x"]);
+  EXPECT_EQ(true, played.state("dragged")["unsaved"]);
+  EXPECT_NE(played.state("start")["distance"], played.state("dragged")["distance"]);
+  EXPECT_EQ(played.state("start")["y"], played.state("undone")["y"]);
+  EXPECT_EQ(5, played.state("scrubbed")["frame"]);
+  EXPECT_EQ("stop", played.state("stop")["phase"]);
+  EXPECT_EQ(true, played.state("asked")["question"]);
+  EXPECT_EQ(1, played.state("answered")["asked"]);
+  EXPECT_EQ(true, played.state("presenting")["presenting"]);
+  EXPECT_EQ(false, played.state("left")["presenting"]);
+  EXPECT_TRUE(played.text("shot.png").starts_with("\x89PNG"));
+  EXPECT_GT(played.text("shot.png").size(), 20000u) << "an empty window";
+}
+
+TEST(RealWindow, SavesExportsAndOpens) {
+  const Played played(R"(drag shape-y shape-y+20,15
+key Ctrl+Shift+S
+key Ctrl+A
+type $DIR/mine.toml
+key Return
+state $DIR/saved
+key Ctrl+E
+key Ctrl+A
+type $DIR/frames
+click 480 238
+state $DIR/exported
+)");
+  ASSERT_EQ(0, played.ran.exit_code) << played.ran.err;
+  EXPECT_EQ(false, played.state("saved")["unsaved"]);
+  EXPECT_NE("", played.text("mine.toml"));
+}
+
+TEST(RealWindow, WithoutADisplayItNamesTheCommandThatNeedsNone) {
+  const TemporaryFolder folder;
+  const Ran ran = run_viewer(folder, "", false);
+  EXPECT_EQ(2, ran.exit_code);
+  EXPECT_NE(std::string::npos, ran.err.find("gjkscope export")) << ran.err;
+}
+
+TEST(RealWindow, WhatCannotBeShownIsSaidWithItsPlace) {
+  const TemporaryFolder folder;
+  const Ran broken = run_viewer(folder, folder.file("broken.toml", "title = 3\n"));
+  EXPECT_EQ(1, broken.exit_code);
+  EXPECT_NE(std::string::npos, broken.err.find("broken.toml:1:")) << broken.err;
+  const Ran bad_case = run_viewer(folder, folder.file("bad.json", R"({"a": [[0]], "b": []})"));
+  EXPECT_EQ(1, bad_case.exit_code);
+  EXPECT_NE(std::string::npos, bad_case.err.find("bad.json:1:")) << bad_case.err;
+  const Ran unknown = run_viewer(folder, "no-such-lesson");
+  EXPECT_EQ(1, unknown.exit_code);
+  EXPECT_EQ(2, run_viewer(folder, "--no-such-option").exit_code);
+}
+
+TEST(RealWindow, AScriptThatCannotBePlayedNamesItsLine) {
+  const Played played("key Right\nclick z:99,99\n");
+  EXPECT_EQ(3, played.ran.exit_code);
+  EXPECT_NE(std::string::npos, played.ran.err.find("script:2:")) << played.ran.err;
+}
+
+}  // namespace
+}  // namespace gjkscope

@@ -1,0 +1,145 @@
+#include "edit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gjkscope::edit {
+namespace {
+
+using Eigen::Vector2d;
+
+Eigen::Matrix2d rotation(double degrees) {
+  // A shape that is not turned keeps its digits.
+  if (degrees == 0.0) return Eigen::Matrix2d::Identity();
+  return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
+}
+
+LessonMotion* motion_of(Lesson& lesson, Which which) {
+  if (!lesson.path_of_shapes) return nullptr;
+  LessonMotion& motion = which == Which::x ? lesson.path_of_shapes->x : lesson.path_of_shapes->y;
+  return motion.points.empty() ? nullptr : &motion;
+}
+
+std::string free_name(const Lesson& lesson, Which which) {
+  const auto taken = [&](const std::string& name) {
+    const auto has = [&](const LessonShape& shape) {
+      return std::find(shape.vertex_names.begin(), shape.vertex_names.end(), name) !=
+             shape.vertex_names.end();
+    };
+    return has(lesson.x) || has(lesson.y);
+  };
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const std::string name(1, letter);
+    // The names of the origin, the closest point and the query point.
+    if (letter != 'O' && letter != 'P' && letter != 'Q' && !taken(name)) return name;
+  }
+  for (int i = 1;; ++i) {
+    const std::string name = fmt::format("{}{}", which == Which::x ? "x" : "y", i);
+    if (!taken(name)) return name;
+  }
+}
+
+}  // namespace
+
+LessonShape& shape_of(Lesson& lesson, Which which) {
+  return which == Which::x ? lesson.x : lesson.y;
+}
+const LessonShape& shape_of(const Lesson& lesson, Which which) {
+  return which == Which::x ? lesson.x : lesson.y;
+}
+const Placement& placement_of(const PositionedRun& run, Which which) {
+  return which == Which::x ? run.x : run.y;
+}
+
+Vector2d to_local(const Placement& placement, const Vector2d& world) {
+  return rotation(-placement.rotate_degrees) * (world - placement.translate);
+}
+
+void put_vertex(Lesson& lesson, Which which, int index, const Placement& placement,
+                const Vector2d& world) {
+  shape_of(lesson, which).vertices[static_cast<std::size_t>(index)] = to_local(placement, world);
+}
+
+void move_shape(Lesson& lesson, Which which, const Vector2d& by) {
+  if (LessonMotion* motion = motion_of(lesson, which)) {
+    for (Vector2d& point : motion->points) point += by;
+    return;
+  }
+  LessonShape& shape = shape_of(lesson, which);
+  // A shape at rest at its own origin stays there: its vertices are what the reader sees.
+  if (shape.translate.isZero() && shape.rotate_degrees == 0.0) {
+    for (Vector2d& vertex : shape.vertices) vertex += by;
+  } else {
+    shape.translate += by;
+  }
+}
+
+void turn_shape(Lesson& lesson, Which which, double degrees) {
+  LessonShape& shape = shape_of(lesson, which);
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& vertex : shape.vertices) middle += vertex;
+  middle /= static_cast<double>(shape.vertices.size());
+  const Vector2d stays =
+      (rotation(shape.rotate_degrees) - rotation(shape.rotate_degrees + degrees)) * middle;
+  shape.rotate_degrees = std::remainder(shape.rotate_degrees + degrees, 360.0);
+  if (LessonMotion* motion = motion_of(lesson, which)) {
+    for (double& turn : motion->turns) turn += degrees;
+    for (Vector2d& point : motion->points) point += stays;
+  } else {
+    shape.translate += stays;
+  }
+}
+
+int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placement,
+                  const Vector2d& world) {
+  const std::string name = free_name(lesson, which);
+  LessonShape& shape = shape_of(lesson, which);
+  const int index = edge + 1;
+  shape.vertices.insert(shape.vertices.begin() + index, to_local(placement, world));
+  shape.vertex_names.insert(shape.vertex_names.begin() + index, name);
+  for (gjk::VertexPair& pair : lesson.options.start) {
+    int& named = which == Which::x ? pair.x : pair.y;
+    if (named >= index) ++named;
+  }
+  return index;
+}
+
+bool erase_vertex(Lesson& lesson, Which which, int index) {
+  LessonShape& shape = shape_of(lesson, which);
+  if (shape.vertices.size() < 2) return false;
+  shape.vertices.erase(shape.vertices.begin() + index);
+  shape.vertex_names.erase(shape.vertex_names.begin() + index);
+  bool forgotten = false;
+  for (gjk::VertexPair& pair : lesson.options.start) {
+    int& named = which == Which::x ? pair.x : pair.y;
+    forgotten = forgotten || named == index;
+    if (named > index) --named;
+  }
+  if (forgotten) {
+    lesson.options.start = {};
+    lesson.options.start_count = std::min(lesson.options.start_count, 1);
+  }
+  return true;
+}
+
+std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
+                                        const Vector2d& world) {
+  if (vertices.size() < 2) return std::nullopt;
+  NearestEdge nearest{0, HUGE_VAL};
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vector2d& a = vertices[i];
+    const Vector2d along = vertices[(i + 1) % vertices.size()] - a;
+    const double length_sq = along.squaredNorm();
+    const double t =
+        length_sq > 0.0 ? std::clamp((world - a).dot(along) / length_sq, 0.0, 1.0) : 0.0;
+    const double distance = (a + t * along - world).norm();
+    if (distance < nearest.distance) nearest = {static_cast<int>(i), distance};
+  }
+  return nearest;
+}
+
+}  // namespace gjkscope::edit

@@ -1,0 +1,105 @@
+#include "hit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gjkscope {
+namespace {
+
+using Kind = Subject::Kind;
+
+double distance_to_line(const Point& p, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double length_sq = along.squaredNorm();
+  const double t = length_sq > 0.0 ? std::clamp((p - a).dot(along) / length_sq, 0.0, 1.0) : 0.0;
+  return (a + t * along - p).norm();
+}
+
+bool is_inside(const std::vector<Point>& polygon, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+bool is_inside(const Rect& rect, const Point& p, double slack = 0.0) {
+  return (p.array() >= rect.min.array() - slack).all() &&
+         (p.array() <= rect.max.array() + slack).all();
+}
+
+/// How well a mark is hit; lower is better, infinite is not at all.
+constexpr double kMiss = HUGE_VAL;
+constexpr double kLine = 1e3;
+constexpr double kArea = 1e6;
+
+struct Aim {
+  const Fonts& fonts;
+  Point p;
+  double slack;
+
+  double operator()(const Disk& disk) const {
+    const double off = (p - disk.center).norm();
+    return off <= disk.radius + slack ? off : kMiss;
+  }
+  double operator()(const Text& text) const {
+    const double width = fonts.width(text.style, text.text);
+    const double left =
+        text.at.x() -
+        (text.align == Align::left ? 0.0 : width * (text.align == Align::right ? 1.0 : 0.5));
+    const double rise = fonts.cap_height(text.style);
+    const Rect box{{left, text.at.y() - rise}, {left + width, text.at.y()}};
+    return is_inside(box, p, 5.0) ? kLine : kMiss;
+  }
+  double operator()(const Box& box) const { return is_inside(box.rect, p, 3.0) ? kLine : kMiss; }
+  double operator()(const Polyline& line) const {
+    double nearest = kMiss;
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+      nearest = std::min(nearest, distance_to_line(p, line.points[i - 1], line.points[i]));
+    if (line.closed && line.points.size() > 2) {
+      nearest = std::min(nearest, distance_to_line(p, line.points.back(), line.points.front()));
+      // An outline that is not convex has no fill, but an inside.
+      if (is_inside(line.points, p)) return kArea;
+    }
+    return nearest <= slack ? kLine + nearest : kMiss;
+  }
+  double operator()(const Polygon& polygon) const {
+    return is_inside(polygon.points, p) ? kArea : kMiss;
+  }
+  double operator()(const Arrow&) const { return kMiss; }
+  double operator()(const Cross&) const { return kMiss; }
+};
+
+}  // namespace
+
+Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, double slack) {
+  Subject best;
+  double best_score = kMiss;
+  for (const Mark& mark : picture.marks) {
+    if (mark.subject.kind == Kind::none) continue;
+    if (mark.clip >= 0 && !is_inside(picture.clips[static_cast<std::size_t>(mark.clip)], p))
+      continue;
+    const double score = std::visit(Aim{fonts, p, slack}, mark.shape);
+    if (score < kMiss && score <= best_score) {
+      best_score = score;
+      best = mark.subject;
+    }
+  }
+  return best;
+}
+
+bool is_linked(const Subject& a, const Subject& b) {
+  if (a == b) return a.kind != Kind::none;
+  const auto made_of = [](const Subject& pair, const Subject& vertex) {
+    if (pair.kind != Kind::difference_vertex) return false;
+    return (vertex.kind == Kind::vertex_of_x && vertex.x == pair.x) ||
+           (vertex.kind == Kind::vertex_of_y && vertex.y == pair.y);
+  };
+  return made_of(a, b) || made_of(b, a);
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,18 @@
+#pragma once
+// What of a picture is under the pointer.
+
+#include "picture/picture.hpp"
+
+namespace gjkscope {
+
+/// The subject of the mark at `p` (frame pixels), kind none where there is none. Points come before
+/// lines and lines before areas, and of each the last painted; points and lines are hit from up to
+/// `slack` away.
+[[nodiscard]] Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p,
+                                 double slack);
+
+/// True when the two are parts of the same thing: a vertex of the difference and the vertices that
+/// made it.
+[[nodiscard]] bool is_linked(const Subject& a, const Subject& b);
+
+}  // namespace gjkscope

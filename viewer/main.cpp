@@ -1,0 +1,100 @@
+// The command line of gjkscope-viewer.
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "cli/commands.hpp"
+#include "lesson/file.hpp"
+#include "paint/png.hpp"
+#include "script.hpp"
+
+namespace {
+
+using namespace gjkscope;
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter = R"(Exit codes:
+  0  done
+  1  a lesson or case cannot be shown
+  2  the command line, or there is no display or no OpenGL
+  3  something cannot be read or written
+
+Work that is not saved is kept in $XDG_STATE_HOME/gjkscope (~/.local/state/gjkscope), and is there again after a crash.
+Without a display, `gjkscope export` draws the same frames into files.
+
+Examples:
+  gjkscope-viewer
+  gjkscope-viewer stop-vertex
+  gjkscope-viewer case.json
+)";
+
+fs::path state_folder() {
+  if (const char* folder = std::getenv("XDG_STATE_HOME"); folder && *folder)
+    return fs::path(folder) / "gjkscope";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return fs::path(home) / ".local" / "state" / "gjkscope";
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App arguments("Step through GJK in a window, and change anything with the mouse",
+                     "gjkscope-viewer");
+  arguments.footer(kFooter);
+  arguments.set_version_flag("--version", GJKSCOPE_VERSION);
+  std::string name;
+  std::string script;
+  std::string screenshot;
+  std::pair<int, int> size = {1440, 900};
+  bool keeps = true;
+  arguments.add_option("LESSON", name, "a lesson by id or path, a case (.json), or a folder");
+  arguments.add_option("--script", script, "play recorded input from this file, then end");
+  arguments.add_option("--screenshot", screenshot, "then write what the window shows, as PNG");
+  arguments.add_option("--size", size, "width and height of the window")
+      ->check(CLI::Range(1, 16384));
+  arguments.add_flag("!--no-state", keeps, "keep nothing: no unsaved work, no recent files");
+  try {
+    arguments.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return arguments.exit(error) == 0 ? 0 : kUsage;
+  }
+
+  try {
+    const App::Paths paths{share_folder(), keeps ? state_folder() : fs::path()};
+    const Fonts fonts(paths.share / "assets" / "fonts.toml");
+    std::unique_ptr<App> app;
+    try {
+      app = std::make_unique<App>(paths, fonts, name);
+    } catch (const std::runtime_error& error) {
+      std::cerr << "gjkscope-viewer: " << error.what() << '\n';
+      return kProblem;
+    }
+    Window window(*app, fonts, size.first, size.second);
+    if (script.empty() && screenshot.empty()) {
+      window.run();
+      return kDone;
+    }
+    if (!script.empty()) {
+      std::ifstream stream(script, std::ios::binary);
+      if (!stream) throw std::runtime_error("cannot read " + script);
+      play_script(std::string(std::istreambuf_iterator<char>(stream), {}), script, *app, window);
+    }
+    if (!screenshot.empty()) {
+      const std::vector<std::uint8_t> png = encode_png(window.screenshot());
+      write_whole(screenshot, std::span<const std::uint8_t>(png));
+    }
+    return kDone;
+  } catch (const NoWindow& error) {
+    std::cerr << "gjkscope-viewer: " << error.what()
+              << "\nWithout a window, `gjkscope export LESSON --out DIR` draws the same frames "
+                 "into files.\n";
+    return kUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "gjkscope-viewer: " << error.what() << '\n';
+    return kCannot;
+  }
+}

@@ -1,0 +1,155 @@
+#pragma once
+// What the window shows and what was done to it: the lesson being edited with its history, the run
+// that follows from it, and the place in that run. No window, no GL.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+
+/// An answer given in predict mode.
+struct Answer {
+  std::string lesson;
+  int iteration = 0;
+  std::string ask;  ///< "support", ...
+  std::vector<std::string> choices;
+  std::string chosen;
+  std::string right;  ///< From the trace.
+  [[nodiscard]] bool is_right() const { return chosen == right; }
+};
+
+class Session {
+ public:
+  /// `fonts` must outlive the session.
+  explicit Session(const Fonts& fonts);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // The lesson
+
+  /// Shows another lesson, from its start; history begins anew. `file` is where it is saved, empty
+  /// for what has no file yet. `unsaved`: it differs from its file. False, and all stays as it
+  /// was, when its run cannot be shown.
+  bool open(Lesson lesson, std::filesystem::path file, bool unsaved = false);
+  /// The file changed: the same place of the new lesson; an entry of the history.
+  bool reload(Lesson lesson);
+  [[nodiscard]] const Lesson& lesson() const { return lesson_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] bool is_unsaved() const { return version_ != saved_version_; }
+  void mark_saved(std::filesystem::path file);
+  /// Grows with every change.
+  [[nodiscard]] long version() const { return version_; }
+  /// Why the run that follows from the lesson is not shown (the last one that could be is); empty
+  /// when it is.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+  // Changes. `name` is what undo calls it.
+
+  /// One entry of the history. The lesson stays as it was when the run is refused.
+  bool change(const std::string& name, const std::function<void(Lesson&)>& edit);
+  /// Many changes, one entry: a drag.
+  void begin_drag(const std::string& name);
+  void drag(const std::function<void(Lesson&)>& edit);
+  void end_drag();
+  [[nodiscard]] bool is_dragging() const { return dragging_; }
+  bool undo();
+  bool redo();
+  /// The name of what undo, or redo, would take back; empty when there is nothing.
+  [[nodiscard]] std::string undo_name() const;
+  [[nodiscard]] std::string redo_name() const;
+
+  // The place in the run
+
+  [[nodiscard]] const LessonRun& run() const;
+  [[nodiscard]] int frame_count() const;
+  [[nodiscard]] int index() const { return index_; }
+  [[nodiscard]] const Frame& frame() const;
+  void go_to(int index);
+  /// By frames; clamped to the ends. False when there was nowhere to go.
+  bool step(int by);
+  /// To the first frame of the next iteration, or of this one, or of the one before.
+  bool step_iteration(int by);
+  /// To the next frame of the phase, from the start again after the last. False when there is none.
+  bool go_to_next(gjk::Phase phase);
+
+  // Predict mode: frames ask before they tell
+
+  void set_predicting(bool on);
+  [[nodiscard]] bool is_predicting() const { return predicting_; }
+  /// The question of the frame, while it is open.
+  [[nodiscard]] const FrameQuestion* question() const;
+  /// Takes the choice, and goes on to the frame that tells.
+  void answer(const std::string& choice);
+  [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
+  [[nodiscard]] int right_answers() const;
+  void forget_answers() { answers_.clear(); }
+  [[nodiscard]] std::string answers_json() const;
+
+  // Pictures
+
+  void set_page(const Page& page);
+  [[nodiscard]] const Page& page() const { return page_; }
+  /// Of the frame, at the page's size.
+  [[nodiscard]] const Picture& picture();
+  [[nodiscard]] const FrameText& text() const;
+  [[nodiscard]] std::vector<LessonPictures::Stage> stages() const;
+  /// What a view sees; for this window, not part of the lesson and its history.
+  void set_camera(std::size_t view, const Camera& camera);
+  /// All views fit what they show again.
+  void fit();
+  [[nodiscard]] EffectGraph& effects();
+
+  /// The lesson as the window shows it: cameras where they stand.
+  [[nodiscard]] Lesson lesson_as_seen() const;
+
+ private:
+  struct Entry {
+    std::string name;
+    Lesson lesson;
+  };
+  struct Shown;
+  /// Where in the run one is, to find it again in another.
+  struct Place {
+    int run = 0;
+    int iteration = 0;
+    int phase = -1;
+    int detail = -1;
+  };
+
+  bool replace(Lesson lesson);
+  void remember(std::string name);
+  /// Runs the lesson; false, and the last run stays, when it cannot be shown.
+  bool show(bool quick);
+  void changed();
+  [[nodiscard]] Place place() const;
+  [[nodiscard]] int find(const Place& place) const;
+  void hold_cameras();
+  [[nodiscard]] Lesson lesson_to_run() const;
+
+  const Fonts& fonts_;
+  Page page_;
+  Lesson lesson_;
+  std::filesystem::path file_;
+  long version_ = 0;
+  long saved_version_ = 0;
+  std::string problem_;
+  std::vector<Entry> past_;
+  std::vector<Entry> future_;
+  bool dragging_ = false;
+  bool predicting_ = false;
+  std::vector<Answer> answers_;
+  std::vector<std::optional<Camera>> cameras_;
+  std::unique_ptr<Shown> shown_;
+  int index_ = 0;
+  std::optional<Picture> picture_;
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,490 @@
+#include "window.hpp"
+
+#include <SDL.h>
+#include <SDL_opengl.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "file_watch.hpp"
+#include "lesson/problem.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr double kUiType = 15.0;  // pixels at scale 1
+/// Frames after the last event: Dear ImGui needs one to see where things are, and one to act.
+constexpr int kFramesAfterEvent = 3;
+
+/// What the window itself calls of OpenGL; all else is Dear ImGui's back end.
+struct Gl {
+  decltype(&glViewport) viewport;
+  decltype(&glClearColor) clear_color;
+  decltype(&glClear) clear;
+  decltype(&glReadPixels) read_pixels;
+  decltype(&glFinish) finish;
+
+  Gl() {
+    const auto load = [](auto& function, const char* name) {
+      void* address = SDL_GL_GetProcAddress(name);
+      if (!address) throw NoWindow(fmt::format("OpenGL has no {}", name));
+      std::memcpy(&function, &address, sizeof function);
+    };
+    load(viewport, "glViewport");
+    load(clear_color, "glClearColor");
+    load(clear, "glClear");
+    load(read_pixels, "glReadPixels");
+    load(finish, "glFinish");
+  }
+};
+
+double seconds() {
+  return static_cast<double>(SDL_GetPerformanceCounter()) /
+         static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+struct Sdl {
+  Sdl() {
+    SDL_SetHint(SDL_HINT_VIDEO_HIGHDPI_DISABLED, "0");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0)
+      throw NoWindow(fmt::format("there is no display to open a window on ({})", SDL_GetError()));
+    // These draw where nobody looks.
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    if (driver == "offscreen" || driver == "dummy" || driver == "evdev") {
+      SDL_Quit();
+      throw NoWindow(
+          "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY lead to none)");
+    }
+  }
+  ~Sdl() { SDL_Quit(); }
+  Sdl(const Sdl&) = delete;
+  Sdl& operator=(const Sdl&) = delete;
+};
+
+struct DeleteWindow {
+  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+};
+struct DeleteContext {
+  void operator()(void* context) const { SDL_GL_DeleteContext(context); }
+};
+struct DeleteCursor {
+  void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
+};
+
+/// Of the characters that the type faces have, those that panels need.
+const ImWchar* panel_characters() {
+  static const std::vector<ImWchar> ranges = {0x20,   0xFF,   0x370,  0x3FF,  0x2010,
+                                              0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
+                                              0x2200, 0x22FF, 0x2713, 0x2717, 0};
+  return ranges.data();
+}
+
+}  // namespace
+
+struct Window::Impl {
+  Impl(App& the_app, const Fonts& the_fonts, int width, int height)
+      : app(the_app), fonts(the_fonts) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+    SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+    window.reset(SDL_CreateWindow("gjkscope", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
+                                  height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE));
+    if (!window) throw NoWindow(fmt::format("no window can be opened ({})", SDL_GetError()));
+    context.reset(SDL_GL_CreateContext(window.get()));
+    if (!context) throw NoWindow(fmt::format("there is no OpenGL 3 ({})", SDL_GetError()));
+    SDL_GL_SetSwapInterval(0);
+    gl = std::make_unique<Gl>();
+    hand.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND));
+    arrow.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW));
+
+    imgui = ImGui::CreateContext();
+    ImGui::SetCurrentContext(imgui);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigInputTextCursorBlink = false;  // a caret is no reason to draw twice a second
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    for (const auto& [key, scancode] : {std::pair(ImGuiKey_Tab, SDL_SCANCODE_TAB),
+                                        {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+                                        {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+                                        {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+                                        {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+                                        {ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
+                                        {ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
+                                        {ImGuiKey_Home, SDL_SCANCODE_HOME},
+                                        {ImGuiKey_End, SDL_SCANCODE_END},
+                                        {ImGuiKey_Insert, SDL_SCANCODE_INSERT},
+                                        {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+                                        {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+                                        {ImGuiKey_Space, SDL_SCANCODE_SPACE},
+                                        {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+                                        {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+                                        {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+                                        {ImGuiKey_A, SDL_SCANCODE_A},
+                                        {ImGuiKey_C, SDL_SCANCODE_C},
+                                        {ImGuiKey_V, SDL_SCANCODE_V},
+                                        {ImGuiKey_X, SDL_SCANCODE_X},
+                                        {ImGuiKey_Y, SDL_SCANCODE_Y},
+                                        {ImGuiKey_Z, SDL_SCANCODE_Z}})
+      io.KeyMap[key] = scancode;
+    io.SetClipboardTextFn = [](void*, const char* text) { SDL_SetClipboardText(text); };
+    io.GetClipboardTextFn = [](void*) -> const char* {
+      static std::string held;
+      held = clipboard();
+      return held.c_str();
+    };
+    if (!ImGui_ImplOpenGL3_Init("#version 130"))
+      throw NoWindow("Dear ImGui has no OpenGL 3 back end here");
+    app.paste = clipboard;
+    app.copy = [](const std::string& text) { SDL_SetClipboardText(text.c_str()); };
+    file_event = SDL_RegisterEvents(1);
+    watch = std::make_unique<FileWatch>([this] {
+      SDL_Event event = {};
+      event.type = file_event;
+      SDL_PushEvent(&event);
+    });
+  }
+
+  ~Impl() {
+    watch.reset();
+    if (imgui) {
+      ImGui::SetCurrentContext(imgui);
+      ImGui_ImplOpenGL3_Shutdown();
+      ImGui::DestroyContext(imgui);
+    }
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  static std::string clipboard() {
+    char* text = SDL_GetClipboardText();
+    std::string copy = text ? text : "";
+    SDL_free(text);
+    return copy;
+  }
+
+  /// Fonts for the picture at `scale` and for the panels; nothing where they are there.
+  void prepare_fonts(double scale) {
+    if (atlas_fonts && scale == atlas_fonts->scale() && ui_scale == app.ui_scale()) return;
+    ui_scale = app.ui_scale();
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    io.Fonts->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
+    io.Fonts->TexDesiredWidth = 2048;
+    ImFontConfig config;
+    const std::vector<unsigned char>& file = fonts.file(Face::regular);
+    config.FontData = const_cast<unsigned char*>(file.data());  // read, not written
+    config.FontDataSize = static_cast<int>(file.size());
+    config.FontDataOwnedByAtlas = false;
+    config.SizePixels = static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
+    config.GlyphRanges = panel_characters();
+    io.Fonts->AddFont(&config);
+    atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, scale);
+    if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    style.AntiAliasedLinesUseTex = false;
+    style.WindowRounding = 0.0f;
+    style.WindowBorderSize = 0.0f;
+    style.WindowPadding = ImVec2(10.0f, 8.0f);
+    style.FrameRounding = 4.0f;
+    style.FrameBorderSize = 1.0f;
+    style.GrabRounding = 4.0f;
+    style.ScaleAllSizes(static_cast<float>(ui_scale));
+  }
+
+  void set_title() {
+    const std::string wanted = app.title();
+    if (wanted != title) SDL_SetWindowTitle(window.get(), wanted.c_str());
+    title = wanted;
+    if (app.watched() != watched) {
+      watched = app.watched();
+      watch->watch(watched);
+    }
+    const bool full = app.wants_full_screen();
+    if (full != is_full)
+      SDL_SetWindowFullscreen(window.get(), full ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    is_full = full;
+  }
+
+  void draw() {
+    int width = 0;
+    int height = 0;
+    SDL_GetWindowSize(window.get(), &width, &height);
+    int pixels_wide = 0;
+    int pixels_high = 0;
+    SDL_GL_GetDrawableSize(window.get(), &pixels_wide, &pixels_high);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
+    if (width > 0 && height > 0) {
+      io.DisplayFramebufferScale =
+          ImVec2(static_cast<float>(pixels_wide) / static_cast<float>(width),
+                 static_cast<float>(pixels_high) / static_cast<float>(height));
+    }
+    const double now = seconds() + skipped;
+    io.DeltaTime = static_cast<float>(std::clamp(now - last_frame, 1e-4, 1.0));
+    last_frame = now;
+    app.tick(now);
+    prepare_fonts(app.layout(width, height));
+    app.set_colors();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    app.draw(*atlas_fonts);
+    const bool over_hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+    ImGui::Render();
+    SDL_SetCursor(over_hand ? hand.get() : arrow.get());
+    const Color paper = app.background();
+    gl->viewport(0, 0, pixels_wide, pixels_high);
+    gl->clear_color(static_cast<float>(paper.r) / 255.0f, static_cast<float>(paper.g) / 255.0f,
+                    static_cast<float>(paper.b) / 255.0f, 1.0f);
+    gl->clear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (shot) {
+      gl->finish();
+      shot->width = pixels_wide;
+      shot->height = pixels_high;
+      const std::size_t row = static_cast<std::size_t>(pixels_wide) * 4;
+      std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(pixels_high));
+      gl->read_pixels(0, 0, pixels_wide, pixels_high, GL_RGBA, GL_UNSIGNED_BYTE,
+                      upside_down.data());
+      shot->pixels.resize(upside_down.size());
+      for (int y = 0; y < pixels_high; ++y) {
+        std::memcpy(shot->pixels.data() + row * static_cast<std::size_t>(y),
+                    upside_down.data() + row * static_cast<std::size_t>(pixels_high - 1 - y), row);
+      }
+    }
+    SDL_GL_SwapWindow(window.get());
+    set_title();
+    io.MouseWheel = 0.0f;
+  }
+
+  /// True when the next event should wait for a frame: Dear ImGui looks at buttons once a frame.
+  bool take(const SDL_Event& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    frames_left = kFramesAfterEvent;
+    switch (event.type) {
+      case SDL_QUIT:
+        quit = true;
+        return true;
+      case SDL_MOUSEMOTION:
+        io.MousePos =
+            ImVec2(static_cast<float>(event.motion.x), static_cast<float>(event.motion.y));
+        return false;
+      case SDL_MOUSEBUTTONDOWN:
+      case SDL_MOUSEBUTTONUP: {
+        io.MousePos =
+            ImVec2(static_cast<float>(event.button.x), static_cast<float>(event.button.y));
+        const int button = event.button.button == SDL_BUTTON_LEFT    ? 0
+                           : event.button.button == SDL_BUTTON_RIGHT ? 1
+                                                                     : 2;
+        io.MouseDown[button] = event.type == SDL_MOUSEBUTTONDOWN;
+        if (io.MouseDown[0]) app.clicked(event.button.clicks);
+        SDL_CaptureMouse(io.MouseDown[0] ? SDL_TRUE : SDL_FALSE);
+        return true;
+      }
+      case SDL_MOUSEWHEEL:
+        io.MouseWheel += event.wheel.preciseY;
+        return true;
+      case SDL_TEXTINPUT:
+        if (io.WantTextInput) {
+          io.AddInputCharactersUTF8(event.text.text);
+        } else if (std::strcmp(event.text.text, "?") == 0) {
+          app.press({"?"});
+        }
+        return false;
+      case SDL_KEYDOWN:
+      case SDL_KEYUP: {
+        const bool down = event.type == SDL_KEYDOWN;
+        io.KeysDown[event.key.keysym.scancode] = down;
+        const Uint16 mod = event.key.keysym.mod;
+        io.KeyCtrl = (mod & (KMOD_CTRL | KMOD_GUI)) != 0;
+        io.KeyShift = (mod & KMOD_SHIFT) != 0;
+        io.KeyAlt = (mod & KMOD_ALT) != 0;
+        if (!down) return false;
+        const std::string name = SDL_GetKeyName(event.key.keysym.sym);
+        if (io.WantTextInput && name != "Escape") return false;
+        app.press({name, io.KeyCtrl, io.KeyShift});
+        return false;
+      }
+      case SDL_DROPFILE:
+        app.open_path(event.drop.file);
+        SDL_free(event.drop.file);
+        return false;
+      case SDL_WINDOWEVENT:
+        if (event.window.event == SDL_WINDOWEVENT_LEAVE && !io.MouseDown[0])
+          io.MousePos = ImVec2(-HUGE_VALF, -HUGE_VALF);
+        if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+          std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+          io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+        }
+        return false;
+      default:
+        if (event.type == file_event) app.file_changed(watched);
+        return false;
+    }
+  }
+
+  /// Takes events that are there, up to one that wants a frame first.
+  void take_all() {
+    SDL_Event event;
+    while (SDL_PollEvent(&event) != 0) {
+      if (take(event)) return;
+    }
+  }
+
+  App& app;
+  const Fonts& fonts;
+  Sdl sdl;
+  std::unique_ptr<SDL_Window, DeleteWindow> window;
+  std::unique_ptr<void, DeleteContext> context;
+  std::unique_ptr<SDL_Cursor, DeleteCursor> hand;
+  std::unique_ptr<SDL_Cursor, DeleteCursor> arrow;
+  std::unique_ptr<Gl> gl;
+  ImGuiContext* imgui = nullptr;
+  std::unique_ptr<AtlasFonts> atlas_fonts;
+  double ui_scale = 0.0;
+  std::unique_ptr<FileWatch> watch;
+  Uint32 file_event = 0;
+  std::filesystem::path watched;
+  std::string title;
+  bool is_full = false;
+  bool quit = false;
+  int frames_left = kFramesAfterEvent;
+  double last_frame = 0.0;
+  double skipped = 0.0;  ///< Seconds that a script has let pass.
+  Image* shot = nullptr;
+};
+
+Window::Window(App& app, const Fonts& fonts, int width, int height)
+    : impl_(std::make_unique<Impl>(app, fonts, width, height)) {}
+Window::~Window() = default;
+
+void Window::run() {
+  while (!impl_->quit && !impl_->app.wants_to_quit()) {
+    if (impl_->frames_left == 0) {
+      SDL_Event event;
+      const std::optional<double> wakes = impl_->app.wakes_at();
+      bool came = false;
+      if (wakes) {
+        const double left = std::max(*wakes - seconds() - impl_->skipped, 0.0);
+        came = SDL_WaitEventTimeout(&event, static_cast<int>(std::ceil(1e3 * left))) != 0;
+        if (!came) impl_->frames_left = 1;
+      } else {
+        came = SDL_WaitEvent(&event) != 0;
+      }
+      if (!came || !impl_->take(event)) impl_->take_all();
+    } else {
+      impl_->take_all();
+    }
+    if (impl_->frames_left > 0) {
+      impl_->draw();
+      --impl_->frames_left;
+    }
+  }
+}
+
+void Window::settle() {
+  // As many as a burst of events takes; a window that never comes to rest would be a fault.
+  constexpr int kMost = 1000;
+  for (int i = 0; i < kMost && !impl_->quit; ++i) {
+    impl_->take_all();
+    if (impl_->frames_left == 0) return;
+    impl_->draw();
+    --impl_->frames_left;
+  }
+}
+
+void Window::wait(double time) {
+  const double end = seconds() + impl_->skipped + time;
+  while (true) {
+    const double now = seconds() + impl_->skipped;
+    const std::optional<double> wakes = impl_->app.wakes_at();
+    const double next = std::min(wakes.value_or(end), end);
+    if (next > now) impl_->skipped += next - now;
+    impl_->frames_left = 1;
+    settle();
+    if (next >= end) return;
+  }
+}
+
+void Window::push_key(const KeyPress& key) {
+  SDL_Event event = {};
+  event.type = SDL_KEYDOWN;
+  event.key.keysym.sym = SDL_GetKeyFromName(key.key.c_str());
+  event.key.keysym.scancode = SDL_GetScancodeFromKey(event.key.keysym.sym);
+  event.key.keysym.mod =
+      static_cast<Uint16>((key.ctrl ? KMOD_LCTRL : 0) | (key.shift ? KMOD_LSHIFT : 0));
+  if (key.key == "?") return push_text("?");
+  SDL_PushEvent(&event);
+  settle();
+  event.type = SDL_KEYUP;
+  event.key.keysym.mod = 0;
+  SDL_PushEvent(&event);
+  settle();
+}
+
+void Window::push_text(const std::string& text) {
+  // An event holds 31 bytes of text; characters are not cut.
+  for (std::size_t begin = 0; begin < text.size();) {
+    SDL_Event event = {};
+    event.type = SDL_TEXTINPUT;
+    std::size_t end = std::min(begin + sizeof event.text.text - 1, text.size());
+    while (end < text.size() && !starts_character(text[end])) --end;
+    text.copy(event.text.text, end - begin, begin);
+    SDL_PushEvent(&event);
+    settle();
+    begin = end;
+  }
+}
+
+void Window::push_move(double x, double y) {
+  SDL_Event event = {};
+  event.type = SDL_MOUSEMOTION;
+  event.motion.x = static_cast<int>(std::lround(x));
+  event.motion.y = static_cast<int>(std::lround(y));
+  SDL_PushEvent(&event);
+  settle();
+}
+
+void Window::push_button(bool down, int clicks) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  SDL_Event event = {};
+  event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
+  event.button.button = SDL_BUTTON_LEFT;
+  event.button.clicks = static_cast<Uint8>(clicks);
+  event.button.x = static_cast<int>(at.x);
+  event.button.y = static_cast<int>(at.y);
+  SDL_PushEvent(&event);
+  settle();
+}
+
+void Window::push_wheel(double by) {
+  SDL_Event event = {};
+  event.type = SDL_MOUSEWHEEL;
+  event.wheel.preciseY = static_cast<float>(by);
+  SDL_PushEvent(&event);
+  settle();
+}
+
+void Window::resize(int width, int height) {
+  SDL_SetWindowSize(impl_->window.get(), width, height);
+  impl_->frames_left = kFramesAfterEvent;
+  settle();
+}
+
+Image Window::screenshot() {
+  Image image;
+  settle();
+  impl_->shot = &image;
+  impl_->draw();
+  impl_->shot = nullptr;
+  return image;
+}
+
+}  // namespace gjkscope

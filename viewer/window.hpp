@@ -1,0 +1,51 @@
+#pragma once
+// A window of SDL2 and OpenGL 3 around an App: events in, frames out. It waits for events and draws
+// nothing while nothing changes.
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "app.hpp"
+#include "paint/canvas.hpp"
+
+namespace gjkscope {
+
+/// There is no display, or no OpenGL.
+class NoWindow : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Window {
+ public:
+  /// Throws NoWindow saying what was tried.
+  Window(App& app, const Fonts& fonts, int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Until the user quits.
+  void run();
+
+  // For scripts: the same way as the user's events.
+
+  void push_key(const KeyPress& key);
+  void push_text(const std::string& text);
+  void push_move(double x, double y);
+  void push_button(bool down, int clicks = 1);
+  void push_wheel(double by);
+  void resize(int width, int height);
+  /// Takes in all events and draws until nothing changes any more.
+  void settle();
+  /// Lets time pass, as if the user waited.
+  void wait(double seconds);
+  /// What the window shows.
+  [[nodiscard]] Image screenshot();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gjkscope
