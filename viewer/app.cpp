@@ -534,11 +534,13 @@ void App::make_commands() {
   add("File", "Quit", {"Ctrl+Q"}, [&] { quit_ = true; });
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
   add("View", "Lessons", {"L"}, [&] { lessons_shown_ = !lessons_shown_; });
-  const auto toggle = [&](Drawer drawer) { drawer_ = drawer_ == drawer ? Drawer::none : drawer; };
-  add("View", "Shapes", {"S"}, [=, this] { toggle(Drawer::shapes); });
-  add("View", "Values", {"V"}, [=, this] { toggle(Drawer::values); });
-  add("View", "Numerics", {"N"}, [=, this] { toggle(Drawer::numerics); });
-  add("View", "Effects", {"E"}, [=, this] { toggle(Drawer::effects); });
+  const auto toggle = [this](Drawer drawer) {
+    drawer_ = drawer_ == drawer ? Drawer::none : drawer;
+  };
+  add("View", "Shapes", {"S"}, [toggle] { toggle(Drawer::shapes); });
+  add("View", "Values", {"V"}, [toggle] { toggle(Drawer::values); });
+  add("View", "Numerics", {"N"}, [toggle] { toggle(Drawer::numerics); });
+  add("View", "Effects", {"E"}, [toggle] { toggle(Drawer::effects); });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
       [&] { ui_scale_ = std::min(ui_scale_ + 0.125, 3.0); });
