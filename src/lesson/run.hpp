@@ -64,13 +64,13 @@ inline constexpr int kWitnessDistance = 3;
 
 /// What one frame shows.
 struct Frame {
-  int run = 0;      ///< Index into LessonRun::runs.
-  int step = -1;    ///< Index into the trace's steps; -1: the start, before the first phase.
-  int detail = -1;  ///< Granularity::test: index of the region test reached, -1 before the first.
-                    ///< Granularity::pairs: number of pairs made so far; one more than there are:
-                    ///< the hull. Granularity::support and witness: kSupportDirection
-                    ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
-                    ///< Granularity::maps, orders: MapStage, OrderStage.
+  int run = 0;        ///< Index into LessonRun::runs.
+  int step = -1;      ///< Index into the trace's steps; -1: the start, before the first phase.
+  int detail = -1;    ///< Granularity::test: index of the region test reached, -1 before the first.
+                      ///< Granularity::pairs: number of pairs made so far; one more than there are:
+                      ///< the hull. Granularity::support and witness: kSupportDirection
+                      ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
+                      ///< Granularity::maps, orders: MapStage, OrderStage.
   int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
                       ///< before it shows; the next frame that asks nothing answers.
   int answer = -1;    ///< Of a frame that asks: index of the step that answers.

@@ -33,8 +33,8 @@ Ran run_viewer(const TemporaryFolder& folder, const std::string& arguments, bool
   const std::string lock = std::string("flock ") + GJKSCOPE_VIEWER + " ";
   const std::string on = display ? lock + "xvfb-run -a -s '-screen 0 1280x800x24' " : "";
   // A window that should not have opened would wait for ever.
-  const std::string command =
-      environment + "timeout 300 " + on + GJKSCOPE_VIEWER + " " + arguments + " >/dev/null 2>" + err;
+  const std::string command = environment + "timeout 300 " + on + GJKSCOPE_VIEWER + " " +
+                              arguments + " >/dev/null 2>" + err;
   const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe)
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(err)};
 }
