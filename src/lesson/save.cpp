@@ -77,7 +77,7 @@ bool may_begin_line(char c) {
 
 /// On one line where it fits, else filled lines that each end with a backslash.
 std::string long_text(std::string_view text, std::string_view key) {
-  const std::string short_form = as_text(text);
+  std::string short_form = as_text(text);
   const int short_width =
       character_count(key) + character_count(" = ") + character_count(short_form);
   if (short_width <= kWidth || !may_begin_line(text.front())) return short_form;
