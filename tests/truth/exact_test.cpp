@@ -93,6 +93,21 @@ TEST(Exact, EqualsTheOracleWhateverTheGuess) {
   EXPECT_GT(overlapping, 300);
 }
 
+TEST(Exact, LiesInTheBoundsOfLongDoubles) {
+  constexpr long double kGoodTo = 0x1p-60L;
+  int settled = 0;
+  for_each_pair(60, [&](const Pair<double>& pair, families::Source&) {
+    const auto query = pair.query();
+    const Truth truth = ExactPair(query).truth({});
+    const auto result = gjk::distance<long double>(query);
+    ASSERT_EQ(gjk::Error::none, result.error);
+    ASSERT_LE(result.lower, truth.distance * (1 + kGoodTo));
+    ASSERT_GE(result.upper, truth.distance * (1 - kGoodTo));
+    settled += result.settled && !truth.overlap ? 1 : 0;
+  });
+  EXPECT_GT(settled, 10);
+}
+
 TEST(Exact, ScaleIsTheLargestDistanceOfVertices) {
   for_each_pair(10, [&](const Pair<double>& pair, families::Source&) {
     Rational largest = 0;
