@@ -15,7 +15,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/export.hpp"
-#include "effects/registry.hpp"
+#include "cli/input.hpp"
 #include "lesson/case.hpp"
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"
@@ -31,14 +31,6 @@ using Eigen::Vector2d;
 constexpr const char* kOpening = "polygons-gjk";
 constexpr double kSaveEvery = 1.0;  // seconds; what a crash may cost
 constexpr std::size_t kMostRecent = 10;
-
-std::vector<std::string> view_effect_names() {
-  std::vector<std::string> names;
-  for (const EffectInfo& info : registered_effects()) {
-    if (info.used_by == "view") names.emplace_back(info.name);
-  }
-  return names;
-}
 
 std::string read_whole(const fs::path& file) {
   std::error_code none;
@@ -77,7 +69,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       session_(fonts),
       theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)) {
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";
-  for (const LoadedLesson& loaded : load_lessons(folder, view_effect_names())) {
+  for (const LoadedLesson& loaded : load_lessons(folder, view_effects())) {
     if (loaded.lesson) {
       lessons_.push_back({loaded.lesson->path, loaded.lesson->id, loaded.lesson->title,
                           loaded.lesson->chapter, ""});
@@ -143,7 +135,7 @@ void App::open_path(const fs::path& path) {
 }
 
 void App::open_lesson(const fs::path& file) {
-  LoadedLesson loaded = parse_lesson(read_whole(file), file, view_effect_names());
+  LoadedLesson loaded = parse_lesson(read_whole(file), file, view_effects());
   if (!loaded.lesson) return say(all_of(loaded.problems), true);
   if (!session_.open(std::move(*loaded.lesson), file))
     return say(fmt::format("{}: {}", file.string(), session_.problem()), true);
@@ -160,7 +152,7 @@ void App::open_case_text(std::string_view text, const std::string& name) {
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
   const Lesson plain = lesson_of(*cases.front().value, cases.front().name, ScalarKind::double_);
   const fs::path template_file = paths_.share / "lessons" / (std::string(kOpening) + ".toml");
-  LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, view_effect_names());
+  LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, view_effects());
   if (!loaded.lesson) return say(all_of(loaded.problems), true);
   Lesson lesson = std::move(*loaded.lesson);
   lesson.id = plain.id;
@@ -190,7 +182,7 @@ void App::open_case_text(std::string_view text, const std::string& name) {
 void App::file_changed(const fs::path& path) {
   if (path != session_.file()) return;
   try {
-    LoadedLesson loaded = parse_lesson(read_whole(path), path, view_effect_names());
+    LoadedLesson loaded = parse_lesson(read_whole(path), path, view_effects());
     if (!loaded.lesson) return say(all_of(loaded.problems), true);
     if (*loaded.lesson == session_.lesson()) return;
     if (!session_.reload(std::move(*loaded.lesson)))
@@ -321,7 +313,7 @@ void App::restore() {
       if (text.starts_with(kKeptFrom) && end != std::string::npos)
         from = text.substr(kKeptFrom.size(), end - kKeptFrom.size());
       LoadedLesson loaded =
-          parse_lesson(text, from.empty() ? "unsaved.toml" : from, view_effect_names());
+          parse_lesson(text, from.empty() ? "unsaved.toml" : from, view_effects());
       if (!loaded.lesson || !session_.open(std::move(*loaded.lesson), from, true)) continue;
       autosave();
       fs::remove(entry.path(), none);
@@ -401,7 +393,8 @@ void App::nudge(const Vector2d& pixels) {
                                   : Vector2d(2.0 * unit * pixels);
   const bool of_x = selected_.kind == Kind::vertex_of_x || selected_.kind == Kind::shape_x;
   const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
-  const PositionedRun run = session_.run().run(session_.frame());
+  session_.end_drag();
+  const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = of_x ? run.x_world : run.y_world;
   if (selected_.kind == Kind::vertex_of_x || selected_.kind == Kind::vertex_of_y) {
     const int index = of_x ? selected_.x : selected_.y;
@@ -431,7 +424,7 @@ void App::erase_selected() {
 
 bool App::is_sound(const Lesson& lesson) {
   const LoadedLesson read = parse_lesson(
-      lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, view_effect_names());
+      lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, view_effects());
   if (read.lesson) return true;
   std::string why;
   for (const Problem& problem : read.problems) {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app.hpp"
+#include "geometry/polygon.hpp"
 #include "hit.hpp"
 #include "picture/words.hpp"
 
@@ -174,13 +175,9 @@ void App::draw_highlights() {
       const double radius = zoom_ * (disk->radius + (selected ? 7.0 : 5.0));
       list.AddCircle(vec(to_pixel(disk->center)), static_cast<float>(radius), ink, 0, width);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
-      const double reach = fonts_.width(text->style, text->text);
-      const double left = text->at.x() - (text->align == Align::left    ? 0.0
-                                          : text->align == Align::right ? reach
-                                                                        : 0.5 * reach);
-      const double rise = fonts_.cap_height(text->style);
-      list.AddRectFilled(vec(to_pixel({left - 4.0, text->at.y() - rise - 4.0})),
-                         vec(to_pixel({left + reach + 4.0, text->at.y() + 5.0})), wash, 4.0f);
+      const Rect box = box_of(fonts_, *text);
+      list.AddRectFilled(vec(to_pixel(box.min - Point(4.0, 4.0))),
+                         vec(to_pixel(box.max + Point(4.0, 5.0))), wash, 4.0f);
     } else if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape);
                polygon && mark.subject.kind != Kind::region) {
       std::vector<ImVec2> points;
@@ -217,10 +214,7 @@ std::optional<Point> App::place_of(const Subject& subject) {
     if (const Text* text = std::get_if<Text>(&mark.shape))
       return to_pixel(text->at + Point(text->align == Align::right ? -4.0 : 4.0, -4.0));
     if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape)) {
-      Point middle = Point::Zero();
-      for (const Point& p : polygon->points)
-        middle += p / static_cast<double>(polygon->points.size());
-      return to_pixel(middle);
+      return to_pixel(centroid(polygon->points));
     }
   }
   return std::nullopt;
@@ -327,8 +321,7 @@ void App::continue_drag(const Point& on_page) {
   if (drag.turns) {
     const PositionedRun& run = session_.run().run(session_.frame());
     const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
-    Vector2d middle = Vector2d::Zero();
-    for (const Vector2d& vertex : world) middle += vertex / static_cast<double>(world.size());
+    const Vector2d middle = centroid(world);
     const Vector2d a = before - middle;
     const Vector2d b = now - middle;
     double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180.0 / std::numbers::pi;
@@ -354,7 +347,7 @@ void App::continue_drag(const Point& on_page) {
     return;
   }
   if (first) session_.begin_drag(moves_point ? "move a vertex" : "move a shape");
-  const PositionedRun run = session_.run().run(session_.frame());
+  const PositionedRun& run = session_.run().run(session_.frame());
   if (moves_point) {
     const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
     const int index = index_of(drag.subject);
@@ -386,7 +379,7 @@ void App::double_click(const Point& on_page) {
   const Vector2d at = to_view(*stage, on_page);
   const LessonPictures::Stage shown = session_.stages()[*stage];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
-  const PositionedRun run = session_.run().run(session_.frame());
+  const PositionedRun& run = session_.run().run(session_.frame());
   const auto of_x = edit::nearest_edge(run.x_world, at);
   const auto of_y = edit::nearest_edge(run.y_world, at);
   const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);

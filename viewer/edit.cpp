@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/polygon.hpp"
+
 namespace gjkscope::edit {
 namespace {
 
@@ -80,9 +82,7 @@ void move_shape(Lesson& lesson, Which which, const Vector2d& by) {
 
 void turn_shape(Lesson& lesson, Which which, double degrees) {
   LessonShape& shape = shape_of(lesson, which);
-  Vector2d middle = Vector2d::Zero();
-  for (const Vector2d& vertex : shape.vertices) middle += vertex;
-  middle /= static_cast<double>(shape.vertices.size());
+  const Vector2d middle = centroid(shape.vertices);
   const Vector2d stays =
       (rotation(shape.rotate_degrees) - rotation(shape.rotate_degrees + degrees)) * middle;
   shape.rotate_degrees = std::remainder(shape.rotate_degrees + degrees, 360.0);
@@ -131,12 +131,8 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
   if (vertices.size() < 2) return std::nullopt;
   NearestEdge nearest{0, HUGE_VAL};
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vector2d& a = vertices[i];
-    const Vector2d along = vertices[(i + 1) % vertices.size()] - a;
-    const double length_sq = along.squaredNorm();
-    const double t =
-        length_sq > 0.0 ? std::clamp((world - a).dot(along) / length_sq, 0.0, 1.0) : 0.0;
-    const double distance = (a + t * along - world).norm();
+    const double distance =
+        segment_distance(world, vertices[i], vertices[(i + 1) % vertices.size()]);
     if (distance < nearest.distance) nearest = {static_cast<int>(i), distance};
   }
   return nearest;

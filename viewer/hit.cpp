@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.hpp"
+
 namespace gjkscope {
 namespace {
 
 using Kind = Subject::Kind;
-
-double distance_to_line(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double length_sq = along.squaredNorm();
-  const double t = length_sq > 0.0 ? std::clamp((p - a).dot(along) / length_sq, 0.0, 1.0) : 0.0;
-  return (a + t * along - p).norm();
-}
 
 bool is_inside(const std::vector<Point>& polygon, const Point& p) {
   bool inside = false;
@@ -47,21 +42,15 @@ struct Aim {
     return off <= disk.radius + slack ? off : kMiss;
   }
   double operator()(const Text& text) const {
-    const double width = fonts.width(text.style, text.text);
-    const double left =
-        text.at.x() -
-        (text.align == Align::left ? 0.0 : width * (text.align == Align::right ? 1.0 : 0.5));
-    const double rise = fonts.cap_height(text.style);
-    const Rect box{{left, text.at.y() - rise}, {left + width, text.at.y()}};
-    return is_inside(box, p, 5.0) ? kLine : kMiss;
+    return is_inside(box_of(fonts, text), p, 5.0) ? kLine : kMiss;
   }
   double operator()(const Box& box) const { return is_inside(box.rect, p, 3.0) ? kLine : kMiss; }
   double operator()(const Polyline& line) const {
     double nearest = kMiss;
     for (std::size_t i = 1; i < line.points.size(); ++i)
-      nearest = std::min(nearest, distance_to_line(p, line.points[i - 1], line.points[i]));
+      nearest = std::min(nearest, segment_distance(p, line.points[i - 1], line.points[i]));
     if (line.closed && line.points.size() > 2) {
-      nearest = std::min(nearest, distance_to_line(p, line.points.back(), line.points.front()));
+      nearest = std::min(nearest, segment_distance(p, line.points.back(), line.points.front()));
       // An outline that is not convex has no fill, but an inside.
       if (is_inside(line.points, p)) return kArea;
     }
@@ -75,6 +64,13 @@ struct Aim {
 };
 
 }  // namespace
+
+Rect box_of(const Fonts& fonts, const Text& text) {
+  const double width = fonts.width(text.style, text.text);
+  const double share = text.align == Align::left ? 0.0 : text.align == Align::right ? 1.0 : 0.5;
+  const double left = text.at.x() - share * width;
+  return {{left, text.at.y() - fonts.cap_height(text.style)}, {left + width, text.at.y()}};
+}
 
 Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, double slack) {
   Subject best;

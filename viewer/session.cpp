@@ -64,9 +64,7 @@ bool Session::reload(Lesson lesson) {
   if (dragging_) end_drag();
   Lesson before = lesson_;
   if (!replace(std::move(lesson))) return false;
-  std::swap(before, lesson_);
-  remember("reload");
-  std::swap(before, lesson_);
+  remember("reload", std::move(before));
   changed();
   saved_version_ = version_;
   return true;
@@ -82,8 +80,8 @@ void Session::changed() {
   future_.clear();
 }
 
-void Session::remember(std::string name) {
-  past_.push_back({std::move(name), lesson_});
+void Session::remember(std::string name, Lesson lesson) {
+  past_.push_back({std::move(name), std::move(lesson)});
   std::size_t all = 0;
   for (const Entry& entry : past_) all += weight(entry.lesson);
   while (past_.size() > kMostEntries || (all > kMostRemembered && past_.size() > 1)) {
@@ -95,7 +93,7 @@ void Session::remember(std::string name) {
 bool Session::change(const std::string& name, const std::function<void(Lesson&)>& edit) {
   if (dragging_) end_drag();
   hold_cameras();
-  remember(name);
+  remember(name, lesson_);
   const std::vector<std::optional<Camera>> cameras = cameras_;
   edit(lesson_);
   cameras_.resize(lesson_.views.size());
@@ -112,7 +110,7 @@ bool Session::change(const std::string& name, const std::function<void(Lesson&)>
 void Session::begin_drag(const std::string& name) {
   if (dragging_) end_drag();
   hold_cameras();
-  remember(name);
+  remember(name, lesson_);
   changed();
   dragging_ = true;
 }
@@ -136,31 +134,21 @@ void Session::end_drag() {
   problem_ = why;
 }
 
-bool Session::undo() {
+bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
   if (dragging_) end_drag();
-  if (past_.empty()) return false;
-  Entry entry = std::move(past_.back());
-  past_.pop_back();
+  if (from.empty()) return false;
+  Entry entry = std::move(from.back());
+  from.pop_back();
   std::swap(lesson_, entry.lesson);
-  future_.push_back(std::move(entry));
+  to.push_back(std::move(entry));
   cameras_.resize(lesson_.views.size());
   ++version_;
   show(false);
   return true;
 }
 
-bool Session::redo() {
-  if (dragging_) end_drag();
-  if (future_.empty()) return false;
-  Entry entry = std::move(future_.back());
-  future_.pop_back();
-  std::swap(lesson_, entry.lesson);
-  past_.push_back(std::move(entry));
-  cameras_.resize(lesson_.views.size());
-  ++version_;
-  show(false);
-  return true;
-}
+bool Session::undo() { return swap_with_last(past_, future_); }
+bool Session::redo() { return swap_with_last(future_, past_); }
 
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }

@@ -125,7 +125,9 @@ class Session {
   };
 
   bool replace(Lesson lesson);
-  void remember(std::string name);
+  void remember(std::string name, Lesson lesson);
+  /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
+  bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
   bool show(bool quick);
   void changed();

@@ -216,6 +216,7 @@ struct LessonPictures::View {
   Stage stage;
   LabelPlacer placer;
   Rect title_box;
+  std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
 };
 
@@ -245,7 +246,10 @@ LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
     const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
     const Camera camera = camera_of(run_, view, card);
-    views_.push_back({{card, view.kind, camera}, LabelPlacer(fonts_, inner), title});
+    views_.push_back({{card, view.kind, camera},
+                      LabelPlacer(fonts_, inner),
+                      title,
+                      std::vector<std::optional<Scene>>(run_.frames.size())});
   }
 }
 
@@ -257,24 +261,28 @@ std::vector<LessonPictures::Stage> LessonPictures::stages() const {
   return stages;
 }
 
-Scene LessonPictures::scene(std::size_t view, const Frame& frame) const {
+const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
+  std::optional<Scene>& scene = views_[view].scenes[index];
   const Stage& stage = views_[view].stage;
-  return stage_scene(run_, effects_, frame, run_.lesson.views[view],
-                     StageMap(stage.card, stage.camera));
+  if (!scene) {
+    scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
+                        StageMap(stage.card, stage.camera));
+  }
+  return *scene;
 }
 
 /// Labels of things that stay get a place that suits every frame.
-void LessonPictures::place_fixed_labels(std::size_t index, const Frame& shown) {
-  View& view = views_[index];
+void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) {
+  View& view = views_[of_view];
   if (view.has_fixed_labels) return;
   view.has_fixed_labels = true;
-  std::vector<Scene> scenes;
-  for (const Frame& frame : run_.frames) {
-    if (scope_ == LabelScope::lesson || &frame == &shown) scenes.push_back(scene(index, frame));
+  std::vector<const Scene*> scenes;
+  for (std::size_t i = 0; i < run_.frames.size(); ++i) {
+    if (scope_ == LabelScope::lesson || i == shown) scenes.push_back(&scene(of_view, i));
   }
   Obstacles all;
-  for (const Scene& of_frame : scenes) {
-    const Obstacles& more = of_frame.obstacles;
+  for (const Scene* of_frame : scenes) {
+    const Obstacles& more = of_frame->obstacles;
     all.segments.insert(all.segments.end(), more.segments.begin(), more.segments.end());
     for (const Obstacles::Segment& line : more.passing) {
       const bool known =
@@ -287,8 +295,8 @@ void LessonPictures::place_fixed_labels(std::size_t index, const Frame& shown) {
   view.placer.begin_frame(std::move(all));
   view.placer.reserve(view.title_box);
   std::set<std::string> placed;
-  for (const Scene& of_frame : scenes) {
-    for (const LabelRequest& label : of_frame.fixed_labels) {
+  for (const Scene* of_frame : scenes) {
+    for (const LabelRequest& label : of_frame->fixed_labels) {
       if (shows(view.stage.card, label) && placed.insert(label.id).second)
         (void)view.placer.place(label, true);
     }
@@ -296,8 +304,8 @@ void LessonPictures::place_fixed_labels(std::size_t index, const Frame& shown) {
 }
 
 Picture LessonPictures::picture(int index) {
-  const Frame& frame = run_.frames[static_cast<std::size_t>(index)];
-  const FrameText& text = texts_[static_cast<std::size_t>(index)];
+  const auto at = static_cast<std::size_t>(index);
+  const FrameText& text = texts_[at];
   const double text_width = page_.width - 2.0 * kMargin;
   Picture picture;
   picture.width = page_.width;
@@ -312,16 +320,18 @@ Picture LessonPictures::picture(int index) {
                    wrapped(fonts_, type::kProse, text.prose, text_width), type::kProse, kProseLine);
 
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    place_fixed_labels(i, frame);
+    place_fixed_labels(i, at);
     View& view = views_[i];
     const Rect& card = view.stage.card;
     page.add("card", Box{card, kCardCorner});
     const int clip = static_cast<int>(picture.clips.size());
     picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
-    Scene of_frame = scene(i, frame);
-    for (Mark& mark : of_frame.marks) mark.clip = clip;
-    page.append(std::move(of_frame.marks));
-    view.placer.begin_frame(std::move(of_frame.obstacles));
+    const Scene& of_frame = scene(i, at);
+    for (const Mark& mark : of_frame.marks) {
+      picture.marks.push_back(mark);
+      picture.marks.back().clip = clip;
+    }
+    view.placer.begin_frame(of_frame.obstacles);
     view.placer.reserve(view.title_box);
     std::set<std::string> drawn;
     for (const LabelRequest& label : of_frame.fixed_labels) {
@@ -341,7 +351,7 @@ Picture LessonPictures::picture(int index) {
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});
-    page.append(panel_marks(run_, effects_, frame, fonts_, *panel_));
+    page.append(panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_));
   }
 
   const double detail_y = page.write_lines(

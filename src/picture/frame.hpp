@@ -83,8 +83,8 @@ class LessonPictures {
 
  private:
   struct View;
-  [[nodiscard]] Scene scene(std::size_t view, const Frame& frame) const;
-  void place_fixed_labels(std::size_t index, const Frame& shown);
+  [[nodiscard]] const Scene& scene(std::size_t view, std::size_t index);
+  void place_fixed_labels(std::size_t of_view, std::size_t shown);
 
   const LessonRun& run_;
   EffectGraph& effects_;
