@@ -434,6 +434,7 @@ void App::draw_effects() {
   Lesson wanted = session_.lesson();
   bool changed = false;
   for (std::size_t i = 0; i < wanted.views.size(); ++i) {
+    if (!shows_shapes(wanted.views[i].kind)) continue;
     ImGui::PushID(static_cast<int>(i));
     ImGui::Separator();
     ImGui::Text("In %s", wanted.views[i].kind == ViewKind::world ? "the world" : "the difference");

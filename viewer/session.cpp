@@ -326,6 +326,7 @@ const FrameText& Session::text() const {
 std::vector<LessonPictures::Stage> Session::stages() const { return shown_->pictures.stages(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
+  if (!shows_shapes(lesson_.views[view].kind)) return;
   cameras_[view] = camera_for(run(), lesson_.views[view], stages()[view].card, camera);
   show(true);
 }
@@ -334,7 +335,7 @@ void Session::hold_cameras() {
   if (!shown_) return;
   const std::vector<LessonPictures::Stage> seen = stages();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!cameras_[i] && !lesson_.views[i].camera)
+    if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
       cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
   }
 }
@@ -343,6 +344,7 @@ void Session::fit() {
   if (!shown_) return;
   const std::vector<LessonPictures::Stage> seen = stages();
   for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!shows_shapes(seen[i].kind)) continue;
     LessonView free = lesson_.views[i];
     free.camera.reset();
     cameras_[i] = camera_for(run(), free, seen[i].card, camera_of(run(), free, seen[i].card));

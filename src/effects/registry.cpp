@@ -4,6 +4,7 @@
 #include "effects/barycentric.hpp"
 #include "effects/cold_start.hpp"
 #include "effects/direction_rules.hpp"
+#include "effects/growth.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
 #include "effects/motion.hpp"
@@ -47,6 +48,7 @@ const std::vector<EffectInfo>& registered_effects() {
       info<GrownObstacle>("view", "Y grown by X, and X as a point against it"),
       info<Slab>("view", "the widest strip proved empty between X and Y"),
       info<ColdStart>("panel", "the same run without the warm start"),
+      info<Growth>("panel", "runs on random polygons, with more and more vertices"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
       info<SecondRun>("view", "the same query in another scalar: its closest point and search"),

@@ -20,6 +20,12 @@ struct CloudPoint {
 [[nodiscard]] std::vector<CloudPoint> minkowski_cloud(std::span<const Eigen::Vector2d> x,
                                                       std::span<const Eigen::Vector2d> y);
 
+/// Corners of the difference Y - X of two convex polygons, all counter-clockwise: the edges of Y
+/// and of -X in the order of their directions, so that few of the differences are looked at. Edges
+/// of the same direction are joined.
+[[nodiscard]] std::vector<Eigen::Vector2d> minkowski_merge(std::span<const Eigen::Vector2d> x,
+                                                           std::span<const Eigen::Vector2d> y);
+
 /// Indices into the cloud of its hull's corners, counter-clockwise.
 [[nodiscard]] std::vector<int> minkowski_hull(std::span<const CloudPoint> cloud);
 

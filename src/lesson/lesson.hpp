@@ -38,7 +38,7 @@ struct LessonShape {
 /// position on the path, or for each pair of vertices of the Minkowski difference; some frames for
 /// each support point; for the answer at each position, or for how it is carried back to X and Y;
 /// for each moment of a simulation, each map of a triangle's plane, or each order of its region
-/// tests.
+/// tests; for each support point of the run and then each size of polygons that is measured.
 enum class Granularity {
   iteration,
   phase,
@@ -50,7 +50,8 @@ enum class Granularity {
   answer,
   time,
   maps,
-  orders
+  orders,
+  growth
 };
 
 /// What the frames of granularity `maps` show, one after the other.
@@ -71,7 +72,10 @@ inline constexpr int kMapStages = 8;
 enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
 inline constexpr int kOrderStages = 4;
 
-enum class ViewKind { world, difference };
+enum class ViewKind { world, difference, growth };
+
+/// These views have a camera, and take effects; plots have neither.
+[[nodiscard]] constexpr bool shows_shapes(ViewKind kind) { return kind != ViewKind::growth; }
 
 /// What a view shows: the rectangle around `center` that is `height` world units high (wider or
 /// narrower with the stage). Without a camera the view fits what it draws.
@@ -111,7 +115,8 @@ enum class PanelBlock {
   signs,
   orders,
   stop_tests,
-  two_runs
+  two_runs,
+  growth
 };
 
 /// The listings that the pseudocode block can show.
@@ -140,6 +145,17 @@ struct LessonTime {
   double seconds = 1.0;
   int frames = 2;
   friend bool operator==(const LessonTime&, const LessonTime&) = default;
+};
+
+/// Runs to be measured: pairs of random convex polygons, `runs` of them with each number of
+/// vertices.
+struct LessonGrowth {
+  std::vector<int> vertices;  ///< Of each of the two polygons, ascending.
+  int runs = 100;
+  int seed = 1;              ///< Of the random polygons.
+  double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
+                             ///< lower >= (1 - tolerance) * upper.
+  friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 
 /// What a frame can ask before a step answers it: which support point comes next, which region
@@ -183,7 +199,8 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  std::optional<LessonTime> time;  ///< Set with granularity `time`, and only then.
+  std::optional<LessonTime> time;      ///< Set with granularity `time`, and only then.
+  std::optional<LessonGrowth> growth;  ///< Set with granularity `growth`, and only then.
 
   std::vector<LessonView> views;
   std::vector<PanelBlock> panel;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "lesson/names.hpp"
@@ -35,6 +36,13 @@ struct ShapePlace {
   Field rotate;
 };
 
+/// The tables of the file that granularities need.
+struct OtherTables {
+  bool path = false;
+  bool time = false;
+  bool growth = false;
+};
+
 /// Reads the tables of one file, in an order in which each finds what it refers to.
 class LessonReader {
  public:
@@ -55,9 +63,11 @@ class LessonReader {
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
   void read_time(const Table& time);
-  void read_steps(const Table& steps, bool has_path, bool has_time);
+  void read_growth(const Table& growth);
+  void read_steps(const Table& steps, const OtherTables& has);
   void check_start(const Field& granularity);
   void check_needs_time(const Field& field, std::string_view what);
+  void check_needs_growth(const Field& field, std::string_view what);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
@@ -103,12 +113,19 @@ Lesson LessonReader::read(const toml::table& root) {
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   const Field time_field = file["time"];
   if (const auto time = reader_.table(time_field, "time")) read_time(*time);
+  const Field growth_field = file["growth"];
+  if (const auto growth = reader_.table(growth_field, "growth")) read_growth(*growth);
   if (const auto steps = reader_.table(file["steps"], "steps")) {
-    read_steps(*steps, static_cast<bool>(path_field), static_cast<bool>(time_field));
+    read_steps(*steps, {static_cast<bool>(path_field), static_cast<bool>(time_field),
+                        static_cast<bool>(growth_field)});
   }
   if (time_field && lesson_.granularity != Granularity::time) {
     problems_.add(time_field.place(), "a table [time] without granularity 'time'",
                   "granularity = \"time\" in [steps]");
+  }
+  if (growth_field && lesson_.granularity != Granularity::growth) {
+    problems_.add(growth_field.place(), "a table [growth] without granularity 'growth'",
+                  "granularity = \"growth\" in [steps]");
   }
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -415,6 +432,35 @@ void LessonReader::read_time(const Table& time) {
   lesson_.time = read;
 }
 
+void LessonReader::read_growth(const Table& growth) {
+  using namespace limits;
+  LessonGrowth read;
+  const Field vertices = growth["vertices"];
+  const std::vector<Field> sizes =
+      reader_.entries(vertices, fmt::format("whole number from 3 to {}", kMeasuredVertices));
+  if (vertices && vertices.node->is_array() && (sizes.size() < 2 || sizes.size() > kSizes))
+    problems_.add(vertices, fmt::format("'vertices' has {} entries", sizes.size()));
+  for (const Field& entry : sizes) {
+    const std::optional<int> size = reader_.whole_number(entry, 3, kMeasuredVertices);
+    if (!size) continue;
+    if (!read.vertices.empty() && *size <= read.vertices.back()) {
+      problems_.add(entry.place(), fmt::format("{} vertices after {}", *size, read.vertices.back()),
+                    "ascending numbers");
+    }
+    read.vertices.push_back(*size);
+  }
+  const long all = std::accumulate(read.vertices.begin(), read.vertices.end(), 0L);
+  if (all > kMeasuredTogether) {
+    problems_.add(vertices.place(), fmt::format("{} vertices in all", all),
+                  fmt::format("a sum of at most {}", kMeasuredTogether));
+  }
+  read.runs = reader_.whole_number(growth["runs"], 1, kMeasuredRuns).value_or(read.runs);
+  read.seed = reader_.whole_number(growth["seed"], 0, kSeed).value_or(read.seed);
+  read.tolerance =
+      reader_.number(growth["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(read.tolerance);
+  lesson_.growth = std::move(read);
+}
+
 /// Maps and orders of tests belong to a triangle, a beam to a segment: to the first simplex of a
 /// point query.
 void LessonReader::check_start(const Field& granularity) {
@@ -436,11 +482,17 @@ void LessonReader::check_needs_time(const Field& field, std::string_view what) {
                 "granularity = \"time\" in [steps], and a table [time]");
 }
 
-void LessonReader::read_steps(const Table& steps, bool has_path, bool has_time) {
+void LessonReader::check_needs_growth(const Field& field, std::string_view what) {
+  if (lesson_.granularity == Granularity::growth) return;
+  problems_.add(field.place(), fmt::format("{} without polygons that grow", what),
+                "granularity = \"growth\" in [steps], and a table [growth]");
+}
+
+void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
   const Field granularity = steps["granularity"];
   const auto chosen = reader_.choice<Granularity>(granularity, "granularity");
   lesson_.granularity = chosen.value_or(lesson_.granularity);
-  if (chosen == Granularity::path && !has_path) {
+  if (chosen == Granularity::path && !has.path) {
     problems_.add(granularity.place(), "granularity 'path' without a path", "a table [path]");
   }
   if (chosen == Granularity::pairs && shapes_read_ == 2) {
@@ -451,10 +503,17 @@ void LessonReader::read_steps(const Table& steps, bool has_path, bool has_time) 
                     fmt::format("at most {} vertices in each shape", limits::kPairVertices));
     }
   }
-  if (chosen == Granularity::time && !has_time) {
+  if (chosen == Granularity::time && !has.time) {
     problems_.add(granularity.place(), "granularity 'time' without its table", "a table [time]");
   } else {
     check_start(granularity);
+  }
+  if (chosen == Granularity::growth && !has.growth) {
+    problems_.add(granularity.place(), "granularity 'growth' without its table",
+                  "a table [growth]");
+  }
+  if (chosen == Granularity::growth && has.path) {
+    problems_.add(granularity.place(), "granularity 'growth' with a path", "no table [path]");
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
@@ -475,7 +534,8 @@ void LessonReader::read_steps(const Table& steps, bool has_path, bool has_time) 
     problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
                   "no 'until': frames go through the first region tests");
   }
-  if (until && (chosen == Granularity::witness || chosen == Granularity::answer)) {
+  if (until && (chosen == Granularity::witness || chosen == Granularity::answer ||
+                chosen == Granularity::growth)) {
     problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
                   "no 'until': frames show how the run ends");
   }
@@ -519,6 +579,15 @@ void LessonReader::read_views(const Field& views) {
       shows_second_run = shows_second_run || *name == kSecondRun;
       view.effects.push_back(*name);
     }
+    if (!shows_shapes(view.kind)) {
+      check_needs_growth((*table)["show"], "view 'growth'");
+      for (const char* key : {"camera", "effects"}) {
+        if (const Field field = (*table)[key]) {
+          problems_.add(field.place(), field.label + " in a view of growth",
+                        "a view of the world or of the difference");
+        }
+      }
+    }
     lesson_.views.push_back(std::move(view));
   }
   if (beside_ && !shows_second_run) {
@@ -543,6 +612,7 @@ void LessonReader::read_panel(const Table& panel) {
       problems_.add(entry.place(), "block 'orders' without its frames",
                     "granularity = \"orders\" in [steps]");
     }
+    if (*block == PanelBlock::growth) check_needs_growth(entry, "block 'growth'");
     if (*block == PanelBlock::two_runs && !beside_) {
       problems_.add(entry.place(), "block 'two-runs' without a second run", "'beside' in [query]");
     }

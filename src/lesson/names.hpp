@@ -26,7 +26,7 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 11> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 12> kTable = {
       {{"iteration", Granularity::iteration},
        {"phase", Granularity::phase},
        {"test", Granularity::test},
@@ -37,16 +37,19 @@ struct Named<Granularity> {
        {"answer", Granularity::answer},
        {"time", Granularity::time},
        {"maps", Granularity::maps},
-       {"orders", Granularity::orders}}};
+       {"orders", Granularity::orders},
+       {"growth", Granularity::growth}}};
 };
 template <>
 struct Named<ViewKind> {
-  static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
-      {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
+  static constexpr std::array<std::pair<std::string_view, ViewKind>, 3> kTable = {
+      {{"world", ViewKind::world},
+       {"difference", ViewKind::difference},
+       {"growth", ViewKind::growth}}};
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 21> kTable = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 22> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -67,7 +70,8 @@ struct Named<PanelBlock> {
        {"signs", PanelBlock::signs},
        {"orders", PanelBlock::orders},
        {"stop-tests", PanelBlock::stop_tests},
-       {"two-runs", PanelBlock::two_runs}}};
+       {"two-runs", PanelBlock::two_runs},
+       {"growth", PanelBlock::growth}}};
 };
 template <>
 struct Named<Ask> {

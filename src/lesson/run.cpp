@@ -245,6 +245,17 @@ void add_frames(LessonRun& run, int index) {
     case Granularity::answer:
       run.frames.push_back({index, last, -1});
       return;
+    case Granularity::growth: {
+      run.frames.push_back({index, -1, -1});
+      if (last < 0) return;
+      for (int i = 0; i <= last; ++i) {
+        if (trace.steps[i].phase == gjk::Phase::support || i == last)
+          run.frames.push_back({index, i, -1});
+      }
+      const int sizes = static_cast<int>(lesson.growth->vertices.size());
+      for (int i = 0; i <= sizes; ++i) run.frames.push_back({index, last, i});
+      return;
+    }
   }
 }
 

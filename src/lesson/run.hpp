@@ -70,7 +70,9 @@ struct Frame {
                       ///< Granularity::pairs: number of pairs made so far; one more than there are:
                       ///< the hull. Granularity::support and witness: kSupportDirection
                       ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
-                      ///< Granularity::maps, orders: MapStage, OrderStage.
+                      ///< Granularity::maps, orders: MapStage, OrderStage. Granularity::growth:
+                      ///< index of the size, -1 in the lesson's own run; as many as there are:
+                      ///< the outcome.
   int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
                       ///< before it shows; the next frame that asks nothing answers.
   int answer = -1;    ///< Of a frame that asks: index of the step that answers.

@@ -226,6 +226,17 @@ void write_path(TomlText& out, const LessonPath& path) {
   write_motion(out, path.y);
 }
 
+void write_growth(TomlText& out, const LessonGrowth& growth) {
+  const LessonGrowth defaults;
+  out.table("[growth]");
+  std::vector<std::string> sizes;
+  for (const int size : growth.vertices) sizes.push_back(std::to_string(size));
+  out.list("vertices", sizes);
+  out.whole_number("runs", growth.runs, defaults.runs);
+  out.whole_number("seed", growth.seed, defaults.seed);
+  out.number("tolerance", growth.tolerance, defaults.tolerance);
+}
+
 void write_view(TomlText& out, const LessonView& view) {
   out.table("[[views]]");
   out.key("show", as_text(name_of(view.kind)));
@@ -263,6 +274,7 @@ std::string lesson_toml(const Lesson& lesson) {
     out.key("seconds", decimal(lesson.time->seconds));
     out.key("frames", std::to_string(lesson.time->frames));
   }
+  if (lesson.growth) write_growth(out, *lesson.growth);
   for (const LessonView& view : lesson.views) write_view(out, view);
   out.table("[panel]");
   if (!lesson.panel.empty()) out.list("blocks", names_as_texts(lesson.panel));

@@ -43,6 +43,11 @@ inline constexpr double kTurn = 360.0;          ///< Degrees.
 inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.
 inline constexpr int kMoments = 500;            ///< Of a simulation, at all positions together.
 inline constexpr double kSeconds = 3600.0;
+inline constexpr int kSizes = 16;                    ///< Numbers of vertices that are measured.
+inline constexpr int kMeasuredVertices = 1'000'000;  ///< Of one polygon.
+inline constexpr int kMeasuredTogether = 2'000'000;  ///< Of all sizes: a second or so.
+inline constexpr int kMeasuredRuns = 200;            ///< With each number of vertices.
+inline constexpr int kSeed = 1'000'000'000;
 inline constexpr int kCap = 100;  ///< The steps of all positions are kept in memory.
 inline constexpr int kSimplexVertices = 3;
 /// Coordinates: doubles of this size still differ by less than a frame shows of a world as large;

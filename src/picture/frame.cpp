@@ -101,7 +101,15 @@ std::string position_of(const LessonRun& run, int index) {
     return fmt::format("iteration {} · question",
                        run.run(frame).trace.steps[frame.answer].iteration);
   }
-  if (granularity == Granularity::phase || granularity == Granularity::iteration) {
+  const bool grows = granularity == Granularity::growth;
+  if (grows && frame.detail == static_cast<int>(run.lesson.growth->vertices.size()))
+    return fmt::format("outcome · {} of {}", index + 1, count);
+  if (grows && frame.detail >= 0) {
+    return fmt::format("n = {} · {} of {}",
+                       grouped(run.lesson.growth->vertices[static_cast<std::size_t>(frame.detail)]),
+                       index + 1, count);
+  }
+  if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
     if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
     return fmt::format("iteration {} of {} · {}", step.iteration,
@@ -134,6 +142,7 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   if (!view.title.empty()) return view.title;
   if (view.kind == ViewKind::world)
     return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
+  if (view.kind == ViewKind::growth) return "Iterations as polygons grow";
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
 }
 
@@ -266,7 +275,7 @@ const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
   const Stage& stage = views_[view].stage;
   if (!scene) {
     scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
-                        StageMap(stage.card, stage.camera));
+                        StageMap(stage.card, stage.camera), fonts_);
   }
   return *scene;
 }

@@ -22,6 +22,7 @@ constexpr double kOverPassing = 12.0;
 constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 5.0;
+constexpr double kOtherAnchor = 8.0;  // each further one
 constexpr double kMove = 40.0;
 constexpr double kClearance = 2.0;  // pixels between a label and what it must not touch
 constexpr double kSideKept = 8.0;   // times kWrongSide, for labels that keep their side
@@ -137,17 +138,24 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const double start = request.towards.norm() > 0.0
                            ? std::atan2(request.towards.y(), request.towards.x())
                            : -0.25 * std::numbers::pi;
-  for (int ring = 0; ring < kRings; ++ring) {
-    for (int k = 0; k < kDirections; ++k) {
-      const double turn = 2.0 * std::numbers::pi * k / kDirections;
-      const Point d(std::cos(start + turn), std::sin(start + turn));
-      // The box touches the free circle with the side or corner that faces the anchor.
-      const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
-      const Point offset = d * (request.gap + 7.0 * ring) + 0.5 * face.cwiseProduct(size);
-      const double side = request.keeps_side ? kSideKept * kWrongSide : kWrongSide;
-      consider(offset, side * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
+  const auto consider_beside = [&](const Point& anchor, double extra) {
+    for (int ring = 0; ring < kRings; ++ring) {
+      for (int k = 0; k < kDirections; ++k) {
+        const double turn = 2.0 * std::numbers::pi * k / kDirections;
+        const Point d(std::cos(start + turn), std::sin(start + turn));
+        // The box touches the free circle with the side or corner that faces the anchor.
+        const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
+        const Point offset = anchor - request.anchor + d * (request.gap + 7.0 * ring) +
+                             0.5 * face.cwiseProduct(size);
+        const double side = request.keeps_side ? kSideKept * kWrongSide : kWrongSide;
+        consider(offset,
+                 extra + side * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
+      }
     }
-  }
+  };
+  consider_beside(request.anchor, 0.0);
+  double extra = 0.0;
+  for (const Point& anchor : request.other_anchors) consider_beside(anchor, extra += kOtherAnchor);
   offsets_[request.id] = best;
   const Rect box = box_around(request.anchor + best, size);
   taken_.push_back(box);

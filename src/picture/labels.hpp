@@ -37,8 +37,9 @@ struct LabelRequest {
   Point anchor = Point::Zero();
   double gap =
       0.0;  ///< Free space around the anchor: the radius of what is drawn there, and a little.
-  Point towards = Point::Zero();  ///< Preferred side; zero: any.
-  bool keeps_side = false;        ///< Rather farther away than on another side.
+  Point towards = Point::Zero();          ///< Preferred side; zero: any.
+  bool keeps_side = false;                ///< Rather farther away than on another side.
+  std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
 };
 
 /// A label somewhere inside a convex polygon.

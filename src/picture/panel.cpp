@@ -33,6 +33,8 @@ void write_block(PanelBuilder& panel, PanelBlock kind) {
       return blocks::counters(panel);
     case PanelBlock::starts:
       return blocks::starts(panel);
+    case PanelBlock::growth:
+      return blocks::growth(panel);
     case PanelBlock::bound_steps:
       return blocks::bound_steps(panel);
     case PanelBlock::unit_vector:

@@ -20,6 +20,21 @@ namespace gjkscope {
 
 using Eigen::Vector2d;
 
+Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
+  constexpr double kSide = 64.0;
+  constexpr double kTop = 64.0;
+  constexpr double kBottom = 52.0;
+  const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
+  const Vector2d extent = box.sizes();
+  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,
+                          extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
+  if (scale >= 1e300) scale = room.y();
+  Camera camera;
+  camera.height = area.size().y() / scale;
+  camera.center = 0.5 * (box.min() + box.max()) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale);
+  return camera;
+}
+
 Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
   if (view.camera) {
     // On a page narrower than the usual one the height gives way, so that nothing is cut off at the
@@ -29,44 +44,34 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     camera.height *= std::max(1.0, usual_aspect * area.size().y() / area.size().x());
     return camera;
   }
-  std::vector<Vector2d> points;
+  Eigen::AlignedBox2d seen;
   for (const PositionedRun& positioned : run.runs) {
-    if (view.kind == ViewKind::world) {
-      points.insert(points.end(), positioned.x_world.begin(), positioned.x_world.end());
-      points.insert(points.end(), positioned.y_world.begin(), positioned.y_world.end());
-      if (!calls_for(view, GrownObstacle::kName)) continue;
-    }
-    const bool grown = view.kind == ViewKind::world;
-    const Vector2d shift = grown ? positioned.x.translate : Vector2d(0.0, 0.0);
-    points.push_back(shift);
-    for (const Vector2d& x : positioned.x_world) {
-      for (const Vector2d& y : positioned.y_world) points.push_back(y - x + shift);
-    }
+    Eigen::AlignedBox2d x;
+    Eigen::AlignedBox2d y;
+    for (const Vector2d& vertex : positioned.x_world) x.extend(vertex);
+    for (const Vector2d& vertex : positioned.y_world) y.extend(vertex);
+    const bool is_world = view.kind == ViewKind::world;
+    if (is_world) seen.extend(x).extend(y);
+    if (is_world && !calls_for(view, GrownObstacle::kName)) continue;
+    const Vector2d shift = is_world ? positioned.x.translate : Vector2d(0.0, 0.0);
+    seen.extend(shift);
+    seen.extend(y.min() - x.max() + shift).extend(y.max() - x.min() + shift);
   }
-  Vector2d low = points[0];
-  Vector2d high = points[0];
-  for (const Vector2d& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  // Room for labels, and for the view's title at the top.
-  constexpr double kSide = 64.0;
-  constexpr double kTop = 64.0;
-  constexpr double kBottom = 52.0;
-  const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
-  const Vector2d extent = high - low;
-  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,
-                          extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
-  if (scale >= 1e300) scale = room.y();
-  Camera camera;
-  camera.height = area.size().y() / scale;
-  camera.center = 0.5 * (low + high) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale);
-  return camera;
+  return camera_around(seen, area);
 }
 
 Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
-                  const LessonView& view, const StageMap& map) {
+                  const LessonView& view, const StageMap& map, const Fonts& fonts) {
   SceneBuilder scene(run, effects, frame, view, map);
+  if (view.kind == ViewKind::growth) {
+    layers::growth(scene, fonts);
+    return std::move(scene.out);
+  }
+  if (run.lesson.granularity == Granularity::growth && frame.detail >= 0 &&
+      view.kind == ViewKind::difference) {
+    layers::growth_example(scene);
+    return std::move(scene.out);
+  }
   if (scene.shows(VoronoiRegions::kName)) layers::regions(scene);
   if (scene.shows(SignMap::kName)) layers::signs(scene);
   if (scene.shows(MapDifference::kName)) layers::map_difference(scene);

@@ -2,15 +2,20 @@
 // A stage: one view of a lesson (the world, or the Minkowski difference) drawn into a rectangle of
 // the frame.
 
+#include <Eigen/Geometry>
+
 #include "picture/scene.hpp"
 
 namespace gjkscope {
+
+/// Fits a box of the world, with room for labels and for the view's title.
+[[nodiscard]] Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area);
 
 /// The camera of a view: the lesson's, or one that fits everything the view will show over all
 /// frames.
 [[nodiscard]] Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area);
 
 [[nodiscard]] Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
-                                const LessonView& view, const StageMap& map);
+                                const LessonView& view, const StageMap& map, const Fonts& fonts);
 
 }  // namespace gjkscope

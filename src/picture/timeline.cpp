@@ -23,6 +23,15 @@ struct Group {
   std::vector<Tick> ticks;
 };
 
+/// "30k", "1M"; in full what is no whole number of thousands.
+std::string short_count(int count) {
+  constexpr int kThousand = 1000;
+  constexpr int kMillion = kThousand * kThousand;
+  if (count % kMillion == 0) return std::to_string(count / kMillion) + "M";
+  if (count % kThousand == 0) return std::to_string(count / kThousand) + "k";
+  return std::to_string(count);
+}
+
 std::vector<Group> timeline_groups(const LessonRun& run) {
   std::vector<Group> groups;
   const auto group = [&](const std::string& label) -> Group& {
@@ -74,6 +83,14 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
                                                                       "edges first", "whole tests"};
       group(format("position {}", frame.run + 1))
           .ticks.push_back({std::string(kOrders[frame.detail]), "", false});
+    } else if (granularity == Granularity::growth && frame.detail >= 0) {
+      const std::vector<int>& sizes = run.lesson.growth->vertices;
+      const auto size = static_cast<std::size_t>(frame.detail);
+      if (size < sizes.size()) {
+        group("vertices n").ticks.push_back({short_count(sizes[size]), "", false});
+      } else {
+        group("outcome").ticks.push_back({"all n", "", true});
+      }
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
         group("start").ticks.push_back({});

@@ -43,6 +43,13 @@ std::string signed_fixed(double value, int decimals) {
   return positive ? "+" + digits : digits;
 }
 
+std::string grouped(double value) {
+  std::string digits = fixed(value, 0);
+  const std::size_t begin = digits.find_first_of("0123456789");
+  for (std::size_t at = digits.size(); at > begin + 3;) digits.insert(at -= 3, 1, ',');
+  return digits;
+}
+
 std::string Numbers::operator()(double value) const {
   if (scalar_ == ScalarKind::single) return float_digits(value, 8);
   if (scalar_ == ScalarKind::half) return float_digits(value, 4);

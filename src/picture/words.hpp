@@ -12,6 +12,9 @@ namespace gjkscope {
 /// The same, positive numbers with a plus sign.
 [[nodiscard]] std::string signed_fixed(double value, int decimals);
 
+/// "1,203": the whole number next to a value, its digits in groups of three.
+[[nodiscard]] std::string grouped(double value);
+
 /// Numbers of one lesson: four decimals in double and exact lessons, all digits that tell values
 /// apart in half (5) and float (9, trailing zeros dropped) ones. Very large and very small numbers
 /// in scientific notation.

@@ -370,6 +370,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "granularity 'maps' without a triangle"},
         Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"orders\"",
                 "granularity 'orders' without a triangle"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"growth\"",
+                "granularity 'growth' without its table"},
+        Refused{"[steps]", "¦[growth]\nvertices = [3, 4]\n[steps]",
+                "a table [growth] without granularity 'growth'"},
+        Refused{"show = \"difference\"", "show = ¦\"growth\"",
+                "view 'growth' without polygons that grow"},
+        Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without polygons that grow"},
         Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without time"},
         Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without time"},
         Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without its frames"},
@@ -397,6 +404,39 @@ TEST(Load, TimeHasMomentsForEachPosition) {
       {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},
       {"frames = 9", "frames = 300", "300 frames at each of 4 positions"},
       {"start = [\"A\", \"B\"]", "start = [\"A\"]", "granularity 'time' without a segment"}};
+  for (const auto& [from, to, what] : refused) {
+    const std::string problems = all_of(parse(replaced(text, from, to)).problems);
+    EXPECT_NE(problems.find(what), std::string::npos) << problems;
+  }
+}
+
+TEST(Load, GrowthHasAscendingNumbersOfVertices) {
+  const std::string text = testing::file_text(testing::lessons_folder() / "lazy-hull.toml");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  ASSERT_TRUE(loaded.lesson->growth);
+  EXPECT_EQ(loaded.lesson->growth->vertices.size(), 12u);
+  EXPECT_EQ(loaded.lesson->growth->vertices.back(), 1'000'000);
+  EXPECT_EQ(loaded.lesson->growth->runs, 100);
+  EXPECT_EQ(loaded.lesson->growth->seed, 1998);
+  EXPECT_EQ(loaded.lesson->growth->tolerance, 0.001);
+  const std::vector<std::array<std::string, 3>> refused = {
+      {"[3, 10,", "[2, 10,", "entry 1 of 'vertices' is 2"},
+      {"[3, 10,", "[3, 3, 10,", "3 vertices after 3; expected ascending numbers"},
+      {"300000, 1000000]", "300000, 1000001]", "entry 12 of 'vertices' is 1000001"},
+      {"[3, 10,", "[" + times("3, ", 6) + "10,", "'vertices' has 17 entries"},
+      {"300000, 1000000]", "999999, 1000000]",
+       "vertices in all; expected a sum of at most 2000000"},
+      {"runs = 100", "runs = 0", "'runs' is 0"},
+      {"seed = 1998", "seed = -1", "'seed' is -1"},
+      {"seed = 1998", "tolerance = 1.0", "'tolerance' is 1"},
+      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'growth' with a path"},
+      {"granularity = \"growth\"", "granularity = \"growth\"\nuntil = \"support\"",
+       "'until' with granularity 'growth'"},
+      {"show = \"growth\"", "show = \"growth\"\neffects = [\"history\"]",
+       "'effects' in a view of growth"},
+      {"show = \"growth\"", "show = \"growth\"\ncamera = { center = [0, 0], height = 1 }",
+       "'camera' in a view of growth"}};
   for (const auto& [from, to, what] : refused) {
     const std::string problems = all_of(parse(replaced(text, from, to)).problems);
     EXPECT_NE(problems.find(what), std::string::npos) << problems;

@@ -370,6 +370,19 @@ Lesson any_lesson(Random& random) {
   }
   if (out.granularity == Granularity::time)
     out.time = {0.5 + std::abs(any_number(random, 3000.0)), 2 + static_cast<int>(below(random, 4))};
+  if (out.granularity == Granularity::growth) {
+    LessonGrowth& growth = out.growth.emplace();
+    for (int size = 3; growth.vertices.size() < 2 || !one_in(random, 4); size *= 2)
+      growth.vertices.push_back(size + static_cast<int>(below(random, 3)));
+    growth.runs = 1 + static_cast<int>(below(random, 200));
+    growth.seed = static_cast<int>(below(random, 3));
+    if (one_in(random, 2)) growth.tolerance = std::uniform_real_distribution<double>()(random);
+  }
+  for (LessonView& view : out.views) {
+    if (!out.growth && view.kind == ViewKind::growth) view.kind = ViewKind::difference;
+    if (view.kind == ViewKind::growth) view.camera.reset();
+    if (view.kind == ViewKind::growth && !out.beside) view.effects.clear();
+  }
   for (std::size_t i = below(random, 4); i > 0; --i) {
     const auto block = any_of<PanelBlock>(random);
     if (std::count(out.panel.begin(), out.panel.end(), block) == 0) out.panel.push_back(block);
@@ -395,6 +408,7 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
   int points = 0;
   int paths = 0;
   int timed = 0;
+  int grown = 0;
   for (int i = 0; i < kLessons; ++i) {
     Random random(kSeed + static_cast<unsigned>(i));
     const Lesson made = any_lesson(random);
@@ -411,14 +425,17 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     points += made.x.vertices.size() == 1;
     paths += made.path_of_shapes.has_value();
     timed += made.time.has_value();
+    grown += made.growth.has_value();
   }
-  fmt::print("{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed\n",
-             kLessons, taken, long_prose, points, paths, timed);
+  fmt::print(
+      "{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed, {} grown\n",
+      kLessons, taken, long_prose, points, paths, timed, grown);
   // They stand for all there are.
   EXPECT_GE(taken, 500);
   EXPECT_GE(long_prose, 100);
   EXPECT_GE(points, 20);
   EXPECT_GE(paths, 50);
+  EXPECT_GE(grown, 10);
 }
 
 TEST(Decimal, IsShortAndNoWholeNumber) {

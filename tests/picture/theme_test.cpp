@@ -53,7 +53,12 @@ constexpr const char* kTextRoles[] = {"title",
                                       "unit-vector.label",
                                       "beam.label",
                                       "beam.missing.label",
-                                      "wrong.label"};
+                                      "wrong.label",
+                                      "plot.band.label",
+                                      "plot.first.label",
+                                      "plot.second.label",
+                                      "plot.third.label",
+                                      "plot.fourth.label"};
 
 constexpr const char* kOtherRoles[] = {"background",
                                        "card",
@@ -122,7 +127,19 @@ constexpr const char* kOtherRoles[] = {"background",
                                        "timeline.ahead",
                                        "timeline.event",
                                        "timeline.current",
-                                       "slab"};
+                                       "slab",
+                                       "chart.grid",
+                                       "plot.axis",
+                                       "plot.band",
+                                       "plot.current",
+                                       "plot.first",
+                                       "plot.first.line",
+                                       "plot.second",
+                                       "plot.second.line",
+                                       "plot.third",
+                                       "plot.third.line",
+                                       "plot.fourth",
+                                       "plot.fourth.line"};
 
 /// Relative luminance, WCAG 2.1.
 double luminance(const Color& color) {

@@ -14,6 +14,13 @@ TEST(Words, NumbersHaveATrueMinusAndNoNegativeZero) {
   EXPECT_EQ(signed_fixed(0.0, 1), "0.0");
 }
 
+TEST(Words, DigitsOfLargeNumbersAreGrouped) {
+  EXPECT_EQ(grouped(999.4), "999");
+  EXPECT_EQ(grouped(1000.0), "1,000");
+  EXPECT_EQ(grouped(-12345.6), "−12,346");
+  EXPECT_EQ(grouped(1e12), "1,000,000,000,000");
+}
+
 TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
   Lesson lesson;
   lesson.scalar = ScalarKind::single;

@@ -79,6 +79,8 @@ void witness(PanelBuilder& panel) {
 }
 
 void counters(PanelBuilder& panel) {
+  if (panel.run.lesson.granularity == Granularity::growth && panel.frame.detail >= 0)
+    return growth_counters(panel);
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
   const int all = static_cast<int>(positioned.x_world.size() * positioned.y_world.size());

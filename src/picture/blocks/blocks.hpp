@@ -9,8 +9,10 @@ namespace gjkscope::blocks {
 void pseudocode(PanelBuilder& panel);
 
 // regions.cpp
-/// One row of a chain of tests: mark, region, condition and numbers.
 enum class TestMark { untried, fails, holds };
+/// At the left of the current row.
+void test_mark(PanelBuilder& panel, TestMark mark);
+/// One row of a chain of tests: mark, region, condition and numbers.
 void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
               const std::string& condition, const std::string& values);
 void tests(PanelBuilder& panel);
@@ -49,5 +51,10 @@ void witness(PanelBuilder& panel);
 void counters(PanelBuilder& panel);
 void starts(PanelBuilder& panel);
 void bound_steps(PanelBuilder& panel);
+
+// growth.cpp
+void growth(PanelBuilder& panel);
+/// In place of `counters` where a frame is about many runs.
+void growth_counters(PanelBuilder& panel);
 
 }  // namespace gjkscope::blocks

@@ -29,6 +29,17 @@ std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& 
 
 }  // namespace
 
+void test_mark(PanelBuilder& panel, TestMark mark) {
+  switch (mark) {
+    case TestMark::untried:
+      return panel.write("untried", panel.left, "·", type::kStrong);
+    case TestMark::fails:
+      return panel.write("fail", panel.left, "✗", type::kStrong);
+    case TestMark::holds:
+      return panel.write("pass", panel.left, "✓", type::kStrong);
+  }
+}
+
 void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
               const std::string& condition, const std::string& values) {
   const bool tried = mark != TestMark::untried;
@@ -37,14 +48,7 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
   const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
   const TextStyle code = current ? type::kCodeBold : type::kCode;
   const std::string role = !tried ? "untried" : current ? "code.current" : "code";
-  panel.write(!tried  ? "untried"
-              : holds ? "pass"
-                      : "fail",
-              panel.left,
-              !tried  ? "·"
-              : holds ? "✓"
-                      : "✗",
-              type::kStrong);
+  test_mark(panel, mark);
   panel.write(!tried ? "untried" : "body", panel.left + 24.0, region, name_style);
   panel.write(role, panel.left + 78.0, condition, code);
   if (tried) panel.write(role, panel.right, values, code, Align::right);

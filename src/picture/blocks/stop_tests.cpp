@@ -77,14 +77,7 @@ void stop_tests(PanelBuilder& panel) {
     const bool tried = i < tests.size() && tests[i].tried;
     const bool holds = tried && tests[i].holds;
     if (holds) panel.highlight("highlight.pass");
-    panel.write(!tried  ? "untried"
-                : holds ? "pass"
-                        : "fail",
-                panel.left,
-                !tried  ? "·"
-                : holds ? "✓"
-                        : "✗",
-                type::kStrong);
+    test_mark(panel, !tried ? TestMark::untried : holds ? TestMark::holds : TestMark::fails);
     panel.write(tried ? "body" : "untried", panel.left + 24.0, name_of_test(panel, kOrder[i]),
                 holds ? type::kStrong : TextStyle{Face::regular, 15});
     if (tried) {

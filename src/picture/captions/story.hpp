@@ -96,6 +96,10 @@ void touched_points(const Story& story, FrameText& text);
 /// Phases of a lesson that shows the slab between X and Y: what they prove.
 void slab(const Story& story, FrameText& text);
 
+// growth.cpp
+/// A size of polygons, or, after the last one, what all of them say.
+void growth(const Story& story, FrameText& text);
+
 // answer.cpp
 void answer(const Story& story, FrameText& text);
 void witness(const Story& story, FrameText& text);

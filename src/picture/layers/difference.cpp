@@ -103,6 +103,8 @@ void corner_names(SceneBuilder& scene) {
   if (lesson.granularity == Granularity::pairs || turns) return;
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
+  constexpr std::size_t kMostNames = 16;  // more would hide what they name
+  if (hull.size() > kMostNames) return;
   Point middle = Point::Zero();
   for (const int index : hull)
     middle += scene.at(cloud[index].z) / static_cast<double>(hull.size());

@@ -97,4 +97,10 @@ void slab(SceneBuilder& scene);
 /// Closest point, search direction, support line and support point of the second run.
 void second_run(SceneBuilder& scene);
 
+// growth.cpp
+/// A view of growth: iterations and support calls against the number of vertices.
+void growth(SceneBuilder& scene, const Fonts& fonts);
+/// A run on polygons of the frame's size, in the difference; in a unit of length of its own.
+void growth_example(SceneBuilder& scene);
+
 }  // namespace gjkscope::layers

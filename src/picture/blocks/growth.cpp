@@ -1,0 +1,34 @@
+#include "effects/growth.hpp"
+
+#include <algorithm>
+
+#include "picture/blocks/blocks.hpp"
+#include "picture/growth_plots.hpp"
+
+namespace gjkscope::blocks {
+
+void growth(PanelBuilder& panel) {
+  constexpr double kHeight = 272.0;
+  panel.heading("Points and vertices per run, as n grows");
+  const double top = panel.y - 20.0;
+  const Rect area{{panel.left, top}, {panel.right, top + kHeight}};
+  const Plot plot = points_plot(panel.run, panel.effects, panel.frame);
+  for (Mark& mark : plot_marks(plot, panel.fonts, area)) panel.marks.push_back(std::move(mark));
+  panel.y = area.max.y() + rows::kRow;
+}
+
+void growth_counters(PanelBuilder& panel) {
+  const Growth::Value& measured = panel.effects.get<Growth>(panel.frame);
+  const auto index = static_cast<std::size_t>(panel.frame.detail);
+  const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
+  const auto row = [&](const std::string& name, const std::string& value) {
+    panel.write("heading", panel.left, name, type::kHeading);
+    panel.write("code.current", panel.right, value, type::kCodeBold, Align::right);
+    panel.y += rows::kRow;
+  };
+  row("n · n points of Z", grouped(1.0 * sample.vertices * sample.vertices));
+  row("Computed, on average", fixed(sample.touched_points, 1));
+  row("Support calls, on average", fixed(sample.support_calls, 1));
+}
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,82 @@
+#include "effects/growth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+using fmt::format;
+using Sample = Growth::Sample;
+
+double all_points(const Sample& sample) { return 1.0 * sample.vertices * sample.vertices; }
+
+std::string larsen() { return format("{} to {}", Growth::kLarsenLeast, Growth::kLarsenMost); }
+
+/// Iterations that ten times as many vertices add, from one size to another.
+double each_tenfold(const Sample& from, const Sample& to) {
+  return (to.iterations - from.iterations) /
+         std::log10(static_cast<double>(to.vertices) / from.vertices);
+}
+
+void size(const Sample& sample, FrameText& text) {
+  text.caption = format(
+      "n = {}: {} iterations on average, {} at most, and {} support calls. Larsen reports {}.",
+      grouped(sample.vertices), fixed(sample.iterations, 1), sample.most_iterations,
+      fixed(sample.support_calls, 1), larsen());
+  text.detail = format("GJK computes {} of the {} points of Z. ", fixed(sample.touched_points, 1),
+                       grouped(all_points(sample))) +
+                (sample.is_climbed
+                     ? format("Climbing to support points looks at {} vertices, scanning at {}.",
+                              grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
+                     : format("So few vertices are scanned, all in each support call: {} looks.",
+                              grouped(sample.seen_vertices)));
+}
+
+/// How the averages stand to Larsen's, and how they go on from there.
+std::string beside_larsen(const Growth::Value& measured) {
+  const auto above = std::find_if(measured.begin(), measured.end(), [](const Sample& sample) {
+    return sample.iterations > Growth::kLarsenMost;
+  });
+  if (above == measured.end()) return format("Larsen's {} holds for all n.", larsen());
+  const bool begins_above = above == measured.begin();
+  const Sample& from = begins_above ? *above : *(above - 1);
+  const std::string growth =
+      &from == &measured.back()
+          ? ""
+          : format(" {} times as many vertices add about {}: they grow with log n.",
+                   begins_above ? "Ten" : "From there, ten",
+                   fixed(each_tenfold(from, measured.back()), 1));
+  if (begins_above) return format("More than Larsen's {}.{}", larsen(), growth);
+  return format("Larsen's {} is kept up to n = {}.{}", larsen(), grouped(from.vertices), growth);
+}
+
+void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
+  const Sample& first = measured.front();
+  const Sample& last = measured.back();
+  text.caption = format("On average {} iterations at n = {}, {} at n = {}. {}",
+                        fixed(first.iterations, 1), grouped(first.vertices),
+                        fixed(last.iterations, 1), grouped(last.vertices), beside_larsen(measured));
+  const auto [least, most] = std::minmax_element(
+      measured.begin(), measured.end(),
+      [](const auto& a, const auto& b) { return a.within_tolerance < b.within_tolerance; });
+  text.detail = format(
+      "To be within {:g} % of the distance, {} to {} were enough at every n: the others find the "
+      "last digits.",
+      100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
+}
+
+}  // namespace
+
+void growth(const Story& story, FrameText& text) {
+  const Growth::Value& measured = story.effects.get<Growth>(story.frame);
+  const auto index = static_cast<std::size_t>(story.frame.detail);
+  if (index < measured.size()) return size(measured[index], text);
+  outcome(measured, story.run.lesson.growth->tolerance, text);
+}
+
+}  // namespace gjkscope::captions

@@ -1,0 +1,60 @@
+#include "effects/growth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "picture/growth_plots.hpp"
+#include "picture/layers/layers.hpp"
+#include "picture/stage.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope::layers {
+
+void growth(SceneBuilder& scene, const Fonts& fonts) {
+  constexpr double kTitle = 46.0;  // of the view
+  constexpr double kMargin = 14.0;
+  const Rect& card = scene.map.area();
+  const Rect area{card.min + Point(kMargin, kTitle), card.max - Point(kMargin, 0.5 * kMargin)};
+  const Plot plot = iterations_plot(scene.run, scene.effects, scene.frame);
+  for (Mark& mark : plot_marks(plot, fonts, area)) scene.out.marks.push_back(std::move(mark));
+}
+
+void growth_example(SceneBuilder& scene) {
+  using namespace sizes;
+  const Growth::Value& measured = scene.effects.get<Growth>(scene.frame);
+  const auto index = static_cast<std::size_t>(scene.frame.detail);
+  const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
+  const Growth::Example& example = sample.example;
+  Eigen::AlignedBox2d seen(Eigen::Vector2d(0.0, 0.0));
+  for (const Eigen::Vector2d& corner : example.hull) seen.extend(corner);
+  const StageMap map(scene.map.area(), camera_around(seen, scene.map.area()));
+  const auto mapped = [&](const std::vector<Eigen::Vector2d>& points) {
+    std::vector<Point> out;
+    for (const Eigen::Vector2d& point : points) out.push_back(map(point));
+    return out;
+  };
+  const std::vector<Point> hull = mapped(example.hull);
+  scene.area("hull", hull);
+  scene.outline(hull);
+  for (const Point& point : mapped(example.cloud)) scene.disk("cloud.point", point, kCloudRadius);
+  const Point o = map({0.0, 0.0});
+  const Point p = map(example.closest);
+  scene.line("closest.line", o, p);
+  for (const Point& point : mapped(example.touched))
+    scene.disk("cloud.touched", point, kTouchedRadius);
+  scene.disk("closest", p, kClosestRadius);
+  scene.add("origin", Cross{o, kOriginRadius});
+  scene.out.obstacles.circles.push_back({o, kOriginRadius});
+  const Rect& card = scene.map.area();
+  scene.add("body.muted", Text{{card.min.x() + 14.0, card.max.y() - 14.0},
+                               fmt::format("the first of {} runs with n = {}", sample.runs,
+                                           grouped(sample.vertices)),
+                               type::kBody});
+  scene.out.moving_labels.push_back(
+      scene.label("example O", "O", "origin.label", type::kVertex, o, kOriginRadius, o - p));
+  scene.out.moving_labels.push_back(
+      scene.label("example P", "P", "closest.label", type::kVertex, p, kClosestRadius, p - o));
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,261 @@
+#include "picture/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "picture/labels.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr double kNumberGap = 7.0;  // axis to its numbers
+constexpr double kTickRow = 18.0;   // numbers of the x axis
+constexpr double kTitleRow = 20.0;  // title of an axis
+constexpr double kTickRoom = 26.0;  // between numbers of the y axis
+constexpr double kSymbol = 4.0;     // half of a symbol's size
+constexpr double kHollow = 6.0;     // of one that goes around another
+constexpr double kCurrentWidth = 16.0;
+constexpr double kNameIndent = 14.0;  // symbol before the name of its series
+
+constexpr std::array<std::string_view, 4> kRoles = {"plot.first", "plot.second", "plot.third",
+                                                    "plot.fourth"};
+
+std::string role_of(const PlotSeries& series, std::string_view part = "") {
+  return std::string(kRoles[static_cast<std::size_t>(series.style)]) + std::string(part);
+}
+
+decltype(Mark::shape) symbol(PlotStyle style, const Point& at) {
+  const auto around = [&](std::initializer_list<Point> corners) {
+    Polygon polygon;
+    for (const Point& corner : corners) polygon.points.push_back(at + corner);
+    return polygon;
+  };
+  switch (style) {
+    case PlotStyle::first:
+      return Disk{at, kSymbol};
+    case PlotStyle::second:
+      return around(
+          {{-kHollow, -kHollow}, {kHollow, -kHollow}, {kHollow, kHollow}, {-kHollow, kHollow}});
+    case PlotStyle::third:
+      return around({{0.0, -1.4 * kSymbol},
+                     {1.4 * kSymbol, 0.0},
+                     {0.0, 1.4 * kSymbol},
+                     {-1.4 * kSymbol, 0.0}});
+    case PlotStyle::fourth:
+      return around({{0.0, -kHollow}, {kHollow, 0.7 * kHollow}, {-kHollow, 0.7 * kHollow}});
+  }
+  return Disk{at, kSymbol};
+}
+
+/// How far along an axis a value is, from 0 to 1.
+double part(const PlotAxis& axis, double value) {
+  const double along = axis.is_logarithmic
+                           ? std::log(value / axis.low) / std::log(axis.high / axis.low)
+                           : (value - axis.low) / (axis.high - axis.low);
+  return std::clamp(along, 0.0, 1.0);
+}
+
+std::string raised(int exponent) {
+  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    out += kDigits[static_cast<std::size_t>(digit - '0')];
+  return out;
+}
+
+/// factor * 10^exponent: written out, or as a power.
+std::string number(int factor, int exponent, bool written_out) {
+  if (written_out) {
+    const double value = factor * std::pow(10.0, exponent);
+    return exponent < 0 ? fixed(value, -exponent) : grouped(value);
+  }
+  return factor == 1 ? "10" + raised(exponent) : fmt::format("{}·10{}", factor, raised(exponent));
+}
+
+std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
+  constexpr double kSlack = 1e-9;  // an end that is a power of ten belongs to the axis
+  const double low = std::log10(axis.low) - kSlack;
+  const double high = std::log10(axis.high) + kSlack;
+  const int first = static_cast<int>(std::ceil(low));
+  const int last = static_cast<int>(std::floor(high));
+  constexpr int kLeastWritten = -3;
+  constexpr int kMostWritten = 6;
+  const bool written_out = kLeastWritten <= first - 1 && last <= kMostWritten;
+  std::vector<PlotTick> ticks;
+  if (last - first < 2) {
+    for (int exponent = first - 1; exponent <= last; ++exponent) {
+      for (const int factor : {1, 2, 5}) {
+        const double value = factor * std::pow(10.0, exponent);
+        if (low <= std::log10(value) && std::log10(value) <= high)
+          ticks.push_back({value, number(factor, exponent, written_out)});
+      }
+    }
+    if (static_cast<int>(ticks.size()) <= most) return ticks;
+    ticks.clear();
+  }
+  const int each = (last - first) / most + 1;
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const bool labelled = (exponent - first) % each == 0;
+    ticks.push_back(
+        {std::pow(10.0, exponent), labelled ? number(1, exponent, written_out) : std::string()});
+  }
+  return ticks;
+}
+
+std::vector<PlotTick> equal_steps(const PlotAxis& axis, int most) {
+  const double wanted = (axis.high - axis.low) / most;
+  int exponent = static_cast<int>(std::floor(std::log10(wanted)));
+  double step = std::pow(10.0, exponent);
+  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
+    if (axis.high - axis.low < step * most) break;
+    step *= factor;
+  }
+  exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+  std::vector<PlotTick> ticks;
+  const auto first = static_cast<long>(std::ceil(axis.low / step - 1e-9));
+  const auto last = static_cast<long>(std::floor(axis.high / step + 1e-9));
+  for (long i = first; i <= last; ++i) {
+    const double value = static_cast<double>(i) * step;
+    ticks.push_back({value, exponent < 0 ? fixed(value, -exponent) : grouped(value)});
+  }
+  return ticks;
+}
+
+/// With as many numbers as stand `gap` apart along `length` pixels.
+template <class SizeOf>
+std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double gap,
+                                  const SizeOf& size_of) {
+  constexpr int kMost = 12;
+  for (int most = kMost; most > 1; --most) {
+    std::vector<PlotTick> ticks = plot_ticks(axis, most);
+    bool fits = true;
+    double end = -1e9;
+    for (const PlotTick& tick : ticks) {
+      if (tick.label.empty()) continue;
+      const double at = length * part(axis, tick.value);
+      const double half = 0.5 * size_of(tick.label);
+      fits = fits && end + gap <= at - half;
+      end = at + half;
+    }
+    if (fits) return ticks;
+  }
+  return plot_ticks(axis, 1);
+}
+
+}  // namespace
+
+std::vector<PlotTick> plot_ticks(const PlotAxis& axis, int most) {
+  return axis.is_logarithmic ? powers_of_ten(axis, most) : equal_steps(axis, most);
+}
+
+std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& area) {
+  std::vector<Mark> marks;
+  const auto add = [&](std::string role, decltype(Mark::shape) shape) {
+    marks.push_back({std::move(role), std::move(shape)});
+  };
+  const auto write = [&](std::string role, const Point& at, std::string text,
+                         const TextStyle& style, Align align) {
+    if (!text.empty()) add(std::move(role), Text{at, std::move(text), style, align});
+  };
+
+  const double top = area.min.y() + (plot.y.title.empty() ? 0.5 * kTitleRow : kTitleRow);
+  const double bottom = area.max.y() - kTickRow - (plot.x.title.empty() ? 0.0 : kTitleRow);
+  const std::vector<PlotTick> y_ticks =
+      ticks_along(plot.y, bottom - top, kTickRoom, [](const std::string&) { return 0.0; });
+  double widest = 0.0;
+  for (const PlotTick& tick : y_ticks)
+    widest = std::max(widest, fonts.width(type::kTick, tick.label));
+  const Rect inner{{area.min.x() + widest + kNumberGap, top},
+                   {area.max.x() - kHollow - kNumberGap, bottom}};
+  const std::vector<PlotTick> x_ticks =
+      ticks_along(plot.x, inner.size().x(), kNumberGap,
+                  [&](const std::string& label) { return fonts.width(type::kTick, label); });
+  const auto at = [&](double x, double y) {
+    return Point(inner.min.x() + part(plot.x, x) * inner.size().x(),
+                 inner.max.y() - part(plot.y, y) * inner.size().y());
+  };
+  const auto strip = [&](const Point& a, const Point& b) {
+    return Polygon{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}};
+  };
+
+  LabelPlacer placer(fonts, {inner.min - Point(0.0, kNumberGap), inner.max + Point(kHollow, 0.0)});
+  Obstacles obstacles;
+  for (const PlotBand& band : plot.bands)
+    add("plot.band", strip(at(plot.x.low, band.low), at(plot.x.high, band.high)));
+  if (plot.current) {
+    const Point half(0.5 * kCurrentWidth, 0.0);
+    add("plot.current",
+        strip(at(*plot.current, plot.y.low) - half, at(*plot.current, plot.y.high) + half));
+  }
+  for (const PlotTick& tick : y_ticks) {
+    const Point left = at(plot.x.low, tick.value);
+    add("chart.grid", Polyline{{left, at(plot.x.high, tick.value)}});
+    write("body.muted", {left.x() - kNumberGap, left.y() + 4.0}, tick.label, type::kTick,
+          Align::right);
+  }
+  for (const PlotTick& tick : x_ticks) {
+    const Point foot = at(tick.value, plot.y.low);
+    add("chart.grid", Polyline{{foot, at(tick.value, plot.y.high)}});
+    const double half = 0.5 * fonts.width(type::kTick, tick.label);
+    write("body.muted", {std::min(foot.x(), area.max.x() - half), foot.y() + kTickRow}, tick.label,
+          type::kTick, Align::center);
+  }
+  add("plot.axis", Polyline{{inner.min, {inner.min.x(), inner.max.y()}, inner.max}});
+  write("body.muted", {area.min.x(), area.min.y() + 9.0}, plot.y.title, type::kTick, Align::left);
+  write("body.muted", {inner.center().x(), area.max.y() - 4.0}, plot.x.title, type::kTick,
+        Align::center);
+
+  // The first series last, so that it lies on the others.
+  std::vector<Mark> symbols;
+  for (auto series = plot.series.rbegin(); series != plot.series.rend(); ++series) {
+    Polyline line;
+    for (const Eigen::Vector2d& value : series->points) {
+      const Point point = at(value.x(), value.y());
+      if (!line.points.empty()) obstacles.segments.push_back({line.points.back(), point});
+      obstacles.circles.push_back({point, kHollow});
+      line.points.push_back(point);
+      symbols.push_back({role_of(*series), symbol(series->style, point)});
+    }
+    add(role_of(*series, ".line"), std::move(line));
+  }
+  for (Mark& mark : symbols) marks.push_back(std::move(mark));
+
+  placer.begin_frame(std::move(obstacles));
+  const double space = fonts.width(type::kTickBold, " ");
+  const std::string indent(static_cast<std::size_t>(std::ceil(kNameIndent / space)), ' ');
+  for (const PlotSeries& series : plot.series) {
+    if (series.points.empty() || series.name.empty()) continue;
+    LabelRequest name{series.name, indent + series.name, role_of(series, ".label"),
+                      type::kTickBold};
+    for (const Eigen::Vector2d& point : series.points)
+      name.other_anchors.push_back(at(point.x(), point.y()));
+    std::reverse(name.other_anchors.begin(), name.other_anchors.end());
+    name.anchor = name.other_anchors.front();
+    name.gap = kHollow;
+    name.towards = Point(-1.0, series.name_below ? 1.0 : -1.0);
+    const Mark placed = placer.place(name, true);
+    const Text& text = std::get<Text>(placed.shape);
+    const double width = fonts.width(text.style, series.name);
+    const double full = fonts.width(text.style, text.text);
+    const Point start(text.at.x() + 0.5 * full - width, text.at.y());
+    write(placed.role, start, series.name, text.style, Align::left);
+    add(role_of(series), symbol(series.style, start - Point(0.75 * kNameIndent,
+                                                            0.5 * fonts.cap_height(text.style))));
+  }
+  for (const PlotBand& band : plot.bands) {
+    const Polygon box = strip(at(plot.x.low, band.low), at(plot.x.high, band.high));
+    for (Mark& mark : placer.place_inside(
+             {"band " + band.name, band.name, "plot.band.label", type::kTickBold, box.points, {}}))
+      marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+}  // namespace gjkscope

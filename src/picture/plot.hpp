@@ -1,0 +1,62 @@
+#pragma once
+// Measured numbers as points in a frame of axes.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "picture/picture.hpp"
+
+namespace gjkscope {
+
+/// From `low` to `high`, in equal steps of the value, or of its logarithm: then both are positive.
+/// Values beyond an end are drawn at it.
+struct PlotAxis {
+  double low = 0.0;
+  double high = 1.0;
+  bool is_logarithmic = false;
+  std::string title;
+};
+
+struct PlotTick {
+  double value = 0.0;
+  std::string label;  ///< Empty: a line without a number.
+};
+
+/// Round values of an axis, at most `most` of them with a number: 1, 2 or 5 times a power of ten
+/// apart, or the powers of ten themselves (where they are few, 2 and 5 times each, too).
+[[nodiscard]] std::vector<PlotTick> plot_ticks(const PlotAxis& axis, int most);
+
+/// How the points of a series look: each has its role in themes ("plot.first", its symbols;
+/// "plot.first.line", whose dash is its own; "plot.first.label") and its symbol: a disk, a hollow
+/// square around it, a diamond, a hollow triangle.
+enum class PlotStyle { first, second, third, fourth };
+
+/// Points joined by lines, in the order given, and a name beside the last of them.
+struct PlotSeries {
+  PlotStyle style = PlotStyle::first;
+  std::string name;
+  std::vector<Eigen::Vector2d> points;
+  bool name_below = false;  ///< Rather below its points than above.
+};
+
+/// A stretch of the y axis that is set off from the rest.
+struct PlotBand {
+  double low = 0.0;
+  double high = 0.0;
+  std::string name;  ///< Inside.
+};
+
+struct Plot {
+  PlotAxis x;
+  PlotAxis y;
+  std::vector<PlotBand> bands;
+  std::vector<PlotSeries> series;
+  std::optional<double> current;  ///< The value on the x axis that the frame is about.
+};
+
+/// The plot with its axes, their numbers and titles inside of `area`. Names keep off lines and
+/// symbols and off each other, and do not depend on `current`.
+[[nodiscard]] std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& area);
+
+}  // namespace gjkscope

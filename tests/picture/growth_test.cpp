@@ -1,0 +1,111 @@
+// The lesson whose polygons grow: plots and captions say what was measured.
+
+#include "effects/growth.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "lessons.hpp"
+#include "picture/frame.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope {
+namespace {
+
+Lesson small_lesson() {
+  Lesson lesson = testing::shipped_lesson("lazy-hull");
+  lesson.growth->vertices = {3, 10, 100, 1000, 3000};
+  lesson.growth->runs = 20;
+  return lesson;
+}
+
+struct Told {
+  explicit Told(Lesson lesson)
+      : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
+  /// The text of a size, or of the outcome.
+  [[nodiscard]] const FrameText& at(int detail) const {
+    const std::size_t sizes = run.lesson.growth->vertices.size();
+    return texts[texts.size() - 1 - sizes + static_cast<std::size_t>(detail)];
+  }
+  [[nodiscard]] const Growth::Value& measured() { return effects.get<Growth>(run.frames.back()); }
+
+  LessonRun run;
+  EffectGraph effects;
+  std::vector<FrameText> texts;
+};
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(GrowthPicture, CaptionsOfSizesAreTheMeasuredNumbers) {
+  Told told(small_lesson());
+  for (int i = 0; i < 5; ++i) {
+    const Growth::Sample& sample = told.measured()[static_cast<std::size_t>(i)];
+    const FrameText& text = told.at(i);
+    SCOPED_TRACE(text.caption + " " + text.detail);
+    EXPECT_TRUE(holds(text.caption, "n = " + grouped(sample.vertices) + ":"));
+    EXPECT_TRUE(holds(text.caption, fixed(sample.iterations, 1) + " iterations on average"));
+    EXPECT_TRUE(holds(text.caption, "3 to 6"));
+    EXPECT_TRUE(holds(text.detail, fixed(sample.touched_points, 1)));
+    EXPECT_TRUE(holds(text.detail, grouped(sample.seen_vertices)));
+    EXPECT_EQ(holds(text.detail, "scanning at " + grouped(sample.scanned_vertices)),
+              sample.is_climbed);
+  }
+}
+
+TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
+  Told told(small_lesson());
+  const FrameText& outcome = told.at(5);
+  EXPECT_EQ(outcome.position,
+            fmt::format("outcome · {} of {}", told.texts.size(), told.texts.size()));
+  const Growth::Value& measured = told.measured();
+  std::string last_kept;
+  for (const Growth::Sample& sample : measured) {
+    if (sample.iterations > Growth::kLarsenMost) break;
+    last_kept = grouped(sample.vertices);
+  }
+  EXPECT_TRUE(holds(outcome.caption, "up to n = " + last_kept)) << outcome.caption;
+
+  Lesson easy = small_lesson();
+  easy.growth->vertices = {3, 10};
+  EXPECT_TRUE(holds(Told(easy).at(2).caption, "holds for all n")) << Told(easy).at(2).caption;
+  Lesson hard = small_lesson();
+  hard.growth->vertices = {1000, 3000};
+  EXPECT_TRUE(holds(Told(hard).at(2).caption, "More than Larsen's 3 to 6"))
+      << Told(hard).at(2).caption;
+}
+
+TEST(GrowthPicture, PlotsShowEverySizeAndSetOffTheFramesOwn) {
+  const LessonRun run = run_lesson(small_lesson());
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  EffectGraph effects(run);
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+  EXPECT_EQ(effects.count(Growth::kName).runs, 1);
+  ASSERT_EQ(frames.size(), run.frames.size());
+  const auto count = [](const FramePicture& frame, const std::string& role) {
+    return std::count_if(frame.picture.marks.begin(), frame.picture.marks.end(),
+                         [&](const Mark& mark) { return mark.role == role; });
+  };
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(count(frames[i], "plot.first"), 2 * (5 + 1)) << "in two plots, and before the name";
+    EXPECT_EQ(count(frames[i], "plot.fourth"), 5 + 1);
+    EXPECT_EQ(count(frames[i], "plot.first.label"), 2);
+    const int detail = run.frames[i].detail;
+    EXPECT_EQ(count(frames[i], "plot.current"), detail >= 0 && detail < 5 ? 2 : 0);
+  }
+}
+
+TEST(GrowthPicture, OtherLessonsMeasureNothing) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-gjk"));
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  EffectGraph effects(run);
+  (void)lesson_pictures(run, effects, fonts);
+  EXPECT_EQ(effects.count(Growth::kName).runs, 0);
+}
+
+}  // namespace
+}  // namespace gjkscope
