@@ -40,6 +40,18 @@ std::string read_whole(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What is saved has no comments: a file that may have some is kept beside itself, and its new name
+/// returned.
+std::string keep_commented(const fs::path& file) {
+  std::error_code none;
+  if (!fs::exists(file, none)) return "";
+  const std::string text = read_whole(file);
+  if (text.find('#') == std::string::npos) return "";
+  const std::string beside = file.string() + "~";
+  write_whole(beside, text);
+  return beside;
+}
+
 /// What a run came to, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
@@ -203,11 +215,13 @@ void App::save_to(const fs::path& file) {
     }
     Lesson lesson = session_.lesson_as_seen();
     lesson.expect = outcome_of(session_.run());
+    const std::string commented = keep_commented(file);
     write_whole(file, lesson_toml(lesson));
     session_.mark_saved(file);
     remember_recent(file);
     forget_autosave();
-    say(fmt::format("saved {}", file.string()));
+    say(fmt::format("saved {}{}", file.string(),
+                    commented.empty() ? "" : "; as it was, with its comments: " + commented));
   } catch (const std::runtime_error& error) {
     say(error.what(), true);
   }

@@ -118,6 +118,11 @@ class App {
   void draw_shapes();
   void draw_values();
   void draw_numerics();
+  /// Rows that choose how a run computes; true when one was changed.
+  static bool choose_options(ScalarKind& scalar, gjk::Options& options);
+  [[nodiscard]] gjk::Options options_beside() const;
+  /// The second run, computed when something that it depends on has changed.
+  const PositionedRun& run_beside();
   void draw_effects();
   void draw_predict();
   void draw_dialogs();
@@ -202,7 +207,19 @@ class App {
   std::optional<bool> last_answer_;
   std::string field_;  ///< What is being typed in a dialog.
   std::string filter_;
-  ScalarKind beside_ = ScalarKind::exact;
+  /// The numerics drawer's second run: the lesson's options where it has none of its own.
+  ScalarKind beside_scalar_ = ScalarKind::exact;
+  std::optional<gjk::Options> beside_options_;
+  /// What `beside_run_` was computed from.
+  struct Beside {
+    long version = 0;
+    int run = 0;
+    ScalarKind scalar = ScalarKind::exact;
+    gjk::Options options;
+    friend bool operator==(const Beside&, const Beside&) = default;
+  };
+  Beside beside_;
+  std::optional<PositionedRun> beside_run_;
   std::vector<std::string> recent_;
 };
 

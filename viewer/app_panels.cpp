@@ -85,10 +85,22 @@ void row(const std::string& name, const std::vector<std::string>& cells) {
   }
 }
 
-/// The first step at which two runs differ, and how; nothing when they do not.
+constexpr ImGuiTableFlags kRuled =
+    ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
+
+/// The first step at which two runs differ, and how; nothing when they do not. Step -1: they start
+/// from other vertices.
 std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run,
                                                             const WideTrace& a,
                                                             const WideTrace& b) {
+  const auto start_of = [&](const WideTrace& trace) {
+    std::string names;
+    for (int i = 0; i < trace.initial.simplex.count; ++i)
+      names += (i > 0 ? " " : "") + run.pair_name(trace.initial.simplex.vertices[i].pair);
+    return names;
+  };
+  if (start_of(a) != start_of(b))
+    return std::pair(-1, fmt::format("start {} here, {} there", start_of(a), start_of(b)));
   for (std::size_t i = 0; i < std::min(a.steps.size(), b.steps.size()); ++i) {
     const gjk::Step<double, 2>& one = a.steps[i];
     const gjk::Step<double, 2>& other = b.steps[i];
@@ -330,8 +342,6 @@ void App::draw_values() {
   const LessonRun& run = session_.run();
   const Frame& frame = session_.frame();
   const gjk::State<double, 2>& state = run.state(frame);
-  constexpr ImGuiTableFlags kRuled =
-      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("##values", 2, kRuled)) return;
   const auto value = [&](const std::string& name, double v) { row(name, {number(v, hex_)}); };
   const auto point = [&](const std::string& name, const Vector2d& v) {
@@ -357,11 +367,8 @@ void App::draw_values() {
   ImGui::EndTable();
 }
 
-void App::draw_numerics() {
-  ImGui::Text("How the run computes");
-  Lesson wanted = session_.lesson();
-  gjk::Options& options = wanted.options;
-  bool changed = choose_value("scalar", wanted.scalar);
+bool App::choose_options(ScalarKind& scalar, gjk::Options& options) {
+  bool changed = choose_value("scalar", scalar);
   changed |= choose_value("direction", options.direction_rule);
   changed |= choose_value("regions", options.region_order);
   changed |=
@@ -385,23 +392,59 @@ void App::draw_numerics() {
     options.start_count = centres ? 0 : 1;
     changed = true;
   }
-  if (changed && is_sound(wanted) &&
+  return changed;
+}
+
+gjk::Options App::options_beside() const {
+  const gjk::Options& here = session_.run().lesson.options;
+  if (!beside_options_) return here;
+  gjk::Options there = *beside_options_;
+  if (there.start_count == 0) return there;
+  there.start = here.start;  // the vertices of other shapes may not be there
+  there.start_count = std::max(here.start_count, 1);
+  return there;
+}
+
+const PositionedRun& App::run_beside() {
+  const LessonRun& run = session_.run();
+  const Beside wanted{session_.version(), session_.frame().run, beside_scalar_, options_beside()};
+  if (!beside_run_ || beside_ != wanted) {
+    beside_run_ = run_again(run.run(session_.frame()), wanted.options, wanted.scalar);
+    beside_ = wanted;
+  }
+  return *beside_run_;
+}
+
+void App::draw_numerics() {
+  ImGui::Text("How the run computes");
+  Lesson wanted = session_.lesson();
+  if (choose_options(wanted.scalar, wanted.options) && is_sound(wanted) &&
       !session_.change("numerics", [&](Lesson& lesson) { lesson = wanted; }))
     say(session_.problem(), true);
 
   ImGui::Separator();
-  ImGui::Text("Beside a run in another scalar");
-  choose_value("beside", beside_);
-  ImGui::Checkbox("Hexadecimal", &hex_);
+  ImGui::PushID("beside");
   const LessonRun& run = session_.run();
+  ImGui::Text("Beside it, on the same shapes");
+  // Through a lesson, so that what a lesson could not say is refused with the same words.
+  Lesson other = run.lesson;
+  other.options = options_beside();
+  if (choose_options(beside_scalar_, other.options) && is_sound(other) &&
+      other.options != options_beside())
+    beside_options_ = other.options;
+  if (ImGui::Button("The same options, exact")) {
+    beside_scalar_ = ScalarKind::exact;
+    beside_options_.reset();
+  }
+  ImGui::PopID();
+  ImGui::Checkbox("Hexadecimal", &hex_);
   const PositionedRun& here = run.run(session_.frame());
-  const PositionedRun there = run_again(run.lesson, here, beside_);
+  const PositionedRun& there = run_beside();
   const gjk::Result<double, 2>& a = here.trace.result;
   const gjk::Result<double, 2>& b = there.trace.result;
-  constexpr ImGuiTableFlags kRuled =
-      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
   if (ImGui::BeginTable("##beside", 3, kRuled)) {
-    row("", {std::string(name_of(run.lesson.scalar)), std::string(name_of(beside_))});
+    row("", {"this run", "beside it"});
+    row("scalar", {std::string(name_of(run.lesson.scalar)), std::string(name_of(beside_scalar_))});
     row("distance", {number(a.distance, hex_), number(b.distance, hex_)});
     row("lower", {number(a.lower, hex_), number(b.lower, hex_)});
     row("upper", {number(a.upper, hex_), number(b.upper, hex_)});
@@ -410,21 +453,16 @@ void App::draw_numerics() {
     row("iterations", {std::to_string(a.iterations), std::to_string(b.iterations)});
     ImGui::EndTable();
   }
-  if (const auto difference = first_difference(run, here.trace, there.trace)) {
-    wrapped("First difference: " + difference->second);
-    if (ImGui::Button("Go there")) {
-      const auto& frames = run.frames;
-      for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
-        if (frames[static_cast<std::size_t>(i)].run == session_.frame().run &&
-            frames[static_cast<std::size_t>(i)].step >= difference->first) {
-          session_.go_to(i);
-          break;
-        }
-      }
-    }
-  } else {
-    wrapped("The two runs take the same decisions and have the same numbers.");
-  }
+  const auto difference = first_difference(run, here.trace, there.trace);
+  if (!difference)
+    return wrapped("The two runs take the same decisions and have the same numbers.");
+  wrapped("First difference: " + difference->second);
+  if (!ImGui::Button("Go there")) return;
+  const auto& frames = run.frames;
+  const auto shows = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
+    return frame.run == session_.frame().run && frame.step >= difference->first;
+  });
+  if (shows != frames.end()) session_.go_to(static_cast<int>(shows - frames.begin()));
 }
 
 void App::draw_effects() {

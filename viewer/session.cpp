@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "effects/growth.hpp"
 #include "picture/stage.hpp"
 
 namespace gjkscope {
@@ -31,8 +32,16 @@ struct Session::Shown {
   LessonRun run;
   EffectGraph effects;
   LessonPictures pictures;
-  Shown(LessonRun the_run, const Fonts& fonts, const Page& page, LabelScope scope)
-      : run(std::move(the_run)), effects(run), pictures(run, effects, fonts, page, scope) {}
+  Shown(LessonRun the_run, const Fonts& fonts, const Page& page, LabelScope scope,
+        const EffectGraph* before)
+      : run(std::move(the_run)), effects(run), pictures(drawn(*this, fonts, page, scope, before)) {}
+
+ private:
+  static LessonPictures drawn(Shown& shown, const Fonts& fonts, const Page& page, LabelScope scope,
+                              const EffectGraph* before) {
+    if (before) shown.effects.take_over<Growth>(*before);
+    return {shown.run, shown.effects, fonts, page, scope};
+  }
 };
 
 Session::Session(const Fonts& fonts) : fonts_(fonts) {}
@@ -181,8 +190,10 @@ bool Session::show(bool quick) {
   if (problem_.empty() && run.frames.empty()) problem_ = "the run has no frame to show";
   if (!problem_.empty()) return false;
   const bool first = !shown_;
-  shown_ = std::make_unique<Shown>(std::move(run), fonts_, page_,
-                                   quick ? LabelScope::frame : LabelScope::lesson);
+  auto shown = std::make_unique<Shown>(std::move(run), fonts_, page_,
+                                       quick ? LabelScope::frame : LabelScope::lesson,
+                                       first ? nullptr : &shown_->effects);
+  shown_ = std::move(shown);
   index_ = first ? 0 : find(was);
   picture_.reset();
   return true;

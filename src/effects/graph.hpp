@@ -55,6 +55,14 @@ class EffectGraph {
     return std::any_cast<const typename E::Value&>(found->second);
   }
 
+  /// Values of E that stand for this run as well: E::is_same(that run, this run).
+  template <class E>
+  void take_over(const EffectGraph& from) {
+    const auto values = from.values_.find(E::kName);
+    if (values != from.values_.end() && E::is_same(from.run_, run_))
+      values_[E::kName] = values->second;
+  }
+
   [[nodiscard]] EffectCount count(std::string_view name) const {
     const auto found = counts_.find(name);
     return found == counts_.end() ? EffectCount{} : found->second;

@@ -134,11 +134,16 @@ Growth::Example example_of(const gjk::Query<double, 2>& query, const gjk::Trace<
   return example;
 }
 
-Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
+gjk::Options options_of(const Lesson& lesson) {
   gjk::Options options = lesson.options;
   options.start_count = std::min(options.start_count, 1);
   options.start = {};
   options.certify = false;  // the iterations count, not the last digits of the answer
+  return options;
+}
+
+Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
+  const gjk::Options options = options_of(lesson);
   const int runs = lesson.growth->runs;
   const int pairs = std::clamp(kMadeVertices / vertices, 1, runs);
   Growth::Sample sample;
@@ -162,6 +167,11 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
 }
 
 }  // namespace
+
+bool Growth::is_same(const LessonRun& one, const LessonRun& other) {
+  return one.lesson.growth == other.lesson.growth &&
+         options_of(one.lesson) == options_of(other.lesson);
+}
 
 EffectKey Growth::key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
 

@@ -37,6 +37,8 @@ struct Growth {
     bool is_climbed = false;  ///< Large polygons are climbed, small ones are scanned.
   };
   using Value = std::vector<Sample>;
+  /// Whether the values are the same, whatever the shapes.
+  static bool is_same(const LessonRun& one, const LessonRun& other);
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };

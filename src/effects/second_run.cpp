@@ -5,7 +5,7 @@ namespace gjkscope {
 EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
 SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
-  Value value{run_again(run.lesson, run.run(frame), run.lesson.beside.value()), -1};
+  Value value{run_again(run.run(frame), run.lesson.options, run.lesson.beside.value()), -1};
   const std::vector<gjk::Step<double, 2>>& steps = run.run(frame).trace.steps;
   for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
     if (steps[i].phase != gjk::Phase::support) continue;

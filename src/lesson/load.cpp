@@ -511,8 +511,7 @@ void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
   if (chosen == Granularity::growth && !has.growth) {
     problems_.add(granularity.place(), "granularity 'growth' without its table",
                   "a table [growth]");
-  }
-  if (chosen == Granularity::growth && has.path) {
+  } else if (chosen == Granularity::growth && has.path) {
     problems_.add(granularity.place(), "granularity 'growth' with a path", "no table [path]");
   }
   const Field until = steps["until"];

@@ -345,11 +345,11 @@ PositionedRun run_afresh(const LessonRun& run, int index) {
   return run_at(run.lesson, {positioned.x, positioned.y, positioned.time}, run.lesson.options);
 }
 
-PositionedRun run_again(const Lesson& lesson, const PositionedRun& run, ScalarKind scalar) {
+PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S>(run.x_world);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S>(run.y_world);
-    return run_query<S>({{x}, {y}}, lesson.options, {run.x, run.y, run.time});
+    return run_query<S>({{x}, {y}}, options, {run.x, run.y, run.time});
   });
 }
 

@@ -109,9 +109,9 @@ struct LessonRun {
 /// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);
 
-/// The lesson's GJK in another scalar. It starts from the vertices in the world as `run` rounded
-/// them, so that both compute from the very same numbers.
-[[nodiscard]] PositionedRun run_again(const Lesson& lesson, const PositionedRun& run,
+/// GJK once more with other options or in another scalar. It starts from the vertices in the world
+/// as `run` rounded them, so that both compute from the very same numbers.
+[[nodiscard]] PositionedRun run_again(const PositionedRun& run, const gjk::Options& options,
                                       ScalarKind scalar);
 
 /// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are

@@ -287,7 +287,9 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   view.has_fixed_labels = true;
   std::vector<const Scene*> scenes;
   for (std::size_t i = 0; i < run_.frames.size(); ++i) {
-    if (scope_ == LabelScope::lesson || i == shown) scenes.push_back(&scene(of_view, i));
+    if (scope_ == LabelScope::frame && i != shown) continue;
+    const Scene& of_frame = scene(of_view, i);
+    if (!of_frame.fixed_labels.empty()) scenes.push_back(&of_frame);
   }
   Obstacles all;
   for (const Scene* of_frame : scenes) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "lesson/names.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {
@@ -17,6 +19,7 @@ struct Tick {
   std::string short_label;  ///< Where the label is wider than the tick.
   bool event = false;       ///< A vertex dropped, containment, the end.
   bool question = false;
+  std::optional<gjk::Phase> phase = {};
 };
 struct Group {
   std::string label;
@@ -133,7 +136,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
                                                                            {"add", "+"}}};
       const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
       group(format("iteration {}", step.iteration))
-          .ticks.push_back({std::string(label), std::string(short_label), event});
+          .ticks.push_back(
+              {std::string(label), std::string(short_label), event, false, step.phase});
     }
   }
   return groups;
@@ -183,6 +187,11 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       } else {
         const Rect bar{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}};
         marks.push_back({role, Box{bar, 4.0}, -1, subject});
+        if (tick.phase) {
+          const Rect stripe{{x, bar.max.y() + 2.0}, {x + width, bar.max.y() + 5.0}};
+          marks.push_back(
+              {format("timeline.phase.{}", name_of(*tick.phase)), Box{stripe, 1.5}, -1, subject});
+        }
       }
       if (tick.event)
         marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <filesystem>
@@ -233,18 +234,31 @@ TEST(App, AFileThatChangesIsReadAgainAndABrokenOneIsSaidWithItsPlace) {
   EXPECT_EQ(index, window.session().index());
 }
 
+/// GJKSCOPE_RELOADS asks for another number of reloads.
+int reload_count() {
+  const char* asked = std::getenv("GJKSCOPE_RELOADS");
+  return asked ? std::atoi(asked) : 700;
+}
+
 TEST(App, ReloadsDoNotGrowTheMemory) {
   const TemporaryFolder folder;
   const std::string text =
       test::read_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "stop-vertex.toml");
   const std::string file = folder.file("mine.toml", text);
   HeadlessApp window(file);
-  for (int i = 0; i < 600; ++i) {
+  const auto reload = [&](int i) {
     std::string changed = text;
     changed[changed.find("title = \"") + 9] = static_cast<char>('A' + i % 26);
     (void)folder.file("mine.toml", changed);
     window.app().file_changed(file);
-  }
+  };
+  constexpr int kUntilFull = 520;  // entries of the history, and some more
+  int i = 0;
+  while (i < kUntilFull) reload(i++);
+  const std::size_t full = mallinfo2().uordblks;
+  while (i < reload_count()) reload(i++);
+  constexpr std::size_t kSlack = 65536;  // bytes
+  EXPECT_LE(mallinfo2().uordblks, full + kSlack);
   // The history is the only thing that remembers, and it has an end.
   int entries = 0;
   while (window.session().undo()) ++entries;
@@ -263,6 +277,19 @@ TEST(App, SavesALessonThatGivesTheSameRun) {
   const auto loaded = load_lesson(file, testing::view_effects());
   ASSERT_TRUE(loaded.lesson);
   EXPECT_EQ(window.session().lesson().y.vertices, loaded.lesson->y.vertices);
+}
+
+TEST(App, AFileWithCommentsIsKeptBesideTheSavedOne) {
+  const TemporaryFolder folder;
+  const std::string text = "# A note of mine.\n" + test::read_file(fs::path(GJKSCOPE_SOURCE_DIR) /
+                                                                   "lessons" / "stop-vertex.toml");
+  const std::string file = folder.file("mine.toml", text);
+  HeadlessApp window(file);
+  window.app().save_to(file);
+  EXPECT_EQ(test::read_file(file + "~"), text);
+  EXPECT_NE(std::string::npos, window.app().message().find("mine.toml~"));
+  window.app().save_to(file);
+  EXPECT_EQ(test::read_file(file + "~"), text) << "the second save has no comments to keep";
 }
 
 TEST(App, ANameThatIsNothingIsSaid) {

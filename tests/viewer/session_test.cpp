@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edit.hpp"
+#include "effects/growth.hpp"
 #include "headless_app.hpp"
 #include "lessons.hpp"
 
@@ -215,6 +216,21 @@ TEST(Session, ViewsStandStillWhileShapesMove) {
   session.end_drag();
   session.fit();
   EXPECT_GT((before.center - session.stages()[1].camera.center).norm(), 0.1);
+}
+
+TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {
+  Lesson lesson = shipped_lesson("lazy-hull");
+  lesson.growth->vertices = {3, 5};
+  Session session(fonts());
+  ASSERT_TRUE(session.open(lesson, {}));
+  const auto runs = [&] { return session.effects().count(Growth::kName).runs; };
+  EXPECT_EQ(runs(), 1);
+  move_y(session, 0.25);
+  EXPECT_EQ(runs(), 0);
+  EXPECT_TRUE(session.change("rule", [](Lesson& edited) {
+    edited.options.direction_rule = gjk::DirectionRule::towards_origin;
+  }));
+  EXPECT_EQ(runs(), 1);
 }
 
 TEST(Session, TheSamePicturesAsTheExports) {
