@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 
 #include "lesson/names.hpp"
 #include "picture/caption.hpp"
@@ -239,7 +240,9 @@ LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const
       texts_(lesson_texts(run, effects)) {
   const double text_width = page_.width - 2.0 * kMargin;
   std::size_t prose_lines = 0;
+  std::set<std::string_view> proses;
   for (const FrameText& text : texts_) {
+    if (!proses.insert(text.prose).second) continue;
     prose_lines =
         std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
   }

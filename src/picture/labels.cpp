@@ -127,6 +127,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   double best_cost = std::numeric_limits<double>::infinity();
   Point best = Point::Zero();
   const auto consider = [&](const Point& offset, double extra) {
+    if (extra >= best_cost) return;
     const double cost = extra + cost_of(box_around(request.anchor + offset, size));
     if (cost < best_cost) {
       best_cost = cost;
@@ -176,7 +177,7 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
   double best_cost = kOverCircle;  // rather no label than one over a mark
   const auto consider = [&](const Point& center, double extra) {
     const Rect box = box_around(center, size);
-    if (!inside(request.polygon, grown(box, 3.0 * kClearance))) return;
+    if (extra >= best_cost || !inside(request.polygon, grown(box, 3.0 * kClearance))) return;
     const double cost = extra + cost_of(box);
     if (cost < best_cost) {
       best_cost = cost;
