@@ -47,7 +47,7 @@ std::string keep_commented(const fs::path& file) {
   if (!fs::exists(file, none)) return "";
   const std::string text = read_whole(file);
   if (text.find('#') == std::string::npos) return "";
-  const std::string beside = file.string() + "~";
+  std::string beside = file.string() + "~";
   write_whole(beside, text);
   return beside;
 }

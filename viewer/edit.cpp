@@ -35,12 +35,12 @@ std::string free_name(const Lesson& lesson, Which which) {
     return has(lesson.x) || has(lesson.y);
   };
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    const std::string name(1, letter);
+    std::string name(1, letter);
     // The names of the origin, the closest point and the query point.
     if (letter != 'O' && letter != 'P' && letter != 'Q' && !taken(name)) return name;
   }
   for (int i = 1;; ++i) {
-    const std::string name = fmt::format("{}{}", which == Which::x ? "x" : "y", i);
+    std::string name = fmt::format("{}{}", which == Which::x ? "x" : "y", i);
     if (!taken(name)) return name;
   }
 }

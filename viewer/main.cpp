@@ -39,9 +39,7 @@ fs::path state_folder() {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App arguments("Step through GJK in a window, and change anything with the mouse",
                      "gjkscope-viewer");
   arguments.footer(kFooter);
@@ -93,8 +91,16 @@ int main(int argc, char** argv) {
               << "\nWithout a window, `gjkscope export LESSON --out DIR` draws the same frames "
                  "into files.\n";
     return kUsage;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "gjkscope-viewer: " << error.what() << '\n';
+    std::fprintf(stderr, "gjkscope-viewer: %s\n", error.what());
     return kCannot;
   }
 }

@@ -132,7 +132,7 @@ class Session {
   bool show(bool quick);
   void changed();
   [[nodiscard]] Place place() const;
-  [[nodiscard]] int find(const Place& place) const;
+  [[nodiscard]] int find(const Place& wanted) const;
   void hold_cameras();
   [[nodiscard]] Lesson lesson_to_run() const;
 

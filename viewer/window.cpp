@@ -22,11 +22,11 @@ constexpr int kFramesAfterEvent = 3;
 
 /// What the window itself calls of OpenGL; all else is Dear ImGui's back end.
 struct Gl {
-  decltype(&glViewport) viewport;
-  decltype(&glClearColor) clear_color;
-  decltype(&glClear) clear;
-  decltype(&glReadPixels) read_pixels;
-  decltype(&glFinish) finish;
+  decltype(&glViewport) viewport = nullptr;
+  decltype(&glClearColor) clear_color = nullptr;
+  decltype(&glClear) clear = nullptr;
+  decltype(&glReadPixels) read_pixels = nullptr;
+  decltype(&glFinish) finish = nullptr;
 
   Gl() {
     const auto load = [](auto& function, const char* name) {

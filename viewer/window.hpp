@@ -38,8 +38,8 @@ class Window {
   void resize(int width, int height);
   /// Takes in all events and draws until nothing changes any more.
   void settle();
-  /// Lets time pass, as if the user waited.
-  void wait(double seconds);
+  /// Lets `time` (seconds) pass, as if the user waited.
+  void wait(double time);
   /// What the window shows.
   [[nodiscard]] Image screenshot();
 
