@@ -96,6 +96,12 @@ template <class R, class S>
   return {coordinate(0), coordinate(1)};
 }
 
+/// As std::max, which compilers make a branch of.
+template <class R>
+[[nodiscard]] R larger(R a, R b) {
+  return a < b ? b : a;
+}
+
 /// The length of a vector whose squares may underflow.
 template <class R>
 [[nodiscard]] R careful_length(const R& x, const R& y) {

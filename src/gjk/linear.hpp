@@ -60,7 +60,11 @@ template <class S, int D>
 
 template <class S>
 [[nodiscard]] S magnitude(const S& a) {
-  return a < S(0) ? S(-a) : a;
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::abs(a);
+  } else {
+    return a < S(0) ? S(-a) : a;
+  }
 }
 
 /// Sum of the coordinates' magnitudes.

@@ -206,7 +206,9 @@ enum class RegionOrder : std::uint8_t {
 struct VertexPair {
   int x = 0;
   int y = 0;
-  friend bool operator==(const VertexPair&, const VertexPair&) = default;
+  friend constexpr bool operator==(const VertexPair& a, const VertexPair& b) {
+    return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;  // one branch, where the defaulted one has two
+  }
 };
 
 inline constexpr int kMaxDimension = 3;

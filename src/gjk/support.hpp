@@ -46,6 +46,11 @@ template <class R, class S, int D>
   return {query.y, prepared, prepared.y_turned, prepared.y_centre, d};
 }
 
+/// `yes` or `no`, without a branch: nobody foresees how vertices compare.
+[[nodiscard]] constexpr int chosen(bool condition, int yes, int no) {
+  return no ^ ((yes ^ no) & -static_cast<int>(condition));
+}
+
 /// The vertex that lies farthest so far; of equal ones that with the lowest index.
 template <class R>
 struct Farthest {
@@ -54,15 +59,15 @@ struct Farthest {
 
   /// The same answer for any order of calls.
   bool offer(int i, const R& offered) {
-    const bool improves = value < offered || (value == offered && i < index);
-    index = improves ? i : index;
+    const bool improves = (value < offered) | ((value == offered) & (i < index));
+    index = chosen(improves, i, index);
     value = improves ? offered : value;
     return improves;
   }
   /// For calls in the order of indices.
   void offer_next(int i, const R& offered) {
     const bool improves = value < offered;
-    index = improves ? i : index;
+    index = chosen(improves, i, index);
     value = improves ? offered : value;
   }
 };
