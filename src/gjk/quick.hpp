@@ -13,31 +13,35 @@ namespace gjk::quick {
 
 /// Two numbers side by side, for processors that compute with both at once.
 using Two [[gnu::vector_size(16)]] = double;
-using TwoIndices [[gnu::vector_size(16)]] = long long;
+using TwoBits [[gnu::vector_size(16)]] = long long;
 
-/// As detail::scan, by halves side by side; an odd count has its middle in both. Without a branch:
-/// nobody foresees how vertices compare.
+/// As detail::scan, four vertices at a time: the first of those that lie farthest along d. Without
+/// a branch, for nobody foresees how vertices compare. Vertices may be looked at again.
 template <class VertexAt>
 [[nodiscard]] inline int farthest(int count, const Flat<double>& d, const VertexAt& vertex) {
-  const int half = (count + 1) / 2;
-  const int second = count - half;
-  const auto along = [&](int i) {
-    const Flat<double> a = vertex(i);
-    const Flat<double> b = vertex(second + i);
-    return Two{d.x, d.x} * Two{a.x, b.x} + Two{d.y, d.y} * Two{a.y, b.y};
+  double most = 0.0;
+  const auto first_of = [&](int i, int j, int k, int l) {
+    const auto along = [&](const Flat<double>& a, const Flat<double>& b) {
+      return Two{d.x, d.x} * Two{a.x, b.x} + Two{d.y, d.y} * Two{a.y, b.y};
+    };
+    const Two left = along(vertex(i), vertex(j));
+    const Two right = along(vertex(k), vertex(l));
+    const Two larger = left < right ? right : left;
+    most = larger[0] < larger[1] ? larger[1] : larger[0];
+    const Two all = {most, most};
+    const TwoBits those = ((left == all) & TwoBits{1, 2}) | ((right == all) & TwoBits{4, 8});
+    return i + __builtin_ctzll(static_cast<unsigned long long>(those[0] | those[1]));
   };
-  Two value = along(0);
-  TwoIndices next = {0, second};
-  TwoIndices index = next;
-  for (int i = 1; i < half; ++i) {
-    next += 1;
-    const Two offered = along(i);
-    const TwoIndices improves = value < offered;
-    index = improves ? next : index;
-    value = improves ? offered : value;
+  const int last = count - 1;
+  int index = first_of(0, std::min(1, last), std::min(2, last), std::min(3, last));
+  for (int next = 4; next < count; next += 4) {
+    const int i = std::min(next, count - 4);
+    const double before = most;
+    const int offered = first_of(i, i + 1, i + 2, i + 3);
+    index = detail::chosen(before < most, offered, index);
+    most = before < most ? most : before;
   }
-  const TwoIndices in_second = Two{value[0], value[0]} < Two{value[1], value[1]};
-  return static_cast<int>(index[0] ^ ((index[0] ^ index[1]) & in_second[0]));
+  return index;
 }
 
 /// A shape, its vertices seen from its centre.
@@ -189,7 +193,8 @@ template <class S>
     }
 
     // Stop.
-    if ((c.pair == a.pair) | (c.pair == b.pair)) return end(StopReason::repeated_support);
+    const int repeated = static_cast<int>(c.pair == a.pair) + static_cast<int>(c.pair == b.pair);
+    if (repeated > 0) return end(StopReason::repeated_support);
     const double along_a = dot(d, a.w);
     const double along_b = dot(d, b.w);
     if (!((along_a < along_b ? along_b : along_a) < value)) return end(StopReason::no_progress);
@@ -251,7 +256,7 @@ struct Asked {
   const Query<S, 2>& query;
   const Prepared<double, 2>& prepared;
 
-  [[nodiscard]] double corner_reach() const {
+  [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
     const Flat<double> from = bodies.x.placed(x0);
@@ -262,9 +267,8 @@ struct Asked {
       const Flat<double> w = difference + bodies.offset;
       return dot(w, w);
     };
-    return std::sqrt(detail::larger(
-        detail::larger(length_sq(to - from), length_sq(to - from_other)),
-        detail::larger(length_sq(to_other - from), length_sq(to_other - from_other))));
+    return larger(larger(length_sq(to - from), length_sq(to - from_other)),
+                  larger(length_sq(to_other - from), length_sq(to_other - from_other)));
   }
   [[nodiscard]] double careful_distance() const {
     return careful_distance_of(query, prepared, simplex.a.pair, simplex.b.pair, simplex.count == 2);

@@ -176,19 +176,17 @@ namespace detail {
 /// What rounding may have added to the distance of a support plane, in the run's unit: to its
 /// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
 template <class R, int D>
-[[nodiscard]] R plane_error(const R& distance_sq, const R& reach_sq,
-                            const Prepared<R, D>& prepared) {
-  const R u = ScalarTraits<R>::unit_roundoff();
+[[nodiscard]] R plane_error(const Flat<R>& distance_and_reach, const Prepared<R, D>& prepared) {
+  const auto& [distance, reach] = distance_and_reach;
   return prepared.vertex_error + prepared.scan_error +
-         u * (R(D + 1) * ScalarTraits<R>::root(reach_sq) +
-              R(4) * ScalarTraits<R>::root(distance_sq));
+         ScalarTraits<R>::unit_roundoff() * (R(D + 1) * reach + R(4) * distance);
 }
 /// The lower bound of the distance that a support plane proves.
 template <class R, int D>
 [[nodiscard]] R plane_bound(const R& distance_sq, const R& reach_sq,
                             const Prepared<R, D>& prepared) {
-  return std::max(
-      R(ScalarTraits<R>::root(distance_sq) - plane_error(distance_sq, reach_sq, prepared)), R(0));
+  const Flat<R> lengths = roots(distance_sq, reach_sq);
+  return larger(R(lengths.x - plane_error(lengths, prepared)), R(0));
 }
 
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
