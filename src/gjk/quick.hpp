@@ -13,7 +13,16 @@ namespace gjk::quick {
 
 /// Two numbers side by side, for processors that compute with both at once.
 using Two [[gnu::vector_size(16)]] = double;
-using TwoBits [[gnu::vector_size(16)]] = long long;
+using TwoMasks [[gnu::vector_size(16)]] = long long;
+
+/// Bit i is set when the comparison that made the masks holds for number i.
+[[nodiscard]] inline int bits(const TwoMasks& masks) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(_mm_castsi128_pd(masks));
+#else
+  return static_cast<int>((masks[0] & 1) | (masks[1] & 2));
+#endif
+}
 
 /// As detail::scan, four vertices at a time: the first of those that lie farthest along d. Without
 /// a branch, for nobody foresees how vertices compare. Vertices may be looked at again.
@@ -29,8 +38,7 @@ template <class VertexAt>
     const Two larger = left < right ? right : left;
     most = larger[0] < larger[1] ? larger[1] : larger[0];
     const Two all = {most, most};
-    const TwoBits those = ((left == all) & TwoBits{1, 2}) | ((right == all) & TwoBits{4, 8});
-    return i + __builtin_ctzll(static_cast<unsigned long long>(those[0] | those[1]));
+    return i + __builtin_ctz(bits(left == all) | bits(right == all) << 2);
   };
   const int last = count - 1;
   int index = first_of(0, std::min(1, last), std::min(2, last), std::min(3, last));
@@ -153,9 +161,11 @@ template <class S>
   const auto end = [&](StopReason reason) {
     found.a = a;
     found.b = b;
+    found.c = b;
     found.count = on_edge ? 2 : 1;
     found.weight_a = weight_a;
     found.weight_b = weight_b;
+    found.weight_c = 0.0;
     found.plane_sq = plane_sq;
     found.plane_reach_sq = plane_reach_sq;
     found.iterations = iteration;
@@ -182,19 +192,28 @@ template <class S>
     if (!(p_sq < best_sq) || d_sq == 0.0) return false;
     best_sq = p_sq;
 
-    // Support.
-    const Corner c = bodies.corner(bodies.farthest(d));
-    const double value = dot(d, c.w);
-    const double below = value < 0.0 ? value : 0.0;
-    const double distance_sq = below * (below / d_sq);
-    if (plane_sq < distance_sq) {
-      plane_sq = distance_sq;
-      plane_reach_sq = dot(c.w, c.w);
+    // Support and stop. A vertex that is in the simplex already need not be put together again.
+    const VertexPair pair = bodies.farthest(d);
+    const auto note_plane = [&](const Flat<double>& w) {
+      const double value = dot(d, w);
+      const double below = value < 0.0 ? value : 0.0;
+      const double distance_sq = below * (below / d_sq);
+      if (plane_sq < distance_sq) {
+        plane_sq = distance_sq;
+        plane_reach_sq = dot(w, w);
+      }
+      return value;
+    };
+    if (pair == a.pair) {
+      note_plane(a.w);
+      return end(StopReason::repeated_support);
     }
-
-    // Stop.
-    const int repeated = static_cast<int>(c.pair == a.pair) + static_cast<int>(c.pair == b.pair);
-    if (repeated > 0) return end(StopReason::repeated_support);
+    if (pair == b.pair) {
+      note_plane(b.w);
+      return end(StopReason::repeated_support);
+    }
+    const Corner c = bodies.corner(pair);
+    const double value = note_plane(c.w);
     const double along_a = dot(d, a.w);
     const double along_b = dot(d, b.w);
     if (!((along_a < along_b ? along_b : along_a) < value)) return end(StopReason::no_progress);
@@ -239,11 +258,11 @@ template <class S>
       weight_a = of_a / sum;
       weight_b = of_b / sum;
       ++iteration;
-      found.c = c;
-      found.weight_c = of_c / sum;
       static_cast<void>(end(StopReason::origin_inside));
+      found.c = c;
       found.count = 3;
-      return (0.0 < of_a) & (0.0 < of_b);
+      found.weight_c = of_c / sum;
+      return 0.0 < of_a && 0.0 < of_b;
     }
   }
 }

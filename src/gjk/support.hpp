@@ -59,7 +59,7 @@ struct Farthest {
 
   /// The same answer for any order of calls.
   bool offer(int i, const R& offered) {
-    const bool improves = (value < offered) | ((value == offered) & (i < index));
+    const bool improves = value < offered || (value == offered && i < index);
     index = chosen(improves, i, index);
     value = improves ? offered : value;
     return improves;
