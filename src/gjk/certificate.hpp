@@ -46,8 +46,9 @@ template <class R>
   return value.hi;
 }
 
-/// Adds up numbers and products of two, with what rounding loses kept beside them.
-template <class R>
+/// Adds up numbers and products of two, with what rounding loses kept beside them. R: see
+/// exact_product.
+template <class R, class Number = R>
 class CarefulSum {
  public:
   void add(const R& a) {
@@ -55,7 +56,7 @@ class CarefulSum {
     sum_ = {next.hi, R(sum_.lo + next.lo)};
   }
   void add_product(const R& a, const R& b) {
-    const DoubleWord<R> product = exact_product(a, b);
+    const DoubleWord<R> product = exact_product<R, Number>(a, b);
     add(product.hi);
     sum_.lo = sum_.lo + product.lo;
   }

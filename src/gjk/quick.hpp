@@ -303,10 +303,34 @@ struct Asked {
   }
 
  private:
-  [[nodiscard, gnu::noinline]] static double careful_distance_of(
+  [[nodiscard, gnu::noinline, gnu::flatten]] static double careful_distance_of(
       const Query<S, 2>& query, const Prepared<double, 2>& prepared, VertexPair a, VertexPair b,
       bool on_edge) {
-    return detail::ShapesAsked<double, S>{query, prepared, a, b, on_edge}.careful_distance();
+    const Flat<DoubleWord<double>> at_a = careful_vertex(query, prepared, a);
+    return detail::careful_distance<double>(
+        at_a, on_edge ? careful_vertex(query, prepared, b) : at_a, on_edge);
+  }
+  /// As detail::careful_vertex, both coordinates at once.
+  [[nodiscard]] static Flat<DoubleWord<double>> careful_vertex(const Query<S, 2>& query,
+                                                               const Prepared<double, 2>& prepared,
+                                                               VertexPair pair) {
+    detail::CarefulSum<Two, double> sum;
+    const auto both = [](const Vec<S, 2>& a, double sign) {
+      return Two{sign * static_cast<double>(a[0]), sign * static_cast<double>(a[1])};
+    };
+    const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, double sign) {
+      const Two local = both(shape.vertices[vertex], sign);
+      if (!turned) return sum.add(local);
+      for (int k = 0; k < 2; ++k) {
+        sum.add_product(both(shape.pose.rotation.col(k), 1.0), Two{local[k], local[k]});
+      }
+    };
+    sum.add(both(query.y.pose.translation, 1.0));
+    sum.add(both(query.x.pose.translation, -1.0));
+    add(query.y, pair.y, prepared.y_turned, 1.0);
+    add(query.x, pair.x, prepared.x_turned, -1.0);
+    const DoubleWord<Two> out = sum.normalised();
+    return {{out.hi[0], out.lo[0]}, {out.hi[1], out.lo[1]}};
   }
 };
 
