@@ -46,8 +46,9 @@ template <class R>
   return value.hi;
 }
 
-/// Adds up numbers and products of two, with what rounding loses kept beside them.
-template <class R>
+/// Adds up numbers and products of two, with what rounding loses kept beside them. R: see
+/// exact_product.
+template <class R, class Number = R>
 class CarefulSum {
  public:
   void add(const R& a) {
@@ -55,7 +56,7 @@ class CarefulSum {
     sum_ = {next.hi, R(sum_.lo + next.lo)};
   }
   void add_product(const R& a, const R& b) {
-    const DoubleWord<R> product = exact_product(a, b);
+    const DoubleWord<R> product = exact_product<R, Number>(a, b);
     add(product.hi);
     sum_.lo = sum_.lo + product.lo;
   }
@@ -235,10 +236,10 @@ template <class R, class S, int D>
   return count_as_far<R>(static_cast<int>(along.vertices.size()), along, i, j, error);
 }
 
-/// Of four vertices of Z the distance from O to the farthest: those that are made of the points of
-/// X, and of Y, that lie far apart.
+/// Of four vertices of Z the squared distance from O to the farthest: those that are made of the
+/// points of X, and of Y, that lie far apart.
 template <class R, class S>
-[[nodiscard]] R corner_reach(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
+[[nodiscard]] R corner_reach_sq(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
   R most_sq(0);
   for (const int x : query.x.vertices.far_apart()) {
     for (const int y : query.y.vertices.far_apart()) {
@@ -246,7 +247,7 @@ template <class R, class S>
       most_sq = std::max(most_sq, dot(w, w));
     }
   }
-  return ScalarTraits<R>::root(most_sq);
+  return most_sq;
 }
 
 /// What bounds may have to ask of the shapes, when what the run found does not do.
@@ -258,7 +259,7 @@ struct ShapesAsked {
   VertexPair b;
   bool on_edge = false;
 
-  [[nodiscard]] R corner_reach() const { return detail::corner_reach(query, prepared); }
+  [[nodiscard]] R corner_reach_sq() const { return detail::corner_reach_sq(query, prepared); }
   [[nodiscard]] R careful_distance() const {
     const Flat<DoubleWord<R>> at_a = careful_vertex(query, prepared, a);
     return detail::careful_distance<R>(at_a, on_edge ? careful_vertex(query, prepared, b) : at_a,
@@ -299,20 +300,19 @@ template <class R, class Shapes>
   const bool on_edge = feature.on_edge;
   const Flat<R>& a = feature.a;
   const Flat<R> edge = feature.b - a;
-  const R edge_length = on_edge ? length(edge) : R(0);
-  const R length_a = length(a);
-  const R length_b = length(feature.b);
-  const R size = on_edge ? std::max(length_a, length_b) : length_a;
+  const auto& [length_a, length_b] = roots(dot(a, a), dot(feature.b, feature.b));
+  const auto& [edge_length, corner_reach] = roots(dot(edge, edge), shapes.corner_reach_sq());
+  const R size = on_edge ? larger(length_a, length_b) : length_a;
   const R vertex_error = prepared.vertex_error + u * size;
 
   Bounds<R> out;
   R to_line = on_edge ? R(cross(a, edge) / edge_length) : size;
   R error = prepared.vertex_error + R(4) * u * magnitude(to_line);
-  if (on_edge) error = error + u * (size + R(3) * std::min(length_a, length_b));
+  if (on_edge) error = error + u * (size + R(3) * smaller(length_a, length_b));
   out.lower = plane_bound(feature.plane_distance_sq, feature.plane_reach_sq, prepared);
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  const R allowed = R(15.5) * u * shapes.corner_reach();
+  const R allowed = R(15.5) * u * corner_reach;
   const bool wide = allowed < magnitude(to_line) + error - out.lower;
   if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = shapes.careful_distance();
@@ -325,18 +325,18 @@ template <class R, class Shapes>
     // The foot of the perpendicular from O may lie beyond an end of the edge by this much.
     const R beyond = vertex_error + R(4) * u * size + angle * out.distance;
     if (edge_length * feature.least_weight < beyond) {
-      out.upper = length(Flat<R>{out.upper, std::min(beyond, edge_length)});
+      out.upper = length(Flat<R>{out.upper, smaller(beyond, edge_length)});
     }
   }
   if (near || wide) {
     const Flat<R> normal{edge.y, -edge.x};
     const Flat<R> d = !on_edge ? -a : R(0) < to_line ? -normal : normal;
     if (shapes.is_certainly_farthest(d, angle)) {
-      out.lower = std::max(R(out.distance - error), R(0));
+      out.lower = larger(R(out.distance - error), R(0));
     }
   }
-  out.distance = std::max(out.distance, out.lower);
-  out.upper = std::max(out.distance, out.upper);
+  out.distance = larger(out.distance, out.lower);
+  out.upper = larger(out.distance, out.upper);
   out.tight = out.upper - out.lower <= (near ? R(R(4) * error) : allowed);
   return out;
 }

@@ -12,8 +12,8 @@ namespace gjk {
 /// 1971, "A floating-point technique for extending the available precision").
 template <class R>
 struct DoubleWord {
-  R hi = R(0);
-  R lo = R(0);
+  R hi{};
+  R lo{};
 };
 
 /// a + b, exactly (Knuth 1969, "The Art of Computer Programming", vol. 2, section 4.2.2).
@@ -25,11 +25,12 @@ template <class R>
   return {sum, R(a - from_a) + R(b - from_b)};
 }
 
-/// a * b, exactly (Dekker 1971, with Veltkamp's splitting of each factor into halves).
-template <class R>
+/// a * b, exactly (Dekker 1971, with Veltkamp's splitting of each factor into halves). R: a number,
+/// or several side by side.
+template <class R, class Number = R>
 [[nodiscard]] DoubleWord<R> exact_product(const R& a, const R& b) {
-  constexpr int kHalf = (std::numeric_limits<R>::digits + 1) / 2;
-  const R splitter = R(static_cast<double>(1ull << kHalf)) + R(1);
+  constexpr int kHalf = (std::numeric_limits<Number>::digits + 1) / 2;
+  const Number splitter = Number(static_cast<double>(1ull << kHalf)) + Number(1);
   const auto split = [&](const R& whole) {
     const R big = splitter * whole;
     const R hi = big - R(big - whole);

@@ -3,6 +3,10 @@
 // multiply-add (the target gjkscope::gjk switches contraction off), so that every compiler and
 // build type takes the same decisions.
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <array>
@@ -60,7 +64,11 @@ template <class S, int D>
 
 template <class S>
 [[nodiscard]] S magnitude(const S& a) {
-  return a < S(0) ? S(-a) : a;
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::abs(a);
+  } else {
+    return a < S(0) ? S(-a) : a;
+  }
 }
 
 /// Sum of the coordinates' magnitudes.
@@ -69,6 +77,16 @@ template <class S, int D>
   S sum(0);
   for (int i = 0; i < D; ++i) sum = sum + magnitude(S(a[i]));
   return sum;
+}
+
+/// As std::max and std::min, which compilers make a branch of.
+template <class S>
+[[nodiscard]] S larger(S a, S b) {
+  return a < b ? b : a;
+}
+template <class S>
+[[nodiscard]] S smaller(S a, S b) {
+  return b < a ? b : a;
 }
 
 /// Largest of the coordinates' magnitudes.
@@ -89,6 +107,18 @@ template <class S, int D>
 template <class S>
 [[nodiscard]] S length(const Flat<S>& a) {
   return ScalarTraits<S>::root(dot(a, a));
+}
+
+/// Square roots of two numbers, at once where the processor can.
+template <class S>
+[[nodiscard]] Flat<S> roots(const S& a, const S& b) {
+#ifdef __SSE2__
+  if constexpr (std::is_same_v<S, double>) {
+    const __m128d both = _mm_sqrt_pd(_mm_setr_pd(a, b));
+    return {_mm_cvtsd_f64(both), _mm_cvtsd_f64(_mm_unpackhi_pd(both, both))};
+  }
+#endif
+  return {ScalarTraits<S>::root(a), ScalarTraits<S>::root(b)};
 }
 
 template <class S, int D>

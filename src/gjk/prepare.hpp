@@ -152,7 +152,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
     R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit;
     if (turned) radius = radius * stretch<R>(shape.pose);
     const R moved =
-        R(is_zero(shape.vertices.centre()) ? 0 : 1) + (turned ? R(D == 2 ? 2.5 : 2.8) : R(0));
+        R(shape.vertices.is_centred() ? 1 : 0) + (turned ? R(D == 2 ? 2.5 : 2.8) : R(0));
     extent = extent + radius;
     vertex_roundings = vertex_roundings + radius * (R(1) + moved);
     scan_roundings = scan_roundings + radius * (R(2 * D) + R(2) * moved);
@@ -221,7 +221,7 @@ template <class R, class S, int D>
     prepared.offset =
         converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
   } else {
-    prepared.centred = !is_zero(query.x.vertices.centre()) || !is_zero(query.y.vertices.centre());
+    prepared.centred = query.x.vertices.is_centred() || query.y.vertices.is_centred();
     if (prepared.centred) {
       prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
       prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());

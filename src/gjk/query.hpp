@@ -44,13 +44,14 @@ struct Pose {
     return local;
   }
   [[nodiscard]] bool is_turned() const {
-    bool turned = false;
+    S difference(0);
     for (int row = 0; row < D; ++row) {
       for (int column = 0; column < D; ++column) {
-        turned = turned || rotation(row, column) != S(row == column ? 1 : 0);
+        const S entry = rotation(row, column) - S(row == column ? 1 : 0);
+        difference = difference + magnitude(entry);
       }
     }
-    return turned;
+    return difference != S(0);
   }
 };
 
@@ -89,6 +90,8 @@ class Points {
   /// The point that the points are measured from: their own origin, or the middle when they lie
   /// around neither, so that rounding follows their size and not their place.
   [[nodiscard]] const Vec<S, D>& centre() const { return centre_; }
+  /// It is not their own origin.
+  [[nodiscard]] bool is_centred() const { return centred_; }
   /// Distance from `centre` to the farthest point, up to a rounding or two; no denormal is too
   /// small.
   [[nodiscard]] const S& radius() const { return radius_; }
@@ -117,7 +120,8 @@ class Points {
       if (points_[i][longest] == high_[longest]) far_apart_[1] = i;
     }
     const Vec<S, D> middle = low_ / S(2) + high_ / S(2);
-    if (norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle)) centre_ = middle;
+    centred_ = norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle);
+    if (centred_) centre_ = middle;
     const S size =
         std::max(norm_max(Vec<S, D>(high_ - centre_)), norm_max(Vec<S, D>(low_ - centre_)));
     if (!finite_ || !(S(0) < size) || !ScalarTraits<S>::is_finite(size)) return;
@@ -167,6 +171,7 @@ class Points {
   Vec<S, D> centre_ = Vec<S, D>::Zero();
   S radius_ = S(0);
   std::array<int, 2> far_apart_ = {};
+  bool centred_ = false;
   bool finite_ = true;
   bool ring_ = false;
 };
@@ -206,7 +211,9 @@ enum class RegionOrder : std::uint8_t {
 struct VertexPair {
   int x = 0;
   int y = 0;
-  friend bool operator==(const VertexPair&, const VertexPair&) = default;
+  friend constexpr bool operator==(const VertexPair& a, const VertexPair& b) {
+    return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;  // one branch, where the defaulted one has two
+  }
 };
 
 inline constexpr int kMaxDimension = 3;

@@ -11,6 +11,47 @@
 
 namespace gjk::quick {
 
+/// Two numbers side by side, for processors that compute with both at once.
+using Two [[gnu::vector_size(16)]] = double;
+using TwoMasks [[gnu::vector_size(16)]] = long long;
+
+/// Bit i is set when the comparison that made the masks holds for number i.
+[[nodiscard]] inline int bits(const TwoMasks& masks) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(_mm_castsi128_pd(masks));
+#else
+  return static_cast<int>((masks[0] & 1) | (masks[1] & 2));
+#endif
+}
+
+/// As detail::scan, four vertices at a time: the first of those that lie farthest along d. Without
+/// a branch, for nobody foresees how vertices compare. Vertices may be looked at again.
+template <class VertexAt>
+[[nodiscard]] inline int farthest(int count, const Flat<double>& d, const VertexAt& vertex) {
+  double most = 0.0;
+  const auto first_of = [&](int i, int j, int k, int l) {
+    const auto along = [&](const Flat<double>& a, const Flat<double>& b) {
+      return Two{d.x, d.x} * Two{a.x, b.x} + Two{d.y, d.y} * Two{a.y, b.y};
+    };
+    const Two left = along(vertex(i), vertex(j));
+    const Two right = along(vertex(k), vertex(l));
+    const Two larger = left < right ? right : left;
+    most = larger[0] < larger[1] ? larger[1] : larger[0];
+    const Two all = {most, most};
+    return i + __builtin_ctz(bits(left == all) | bits(right == all) << 2);
+  };
+  const int last = count - 1;
+  int index = first_of(0, std::min(1, last), std::min(2, last), std::min(3, last));
+  for (int next = 4; next < count; next += 4) {
+    const int i = std::min(next, count - 4);
+    const double before = most;
+    const int offered = first_of(i, i + 1, i + 2, i + 3);
+    index = detail::chosen(before < most, offered, index);
+    most = before < most ? most : before;
+  }
+  return index;
+}
+
 /// A shape, its vertices seen from its centre.
 template <class S>
 struct Body {
@@ -44,10 +85,8 @@ struct Body {
   /// Of a direction in the world, the first vertex that lies farthest along it.
   [[nodiscard]] int farthest(const Flat<double>& d) const {
     const Flat<double> local = to_local(d);
-    if (centred) {
-      return detail::scan<double>(count, [&](int i) { return dot(local, vertex(i) - centre); });
-    }
-    return detail::scan<double>(count, [&](int i) { return dot(local, vertex(i)); });
+    if (centred) return quick::farthest(count, local, [&](int i) { return vertex(i) - centre; });
+    return quick::farthest(count, local, [&](int i) { return vertex(i); });
   }
   [[nodiscard]] int count_as_far(const Flat<double>& d, int i, int j, double error) const {
     const Flat<double> local = to_local(d);
@@ -64,7 +103,7 @@ struct Body {
 
 /// A vertex of the simplex.
 struct Corner {
-  Flat<double> w = {};
+  Flat<double> w;
   VertexPair pair;
 };
 
@@ -88,171 +127,155 @@ struct Bodies {
   }
 };
 
-/// The simplex, and the weights of P.
-struct Corners {
+/// Where a run ended: at vertex a, between a and b, or in the triangle.
+struct Found {
   Corner a;
   Corner b;
   Corner c;
-  int count = 1;
+  int count;
+  double weight_a;
+  double weight_b;
+  double weight_c;
+  double plane_sq;  ///< See State.
+  double plane_reach_sq;
+  int iterations;
+  StopReason stop;
+};
+
+/// The phases in their order, from the simplex of the first start. False where rounding leaves
+/// something to be decided that ordinary queries do not come to.
+template <class S>
+[[nodiscard, gnu::flatten]] inline bool walk(const Bodies<S>& bodies, const Options& options,
+                                             Found& found) {
+  const VertexPair first =
+      options.start_count == 0 ? bodies.farthest(-bodies.offset) : options.start[0];
+  Corner a = bodies.corner(first);
+  Corner b = a;
+  bool on_edge = false;  // else P is a
   double weight_a = 1.0;
   double weight_b = 0.0;
-  double weight_c = 0.0;
-
-  void keep(const Corner& only) {
-    a = only;
-    count = 1;
-  }
-  void keep(const Corner& first, const Corner& second) {
-    a = first;
-    b = second;
-    count = 2;
-  }
-};
-
-/// Phases closest and cull of a segment.
-inline void cull_segment(Corners& simplex) {
-  const Flat<double> edge = simplex.b.w - simplex.a.w;
-  if (!(0.0 < dot(simplex.b.w, edge))) {
-    simplex.keep(simplex.b);
-  } else if (!(0.0 < -dot(simplex.a.w, edge))) {
-    simplex.keep(simplex.a);
-  }
-}
-
-/// Phases closest and cull of a triangle. False where rounding leaves no region to believe.
-[[nodiscard]] inline bool cull_triangle(Corners& simplex) {
-  const Corner a = simplex.a;
-  const Corner b = simplex.b;
-  const Corner c = simplex.c;
-  const Flat<double> ab = b.w - a.w;
-  const Flat<double> bc = c.w - b.w;
-  const Flat<double> ac = c.w - a.w;
-  const bool a_in_ab = 0.0 < dot(b.w, ab);
-  const bool b_in_ab = 0.0 < -dot(a.w, ab);
-  const bool b_in_bc = 0.0 < dot(c.w, bc);
-  const bool c_in_bc = 0.0 < -dot(b.w, bc);
-  const bool a_in_ac = 0.0 < dot(c.w, ac);
-  const bool c_in_ac = 0.0 < -dot(a.w, ac);
-  const double volume = cross(ab, ac);
-  const double sign = volume < 0.0 ? -1.0 : 1.0;
-  const double of_a = sign * cross(b.w, c.w);
-  const double of_b = sign * -cross(a.w, c.w);
-  const double of_c = sign * cross(a.w, b.w);
-  if (volume == 0.0) return false;
-  if (!b_in_ab && !c_in_ac) {
-    simplex.keep(a);
-  } else if (!a_in_ab && !c_in_bc) {
-    simplex.keep(b);
-  } else if (!a_in_ac && !b_in_bc) {
-    simplex.keep(c);
-  } else if (a_in_ab && b_in_ab && !(0.0 < of_c)) {
-    simplex.keep(a, b);
-  } else if (b_in_bc && c_in_bc && !(0.0 < of_a)) {
-    simplex.keep(b, c);
-  } else if (a_in_ac && c_in_ac && !(0.0 < of_b)) {
-    simplex.keep(a, c);
-  } else {
-    const double sum = of_a + of_b + of_c;
-    simplex.weight_a = of_a / sum;
-    simplex.weight_b = of_b / sum;
-    simplex.weight_c = of_c / sum;
-    return 0.0 < of_a && 0.0 < of_b && 0.0 < of_c;
-  }
-  return true;
-}
-
-/// Where a run ended.
-struct Found {
-  Corners simplex;
-  double plane_sq = 0.0;  ///< See State.
-  double plane_reach_sq = 0.0;
-  int iterations = 1;
-  StopReason stop = StopReason::running;  ///< As it is where the run gave up.
-};
-
-/// The phases in their order, from the simplex of the first start.
-template <class S>
-[[nodiscard, gnu::noinline, gnu::flatten]] Found walk(const Bodies<S>& bodies,
-                                                      const Options& options) {
-  Found found;
-  Corners simplex;
-  simplex.a =
-      bodies.corner(options.start_count == 0 ? bodies.farthest(-bodies.offset) : options.start[0]);
   double plane_sq = 0.0;
   double plane_reach_sq = 0.0;
   double best_sq = std::numeric_limits<double>::infinity();
   int iteration = 1;
+  const auto end = [&](StopReason reason) {
+    found.a = a;
+    found.b = b;
+    found.c = b;
+    found.count = on_edge ? 2 : 1;
+    found.weight_a = weight_a;
+    found.weight_b = weight_b;
+    found.weight_c = 0.0;
+    found.plane_sq = plane_sq;
+    found.plane_reach_sq = plane_reach_sq;
+    found.iterations = iteration;
+    found.stop = reason;
+    return true;
+  };
   for (;; ++iteration) {
-    if (simplex.count == 2) {
-      cull_segment(simplex);
-    } else if (simplex.count == 3) {
-      if (!cull_triangle(simplex)) return found;
-      if (simplex.count == 3) {
-        found.stop = StopReason::origin_inside;
-        break;
-      }
-    }
-    const Flat<double> a = simplex.a.w;
-    const Flat<double> b = simplex.b.w;
-    const bool on_edge = simplex.count == 2;
-    Flat<double> p = a;
-    Flat<double> d = -a;
+    // Direction.
+    Flat<double> p = a.w;
+    Flat<double> d = -a.w;
     if (on_edge) {
-      const Flat<double> edge = b - a;
+      const Flat<double> edge = b.w - a.w;
       const double edge_sq = dot(edge, edge);
-      simplex.weight_a = dot(b, edge) / edge_sq;
-      simplex.weight_b = -dot(a, edge) / edge_sq;
-      p = {simplex.weight_a * a.x + simplex.weight_b * b.x,
-           simplex.weight_a * a.y + simplex.weight_b * b.y};
+      weight_a = dot(b.w, edge) / edge_sq;
+      weight_b = -dot(a.w, edge) / edge_sq;
+      p = {weight_a * a.w.x + weight_b * b.w.x, weight_a * a.w.y + weight_b * b.w.y};
       const Flat<double> normal{edge.y, -edge.x};
-      d = 0.0 < dot(normal, a) ? -normal : normal;
-      if (cross(a, b) == 0.0) return found;
+      const double side = std::copysign(1.0, 0.0 - dot(normal, a.w));
+      d = {side * normal.x, side * normal.y};
+      if (cross(a.w, b.w) == 0.0) return false;
     }
     const double p_sq = dot(p, p);
     const double d_sq = dot(d, d);
-    if (!(p_sq < best_sq) || d_sq == 0.0) return found;
+    if (!(p_sq < best_sq) || d_sq == 0.0) return false;
     best_sq = p_sq;
 
-    const Corner support = bodies.corner(bodies.farthest(d));
-    const double value = dot(d, support.w);
-    if (value < 0.0) {
-      const double distance_sq = value * (value / d_sq);
+    // Support and stop. A vertex that is in the simplex already need not be put together again.
+    const VertexPair pair = bodies.farthest(d);
+    const auto note_plane = [&](const Flat<double>& w) {
+      const double value = dot(d, w);
+      const double below = value < 0.0 ? value : 0.0;
+      const double distance_sq = below * (below / d_sq);
       if (plane_sq < distance_sq) {
         plane_sq = distance_sq;
-        plane_reach_sq = dot(support.w, support.w);
+        plane_reach_sq = dot(w, w);
       }
+      return value;
+    };
+    if (pair == a.pair) {
+      note_plane(a.w);
+      return end(StopReason::repeated_support);
     }
-    if (support.pair == simplex.a.pair || (on_edge && support.pair == simplex.b.pair)) {
-      found.stop = StopReason::repeated_support;
-      break;
+    if (pair == b.pair) {
+      note_plane(b.w);
+      return end(StopReason::repeated_support);
     }
-    const double along_a = dot(d, a);
-    const double along_b = on_edge ? dot(d, b) : along_a;
-    if (!((along_a < along_b ? along_b : along_a) < value)) {
-      found.stop = StopReason::no_progress;
-      break;
+    const Corner c = bodies.corner(pair);
+    const double value = note_plane(c.w);
+    const double along_a = dot(d, a.w);
+    const double along_b = dot(d, b.w);
+    if (!((along_a < along_b ? along_b : along_a) < value)) return end(StopReason::no_progress);
+    if (options.iteration_cap <= iteration) return false;
+
+    // Closest and cull.
+    const Flat<double> ac = c.w - a.w;
+    const bool a_in_ac = 0.0 < dot(c.w, ac);
+    const bool c_in_ac = 0.0 < -dot(a.w, ac);
+    if (!on_edge) {
+      on_edge = a_in_ac && c_in_ac;
+      if (!a_in_ac) a = c;
+      b = c;
+      if (!on_edge) b = a;
+      continue;
     }
-    if (options.iteration_cap <= iteration) return found;
-    (on_edge ? simplex.c : simplex.b) = support;
-    simplex.count = on_edge ? 3 : 2;
+    // O is in the region of neither a nor b: they were kept by the cull before.
+    const Flat<double> bc = c.w - b.w;
+    const bool b_in_bc = 0.0 < dot(c.w, bc);
+    const bool c_in_bc = 0.0 < -dot(b.w, bc);
+    const double volume = cross(b.w - a.w, ac);
+    if (volume == 0.0) return false;
+    const double sign = std::copysign(1.0, volume);
+    const double of_a = sign * cross(b.w, c.w);
+    const double of_b = sign * -cross(a.w, c.w);
+    const double of_c = sign * cross(a.w, b.w);
+    if (!a_in_ac && !b_in_bc) {
+      a = c;
+      b = c;
+      on_edge = false;
+      weight_a = 1.0;
+      weight_b = 0.0;
+    } else if (!(0.0 < of_c)) {
+      continue;
+    } else if (b_in_bc && c_in_bc && !(0.0 < of_a)) {
+      a = b;
+      b = c;
+    } else if (a_in_ac && c_in_ac && !(0.0 < of_b)) {
+      b = c;
+    } else {
+      const double sum = of_a + of_b + of_c;
+      weight_a = of_a / sum;
+      weight_b = of_b / sum;
+      ++iteration;
+      static_cast<void>(end(StopReason::origin_inside));
+      found.c = c;
+      found.count = 3;
+      found.weight_c = of_c / sum;
+      return 0.0 < of_a && 0.0 < of_b;
+    }
   }
-  if (simplex.count == 1) simplex.weight_a = 1.0;
-  found.simplex = simplex;
-  found.plane_sq = plane_sq;
-  found.plane_reach_sq = plane_reach_sq;
-  found.iterations = iteration;
-  return found;
 }
 
 /// What detail::bounds_outside asks.
 template <class S>
 struct Asked {
-  const Corners& simplex;
+  const Found& simplex;
   const Bodies<S>& bodies;
   const Query<S, 2>& query;
   const Prepared<double, 2>& prepared;
 
-  [[nodiscard]] double corner_reach() const {
+  [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
     const Flat<double> from = bodies.x.placed(x0);
@@ -263,9 +286,8 @@ struct Asked {
       const Flat<double> w = difference + bodies.offset;
       return dot(w, w);
     };
-    return std::sqrt(
-        std::max(std::max(length_sq(to - from), length_sq(to - from_other)),
-                 std::max(length_sq(to_other - from), length_sq(to_other - from_other))));
+    return larger(larger(length_sq(to - from), length_sq(to - from_other)),
+                  larger(length_sq(to_other - from), length_sq(to_other - from_other)));
   }
   [[nodiscard]] double careful_distance() const {
     return careful_distance_of(query, prepared, simplex.a.pair, simplex.b.pair, simplex.count == 2);
@@ -281,15 +303,39 @@ struct Asked {
   }
 
  private:
-  [[nodiscard, gnu::noinline]] static double careful_distance_of(
+  [[nodiscard, gnu::noinline, gnu::flatten]] static double careful_distance_of(
       const Query<S, 2>& query, const Prepared<double, 2>& prepared, VertexPair a, VertexPair b,
       bool on_edge) {
-    return detail::ShapesAsked<double, S>{query, prepared, a, b, on_edge}.careful_distance();
+    const Flat<DoubleWord<double>> at_a = careful_vertex(query, prepared, a);
+    return detail::careful_distance<double>(
+        at_a, on_edge ? careful_vertex(query, prepared, b) : at_a, on_edge);
+  }
+  /// As detail::careful_vertex, both coordinates at once.
+  [[nodiscard]] static Flat<DoubleWord<double>> careful_vertex(const Query<S, 2>& query,
+                                                               const Prepared<double, 2>& prepared,
+                                                               VertexPair pair) {
+    detail::CarefulSum<Two, double> sum;
+    const auto both = [](const Vec<S, 2>& a, double sign) {
+      return Two{sign * static_cast<double>(a[0]), sign * static_cast<double>(a[1])};
+    };
+    const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, double sign) {
+      const Two local = both(shape.vertices[vertex], sign);
+      if (!turned) return sum.add(local);
+      for (int k = 0; k < 2; ++k) {
+        sum.add_product(both(shape.pose.rotation.col(k), 1.0), Two{local[k], local[k]});
+      }
+    };
+    sum.add(both(query.y.pose.translation, 1.0));
+    sum.add(both(query.x.pose.translation, -1.0));
+    add(query.y, pair.y, prepared.y_turned, 1.0);
+    add(query.x, pair.x, prepared.x_turned, -1.0);
+    const DoubleWord<Two> out = sum.normalised();
+    return {{out.hi[0], out.lo[0]}, {out.hi[1], out.lo[1]}};
   }
 };
 
 /// As detail::surely_inside, and what the phases ask of a triangle and its weights.
-[[nodiscard]] inline bool is_surely_inside(const Corners& simplex,
+[[nodiscard]] inline bool is_surely_inside(const Found& simplex,
                                            const Prepared<double, 2>& prepared) {
   const Flat<double>& a = simplex.a.w;
   const Flat<double>& b = simplex.b.w;
@@ -308,7 +354,7 @@ struct Asked {
 
 /// As detail::set_witness_points: put together from the vertex of the largest weight.
 template <class S>
-[[nodiscard]] Flat<double> witness(const Corners& simplex, const Body<S>& body,
+[[nodiscard]] Flat<double> witness(const Found& simplex, const Body<S>& body,
                                    const Vec<S, 2>& translation, int VertexPair::*index) {
   const double weight_a = simplex.weight_a;
   const double weight_b = simplex.weight_b;
@@ -352,9 +398,9 @@ template <class S>
                                           const Prepared<double, 2>& prepared,
                                           Result<double, 2>& out) {
   const Bodies<S> bodies(query, prepared);
-  const Found found = walk(bodies, options);
-  const Corners& simplex = found.simplex;
-  if (found.stop == StopReason::running) return false;
+  Found found;
+  if (!walk(bodies, options, found)) return false;
+  const Found& simplex = found;
   if (simplex.count == 3) {
     if (!is_surely_inside(simplex, prepared)) return false;
     out.verdict = Verdict::overlapping;

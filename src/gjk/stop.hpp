@@ -15,7 +15,7 @@ template <class S, int D>
   } else {
     const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();
     const S wanted =
-        keep * upper + plane_error(state.plane_distance_sq, state.plane_reach_sq, prepared);
+        keep * upper + plane_error(roots(state.plane_distance_sq, state.plane_reach_sq), prepared);
     return wanted * wanted;
   }
 }

@@ -46,6 +46,11 @@ template <class R, class S, int D>
   return {query.y, prepared, prepared.y_turned, prepared.y_centre, d};
 }
 
+/// `yes` or `no`, without a branch: nobody foresees how vertices compare.
+[[nodiscard]] constexpr int chosen(bool condition, int yes, int no) {
+  return no ^ ((yes ^ no) & -static_cast<int>(condition));
+}
+
 /// The vertex that lies farthest so far; of equal ones that with the lowest index.
 template <class R>
 struct Farthest {
@@ -55,14 +60,14 @@ struct Farthest {
   /// The same answer for any order of calls.
   bool offer(int i, const R& offered) {
     const bool improves = value < offered || (value == offered && i < index);
-    index = improves ? i : index;
+    index = chosen(improves, i, index);
     value = improves ? offered : value;
     return improves;
   }
   /// For calls in the order of indices.
   void offer_next(int i, const R& offered) {
     const bool improves = value < offered;
-    index = improves ? i : index;
+    index = chosen(improves, i, index);
     value = improves ? offered : value;
   }
 };
@@ -171,19 +176,17 @@ namespace detail {
 /// What rounding may have added to the distance of a support plane, in the run's unit: to its
 /// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
 template <class R, int D>
-[[nodiscard]] R plane_error(const R& distance_sq, const R& reach_sq,
-                            const Prepared<R, D>& prepared) {
-  const R u = ScalarTraits<R>::unit_roundoff();
+[[nodiscard]] R plane_error(const Flat<R>& distance_and_reach, const Prepared<R, D>& prepared) {
+  const auto& [distance, reach] = distance_and_reach;
   return prepared.vertex_error + prepared.scan_error +
-         u * (R(D + 1) * ScalarTraits<R>::root(reach_sq) +
-              R(4) * ScalarTraits<R>::root(distance_sq));
+         ScalarTraits<R>::unit_roundoff() * (R(D + 1) * reach + R(4) * distance);
 }
 /// The lower bound of the distance that a support plane proves.
 template <class R, int D>
 [[nodiscard]] R plane_bound(const R& distance_sq, const R& reach_sq,
                             const Prepared<R, D>& prepared) {
-  return std::max(
-      R(ScalarTraits<R>::root(distance_sq) - plane_error(distance_sq, reach_sq, prepared)), R(0));
+  const Flat<R> lengths = roots(distance_sq, reach_sq);
+  return larger(R(lengths.x - plane_error(lengths, prepared)), R(0));
 }
 
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
