@@ -43,7 +43,7 @@ void PanelBuilder::rule() {
 
 void PanelBuilder::highlight(const std::string& role) {
   const double rise = fonts.cap_height(type::kCode);
-  add(role, Box{{{left - 8.0, y - rise - 6.5}, {right + 8.0, y + 6.5}}, 5.0});
+  add(role, Box{{{left - 8.0, y - rise - 4.5}, {right + 8.0, y + 4.5}}, 5.0});
 }
 
 void PanelBuilder::bar(double x0, double x1, double low, double high, double value,
@@ -96,7 +96,7 @@ std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const
     if (gjk::vertex_count(test.region) == 3) continue;
     if (!out.empty()) out += " ";
     if (!(term.denominator > 0.0)) {  // coinciding points, a triangle of area 0
-      out += "0/0";
+      out += term.numerator == 0.0 && gjk::vertex_count(term.face) == 3 ? "area 0" : "0/0";
       continue;
     }
     const double value = term.numerator / term.denominator;

@@ -71,10 +71,11 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
 
   Lesson easy = small_lesson();
   easy.growth->vertices = {3, 10};
-  EXPECT_TRUE(holds(Told(easy).at(2).caption, "holds for all n")) << Told(easy).at(2).caption;
+  EXPECT_TRUE(holds(Told(easy).at(2).caption, "no more than Larsen's 6 at any n"))
+      << Told(easy).at(2).caption;
   Lesson hard = small_lesson();
   hard.growth->vertices = {1000, 3000};
-  EXPECT_TRUE(holds(Told(hard).at(2).caption, "More than Larsen's 3 to 6"))
+  EXPECT_TRUE(holds(Told(hard).at(2).caption, "more than Larsen's 3 to 6"))
       << Told(hard).at(2).caption;
 }
 

@@ -23,7 +23,11 @@ std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& 
     if (!out.empty()) out += " and ";
     out += panel.words.coordinate(term.face, term.vertex) + " ≤ 0";
   }
-  if (size == 2) out += ", u, v > 0";
+  if (size == 2) {
+    for (int i = 0; i < count; ++i)
+      if (gjk::contains(face, i)) out += ", " + panel.words.coordinate(face, i);
+    out += " > 0";
+  }
   return out;
 }
 

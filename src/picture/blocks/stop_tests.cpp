@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,7 +46,9 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
                     test.holds ? "is there" : "is new");
     case StopReason::no_progress:
       if (!panel.stop_follows_support())
-        return format("|P| = {} as before", number(std::sqrt(test.right)));
+        return format("{} = {} as before",
+                      panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|",
+                      number(std::sqrt(test.right)));
       return format("{} by {}", panel.run.pair_name(panel.state.support.pair),
                     number(test.left - test.right));
     case StopReason::within_tolerance:
@@ -69,19 +72,25 @@ void stop_tests(PanelBuilder& panel) {
   static const std::vector<gjk::StopTest<double>> none;
   const bool decided = panel.phase() == gjk::Phase::stop;
   const auto& tests = decided ? panel.run.step(panel.frame).record.stop_tests : none;
-  constexpr std::array<StopReason, 6> kOrder = {
-      StopReason::origin_inside, StopReason::zero_direction,   StopReason::repeated_support,
-      StopReason::no_progress,   StopReason::within_tolerance, StopReason::iteration_cap};
-  for (std::size_t i = 0; i < kOrder.size(); ++i) {
-    if (left_out(panel.run.lesson.options, kOrder[i])) continue;
-    const bool tried = i < tests.size() && tests[i].tried;
-    const bool holds = tried && tests[i].holds;
+  std::array<StopReason, 6> order = {StopReason::origin_inside,    StopReason::zero_direction,
+                                     StopReason::repeated_support, StopReason::no_progress,
+                                     StopReason::within_tolerance, StopReason::iteration_cap};
+  // Whether P came nearer is asked before there is a direction.
+  if (decided && !panel.stop_follows_support())
+    order = {StopReason::origin_inside,    StopReason::no_progress,      StopReason::zero_direction,
+             StopReason::repeated_support, StopReason::within_tolerance, StopReason::iteration_cap};
+  for (const StopReason reason : order) {
+    if (left_out(panel.run.lesson.options, reason)) continue;
+    const auto test = std::find_if(tests.begin(), tests.end(),
+                                   [&](const auto& other) { return other.reason == reason; });
+    const bool tried = test != tests.end() && test->tried;
+    const bool holds = tried && test->holds;
     if (holds) panel.highlight("highlight.pass");
     test_mark(panel, !tried ? TestMark::untried : holds ? TestMark::holds : TestMark::fails);
-    panel.write(tried ? "body" : "untried", panel.left + 24.0, name_of_test(panel, kOrder[i]),
+    panel.write(tried ? "body" : "untried", panel.left + 24.0, name_of_test(panel, reason),
                 holds ? type::kStrong : TextStyle{Face::regular, 15});
     if (tried) {
-      panel.write(holds ? "code.current" : "code", panel.right, compared(panel, tests[i]),
+      panel.write(holds ? "code.current" : "code", panel.right, compared(panel, *test),
                   holds ? type::kCodeBold : type::kCode, Align::right);
     }
     panel.y += kRow + 2.0;

@@ -18,7 +18,7 @@ void pairs(const Story& story, FrameText& text) {
         format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
                y, per_x, all / per_x, all);
     text.detail =
-        "Each difference is a point of the right-hand view: the arrow from the vertex of X to "
+        "Each difference is a point of the view beside it: the arrow from the vertex of X to "
         "the vertex of Y, moved to O.";
   } else if (story.frame.detail <= all) {
     const gjk::VertexPair pair{(story.frame.detail - 1) / per_x, (story.frame.detail - 1) % per_x};

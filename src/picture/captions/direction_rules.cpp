@@ -26,9 +26,9 @@ void direction_rules(const Story& story, FrameText& text) {
                           story.q, story.edge_words(), edge, value);
     text.detail = format("d = cross({}, z) has a dot product of exactly 0 with the edge.", edge);
   } else if (story.phase_is(gjk::Phase::stop) && story.ended()) {
-    text.detail =
-        format("The distance is {}. Among more vertices a d that is {} off can pick the wrong one.",
-               story.numbers(story.trace.result.distance), value);
+    text.detail = format(
+        "The distance is {}. Among more vertices a d as wrong as this can pick the wrong one.",
+        story.numbers(story.trace.result.distance));
   }
 }
 

@@ -31,43 +31,44 @@ void size(const Sample& sample, FrameText& text) {
   text.detail = format("GJK computes {} of the {} points of Z. ", fixed(sample.touched_points, 1),
                        grouped(all_points(sample))) +
                 (sample.is_climbed
-                     ? format("Climbing to support points looks at {} vertices, scanning at {}.",
+                     ? format("Climbing looks at {} vertices, scanning at {}.",
                               grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
                      : format("So few vertices are scanned, all in each support call: {} looks.",
                               grouped(sample.seen_vertices)));
 }
 
-/// How the averages stand to Larsen's, and how they go on from there.
-std::string beside_larsen(const Growth::Value& measured) {
-  const auto above = std::find_if(measured.begin(), measured.end(), [](const Sample& sample) {
-    return sample.iterations > Growth::kLarsenMost;
-  });
-  if (above == measured.end()) return format("Larsen's {} holds for all n.", larsen());
-  const bool begins_above = above == measured.begin();
-  const Sample& from = begins_above ? *above : *(above - 1);
-  const std::string growth =
-      &from == &measured.back()
-          ? ""
-          : format(" {} times as many vertices add about {}: they grow with log n.",
-                   begins_above ? "Ten" : "From there, ten",
-                   fixed(each_tenfold(from, measured.back()), 1));
-  if (begins_above) return format("More than Larsen's {}.{}", larsen(), growth);
-  return format("Larsen's {} is kept up to n = {}.{}", larsen(), grouped(from.vertices), growth);
+/// The first size that takes more than Larsen's iterations; the end when there is none.
+Growth::Value::const_iterator first_above(const Growth::Value& measured) {
+  return std::find_if(measured.begin(), measured.end(),
+                      [](const Sample& sample) { return sample.iterations > Growth::kLarsenMost; });
 }
 
 void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
   const Sample& first = measured.front();
   const Sample& last = measured.back();
-  text.caption = format("On average {} iterations at n = {}, {} at n = {}. {}",
+  const auto above = first_above(measured);
+  text.caption = format("From {} iterations on average at n = {} to {} at n = {}: {}.",
                         fixed(first.iterations, 1), grouped(first.vertices),
-                        fixed(last.iterations, 1), grouped(last.vertices), beside_larsen(measured));
+                        fixed(last.iterations, 1), grouped(last.vertices),
+                        above == measured.begin()
+                            ? format("more than Larsen's {}", larsen())
+                            : format("no more than Larsen's {} {}", Growth::kLarsenMost,
+                                     above == measured.end()
+                                         ? "at any n"
+                                         : format("up to n = {}", grouped((above - 1)->vertices))));
+  if (above != measured.end()) {
+    const Sample& from = above == measured.begin() ? *above : *(above - 1);
+    if (&from != &last) {
+      text.detail = format("From there ten times as many vertices add about {}. ",
+                           fixed(each_tenfold(from, last), 1));
+    }
+  }
   const auto [least, most] = std::minmax_element(
       measured.begin(), measured.end(),
       [](const auto& a, const auto& b) { return a.within_tolerance < b.within_tolerance; });
-  text.detail = format(
-      "To be within {:g} % of the distance, {} to {} were enough at every n: the others find the "
-      "last digits.",
-      100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
+  text.detail += format("To be within {:g} % of the distance, {} to {} were enough at every n.",
+                        100.0 * tolerance, fixed(least->within_tolerance, 1),
+                        fixed(most->within_tolerance, 1));
 }
 
 }  // namespace

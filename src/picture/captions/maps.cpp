@@ -59,7 +59,8 @@ void maps(const Story& story, FrameText& text) {
   switch (MapStage{story.frame.detail}) {
     case MapStage::voronoi:
       text.caption =
-          format("Voronoi map: each region is closest to one feature, {} to {}.", story.q, region);
+          format("Voronoi map: a point's region names its closest feature, for {} it is {}.",
+                 story.q, region);
       text.detail =
           "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
           "w.";
@@ -134,7 +135,7 @@ void orders(const Story& story, FrameText& text) {
     text.caption =
         format("Vertices first: the first true test is that of {}, and it is right.", region);
     text.detail = format("P = P′, at distance {}. {} Next: the same tests, edges first.", distance,
-                         is_edge ? "The vertices are ruled out, so that a short test will do."
+                         is_edge ? "The vertices are ruled out, so that here a short test will do."
                                  : "The edges are never asked.");
   } else if (stage == OrderStage::edges_first_short) {
     text.caption =

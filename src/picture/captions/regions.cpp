@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "effects/barycentric.hpp"
 #include "effects/projection.hpp"
@@ -49,7 +50,8 @@ std::string region_reason(const Story& story) {
     if (term.wants_positive) continue;
     if (term.denominator == 0.0) {
       return format(
-          "{} lies in the region of {}: {} has area 0, so none of its weights is positive; {} "
+          "{} lies in the region of {}: {} has area 0 and no weights, so its interior holds "
+          "nothing; {} "
           "projects onto {}.",
           story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
           story.edge_name(face));
@@ -88,9 +90,11 @@ void areas(const Story& story, FrameText& text) {
   std::string edges;
   std::string sum;
   int count = 0;
+  long thousandths = 0;  // of the sum as it is written
   for (int i = 0; i < 3; ++i) {
     const double weight = coordinates.numerator[i] / coordinates.denominator;
     const std::string number = story.numbers.weight(weight);
+    thousandths += std::lround(1000.0 * weight);
     sum += sum.empty() ? number : weight < 0.0 ? " − " + fixed(-weight, 3) : " + " + number;
     if (weight >= 0.0) continue;
     const std::string edge =
@@ -105,7 +109,8 @@ void areas(const Story& story, FrameText& text) {
                               story.q, story.words.face(story.state.simplex.all()))
                      : format("{} {} negative: {} lies beyond {}.", negatives,
                               count == 1 ? "is" : "are", story.q, edges);
-  text.detail = format("u + v + w = {} = 1, wherever {} stands.", sum, story.q);
+  text.detail = format("u + v + w = {} {} 1, wherever {} stands.", sum,
+                       thousandths == 1000 ? "=" : "≈", story.q);
 }
 
 /// What the sign of one coordinate says about where Q is.

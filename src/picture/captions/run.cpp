@@ -72,6 +72,8 @@ void cull(const Story& story, FrameText& text) {
 }
 
 void direction(const Story& story, FrameText& text) {
+  const std::string vertex = story.words.vertex(0);
+  const std::string name = story.run.point_query() ? vertex : "(" + vertex + ")";  // "(L−D)"
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = format("d = 0: P is {} itself.", story.q);
@@ -87,12 +89,12 @@ void direction(const Story& story, FrameText& text) {
                      story.edge_words(), story.q)
             : format("d is perpendicular to {} and points to {}'s side.", story.edge_words(),
                      story.q);
-    text.detail =
-        format("d = {} comes from the edge alone, without a division{}.",
-               story.numbers.point(story.state.d),
-               note.flipped ? format("; its sign was flipped, because dot(d, {} − {}) was negative",
-                                     story.q, story.words.vertex(0))
-                            : "");
+    text.detail = format(
+        "d = {} comes from the edge alone, without a division{}.",
+        story.numbers.point(story.state.d),
+        note.flipped
+            ? format("; its sign was flipped, because dot(d, {} − {}) was negative", story.q, name)
+            : "");
   }
 }
 

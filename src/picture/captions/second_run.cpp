@@ -88,10 +88,6 @@ void second_run(const Story& story, FrameText& text) {
               ? format("It comes to distance {}.", numbers(second.run.trace.result.distance))
               : format("It finds {} inside, at distance 0: the wrong support point hid the answer.",
                        story.q);
-      if (story.trace.result.settled) {
-        text.detail += format(" No bound proves {}, so this run's answer was settled exactly.",
-                              story.distance());
-      }
       return;
     default:
       return;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "effects/barycentric.hpp"
@@ -30,7 +31,13 @@ void parts(SceneBuilder& scene) {
   constexpr std::array<std::string_view, 3> kRoles = {"area.u", "area.v", "area.w"};
   constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
   int side = 1;
-  for (const BarycentricParts::Part& part : scene.effects.get<BarycentricParts>(scene.frame)) {
+  // A negative area lies over those that are positive.
+  BarycentricParts::Value parts = scene.effects.get<BarycentricParts>(scene.frame);
+  if (scene.state.simplex.count == 3) {
+    std::stable_partition(parts.begin(), parts.end(),
+                          [](const auto& part) { return part.weight >= 0.0; });
+  }
+  for (const BarycentricParts::Part& part : parts) {
     if (!measures_tested_edge(scene, part)) continue;
     std::vector<Point> points;
     for (const Vector2d& point : part.points) points.push_back(scene.at_difference(point));
