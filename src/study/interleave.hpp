@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace bench {
+namespace gjkscope::study {
 
 /// Makes the compiler believe that all of `value` is read.
 template <class T>
@@ -69,14 +69,20 @@ struct Timing {
   return quartiles(std::move(ratios));
 }
 
-/// Runs all contestants `repetitions` times, beginning with another one each time.
-[[nodiscard]] inline std::vector<Timing> interleave(const std::vector<Contestant>& contestants,
-                                                    std::size_t queries, std::size_t repetitions) {
+/// Runs all contestants `repetitions` times, beginning with another one each time. `go_on` is asked
+/// before each sweep: when it says no, the repetitions that are complete are what there is.
+[[nodiscard]] inline std::vector<Timing> interleave(
+    const std::vector<Contestant>& contestants, std::size_t queries, std::size_t repetitions,
+    const std::function<bool()>& go_on = [] { return true; }) {
   using Clock = std::chrono::steady_clock;
   std::vector<Timing> timings;
-  for (const Contestant& each : contestants) timings.push_back({each.sweep(), {}});
+  for (const Contestant& each : contestants) timings.push_back({go_on() ? each.sweep() : 0.0, {}});
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+      if (!go_on()) {
+        for (Timing& timing : timings) timing.ns.resize(repetition);
+        return timings;
+      }
       const std::size_t i = (repetition + turn) % contestants.size();
       const Clock::time_point begin = Clock::now();
       keep(contestants[i].sweep());
@@ -87,4 +93,4 @@ struct Timing {
   return timings;
 }
 
-}  // namespace bench
+}  // namespace gjkscope::study
