@@ -20,7 +20,7 @@ constexpr const char* kFooter = R"(Exit codes:
   1  a lesson or case has a problem, or its query was refused
   2  the command line: an unknown command, option, lesson or value
   3  something cannot be read, written or drawn
-  128+n  an export was ended by signal n
+  128+n  an export or a study was ended by signal n; what was done until then is kept
 
 Lessons and assets are found in $GJKSCOPE_SHARE, or where they were installed.
 
@@ -58,6 +58,7 @@ struct Arguments {
   ExportOptions export_options;
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
+  StudyOptions study;
 };
 
 void add_commands(CLI::App& app, Arguments& args) {
@@ -145,6 +146,24 @@ void add_commands(CLI::App& app, Arguments& args) {
   explain->add_option("lesson", args.name, "Id or file of a lesson")->required();
   add_json(explain);
   explain->footer("Examples:\n  gjkscope explain polygons-gjk\n");
+
+  CLI::App* study = app.add_subcommand("study", "Measure the core");
+  study->require_subcommand(1);
+  CLI::App* accuracy = study->add_subcommand("accuracy", "What accuracy costs in time");
+  accuracy->add_flag("--quick", args.study.quick, "Fewer pairs and choices: seconds, not minutes");
+  accuracy->add_option("--out", args.study.out_dir, "Folder for accuracy.csv, .json and .html")
+      ->type_name("DIR");
+  accuracy->add_option("--seed", args.study.seed, "Seed of the pairs")->capture_default_str();
+  accuracy
+      ->add_option("--advice", args.study.advice,
+                   "Write what it comes to, as Markdown; its numbers go beside it, as .csv")
+      ->type_name("FILE");
+  accuracy->footer(
+      "Answers families of easy and hard pairs in many ways, judges each by exact runs, and times\n"
+      "them in turns. Everything but the times depends on the seed alone. It takes up to three\n"
+      "minutes; interrupted (Ctrl-C), it writes and prints what it has, says so, and ends with "
+      "130.\n\n"
+      "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n");
 }
 
 int run(const CLI::App& app, Arguments& args) {
@@ -154,6 +173,7 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
+  if (app.got_subcommand("study")) return study_accuracy_command(env, args.study);
   ExportOptions& options = args.export_options;
   const bool tells = app.got_subcommand("transcript");
   if (args.lessons.all == !args.lessons.names.empty()) {

@@ -128,8 +128,9 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   if (!has_bounds) row.width_scale = kNoNumber;
 
   const Answer& answer = asked.answers[worst];
-  row.worst.json = case_json(family.pairs[worst], family.name + ", seed " + std::to_string(seed) +
-                                                      ", pair " + std::to_string(worst + 1));
+  row.worst.json = case_json(
+      {family.pairs[worst].x, family.pairs[worst].y},
+      family.name + ", seed " + std::to_string(seed) + ", pair " + std::to_string(worst + 1));
   row.worst.answer = answer.refused ? kNoNumber : static_cast<double>(answer.distance);
   row.worst.distance = truths.given()[worst].distance[0];
   return row;

@@ -51,14 +51,6 @@ std::vector<DoublePair> motion(families::Source& source, int count) {
   return pairs;
 }
 
-std::string json_of(const std::vector<Eigen::Vector2d>& points) {
-  std::string out;
-  for (const Eigen::Vector2d& p : points) {
-    out += fmt::format("{}[{},{}]", out.empty() ? "" : ",", p[0], p[1]);
-  }
-  return "[" + out + "]";
-}
-
 }  // namespace
 
 std::vector<Family> families_of(std::uint64_t seed, const Sizes& sizes,
@@ -91,11 +83,6 @@ std::vector<Family> families_of(std::uint64_t seed, const Sizes& sizes,
     out.push_back(std::move(family));
   }
   return out;
-}
-
-std::string case_json(const DoublePair& pair, std::string_view name) {
-  return fmt::format(R"({{"name":"{}","dimension":2,"a":{},"b":{}}})", name, json_of(pair.x),
-                     json_of(pair.y));
 }
 
 }  // namespace gjkscope::study

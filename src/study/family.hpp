@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/families.hpp"
@@ -34,8 +33,5 @@ struct Sizes {
 /// out.
 [[nodiscard]] std::vector<Family> families_of(std::uint64_t seed, const Sizes& sizes,
                                               std::span<const Case> reported);
-
-/// The pair as `gjkscope solve` and `gjkscope trace` read it, on one line.
-[[nodiscard]] std::string case_json(const DoublePair& pair, std::string_view name);
 
 }  // namespace gjkscope::study

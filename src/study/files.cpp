@@ -92,7 +92,7 @@ decltype(auto) visit(const Field& field, Row& row, Visitor visitor) {
 }
 
 struct CsvText {
-  std::string operator()(const std::string& text) const { return "\"" + text + "\""; }
+  std::string operator()(const std::string& text) const { return fmt::format("\"{}\"", text); }
   std::string operator()(int number) const { return std::to_string(number); }
   std::string operator()(bool yes) const { return yes ? "1" : "0"; }
   std::string operator()(double number) const {
@@ -180,7 +180,8 @@ bool read_note(std::string_view name, std::string_view value, Study& study) {
 
 std::string header() {
   std::string out;
-  for (const Field& field : fields()) out += (out.empty() ? "" : ",") + std::string(field.name);
+  for (const Field& field : fields())
+    out += fmt::format("{}{}", out.empty() ? "" : ",", field.name);
   return out;
 }
 
@@ -196,7 +197,7 @@ std::string to_csv(const Study& study) {
   for (Row row : study.rows) {  // fields can be set, so they need a row of their own
     std::string line;
     for (const Field& field : fields()) {
-      line += (line.empty() ? "" : ",") + visit(field, row, CsvText{});
+      line += fmt::format("{}{}", line.empty() ? "" : ",", visit(field, row, CsvText{}));
     }
     out += line + "\n";
   }

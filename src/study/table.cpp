@@ -150,7 +150,8 @@ std::string table(const Study& study) {
       "distance\nin u: what computing alone does, in roundings (u * scale) of the answer's type; "
       "witness, bounds: shares of\nthe scale; times: of the default. * on the Pareto front of time "
       "and error. none: some pair has no answer.\n");
-  for (const auto& group : by_family(summary(study).rows)) {
+  const Study all = summary(study);
+  for (const auto& group : by_family(all.rows)) {
     if (group.front()->family != kAllFamilies) continue;
     out += fmt::format("\n{} ({} pairs)\n{}", kAllFamilies, group.front()->pairs, heading());
     for (const Row* row : group) out += line_of(*row);

@@ -114,6 +114,7 @@ TEST(Table, MarksTheFrontAndNamesEveryFamily) {
   for (const auto& family : by_family(small_study().rows)) {
     EXPECT_NE(text.find("\n" + family.front()->family + " ("), std::string::npos);
   }
+  EXPECT_NE(text.find("\nall families ("), std::string::npos);
   EXPECT_NE(text.find("\n* "), std::string::npos);
   EXPECT_EQ(table(Study{}), "Nothing was measured.\n");
 }
@@ -126,7 +127,7 @@ TEST(Page, HasADotForEveryRowAndNeedsNothingElse) {
   EXPECT_EQ(count(text, "<!-- "), 0u);
   EXPECT_EQ(count(text, "://"), 0u) << "the page must open without a network";
   EXPECT_EQ(count(text, "nan"), 0u);
-  EXPECT_NE(text.find("{&quot;name&quot;:&quot;needles, seed 7, pair"), std::string::npos);
+  EXPECT_NE(text.find("{&quot;name&quot;: &quot;needles, seed 7, pair"), std::string::npos);
 }
 
 TEST(Page, SaysThatTheStudyWasInterrupted) {

@@ -1,0 +1,146 @@
+// `gjkscope study`.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ostream>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/signal_watch.hpp"
+#include "lesson/case.hpp"
+#include "lesson/file.hpp"
+#include "study/report.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The cases of tests/hard-cases, in the order of their names.
+std::vector<Case> reported_cases(const Environment& env) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(env.share / "tests" / "hard-cases", none)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Case> out;
+  for (const fs::path& file : files) {
+    const std::optional<std::string> text = read_text(env, file.string());
+    if (!text) continue;
+    for (ReadCase& read : parse_cases(*text, file.string())) {
+      if (read.value) out.push_back(std::move(*read.value));
+    }
+  }
+  if (out.empty()) env.err << "gjkscope: there are no reported cases; their family is left out\n";
+  return out;
+}
+
+/// How far the study is, and how long it will take: a line a family, or on a terminal one line that
+/// changes.
+class Progress {
+ public:
+  explicit Progress(std::ostream& err) : err_(err), terminal_(::isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (terminal_) err_ << "\r\033[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void tell(double share, const std::string& what) {
+    const Clock::time_point now = Clock::now();
+    const bool is_new = what != what_;
+    if (!is_new && (!terminal_ || now - last_ < std::chrono::milliseconds(100))) return;
+    last_ = now;
+    what_ = what;
+    const double passed = std::chrono::duration<double>(now - begin_).count();
+    const std::string left =
+        share > 0.02 ? fmt::format(", about {:.0f} s left", passed * (1 - share) / share) : "";
+    if (!terminal_) {
+      err_ << fmt::format("{:3.0f} % {}{}\n", 100 * share, what, left) << std::flush;
+      return;
+    }
+    constexpr std::size_t kCells = 30;
+    const auto full = static_cast<std::size_t>(share * kCells);
+    err_ << fmt::format("\r\033[K[{}{}] {:3.0f} % {}{}", std::string(full, '#'),
+                        std::string(kCells - full, '.'), 100 * share, what, left)
+         << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::ostream& err_;
+  bool terminal_;
+  std::string what_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+};
+
+/// Made before anything is measured, so that minutes are not lost to a folder that cannot be.
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(),
+                                         error ? error.message() : "there is a file"));
+  }
+}
+
+}  // namespace
+
+int study_accuracy_command(const Environment& env, const StudyOptions& options) {
+  std::string page;
+  if (!options.out_dir.empty()) {
+    make_folder(options.out_dir);
+    const std::optional<std::string> read =
+        read_text(env, (env.share / "assets" / "accuracy.html").string());
+    if (!read) return kCannot;
+    page = *read;
+  }
+  if (options.advice.has_parent_path()) make_folder(options.advice.parent_path());
+  if (options.advice.extension() == ".csv") {
+    env.err
+        << "gjkscope study: --advice is the name of the text; its numbers go beside it, as .csv\n";
+    return kUsage;
+  }
+
+  study::Plan plan = study::plan(options.quick);
+  plan.seed = options.seed;
+  plan.reported = reported_cases(env);
+  const SignalWatch watch;
+  const study::Study found = [&] {
+    Progress progress(env.err);
+    return study::study_accuracy(
+        plan, {[] { return SignalWatch::signal() == 0; },
+               [&](double share, const std::string& what) { progress.tell(share, what); }});
+  }();
+
+  if (!options.out_dir.empty()) {
+    write_whole(options.out_dir / "accuracy.csv", study::to_csv(found));
+    write_whole(options.out_dir / "accuracy.json", study::to_json(found));
+    write_whole(options.out_dir / "accuracy.html", study::page(found, page));
+  }
+  if (!options.advice.empty()) {
+    const study::Study summary = study::summary(found);
+    write_whole(options.advice, study::advice(summary));
+    write_whole(fs::path(options.advice).replace_extension(".csv"), study::to_csv(summary));
+  }
+  env.out << study::table(found)
+          << fmt::format("\n{} rows in {:.1f} s, seed {}{}\n", found.rows.size(), found.seconds,
+                         found.seed,
+                         options.out_dir.empty() ? "" : ", in " + options.out_dir.string());
+  const bool written = flushed(env);
+  if (!found.complete) {
+    env.err << fmt::format("gjkscope: interrupted; {} of {} families are in the results\n",
+                           study::by_family(found.rows).size(), found.families_planned);
+    return kSignalBase + SignalWatch::signal();
+  }
+  return written ? kDone : kCannot;
+}
+
+}  // namespace gjkscope
