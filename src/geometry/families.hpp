@@ -175,7 +175,7 @@ class Source {
   [[nodiscard]] static Point on_circle(double quarters) {
     const double quarter = std::floor(quarters);
     const double t = quarters - quarter;
-    const Point first((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t));
+    Point first((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t));
     switch (static_cast<int>(quarter) & 3) {
       case 0:
         return first;

@@ -39,7 +39,7 @@ class Quad {
   friend bool operator>(const Quad& a, const Quad& b) { return a.value_ > b.value_; }
   friend bool operator>=(const Quad& a, const Quad& b) { return a.value_ >= b.value_; }
 
-  /// e with 2^e <= |a| < 2^(e+1), for numbers that are normal.
+  /// e with 2^e <= |a| < 2^(e+1), for numbers that are normal; 16384 for what is not finite.
   [[nodiscard]] int exponent() const {
     std::uint64_t words[2];
     std::memcpy(words, &value_, sizeof words);
@@ -68,6 +68,7 @@ static_assert(sizeof(Quad) == 16);
 }  // namespace gjkscope
 
 /// What the core and Eigen ask for.
+// NOLINTBEGIN(readability-identifier-naming): the names are the standard library's.
 template <>
 class std::numeric_limits<gjkscope::Quad> {
  public:
@@ -94,6 +95,7 @@ class std::numeric_limits<gjkscope::Quad> {
   static gjkscope::Quad infinity() { return gjkscope::Quad(numeric_limits<double>::infinity()); }
   static gjkscope::Quad quiet_NaN() { return gjkscope::Quad(numeric_limits<double>::quiet_NaN()); }
 };
+// NOLINTEND(readability-identifier-naming)
 
 template <>
 struct Eigen::NumTraits<gjkscope::Quad> : Eigen::GenericNumTraits<gjkscope::Quad> {
@@ -119,7 +121,9 @@ struct gjk::ScalarTraits<gjkscope::Quad> {
   [[nodiscard]] static Quad from(const From& value) {
     return static_cast<Quad>(value);
   }
-  [[nodiscard]] static bool is_finite(const Quad& a) { return a - a == Quad(0); }
+  [[nodiscard]] static bool is_finite(const Quad& a) {
+    return a.exponent() < std::numeric_limits<Quad>::max_exponent;
+  }
   /// From the root in long double, 64 bits, by a step of Newton's that doubles them.
   [[nodiscard]] static Quad root(const Quad& a) {
     if (!(Quad(0) < a) || !is_finite(a)) return a;

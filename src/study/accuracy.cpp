@@ -13,10 +13,7 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLeastRepetitions = 5;
 constexpr std::size_t kMostRepetitions = 101;
-// How much of a family's time has passed, about, when it is judged and when the first turns are
-// timed.
-constexpr double kJudgingShare = 0.3;
-constexpr double kFirstTurnsShare = 0.4;
+constexpr double kJudgingShare = 0.3;  ///< Of a family's time, about.
 
 /// The truth about each pair of a family, as it was given and as configurations keep it.
 class Truths {
@@ -84,6 +81,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   double largest = -1.0;
   long iterations = 0;
   bool has_bounds = false;
+  bool counts_iterations = true;
   for (std::size_t i = 0; i < family.pairs.size(); ++i) {
     const Answer& answer = asked.answers[i];
     const Truth& given = truths.given()[i];
@@ -121,9 +119,12 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
     row.wrong_as_kept += found.wrong_as_kept;
     row.broken_bounds += found.broken_bounds;
     iterations += answer.iterations;
+    counts_iterations = counts_iterations && answer.iterations >= 0;
     row.most_iterations = std::max(row.most_iterations, answer.iterations);
   }
-  row.iterations = static_cast<double>(iterations) / static_cast<double>(family.pairs.size());
+  row.iterations = counts_iterations
+                       ? static_cast<double>(iterations) / static_cast<double>(family.pairs.size())
+                       : kNoNumber;
   row.middle_error_scale = errors.empty() ? kNoNumber : quartiles(errors).median;
   if (!has_bounds) row.width_scale = kNoNumber;
 
@@ -168,31 +169,27 @@ class FamilyStudy {
   }
 
  private:
+  /// As many repetitions as the plan's time allows.
   [[nodiscard]] std::vector<Timing> timed() {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    // The first repetitions tell how many the time allows.
-    constexpr std::size_t kFirst = 2;
-    std::vector<Timing> out = turns(kFirst, kJudgingShare, kFirstTurnsShare);
-    if (out[0].ns.size() < kFirst) return out;
-    const std::chrono::duration<double> each = (Clock::now() - begin) / (kFirst + 1);
-    const auto wanted = static_cast<std::size_t>(plan_.seconds_per_family / each.count());
-    const std::size_t more = std::clamp(wanted, kLeastRepetitions, kMostRepetitions) - kFirst;
-    const std::vector<Timing> rest = turns(more, kFirstTurnsShare, 1.0);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i].ns.insert(out[i].ns.end(), rest[i].ns.begin(), rest[i].ns.end());
-    }
-    return out;
-  }
-
-  /// Tells how the share of what is done grows from `begin` to `end`.
-  [[nodiscard]] std::vector<Timing> turns(std::size_t repetitions, double begin, double end) {
-    const auto sweeps = static_cast<double>((repetitions + 1) * contestants_.size());
-    std::size_t done = 0;
-    return interleave(contestants_, family_.pairs.size(), repetitions, [&] {
-      tell_(begin + (end - begin) * static_cast<double>(done++) / sweeps);
-      return watch_.go_on();
-    });
+    // `interleave` asks up to twice for each contestant before the first turn.
+    const auto asked_by = [&](std::size_t repetitions) {
+      return static_cast<double>((repetitions + 2) * contestants_.size());
+    };
+    const double least = asked_by(kLeastRepetitions);
+    const double most = asked_by(kMostRepetitions);
+    double asked = 0.0;
+    return interleave(
+        contestants_, family_.pairs.size(), kMostRepetitions,
+        [&] {
+          const std::chrono::duration<double> passed = Clock::now() - begin;
+          const double of_time = passed.count() / plan_.seconds_per_family;
+          const double share = std::max(std::min(of_time, asked / least), asked / most);
+          tell_(kJudgingShare + (1.0 - kJudgingShare) * std::min(1.0, share));
+          return watch_.go_on() && (asked++ < least || of_time < 1.0);
+        },
+        plan_.seconds_per_turn);
   }
 
   const Plan& plan_;
@@ -209,7 +206,7 @@ Plan plan(bool quick) {
   out.quick = quick;
   if (quick) {
     out.sizes = {64, 64};
-    out.seconds_per_family = 0.5;
+    out.seconds_per_family = 0.4;
   }
   return out;
 }
@@ -235,6 +232,17 @@ Study study_accuracy(const Plan& plan, const Watch& watch) {
   }
   mark_front(out.rows);
   out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return out;
+}
+
+std::vector<Row> judged_rows(const Family& family, const std::vector<Configuration>& configurations,
+                             std::uint64_t seed) {
+  Truths truths(family);
+  std::vector<Row> out;
+  for (const Configuration& each : configurations) {
+    if (each.start == Start::warm && !family.in_motion) continue;
+    out.push_back(judged_row(each, family, ask(each, family), truths, seed));
+  }
   return out;
 }
 

@@ -34,7 +34,7 @@ struct Row {
   int repetitions = 0;      ///< Of the timing; each asks about every pair once.
   Quartiles ns;             ///< Per query. Without repetitions all of these are 0.
   Quartiles ratio;          ///< To the default configuration, repetition by repetition.
-  double iterations = 0.0;  ///< On average.
+  double iterations = 0.0;  ///< On average; NaN where nobody counts them.
   int most_iterations = 0;
 
   int failed = 0;         ///< Pairs without an answer, or with one that is no number.
@@ -73,7 +73,8 @@ struct Plan {
   std::uint64_t seed = 1;
   bool quick = false;
   Sizes sizes;
-  double seconds_per_family = 9.0;  ///< Of timing, about.
+  double seconds_per_family = 7.0;  ///< Of timing, about.
+  double seconds_per_turn = 2e-4;   ///< At least: shorter ones are at the mercy of the clock.
   std::vector<Case> reported;       ///< See families_of.
 };
 [[nodiscard]] Plan plan(bool quick);
@@ -98,6 +99,12 @@ struct Watch {
 /// All but the times depends on the plan alone. Ended early by `watch`, it has the rows of the
 /// families that were done, and of the one that was being timed.
 [[nodiscard]] Study study_accuracy(const Plan& plan, const Watch& watch = {});
+
+/// The rows of a family without times: what `study_accuracy` has for it, for these configurations
+/// alone. `seed` is for the names of the worst cases.
+[[nodiscard]] std::vector<Row> judged_rows(const Family& family,
+                                           const std::vector<Configuration>& configurations,
+                                           std::uint64_t seed);
 
 /// Sets `on_front` in the rows of each family: by error_scale and the median time.
 void mark_front(std::vector<Row>& rows);

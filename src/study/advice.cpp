@@ -122,10 +122,11 @@ class Advice {
         "| configuration | × | error | relative | in u | wrong | open | iterations | |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Row* row : all_) {
-      out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {} |\n", row->configuration,
-                         share_text(row->ratio.median), error_text(row->error_scale),
-                         error_text(row->relative_error), error_text(row->error_units), row->wrong,
-                         row->undecided, row->iterations, row->on_front ? "*" : "");
+      out +=
+          fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row->configuration,
+                      share_text(row->ratio.median), error_text(row->error_scale),
+                      error_text(row->relative_error), error_text(row->error_units), row->wrong,
+                      row->undecided, iterations_text(row->iterations), row->on_front ? "*" : "");
     }
     return out + "\n";
   }

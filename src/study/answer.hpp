@@ -22,7 +22,7 @@ struct Answer {
   Quad upper;
   std::array<Quad, 2> x;  ///< Witness points.
   std::array<Quad, 2> y;
-  int iterations = 0;
+  int iterations = 0;  ///< -1 where nobody counts them: in lockstep.
 };
 
 /// A family's pairs, kept as a configuration keeps them and wrapped for queries (which measures

@@ -14,8 +14,9 @@ constexpr double kWidth = 720;
 constexpr double kHeight = 420;
 constexpr double kLeft = 64;
 constexpr double kRight = 16;
-constexpr double kTop = 34;        ///< Above it: pairs without an answer.
+constexpr double kTop = 46;        ///< Above it: pairs without an answer.
 constexpr double kBottom = 62;     ///< Below the axis: its numbers and name.
+constexpr double kNoneBand = 26;   ///< Between the largest error and these.
 constexpr double kExactBand = 26;  ///< Between the least error and the axis: answers without error.
 
 std::string escaped(std::string_view text) {
@@ -74,7 +75,7 @@ struct Axes {
     return kLeft + ns.share(value) * (kWidth - kLeft - kRight);
   }
   [[nodiscard]] double y(double value) const {
-    if (std::isinf(value)) return kTop - 16;
+    if (std::isinf(value)) return kTop - kNoneBand;
     if (value == 0.0) return kHeight - kBottom - 8;
     return kTop + (1 - error.share(value)) * (kHeight - kTop - kBottom - kExactBand);
   }
@@ -123,7 +124,7 @@ std::string frame(const Axes& axes) {
   out += fmt::format(R"(<text class="tick" x="{}" y="{}" text-anchor="end">0</text>)", kLeft - 8,
                      axes.y(0.0) + 4);
   out += fmt::format(R"(<text class="tick" x="{}" y="{}" text-anchor="end">none</text>)", kLeft - 8,
-                     kTop - 12);
+                     kTop - kNoneBand + 4);
   out +=
       fmt::format(R"(<path class="axis" d="M{} {}V{}H{}"/>)", kLeft, kTop, floor, kWidth - kRight);
   out +=
@@ -150,11 +151,12 @@ std::string stairs(const Axes& axes, const std::vector<const Row*>& front) {
 std::string values_of(const Row& row) {
   return fmt::format(
       "{} ({} to {}), {} × the default\nlargest error: {} of the scale, {} of the distance\n"
-      "{:.1f} iterations; overlaps wrong {}, undecided {}; no answer {}; {} pairs, {} repetitions",
+      "{} iterations; overlaps wrong {}, undecided {}; no answer {}; {} pairs, {} repetitions",
       time_text(row.ns.median), time_text(row.ns.low), time_text(row.ns.high),
       fmt::format("{:.2f}", row.ratio.median), error_text(row.error_scale),
-      error_text(row.relative_error), row.iterations, row.wrong, row.undecided, row.failed,
-      row.pairs, row.repetitions);
+      error_text(row.relative_error),
+      std::isnan(row.iterations) ? "uncounted" : iterations_text(row.iterations), row.wrong,
+      row.undecided, row.failed, row.pairs, row.repetitions);
 }
 
 std::string dot(const Axes& axes, const Row& row) {
@@ -170,6 +172,26 @@ std::string dot(const Axes& axes, const Row& row) {
       escaped(row.configuration + ": " + values + "; " + worst), escaped(row.configuration),
       escaped(values), escaped(worst), escaped(row.worst.json),
       mark(row, axes.x(row.ns.median), axes.y(row.error_scale)));
+}
+
+/// The places of rows in the list of the front, below left of their marks: "3", or "3–5" where
+/// these are too close to be told apart.
+std::string numbers(const Axes& axes, const std::vector<const Row*>& front) {
+  constexpr double kRoom = 17;
+  const auto x = [&](std::size_t i) { return axes.x(front[i]->ns.median); };
+  const auto y = [&](std::size_t i) { return axes.y(front[i]->error_scale); };
+  std::string out;
+  for (std::size_t first = 0, next = 1; first < front.size(); first = next++) {
+    while (next < front.size() && x(next) - x(next - 1) < kRoom &&
+           std::abs(y(next) - y(next - 1)) < kRoom) {
+      ++next;
+    }
+    const std::string text =
+        next - first == 1 ? std::to_string(next) : fmt::format("{}–{}", first + 1, next);
+    out += fmt::format(R"(<text class="number" x="{:.1f}" y="{:.1f}">{}</text>)", x(first) - 7,
+                       y(next - 1) + 16, text);
+  }
+  return out;
 }
 
 std::string front_list(const std::vector<const Row*>& front) {
@@ -192,23 +214,17 @@ std::string chart(const Axes& axes, const std::vector<const Row*>& rows) {
   }
   std::sort(front.begin(), front.end(),
             [](const Row* a, const Row* b) { return a->ns.median < b->ns.median; });
-  std::string numbers;
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    const Row& row = *front[i];
-    dots += dot(axes, row);  // above the others
-    numbers += fmt::format(R"(<text class="number" x="{:.1f}" y="{:.1f}">{}</text>)",
-                           axes.x(row.ns.median) - 9, axes.y(row.error_scale) + 15, i + 1);
-  }
+  for (const Row* row : front) dots += dot(axes, *row);  // above the others
   return fmt::format(
-      R"(<section><h2>{name}</h2><p>{pairs} pairs, {rows} configurations, {repetitions} repetitions. On the front:</p>)"
+      R"(<section><h2>{name}</h2><p>{pairs} pairs, {rows} configurations, {repetitions} repetitions.</p>)"
       R"(<svg viewBox="0 0 {width} {height}" role="group" aria-label="Error against time: {name}">{frame}{stairs}
-{dots}{numbers}</svg>{list}</section>)"
+{dots}{numbers}</svg><p>On the front:</p>{list}</section>)"
       "\n",
       fmt::arg("name", escaped(first.family)), fmt::arg("pairs", first.pairs),
       fmt::arg("rows", rows.size()), fmt::arg("repetitions", first.repetitions),
       fmt::arg("width", kWidth), fmt::arg("height", kHeight), fmt::arg("frame", frame(axes)),
       fmt::arg("stairs", front.empty() ? "" : stairs(axes, front)), fmt::arg("dots", dots),
-      fmt::arg("numbers", numbers), fmt::arg("list", front_list(front)));
+      fmt::arg("numbers", numbers(axes, front)), fmt::arg("list", front_list(front)));
 }
 
 std::string with(std::string page, std::string_view mark, const std::string& content) {

@@ -38,6 +38,8 @@ inline constexpr std::string_view kAllFamilies = "all families";
 
 /// "1.2e-16", "0", "none" (infinite), "" (no number).
 [[nodiscard]] std::string error_text(double error);
+/// "3.1"; "" (no number).
+[[nodiscard]] std::string iterations_text(double iterations);
 /// "86 ns", "1.23 µs", "34.5 ms".
 [[nodiscard]] std::string time_text(double ns);
 

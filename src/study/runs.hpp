@@ -120,7 +120,7 @@ template <class S, class Run>
   const auto query = [=, warm = configuration.start == Start::warm](std::size_t i) {
     if (!warm) return run(kept->queries[i], *next);
     if (i == 0) next->start_count = 0;
-    const auto result = run(kept->queries[i], *next);
+    auto result = run(kept->queries[i], *next);
     next->start_count = result.simplex.count;
     for (int k = 0; k < result.simplex.count; ++k) {
       next->start[static_cast<std::size_t>(k)] =

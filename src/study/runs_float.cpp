@@ -18,6 +18,7 @@ Asked ask_batch(const Family& family) {
   for (std::size_t i = 0; i < kept.pairs.size(); ++i) {
     out.kept.push_back(families::converted<double>(kept.pairs[i]));
     out.answers.push_back(detail::answer_of(packed->results[i]));
+    out.answers.back().iterations = -1;
   }
   out.contestant.sweep = [packed] {
     packed->batch.distance(packed->results);

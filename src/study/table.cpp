@@ -10,19 +10,20 @@ namespace {
 
 std::string line_of(const Row& row) {
   return fmt::format(
-      "{} {:<42} {:>9} {:>7} {:>6.1f} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6}\n",
+      "{} {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>6}\n",
       row.on_front ? '*' : ' ', row.configuration,
       row.repetitions > 0 ? time_text(row.ns.median) : "",
-      row.repetitions > 0 ? fmt::format("{:.2f}", row.ratio.median) : "", row.iterations,
-      error_text(row.error_scale), error_text(row.relative_error), error_text(row.error_units),
-      error_text(row.witness_scale), error_text(row.width_scale), row.wrong, row.undecided,
-      row.failed);
+      row.repetitions > 0 ? fmt::format("{:.2f}", row.ratio.median) : "",
+      iterations_text(row.iterations), error_text(row.error_scale), error_text(row.relative_error),
+      error_text(row.error_units), error_text(row.witness_scale), error_text(row.width_scale),
+      row.wrong, row.wrong_as_kept, row.undecided, row.failed);
 }
 
 std::string heading() {
-  return fmt::format("  {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6}\n",
-                     "", "time", "times", "iter.", "error", "relative", "in u", "witness", "bounds",
-                     "wrong", "undec.", "failed");
+  return fmt::format(
+      "  {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>6}\n", "",
+      "time", "times", "iter.", "error", "relative", "in u", "witness", "bounds", "wrong", "own",
+      "undec.", "failed");
 }
 
 /// Rows of one configuration over all families.
@@ -102,6 +103,10 @@ std::string error_text(double error) {
                                         : fmt::format("{:.1e}", error);
 }
 
+std::string iterations_text(double iterations) {
+  return std::isnan(iterations) ? "" : fmt::format("{:.1f}", iterations);
+}
+
 std::string time_text(double ns) {
   if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
   if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
@@ -148,8 +153,10 @@ std::string table(const Study& study) {
   std::string out = fmt::format(
       "error: largest error of the distance, as a share of the scale; relative: as a share of the "
       "distance\nin u: what computing alone does, in roundings (u * scale) of the answer's type; "
-      "witness, bounds: shares of\nthe scale; times: of the default. * on the Pareto front of time "
-      "and error. none: some pair has no answer.\n");
+      "witness, bounds: shares of\nthe scale; times: of the default. wrong: overlaps told wrongly, "
+      "own: of the pair as the "
+      "arithmetic keeps it.\n* on the Pareto front of time and error. none: some pair has no "
+      "answer.\n");
   const Study all = summary(study);
   for (const auto& group : by_family(all.rows)) {
     if (group.front()->family != kAllFamilies) continue;

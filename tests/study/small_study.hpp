@@ -10,6 +10,7 @@ namespace gjkscope::study::test {
   out.seed = 7;
   out.sizes = {12, 16};
   out.seconds_per_family = 0.0;
+  out.seconds_per_turn = 0.0;
   Case& reported = out.reported.emplace_back();
   reported.a = {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.0, 0.0)};
   reported.b = {Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(1.0, 1.0 + 1e-9)};
