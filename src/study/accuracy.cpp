@@ -142,7 +142,10 @@ class FamilyStudy {
  public:
   FamilyStudy(const Plan& plan, const Family& family, const Watch& watch,
               std::function<void(double)> tell)
-      : plan_(plan), family_(family), watch_(watch), tell_(std::move(tell)) {}
+      : plan_(plan), family_(family), timed_(family), watch_(watch), tell_(std::move(tell)) {
+    const auto most = static_cast<std::size_t>(std::max(1, plan.sizes.timed_pairs));
+    timed_.pairs.resize(std::min(timed_.pairs.size(), most));
+  }
 
   /// Nothing when it was interrupted before all configurations were judged.
   [[nodiscard]] std::vector<Row> rows() {
@@ -155,11 +158,12 @@ class FamilyStudy {
       if (all[i].start == Start::warm && !family_.in_motion) continue;
       const Asked asked = ask(all[i], family_);
       out.push_back(judged_row(all[i], family_, asked, truths, plan_.seed));
-      contestants_.push_back(asked.contestant);
+      contestants_.push_back(ask(all[i], timed_).contestant);
       tell_(kJudgingShare * static_cast<double>(i + 1) / static_cast<double>(all.size()));
     }
     const std::vector<Timing> timings = timed();
     for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].timed_pairs = static_cast<int>(timed_.pairs.size());
       out[i].repetitions = static_cast<int>(timings[i].ns.size());
       if (timings[i].ns.empty()) continue;
       out[i].ns = quartiles(timings[i].ns);
@@ -181,7 +185,7 @@ class FamilyStudy {
     const double most = asked_by(kMostRepetitions);
     double asked = 0.0;
     return interleave(
-        contestants_, family_.pairs.size(), kMostRepetitions,
+        contestants_, timed_.pairs.size(), kMostRepetitions,
         [&] {
           const std::chrono::duration<double> passed = Clock::now() - begin;
           const double of_time = passed.count() / plan_.seconds_per_family;
@@ -194,6 +198,7 @@ class FamilyStudy {
 
   const Plan& plan_;
   const Family& family_;
+  Family timed_;  ///< Its first pairs.
   const Watch& watch_;
   std::function<void(double)> tell_;
   std::vector<Contestant> contestants_;
@@ -205,7 +210,7 @@ Plan plan(bool quick) {
   Plan out;
   out.quick = quick;
   if (quick) {
-    out.sizes = {64, 64};
+    out.sizes = {64, 32, 64};
     out.seconds_per_family = 0.4;
   }
   return out;

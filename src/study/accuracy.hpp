@@ -31,7 +31,8 @@ struct Row {
   std::string axis;
 
   int pairs = 0;
-  int repetitions = 0;      ///< Of the timing; each asks about every pair once.
+  int timed_pairs = 0;      ///< The first so many were timed.
+  int repetitions = 0;      ///< Of the timing; each asks about every one of them.
   Quartiles ns;             ///< Per query. Without repetitions all of these are 0.
   Quartiles ratio;          ///< To the default configuration, repetition by repetition.
   double iterations = 0.0;  ///< On average; NaN where nobody counts them.

@@ -25,6 +25,7 @@ struct Family {
 /// How many pairs a family has, at most: the exact run of large polygons takes its time.
 struct Sizes {
   int pairs = 512;
+  int timed_pairs = 96;      ///< Of these are timed, the first ones: time is spent on repetitions.
   int most_vertices = 1024;  ///< Of the families that differ by size.
 };
 

@@ -41,6 +41,8 @@ const std::vector<Field>& fields() {
       field<int>(
           "pairs", [](Row & row) -> auto& { return row.pairs; }),
       field<int>(
+          "timed_pairs", [](Row & row) -> auto& { return row.timed_pairs; }),
+      field<int>(
           "repetitions", [](Row & row) -> auto& { return row.repetitions; }),
       field<double>(
           "ns", [](Row & row) -> auto& { return row.ns.median; }),

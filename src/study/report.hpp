@@ -20,9 +20,10 @@ namespace gjkscope::study {
 
 /// Rows over all families instead of those of each, under the name kAllFamilies: errors are the
 /// largest, counts are added up, times are geometric means of medians. Only of configurations that
-/// answered all families. Families that differ by size, and what starts cost in motion, stay as
-/// they are.
+/// answered all families. The ordinary family, those that differ by size, and what starts cost in
+/// motion, stay as they are.
 inline constexpr std::string_view kAllFamilies = "all families";
+inline constexpr std::string_view kOrdinary = "random";
 [[nodiscard]] Study summary(const Study& study);
 
 /// For a terminal: the summary, and the Pareto front of each family.

@@ -31,6 +31,7 @@ Row merged(const std::vector<const Row*>& rows) {
   Row out = *rows.front();
   out.family = kAllFamilies;
   out.pairs = 0;
+  out.timed_pairs = 0;
   out.failed = out.undecided = out.wrong = out.wrong_as_kept = out.broken_bounds = 0;
   out.iterations = 0.0;
   out.worst = {};
@@ -50,6 +51,7 @@ Row merged(const std::vector<const Row*>& rows) {
   for (const Row* row : rows) {
     out.pairs += row->pairs;
     out.repetitions = std::min(out.repetitions, row->repetitions);
+    out.timed_pairs += row->timed_pairs;
     out.failed += row->failed;
     out.undecided += row->undecided;
     out.wrong += row->wrong;
@@ -140,7 +142,8 @@ Study summary(const Study& study) {
     });
     for (const Row* row : group) {
       const bool is_default = row->configuration == name_of(Configuration{});
-      if (row->vertices > 0 || (in_motion && (is_default || row->axis == "start"))) {
+      if (row->vertices > 0 || row->family == kOrdinary ||
+          (in_motion && (is_default || row->axis == "start"))) {
         out.rows.push_back(*row);
       }
     }

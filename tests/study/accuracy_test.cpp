@@ -179,7 +179,7 @@ TEST(Study, TellsHowFarItIs) {
   double last = 0.0;
   std::set<std::string> told;
   Plan plan = small_plan();
-  plan.sizes = {2, 4};
+  plan.sizes = {2, 2, 4};
   const Study study = study_accuracy(plan, {[] { return true; },
                                             [&](double share, const auto& what) {
                                               EXPECT_GE(share, last);

@@ -8,7 +8,7 @@ namespace gjkscope::study::test {
 [[nodiscard]] inline Plan small_plan() {
   Plan out = plan(true);
   out.seed = 7;
-  out.sizes = {12, 16};
+  out.sizes = {12, 8, 16};
   out.seconds_per_family = 0.0;
   out.seconds_per_turn = 0.0;
   Case& reported = out.reported.emplace_back();
