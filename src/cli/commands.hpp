@@ -70,10 +70,24 @@ struct StudyOptions {
   std::filesystem::path advice;   ///< Empty: none is wanted.
 };
 
-/// Measures error against time and prints a table; in `out_dir` accuracy.csv, .json and .html; in
-/// `advice` what it comes to, with its numbers beside it as .csv. Interrupted, it does so with what
-/// there is.
+/// Measures error against time and prints a table; in `out_dir` accuracy.csv, .json and .html, and
+/// figures as PNG and SVG; in `advice` what it comes to, with its numbers beside it as .csv.
+/// Interrupted, it does so with what there is.
 int study_accuracy_command(const Environment& env, const StudyOptions& options);
+
+/// Times the frames of lessons with each effect and without, and prints a table; in `out_dir`
+/// effects.csv. Without names all lessons are meant. Interrupted, it does so with what there is.
+int study_effects_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
+
+/// Measures the scenes with a clock of lessons against the size of their time step, and prints a
+/// table; in `out_dir` time-steps.csv. The rest is as with effects.
+int study_time_steps_command(const Environment& env, LessonChoice choice,
+                             const StudyOptions& options);
+
+/// Measures pictures with few samples a pixel against one with many, and prints a table; in
+/// `out_dir` pictures.csv. The rest is as with effects.
+int study_pictures_command(const Environment& env, LessonChoice choice,
+                           const StudyOptions& options);
 
 /// "1280x720"; nullopt when it is not of that form.
 [[nodiscard]] std::optional<std::pair<int, int>> parse_size(std::string_view text);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <ostream>
 #include <stdexcept>
 
@@ -14,7 +15,14 @@
 #include "cli/signal_watch.hpp"
 #include "lesson/case.hpp"
 #include "lesson/file.hpp"
+#include "paint/canvas.hpp"
+#include "paint/png.hpp"
+#include "paint/svg.hpp"
 #include "study/report.hpp"
+#include "survey/accuracy_figures.hpp"
+#include "survey/effects_cost.hpp"
+#include "survey/sampling_cost.hpp"
+#include "survey/time_steps.hpp"
 
 namespace gjkscope {
 namespace {
@@ -91,12 +99,43 @@ void make_folder(const fs::path& folder) {
   }
 }
 
+/// Writes figures as PNG and SVG. Made before anything is measured, for the same reason.
+class FigureWriter {
+ public:
+  explicit FigureWriter(const Environment& env)
+      : fonts_(env.share / "assets" / "fonts.toml"),
+        theme_(Theme::load(env.share / "assets" / "themes", "light")) {}
+
+  void write(const study::Study& study, const fs::path& folder) const {
+    constexpr int kSupersampling = 2;
+    make_folder(folder);
+    const std::vector<Figure> figures = accuracy_figures(study, fonts_);
+    if (figures.empty()) return;
+    const Picture& first = figures.front().picture;
+    Canvas canvas(fonts_, theme_, static_cast<int>(first.width), static_cast<int>(first.height),
+                  kSupersampling);
+    for (const Figure& figure : figures) {
+      const std::vector<std::uint8_t> png =
+          encode_png(shrink(canvas.paint(figure.picture), kSupersampling));
+      write_whole(folder / (figure.name + ".png"), png);
+      write_whole(folder / (figure.name + ".svg"),
+                  to_svg(figure.picture, fonts_, theme_, figure.title));
+    }
+  }
+
+ private:
+  Fonts fonts_;
+  Theme theme_;
+};
+
 }  // namespace
 
 int study_accuracy_command(const Environment& env, const StudyOptions& options) {
   std::string page;
+  std::optional<FigureWriter> figures;
   if (!options.out_dir.empty()) {
     make_folder(options.out_dir);
+    figures.emplace(env);
     const std::optional<std::string> read =
         read_text(env, (env.share / "assets" / "accuracy.html").string());
     if (!read) return kCannot;
@@ -124,6 +163,7 @@ int study_accuracy_command(const Environment& env, const StudyOptions& options) 
     write_whole(options.out_dir / "accuracy.csv", study::to_csv(found));
     write_whole(options.out_dir / "accuracy.json", study::to_json(found));
     write_whole(options.out_dir / "accuracy.html", study::page(found, page));
+    figures->write(found, options.out_dir / "figures");
   }
   if (!options.advice.empty()) {
     const study::Study summary = study::summary(found);
@@ -141,6 +181,86 @@ int study_accuracy_command(const Environment& env, const StudyOptions& options) 
     return kSignalBase + SignalWatch::signal();
   }
   return written ? kDone : kCannot;
+}
+
+namespace {
+
+/// Measures lessons one by one, and writes and prints what there is: a table, and a file of the
+/// same in `options.out_dir`.
+template <class Row>
+struct LessonStudy {
+  std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
+  std::function<std::string(const std::vector<Row>&)> table;
+  std::function<std::string(const std::vector<Row>&)> csv;
+  std::string_view file;
+
+  [[nodiscard]] int run(const Environment& env, LessonChoice choice,
+                        const StudyOptions& options) const {
+    choice.all = choice.names.empty();
+    const FoundLessons found = find_lessons(env, choice);
+    if (found.exit_code != kDone) return found.exit_code;
+    if (!options.out_dir.empty()) make_folder(options.out_dir);
+
+    const SignalWatch watch;
+    const auto go_on = [] { return SignalWatch::signal() == 0; };
+    std::vector<Row> rows;
+    {
+      Progress progress(env.err);
+      for (std::size_t i = 0; i < found.lessons.size() && go_on(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(found.lessons.size());
+        progress.tell(share, found.lessons[i].id);
+        const std::vector<Row> more = measure(found.lessons[i], go_on);
+        rows.insert(rows.end(), more.begin(), more.end());
+      }
+    }
+    if (!options.out_dir.empty()) write_whole(options.out_dir / file, csv(rows));
+    env.out << table(rows);
+    const bool written = flushed(env);
+    if (!go_on()) {
+      env.err << "gjkscope: interrupted; this is what there was\n";
+      return kSignalBase + SignalWatch::signal();
+    }
+    return written ? kDone : kCannot;
+  }
+};
+
+}  // namespace
+
+int study_effects_command(const Environment& env, LessonChoice choice,
+                          const StudyOptions& options) {
+  const Fonts fonts(env.share / "assets" / "fonts.toml");
+  EffectsPlan plan;
+  if (options.quick) plan.seconds_per_lesson = 0.0;
+  const LessonStudy<EffectCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return effects_cost(run_lesson(lesson), fonts, plan, go_on);
+      },
+      effects_table, effects_csv, "effects.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+int study_time_steps_command(const Environment& env, LessonChoice choice,
+                             const StudyOptions& options) {
+  const int repetitions = options.quick ? 3 : 15;
+  const LessonStudy<TimeStepCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return time_step_costs(lesson, repetitions, go_on);
+      },
+      time_steps_table, time_steps_csv, "time-steps.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+int study_pictures_command(const Environment& env, LessonChoice choice,
+                           const StudyOptions& options) {
+  const Fonts fonts(env.share / "assets" / "fonts.toml");
+  SamplingStudy sampling(fonts, Theme::load(env.share / "assets" / "themes", "light"));
+  const int repetitions = options.quick ? 3 : 9;
+  const LessonStudy<SamplingCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return sampling.costs(lesson, repetitions, go_on);
+      },
+      sampling_table, sampling_csv, "pictures.csv"};
+  return study.run(env, std::move(choice), options);
 }
 
 }  // namespace gjkscope

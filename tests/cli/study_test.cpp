@@ -47,5 +47,26 @@ TEST(StudyCommand, InterruptedWritesWhatItHas) {
   EXPECT_NE(read_file(out + "/accuracy.html").find("Interrupted"), std::string::npos);
 }
 
+TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::string out = " --quick --out " + folder.path().string();
+  const auto effects = run_program("study effects minkowski-hull" + out);
+  EXPECT_EQ(effects.exit_code, 2);
+  EXPECT_NE(effects.err.find("minkowski-hull"), std::string::npos) << effects.err;
+
+  const auto steps = run_program("study time-steps segment-balance polygons-gjk" + out);
+  EXPECT_EQ(steps.exit_code, 0) << steps.err;
+  EXPECT_NE(steps.out.find("\n* segment-balance"), std::string::npos) << steps.out;
+  EXPECT_EQ(steps.out.find("polygons-gjk"), std::string::npos) << "it has no clock";
+  EXPECT_NE(read_file(folder.path() / "time-steps.csv").find("\nsegment-balance,"),
+            std::string::npos);
+
+  const auto hull = run_program("study effects polygon-evolution" + out);
+  EXPECT_EQ(hull.exit_code, 0) << hull.err;
+  EXPECT_NE(hull.out.find("(all others)"), std::string::npos) << hull.out;
+  EXPECT_NE(read_file(folder.path() / "effects.csv").find("\npolygon-evolution,"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace gjkscope
