@@ -72,7 +72,7 @@ class Advice {
       return row->failed == 0 && row->axis != "cap" && suits(*row);
     });
     if (all.empty()) return nullptr;
-    const auto time = [](const Row* row) { return row->ns.median; };
+    const auto time = [](const Row* row) { return row->ratio.median; };
     const Row* best = *std::min_element(
         all.begin(), all.end(), [&](const Row* x, const Row* y) { return time(x) < time(y); });
     return *std::find_if(all.begin(), all.end(),
@@ -182,8 +182,8 @@ class Advice {
       return (floats ? row.wrong_as_kept : row.wrong) + row.undecided;
     };
     out += fmt::format(
-        "- **{}** *{}* takes {} of the time of *{}*. {}argest error, as a share of the distance: "
-        "{}\n  against {}. Overlaps told wrongly or left open: {} against {} of {}.\n",
+        "- **{}** *{}* takes {} of the time of *{}*.\n  {}argest error, as a share of the "
+        "distance: {} against {}. Overlaps told wrongly or left open: {} against {} of {}.\n",
         question, name, times_text(*a, *b), with, floats ? "Of the pairs as floats: l" : "L",
         relative(*a), relative(*b), wrong(*a), wrong(*b), a->pairs);
   }
@@ -197,8 +197,8 @@ class Advice {
             "float in double");
     compare(out, all_, "What do eight pairs at once cost?", "float in batch", "float in double");
     compare(out, all_, "Does the direction matter, where nothing checks the loop?",
-            "float, loop only, towards O", "float, loop only");
-    compare(out, all_, "And where the answer is proved?", "float, towards O", "float");
+            "double, loop only, towards O", "double, loop only");
+    compare(out, all_, "And where the answer is proved?", "double, towards O", "double");
     compare(out, all_, "Does the order of the region tests matter?",
             "float, loop only, edges first", "float, loop only");
     compare(out, all_, "Is a repeated support point enough to stop?",

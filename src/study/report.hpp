@@ -41,7 +41,7 @@ inline constexpr std::string_view kOrdinary = "random";
 [[nodiscard]] std::string error_text(double error);
 /// "3.1"; "" (no number).
 [[nodiscard]] std::string iterations_text(double iterations);
-/// "86 ns", "1.23 µs", "34.5 ms".
+/// "86 ns", "1.23 µs", "34.5 ms", "2.1 s".
 [[nodiscard]] std::string time_text(double ns);
 
 }  // namespace gjkscope::study

@@ -112,7 +112,8 @@ std::string iterations_text(double iterations) {
 std::string time_text(double ns) {
   if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
   if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
-  return fmt::format("{:.3g} ms", ns / 1e6);
+  if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
+  return fmt::format("{:.3g} s", ns / 1e9);
 }
 
 Study summary(const Study& study) {

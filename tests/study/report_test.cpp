@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -36,6 +37,18 @@ std::string complaint(const std::string& text) {
     return error.what();
   }
   return "";
+}
+
+TEST(Words, NumbersHaveTheUnitsThatReadBest) {
+  EXPECT_EQ(time_text(86.4), "86 ns");
+  EXPECT_EQ(time_text(1234.0), "1.23 µs");
+  EXPECT_EQ(time_text(3.45e7), "34.5 ms");
+  EXPECT_EQ(time_text(2.1e9), "2.1 s");
+  EXPECT_EQ(error_text(0.0), "0");
+  EXPECT_EQ(error_text(std::numeric_limits<double>::infinity()), "none");
+  EXPECT_EQ(error_text(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(iterations_text(2.96), "3.0");
+  EXPECT_EQ(iterations_text(std::numeric_limits<double>::quiet_NaN()), "");
 }
 
 TEST(Csv, ReadBackIsTheSame) {
