@@ -177,13 +177,14 @@ std::string dot(const Axes& axes, const Row& row) {
 /// The places of rows in the list of the front, below left of their marks: "3", or "3–5" where
 /// these are too close to be told apart.
 std::string numbers(const Axes& axes, const std::vector<const Row*>& front) {
-  constexpr double kRoom = 17;
+  constexpr double kWide = 28;
+  constexpr double kHigh = 17;
   const auto x = [&](std::size_t i) { return axes.x(front[i]->ns.median); };
   const auto y = [&](std::size_t i) { return axes.y(front[i]->error_scale); };
   std::string out;
   for (std::size_t first = 0, next = 1; first < front.size(); first = next++) {
-    while (next < front.size() && x(next) - x(next - 1) < kRoom &&
-           std::abs(y(next) - y(next - 1)) < kRoom) {
+    while (next < front.size() && x(next) - x(next - 1) < kWide &&
+           std::abs(y(next) - y(next - 1)) < kHigh) {
       ++next;
     }
     const std::string text =
