@@ -16,4 +16,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gjkscope-config.cmake
 if(NOT GJKSCOPE_CORE_ONLY)
   install(TARGETS gjkscope gjkscope-viewer RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY lessons assets DESTINATION ${CMAKE_INSTALL_DATADIR}/gjkscope)
+  # Cases that the study asks about.
+  install(DIRECTORY tests/hard-cases DESTINATION ${CMAKE_INSTALL_DATADIR}/gjkscope/tests)
 endif()

@@ -2,6 +2,7 @@
 // The commands of `gjkscope`, one function each: arguments in, text on streams, exit code out.
 // main.cpp only parses the command line.
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
@@ -20,7 +21,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kProblem = 1;  ///< A lesson or case has a problem, or a query was refused.
 inline constexpr int kUsage = 2;    ///< The command line: unknown command, option, lesson or value.
 inline constexpr int kCannot = 3;   ///< Something cannot be read, written or drawn.
-inline constexpr int kSignalBase = 128;  ///< Plus the number of the signal that ended an export.
+inline constexpr int kSignalBase = 128;  ///< Plus the number of the signal that ended a command.
 
 /// What a command works with besides its arguments.
 struct Environment {
@@ -61,6 +62,32 @@ int transcript_command(const Environment& env, const LessonChoice& choice, bool 
                        bool questions);
 
 int explain_command(const Environment& env, const std::string& name, bool json);
+
+struct StudyOptions {
+  bool quick = false;
+  std::uint64_t seed = 1;
+  std::filesystem::path out_dir;  ///< Empty: nothing but the table is wanted.
+  std::filesystem::path advice;   ///< Empty: none is wanted.
+};
+
+/// Measures error against time and prints a table; in `out_dir` accuracy.csv, .json and .html, and
+/// figures as PNG and SVG; in `advice` what it comes to, with its numbers beside it as .csv.
+/// Interrupted, it does so with what there is.
+int study_accuracy_command(const Environment& env, const StudyOptions& options);
+
+/// Times the frames of lessons with each effect and without, and prints a table; in `out_dir`
+/// effects.csv. Without names all lessons are meant. Interrupted, it does so with what there is.
+int study_effects_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
+
+/// Measures the scenes with a clock of lessons against the size of their time step, and prints a
+/// table; in `out_dir` time-steps.csv. The rest is as with effects.
+int study_time_steps_command(const Environment& env, LessonChoice choice,
+                             const StudyOptions& options);
+
+/// Measures pictures with few samples a pixel against one with many, and prints a table; in
+/// `out_dir` pictures.csv. The rest is as with effects.
+int study_pictures_command(const Environment& env, LessonChoice choice,
+                           const StudyOptions& options);
 
 /// "1280x720"; nullopt when it is not of that form.
 [[nodiscard]] std::optional<std::pair<int, int>> parse_size(std::string_view text);

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -17,6 +16,7 @@
 
 #include "cli/contact_sheet.hpp"
 #include "cli/frame_writer.hpp"
+#include "cli/signal_watch.hpp"
 #include "effects/graph.hpp"
 #include "lesson/file.hpp"
 #include "lesson/names.hpp"
@@ -32,38 +32,6 @@ constexpr int kSupersampling = 2;
 constexpr int kSmallestWidth = 160;
 constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
-
-// 0, or the signal that came. A handler can reach nothing but a global.
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
-volatile std::sig_atomic_t caught_signal = 0;
-void catch_signal(int signal) { caught_signal = signal; }
-
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the process. Each only once: who
-/// asks again is obeyed at once.
-class SignalWatch {
- public:
-  SignalWatch() {
-    caught_signal = 0;
-    struct sigaction action = {};
-    action.sa_handler = catch_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &interrupt_);
-    sigaction(SIGTERM, &action, &terminate_);
-  }
-  ~SignalWatch() {
-    sigaction(SIGINT, &interrupt_, nullptr);
-    sigaction(SIGTERM, &terminate_, nullptr);
-  }
-  SignalWatch(const SignalWatch&) = delete;
-  SignalWatch& operator=(const SignalWatch&) = delete;
-
-  [[nodiscard]] static int signal() { return caught_signal; }
-
- private:
-  struct sigaction interrupt_ = {};
-  struct sigaction terminate_ = {};
-};
 
 /// Says on stderr how far the export is: a line a lesson, or on a terminal one line that changes.
 class Progress {

@@ -20,7 +20,7 @@ constexpr const char* kFooter = R"(Exit codes:
   1  a lesson or case has a problem, or its query was refused
   2  the command line: an unknown command, option, lesson or value
   3  something cannot be read, written or drawn
-  128+n  an export was ended by signal n
+  128+n  an export or a study was ended by signal n; what was done until then is kept
 
 Lessons and assets are found in $GJKSCOPE_SHARE, or where they were installed.
 
@@ -58,6 +58,7 @@ struct Arguments {
   ExportOptions export_options;
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
+  StudyOptions study;
 };
 
 void add_commands(CLI::App& app, Arguments& args) {
@@ -145,6 +146,55 @@ void add_commands(CLI::App& app, Arguments& args) {
   explain->add_option("lesson", args.name, "Id or file of a lesson")->required();
   add_json(explain);
   explain->footer("Examples:\n  gjkscope explain polygons-gjk\n");
+
+  CLI::App* study = app.add_subcommand("study", "Measure the core");
+  study->require_subcommand(1);
+  CLI::App* accuracy = study->add_subcommand("accuracy", "What accuracy costs in time");
+  accuracy->add_flag("--quick", args.study.quick, "Fewer pairs and choices: seconds, not minutes");
+  accuracy
+      ->add_option("--out", args.study.out_dir,
+                   "Folder for accuracy.csv, .json and .html, and for figures")
+      ->type_name("DIR");
+  accuracy->add_option("--seed", args.study.seed, "Seed of the pairs")->capture_default_str();
+  accuracy
+      ->add_option("--advice", args.study.advice,
+                   "Write what it comes to, as Markdown; its numbers go beside it, as .csv")
+      ->type_name("FILE");
+  accuracy->footer(
+      "Answers families of easy and hard pairs in many ways, judges each by exact runs, and times\n"
+      "them in turns. Everything but the times depends on the seed alone. It takes up to three\n"
+      "minutes; interrupted (Ctrl-C), it writes and prints what it has, says so, and ends with "
+      "130.\n\n"
+      "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n");
+
+  CLI::App* effects = study->add_subcommand("effects", "What each effect costs in a frame");
+  effects->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
+  effects->add_flag("--quick", args.study.quick, "Fewer repetitions");
+  effects->add_option("--out", args.study.out_dir, "Folder for effects.csv")->type_name("DIR");
+  effects->footer(
+      "Builds the frames of lessons with each effect that is called for and without what calls "
+      "for\n"
+      "it, in turns. Effects that nothing calls for are never computed: the lesson against itself\n"
+      "shows how large the noise is. Interrupted (Ctrl-C), it prints what it has and ends with "
+      "130.\n\n"
+      "Examples:\n  gjkscope study effects polygons-gjk\n  gjkscope study effects --out study\n");
+
+  CLI::App* steps = study->add_subcommand("time-steps", "What the steps of a clock cost");
+  steps->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
+  steps->add_flag("--quick", args.study.quick, "Fewer repetitions");
+  steps->add_option("--out", args.study.out_dir, "Folder for time-steps.csv")->type_name("DIR");
+  steps->footer(
+      "Lessons with a clock: the error of the state, and the time, against the size of the step.\n"
+      "Lessons without are left out.\n\n"
+      "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
+
+  CLI::App* pictures = study->add_subcommand("pictures", "What supersampling costs");
+  pictures->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
+  pictures->add_flag("--quick", args.study.quick, "Fewer repetitions");
+  pictures->add_option("--out", args.study.out_dir, "Folder for pictures.csv")->type_name("DIR");
+  pictures->footer(
+      "The last frame of each lesson with 1, 2 and 4 samples a pixel each way, against 16.\n\n"
+      "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 
 int run(const CLI::App& app, Arguments& args) {
@@ -154,6 +204,19 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
+  if (app.got_subcommand("study")) {
+    const CLI::App* study = app.get_subcommand("study");
+    if (study->got_subcommand("effects")) {
+      return study_effects_command(env, args.lessons, args.study);
+    }
+    if (study->got_subcommand("time-steps")) {
+      return study_time_steps_command(env, args.lessons, args.study);
+    }
+    if (study->got_subcommand("pictures")) {
+      return study_pictures_command(env, args.lessons, args.study);
+    }
+    return study_accuracy_command(env, args.study);
+  }
   ExportOptions& options = args.export_options;
   const bool tells = app.got_subcommand("transcript");
   if (args.lessons.all == !args.lessons.names.empty()) {

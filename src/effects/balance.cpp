@@ -8,10 +8,9 @@
 namespace gjkscope {
 namespace {
 
-constexpr double kGravity = 9.81;       // m/s²
-constexpr double kHang = 0.15;          // m below the beam: a period of about three seconds
-constexpr double kDamping = 0.65;       // N m s: nearly at rest after one period
-constexpr double kStep = 1.0 / 1024.0;  // s; a power of two, so that steps add up exactly
+constexpr double kGravity = 9.81;  // m/s²
+constexpr double kHang = 0.15;     // m below the beam: a period of about three seconds
+constexpr double kDamping = 0.65;  // N m s: nearly at rest after one period
 
 double support_at(double seconds, double balance_point, const LessonTime& time) {
   constexpr double kMiddle = 0.5;
@@ -22,7 +21,7 @@ double support_at(double seconds, double balance_point, const LessonTime& time) 
 }
 
 /// One step of the semi-implicit Euler method for I angle'' = moment - damping * angle'.
-void advance(Beam& beam, const std::array<double, 2>& masses) {
+void advance(Beam& beam, const std::array<double, 2>& masses, double step) {
   const std::array<double, 2> arms = {-beam.support, 1.0 - beam.support};
   double inertia = 0.0;
   double moment = 0.0;
@@ -31,31 +30,32 @@ void advance(Beam& beam, const std::array<double, 2>& masses) {
     moment -=
         masses[i] * kGravity * (arms[i] * std::cos(beam.angle) + kHang * std::sin(beam.angle));
   }
-  beam.rate += kStep * (moment - kDamping * beam.rate) / inertia;
-  beam.angle += kStep * beam.rate;
-  // An end on the ground stays there until it is lifted.
+  const double before = beam.angle;
+  beam.rate += step * (moment - kDamping * beam.rate) / inertia;
+  beam.angle += step * beam.rate;
+  // An end on the ground stays there until it is lifted, and moves as the support slides under it.
   for (const double arm : arms) {
     if (arm == 0.0) continue;
     const double limit = std::asin(std::min(1.0, kSupportHeight / std::abs(arm)));
     const bool down = arm < 0.0 ? beam.angle > limit : beam.angle < -limit;
     if (!down) continue;
     beam.angle = arm < 0.0 ? limit : -limit;
-    beam.rate = 0.0;
+    beam.rate = (beam.angle - before) / step;
   }
 }
 
 }  // namespace
 
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
-                        const LessonTime& time) {
+                        const LessonTime& time, double step) {
   std::vector<Beam> moments;
   Beam beam;
   for (int i = 0; i < time.frames; ++i) {
     const double until = time.seconds * i / (time.frames - 1);
-    while (beam.seconds + kStep <= until) {
-      beam.seconds += kStep;
+    while (beam.seconds + step <= until) {
+      beam.seconds += step;
       beam.support = support_at(beam.seconds, balance_point, time);
-      advance(beam, masses);
+      advance(beam, masses, step);
     }
     moments.push_back(beam);
     moments.back().seconds = until;

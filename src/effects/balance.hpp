@@ -20,13 +20,17 @@ inline constexpr double kSupportHeight = 0.12;
 inline constexpr double kSupportStarts = 1.0 / 3.0;
 inline constexpr double kSupportArrives = 0.5;
 
+/// The step of a simulation, in seconds, that lessons show.
+inline constexpr double kBeamStep = 1.0 / 1024.0;
+
 /// A beam of length 1 m with `masses` (kg, none negative, not both 0) at its ends A and B, let go
 /// level on a support in its middle. The support then slides to `balance_point` and stays. The
 /// masses hang a little below the beam, so that it has a level to come to rest at, its axle is
 /// damped, and the ground stops its ends. One state for each moment of `time`; the same for the
-/// same arguments, bit for bit.
+/// same arguments, bit for bit. `step`: of the simulation, in seconds; a power of two, so that
+/// steps add up exactly.
 [[nodiscard]] std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
-                                      const LessonTime& time);
+                                      const LessonTime& time, double step = kBeamStep);
 
 /// The weights of a segment as masses on a beam, and G as its balance point (Catto 2010, slides
 /// "mass A = mass B" to "massA>0 massB>0"). There is no negative mass: where a weight is negative

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "paint/arrow.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -20,12 +22,6 @@ using std::numbers::pi;
 // across a frame has some hundred dashes of about 60 vertices.
 constexpr int kVertexLimit = 65535;
 constexpr int kVerticesPerList = 40000;
-
-// Head of an arrow: the length grows with the line's width only. A 2.5 pixel line gets a head 12
-// pixels long and 10 wide, which reads from the last row and still fits a 24 pixel arrow.
-constexpr double kHeadLength = 6.0;
-constexpr double kHeadLengthPerWidth = 2.4;
-constexpr double kHeadAspect = 0.84;
 
 // Circles are polygons whose sides stay this close to the circle, in pixels of the list.
 constexpr double kCircleError = 0.08;
@@ -188,17 +184,10 @@ class MarkPainter {
   }
 
   void operator()(const Arrow& arrow) const {
-    const Point along = arrow.to - arrow.from;
-    const double length = along.norm();
-    if (length <= kCoincident) return;
-    const Point unit = along / length;
-    const Point side(-unit.y(), unit.x());
-    const double head = kHeadLength + kHeadLengthPerWidth * style_->width;
-    const Point base = arrow.to - head * unit;
-    // The shaft ends inside the head: at the tip it would show beside it.
-    if (length > 0.8 * head) stroke({arrow.from, arrow.to - 0.8 * head * unit}, false);
-    const Point half = 0.5 * kHeadAspect * head * side;
-    fill_convex({arrow.to, base + half, base - half}, line_color());
+    const std::optional<ArrowParts> parts = arrow_parts(arrow, style_->width);
+    if (!parts) return;
+    if (parts->shaft_end) stroke({arrow.from, *parts->shaft_end}, false);
+    fill_convex({parts->head.begin(), parts->head.end()}, line_color());
   }
 
   void operator()(const Disk& disk) const {

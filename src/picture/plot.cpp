@@ -26,8 +26,8 @@ constexpr double kNameIndent = 14.0;  // symbol before the name of its series
 constexpr std::array<std::string_view, 4> kRoles = {"plot.first", "plot.second", "plot.third",
                                                     "plot.fourth"};
 
-std::string role_of(const PlotSeries& series, std::string_view part = "") {
-  return std::string(kRoles[static_cast<std::size_t>(series.style)]) + std::string(part);
+std::string role_of(PlotStyle style, std::string_view part = "") {
+  return std::string(kRoles[static_cast<std::size_t>(style)]) + std::string(part);
 }
 
 decltype(Mark::shape) symbol(PlotStyle style, const Point& at) {
@@ -218,21 +218,34 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     Polyline line;
     for (const Eigen::Vector2d& value : series->points) {
       const Point point = at(value.x(), value.y());
-      if (!line.points.empty()) obstacles.segments.push_back({line.points.back(), point});
+      if (series->join != PlotJoin::none) {
+        const bool has_corner = series->join == PlotJoin::stairs && !line.points.empty();
+        if (has_corner) line.points.emplace_back(point.x(), line.points.back().y());
+        line.points.push_back(point);
+      }
       obstacles.circles.push_back({point, kHollow});
-      line.points.push_back(point);
-      symbols.push_back({role_of(*series), symbol(series->style, point)});
+      symbols.push_back({role_of(series->style), symbol(series->style, point)});
     }
-    add(role_of(*series, ".line"), std::move(line));
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      obstacles.segments.push_back({line.points[i - 1], line.points[i]});
+    }
+    if (!line.points.empty()) add(role_of(series->style, ".line"), std::move(line));
   }
   for (Mark& mark : symbols) marks.push_back(std::move(mark));
 
   placer.begin_frame(std::move(obstacles));
+  for (std::size_t i = 0; i < plot.notes.size(); ++i) {
+    const PlotNote& note = plot.notes[i];
+    marks.push_back(placer.place(
+        {fmt::format("note {}", i), note.text, role_of(note.style, ".label"), type::kTickBold,
+         at(note.at.x(), note.at.y()), kHollow, Point(-1.0, 1.0), true},
+        true));
+  }
   const double space = fonts.width(type::kTickBold, " ");
   const std::string indent(static_cast<std::size_t>(std::ceil(kNameIndent / space)), ' ');
   for (const PlotSeries& series : plot.series) {
     if (series.points.empty() || series.name.empty()) continue;
-    LabelRequest name{series.name, indent + series.name, role_of(series, ".label"),
+    LabelRequest name{series.name, indent + series.name, role_of(series.style, ".label"),
                       type::kTickBold};
     for (const Eigen::Vector2d& point : series.points)
       name.other_anchors.push_back(at(point.x(), point.y()));
@@ -246,8 +259,9 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     const double full = fonts.width(text.style, text.text);
     const Point start(text.at.x() + 0.5 * full - width, text.at.y());
     write(placed.role, start, series.name, text.style, Align::left);
-    add(role_of(series), symbol(series.style, start - Point(0.75 * kNameIndent,
-                                                            0.5 * fonts.cap_height(text.style))));
+    add(role_of(series.style),
+        symbol(series.style,
+               start - Point(0.75 * kNameIndent, 0.5 * fonts.cap_height(text.style))));
   }
   for (const PlotBand& band : plot.bands) {
     const Polygon box = strip(at(plot.x.low, band.low), at(plot.x.high, band.high));

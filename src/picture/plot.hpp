@@ -32,12 +32,24 @@ struct PlotTick {
 /// square around it, a diamond, a hollow triangle.
 enum class PlotStyle { first, second, third, fourth };
 
-/// Points joined by lines, in the order given, and a name beside the last of them.
+/// What joins the points of a series, in the order given: nothing, lines, or the stairs that go
+/// along the x axis first (what can be had for so much and no more).
+enum class PlotJoin { none, lines, stairs };
+
+/// Points, and a name beside the last of them.
 struct PlotSeries {
   PlotStyle style = PlotStyle::first;
   std::string name;
   std::vector<Eigen::Vector2d> points;
   bool name_below = false;  ///< Rather below its points than above.
+  PlotJoin join = PlotJoin::lines;
+};
+
+/// A word beside a point, in the colour of a series' name.
+struct PlotNote {
+  PlotStyle style = PlotStyle::first;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  std::string text;
 };
 
 /// A stretch of the y axis that is set off from the rest.
@@ -52,6 +64,7 @@ struct Plot {
   PlotAxis y;
   std::vector<PlotBand> bands;
   std::vector<PlotSeries> series;
+  std::vector<PlotNote> notes;
   std::optional<double> current;  ///< The value on the x axis that the frame is about.
 };
 

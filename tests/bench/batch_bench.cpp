@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "bench/grid_pairs.hpp"
-#include "bench/interleave.hpp"
 #include "gjk/batch.hpp"
+#include "study/interleave.hpp"
 
 namespace {
 
 using namespace bench;
+using namespace gjkscope::study;
 using FloatPair = families::Pair<float>;
 
 constexpr double kWanted = 4.0;  ///< Times as fast as the scalar code, as a geometric mean.

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gjk/families.hpp"
+#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
 
 namespace bench {

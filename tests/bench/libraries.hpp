@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "grid_pairs.hpp"
-#include "interleave.hpp"
+#include "study/interleave.hpp"
 
 namespace bench {
+
+using namespace gjkscope::study;
 
 /// The answer of a library that says that it has none.
 inline constexpr double kGaveUp = -1.0;

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "geometry/families.hpp"
 #include "geometry/oracle.hpp"
-#include "gjk/families.hpp"
 #include "gjk/gjk.hpp"
 
 namespace gjkscope {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
 
 namespace {

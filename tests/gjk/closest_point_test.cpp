@@ -6,7 +6,7 @@
 #include <set>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
 
 namespace {

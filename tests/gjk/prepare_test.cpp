@@ -4,7 +4,7 @@
 #include "gjk/prepare.hpp"
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 #include "gjk/support.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "check.hpp"
-#include "families.hpp"
+#include "geometry/families.hpp"
 
 namespace {
 

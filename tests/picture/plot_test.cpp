@@ -187,5 +187,40 @@ TEST(Plot, TheCurrentValueMovesNoName) {
   EXPECT_EQ(name(), without);
 }
 
+TEST(Plot, StairsGoAlongTheXAxisFirst) {
+  Plot plot = two_points();
+  plot.series[0].join = PlotJoin::stairs;
+  const auto lines = shapes<Polyline>(plot_marks(plot, fonts(), kArea), "plot.first.line");
+  ASSERT_EQ(lines.size(), 1u);
+  ASSERT_EQ(lines[0].points.size(), 3u);
+  EXPECT_EQ(lines[0].points[1].x(), lines[0].points[2].x());
+  EXPECT_EQ(lines[0].points[1].y(), lines[0].points[0].y());
+}
+
+TEST(Plot, PointsThatNothingJoinsHaveNoLine) {
+  Plot plot = two_points();
+  plot.series[0].join = PlotJoin::none;
+  const std::vector<Mark> marks = plot_marks(plot, fonts(), kArea);
+  EXPECT_TRUE(shapes<Polyline>(marks, "plot.first.line").empty());
+  EXPECT_EQ(shapes<Disk>(marks, "plot.first").size(), 3u) << "and one beside the name";
+}
+
+TEST(Plot, NotesStandBesideTheirPoints) {
+  Plot plot = two_points();
+  plot.notes = {{PlotStyle::first, plot.series[0].points[0], "1"},
+                {PlotStyle::first, plot.series[0].points[1], "2"}};
+  const std::vector<Mark> marks = plot_marks(plot, fonts(), kArea);
+  const auto disks = shapes<Disk>(marks, "plot.first");
+  for (std::size_t i = 0; i < plot.notes.size(); ++i) {
+    int found = 0;
+    for (const Text& text : shapes<Text>(marks, "plot.first.label")) {
+      if (text.text != plot.notes[i].text) continue;
+      ++found;
+      EXPECT_LT((box_of(text).center() - disks[i].center).norm(), 30.0);
+    }
+    EXPECT_EQ(found, 1) << plot.notes[i].text;
+  }
+}
+
 }  // namespace
 }  // namespace gjkscope

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "exact.hpp"
-#include "gjk/families.hpp"
+#include "geometry/families.hpp"
 
 namespace truth {
 namespace {

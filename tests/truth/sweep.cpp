@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "claim.hpp"
-#include "gjk/families.hpp"
+#include "geometry/families.hpp"
 
 namespace truth {
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace bench {
+namespace gjkscope::study {
 
 /// Makes the compiler believe that all of `value` is read.
 template <class T>
@@ -69,22 +69,45 @@ struct Timing {
   return quartiles(std::move(ratios));
 }
 
-/// Runs all contestants `repetitions` times, beginning with another one each time.
-[[nodiscard]] inline std::vector<Timing> interleave(const std::vector<Contestant>& contestants,
-                                                    std::size_t queries, std::size_t repetitions) {
+/// Runs all contestants `repetitions` times, beginning with another one each time. `go_on` is asked
+/// before each sweep: when it says no, the repetitions that are complete are what there is. A
+/// contestant whose sweep is shorter than `least_seconds` takes as many in a turn as fill them, and
+/// one more before the clock starts: so it is not timed with the caches and predictions that
+/// whoever came before has left.
+[[nodiscard]] inline std::vector<Timing> interleave(
+    const std::vector<Contestant>& contestants, std::size_t queries, std::size_t repetitions,
+    const std::function<bool()>& go_on = [] { return true; }, double least_seconds = 0.0) {
   using Clock = std::chrono::steady_clock;
   std::vector<Timing> timings;
-  for (const Contestant& each : contestants) timings.push_back({each.sweep(), {}});
+  std::vector<int> sweeps;
+  for (const Contestant& each : contestants) {
+    timings.push_back({go_on() ? each.sweep() : 0.0, {}});
+    sweeps.push_back(1);
+    if (least_seconds <= 0.0 || !go_on()) continue;
+    constexpr int kMostSweeps = 10000;
+    const Clock::time_point begin = Clock::now();
+    keep(each.sweep());
+    const std::chrono::duration<double> once = Clock::now() - begin;
+    while (sweeps.back() < kMostSweeps && sweeps.back() * once.count() < least_seconds) {
+      sweeps.back() *= 2;
+    }
+  }
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+      if (!go_on()) {
+        for (Timing& timing : timings) timing.ns.resize(repetition);
+        return timings;
+      }
       const std::size_t i = (repetition + turn) % contestants.size();
+      const int count = sweeps[i];
+      if (count > 1) keep(contestants[i].sweep());
       const Clock::time_point begin = Clock::now();
-      keep(contestants[i].sweep());
+      for (int sweep = 0; sweep < count; ++sweep) keep(contestants[i].sweep());
       const std::chrono::duration<double, std::nano> taken = Clock::now() - begin;
-      timings[i].ns.push_back(taken.count() / static_cast<double>(queries));
+      timings[i].ns.push_back(taken.count() / static_cast<double>(queries) / count);
     }
   }
   return timings;
 }
 
-}  // namespace bench
+}  // namespace gjkscope::study

@@ -1,5 +1,6 @@
 #pragma once
-// Pairs of shapes in families, easy and hard, for the tests that speak of many pairs.
+// Pairs of shapes in families, easy and hard, for whatever speaks of many pairs: tests, benchmarks,
+// the study. Needs the core alone.
 //
 // Everything is made of + - * / and powers of two, so that a seed gives the same pairs everywhere.
 
@@ -145,6 +146,9 @@ class Source {
     return vertices;
   }
 
+  /// Two convex polygons of `count` vertices each, apart, close or overlapping.
+  [[nodiscard]] Pair<double> polygons(int count) { return apart_or_not(count, count); }
+
   /// A pair of the family, in a random order of arguments and with its vertex lists randomly
   /// rotated. Only S = double has anything but float values.
   template <class S>
@@ -171,7 +175,7 @@ class Source {
   [[nodiscard]] static Point on_circle(double quarters) {
     const double quarter = std::floor(quarters);
     const double t = quarters - quarter;
-    const Point first((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t));
+    Point first((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t));
     switch (static_cast<int>(quarter) & 3) {
       case 0:
         return first;

@@ -1,0 +1,25 @@
+#pragma once
+// Being told to stop, and finishing properly.
+
+#include <csignal>
+
+namespace gjkscope {
+
+/// While it lives, SIGINT and SIGTERM are noted instead of ending the process. Each only once: who
+/// asks again is obeyed at once.
+class SignalWatch {
+ public:
+  SignalWatch();
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+  /// The signal that came, or 0.
+  [[nodiscard]] static int signal();
+
+ private:
+  struct sigaction interrupt_ = {};
+  struct sigaction terminate_ = {};
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,266 @@
+// `gjkscope study`.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/signal_watch.hpp"
+#include "lesson/case.hpp"
+#include "lesson/file.hpp"
+#include "paint/canvas.hpp"
+#include "paint/png.hpp"
+#include "paint/svg.hpp"
+#include "study/report.hpp"
+#include "survey/accuracy_figures.hpp"
+#include "survey/effects_cost.hpp"
+#include "survey/sampling_cost.hpp"
+#include "survey/time_steps.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The cases of tests/hard-cases, in the order of their names.
+std::vector<Case> reported_cases(const Environment& env) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(env.share / "tests" / "hard-cases", none)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Case> out;
+  for (const fs::path& file : files) {
+    const std::optional<std::string> text = read_text(env, file.string());
+    if (!text) continue;
+    for (ReadCase& read : parse_cases(*text, file.string())) {
+      if (read.value) out.push_back(std::move(*read.value));
+    }
+  }
+  if (out.empty()) env.err << "gjkscope: there are no reported cases; their family is left out\n";
+  return out;
+}
+
+/// How far the study is, and how long it will take: a line a family, or on a terminal one line that
+/// changes.
+class Progress {
+ public:
+  explicit Progress(std::ostream& err) : err_(err), terminal_(::isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (terminal_) err_ << "\r\033[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void tell(double share, const std::string& what) {
+    const Clock::time_point now = Clock::now();
+    const bool is_new = what != what_;
+    if (!is_new && (!terminal_ || now - last_ < std::chrono::milliseconds(100))) return;
+    last_ = now;
+    what_ = what;
+    const double passed = std::chrono::duration<double>(now - begin_).count();
+    const std::string left =
+        share > 0.02 ? fmt::format(", about {:.0f} s left", passed * (1 - share) / share) : "";
+    if (!terminal_) {
+      err_ << fmt::format("{:3.0f} % {}{}\n", 100 * share, what, left) << std::flush;
+      return;
+    }
+    constexpr std::size_t kCells = 30;
+    const auto full = static_cast<std::size_t>(share * kCells);
+    err_ << fmt::format("\r\033[K[{}{}] {:3.0f} % {}{}", std::string(full, '#'),
+                        std::string(kCells - full, '.'), 100 * share, what, left)
+         << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::ostream& err_;
+  bool terminal_;
+  std::string what_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+};
+
+/// Made before anything is measured, so that minutes are not lost to a folder that cannot be.
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(),
+                                         error ? error.message() : "there is a file"));
+  }
+}
+
+/// Writes figures as PNG and SVG. Made before anything is measured, for the same reason.
+class FigureWriter {
+ public:
+  explicit FigureWriter(const Environment& env)
+      : fonts_(env.share / "assets" / "fonts.toml"),
+        theme_(Theme::load(env.share / "assets" / "themes", "light")) {}
+
+  void write(const study::Study& study, const fs::path& folder) const {
+    constexpr int kSupersampling = 2;
+    make_folder(folder);
+    const std::vector<Figure> figures = accuracy_figures(study, fonts_);
+    if (figures.empty()) return;
+    const Picture& first = figures.front().picture;
+    Canvas canvas(fonts_, theme_, static_cast<int>(first.width), static_cast<int>(first.height),
+                  kSupersampling);
+    for (const Figure& figure : figures) {
+      const std::vector<std::uint8_t> png =
+          encode_png(shrink(canvas.paint(figure.picture), kSupersampling));
+      write_whole(folder / (figure.name + ".png"), png);
+      write_whole(folder / (figure.name + ".svg"),
+                  to_svg(figure.picture, fonts_, theme_, figure.title));
+    }
+  }
+
+ private:
+  Fonts fonts_;
+  Theme theme_;
+};
+
+}  // namespace
+
+int study_accuracy_command(const Environment& env, const StudyOptions& options) {
+  std::string page;
+  std::optional<FigureWriter> figures;
+  if (!options.out_dir.empty()) {
+    make_folder(options.out_dir);
+    figures.emplace(env);
+    const std::optional<std::string> read =
+        read_text(env, (env.share / "assets" / "accuracy.html").string());
+    if (!read) return kCannot;
+    page = *read;
+  }
+  if (options.advice.has_parent_path()) make_folder(options.advice.parent_path());
+  if (options.advice.extension() == ".csv") {
+    env.err
+        << "gjkscope study: --advice is the name of the text; its numbers go beside it, as .csv\n";
+    return kUsage;
+  }
+
+  study::Plan plan = study::plan(options.quick);
+  plan.seed = options.seed;
+  plan.reported = reported_cases(env);
+  const SignalWatch watch;
+  const study::Study found = [&] {
+    Progress progress(env.err);
+    return study::study_accuracy(
+        plan, {[] { return SignalWatch::signal() == 0; },
+               [&](double share, const std::string& what) { progress.tell(share, what); }});
+  }();
+
+  if (!options.out_dir.empty()) {
+    write_whole(options.out_dir / "accuracy.csv", study::to_csv(found));
+    write_whole(options.out_dir / "accuracy.json", study::to_json(found));
+    write_whole(options.out_dir / "accuracy.html", study::page(found, page));
+    figures->write(found, options.out_dir / "figures");
+  }
+  if (!options.advice.empty()) {
+    const study::Study summary = study::summary(found);
+    write_whole(options.advice, study::advice(summary));
+    write_whole(fs::path(options.advice).replace_extension(".csv"), study::to_csv(summary));
+  }
+  env.out << study::table(found)
+          << fmt::format("\n{} rows in {:.1f} s, seed {}{}\n", found.rows.size(), found.seconds,
+                         found.seed,
+                         options.out_dir.empty() ? "" : ", in " + options.out_dir.string());
+  const bool written = flushed(env);
+  if (!found.complete) {
+    env.err << fmt::format("gjkscope: interrupted; {} of {} families are in the results\n",
+                           study::by_family(found.rows).size(), found.families_planned);
+    return kSignalBase + SignalWatch::signal();
+  }
+  return written ? kDone : kCannot;
+}
+
+namespace {
+
+/// Measures lessons one by one, and writes and prints what there is: a table, and a file of the
+/// same in `options.out_dir`.
+template <class Row>
+struct LessonStudy {
+  std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
+  std::function<std::string(const std::vector<Row>&)> table;
+  std::function<std::string(const std::vector<Row>&)> csv;
+  std::string_view file;
+
+  [[nodiscard]] int run(const Environment& env, LessonChoice choice,
+                        const StudyOptions& options) const {
+    choice.all = choice.names.empty();
+    const FoundLessons found = find_lessons(env, choice);
+    if (found.exit_code != kDone) return found.exit_code;
+    if (!options.out_dir.empty()) make_folder(options.out_dir);
+
+    const SignalWatch watch;
+    const auto go_on = [] { return SignalWatch::signal() == 0; };
+    std::vector<Row> rows;
+    {
+      Progress progress(env.err);
+      for (std::size_t i = 0; i < found.lessons.size() && go_on(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(found.lessons.size());
+        progress.tell(share, found.lessons[i].id);
+        const std::vector<Row> more = measure(found.lessons[i], go_on);
+        rows.insert(rows.end(), more.begin(), more.end());
+      }
+    }
+    if (!options.out_dir.empty()) write_whole(options.out_dir / file, csv(rows));
+    env.out << table(rows);
+    const bool written = flushed(env);
+    if (!go_on()) {
+      env.err << "gjkscope: interrupted; this is what there was\n";
+      return kSignalBase + SignalWatch::signal();
+    }
+    return written ? kDone : kCannot;
+  }
+};
+
+}  // namespace
+
+int study_effects_command(const Environment& env, LessonChoice choice,
+                          const StudyOptions& options) {
+  const Fonts fonts(env.share / "assets" / "fonts.toml");
+  EffectsPlan plan;
+  if (options.quick) plan.seconds_per_lesson = 0.0;
+  const LessonStudy<EffectCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return effects_cost(run_lesson(lesson), fonts, plan, go_on);
+      },
+      effects_table, effects_csv, "effects.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+int study_time_steps_command(const Environment& env, LessonChoice choice,
+                             const StudyOptions& options) {
+  const int repetitions = options.quick ? 3 : 15;
+  const LessonStudy<TimeStepCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return time_step_costs(lesson, repetitions, go_on);
+      },
+      time_steps_table, time_steps_csv, "time-steps.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+int study_pictures_command(const Environment& env, LessonChoice choice,
+                           const StudyOptions& options) {
+  const Fonts fonts(env.share / "assets" / "fonts.toml");
+  SamplingStudy sampling(fonts, Theme::load(env.share / "assets" / "themes", "light"));
+  const int repetitions = options.quick ? 3 : 9;
+  const LessonStudy<SamplingCost> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return sampling.costs(lesson, repetitions, go_on);
+      },
+      sampling_table, sampling_csv, "pictures.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,282 @@
+#include "study/accuracy.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "study/truth.hpp"
+
+namespace gjkscope::study {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kLeastRepetitions = 5;
+constexpr std::size_t kMostRepetitions = 101;
+constexpr double kJudgingShare = 0.3;  ///< Of a family's time, about.
+
+/// The truth about each pair of a family, as it was given and as configurations keep it.
+class Truths {
+ public:
+  explicit Truths(const Family& family) : family_(family) {
+    for (const DoublePair& pair : family.pairs) {
+      given_.push_back(truth_of(pair));
+      scales_.push_back(families::scale_of(pair));
+    }
+  }
+  [[nodiscard]] const std::vector<Truth>& given() const { return given_; }
+  [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
+
+  /// Of pairs rounded to floats or halves; those that go beyond the range of these have a truth
+  /// that says nothing.
+  [[nodiscard]] const std::vector<Truth>& as_kept(Arithmetic arithmetic,
+                                                  const std::vector<DoublePair>& kept) {
+    switch (arithmetic) {
+      case Arithmetic::half:
+        return rounded(half_, kept);
+      case Arithmetic::single:
+      case Arithmetic::single_in_double:
+      case Arithmetic::batch:
+        return rounded(single_, kept);
+      default:
+        return given_;
+    }
+  }
+
+ private:
+  static bool is_finite(const std::vector<Eigen::Vector2d>& points) {
+    return std::all_of(points.begin(), points.end(),
+                       [](const Eigen::Vector2d& p) { return p.allFinite(); });
+  }
+  [[nodiscard]] const std::vector<Truth>& rounded(std::vector<Truth>& truths,
+                                                  const std::vector<DoublePair>& kept) const {
+    for (std::size_t i = truths.size(); i < kept.size(); ++i) {
+      const DoublePair& pair = kept[i];
+      const bool same = pair.x == family_.pairs[i].x && pair.y == family_.pairs[i].y;
+      const bool finite = is_finite(pair.x) && is_finite(pair.y);
+      truths.push_back(same ? given_[i] : finite ? truth_of(pair) : Truth{});
+    }
+    return truths;
+  }
+
+  const Family& family_;
+  std::vector<Truth> given_;
+  std::vector<double> scales_;
+  std::vector<Truth> single_;
+  std::vector<Truth> half_;
+};
+
+/// All but the times.
+Row judged_row(const Configuration& configuration, const Family& family, const Asked& asked,
+               Truths& truths, std::uint64_t seed) {
+  Row row;
+  row.family = family.name;
+  row.vertices = family.vertices;
+  row.configuration = name_of(configuration);
+  row.axis = axis_of(configuration);
+  row.pairs = static_cast<int>(family.pairs.size());
+  const std::vector<Truth>& as_kept = truths.as_kept(configuration.arithmetic, asked.kept);
+  std::vector<double> errors;
+  std::size_t worst = 0;
+  double largest = -1.0;
+  long iterations = 0;
+  bool has_bounds = false;
+  bool counts_iterations = true;
+  for (std::size_t i = 0; i < family.pairs.size(); ++i) {
+    const Answer& answer = asked.answers[i];
+    const Truth& given = truths.given()[i];
+    const Judgement found = judge(answer, {given, as_kept[i], asked.kept[i]});
+    double error = std::numeric_limits<double>::infinity();
+    const double scale = truths.scales()[i];
+    if (!found.failed) {
+      error = scale > 0.0 ? found.error / scale : 0.0;
+      errors.push_back(error);
+      if (!given.overlap) {
+        row.relative_error = std::max(row.relative_error, found.error / given.distance[0]);
+      }
+      if (!as_kept[i].overlap) {
+        row.relative_error_as_kept =
+            std::max(row.relative_error_as_kept, found.error_as_kept / as_kept[i].distance[0]);
+      }
+      if (scale > 0.0) {
+        row.error_units = std::max(
+            row.error_units, found.error_as_kept / scale / unit_roundoff(configuration.arithmetic));
+        row.witness_scale = std::max(row.witness_scale, found.witness / scale);
+        if (answer.has_bounds) row.width_scale = std::max(row.width_scale, found.width / scale);
+      }
+      has_bounds = has_bounds || answer.has_bounds;
+    } else {
+      row.relative_error = std::numeric_limits<double>::infinity();
+    }
+    if (error > largest) {
+      largest = error;
+      worst = i;
+    }
+    row.error_scale = std::max(row.error_scale, error);
+    row.failed += found.failed;
+    row.undecided += found.undecided;
+    row.wrong += found.wrong;
+    row.wrong_as_kept += found.wrong_as_kept;
+    row.broken_bounds += found.broken_bounds;
+    iterations += answer.iterations;
+    counts_iterations = counts_iterations && answer.iterations >= 0;
+    row.most_iterations = std::max(row.most_iterations, answer.iterations);
+  }
+  row.iterations = counts_iterations
+                       ? static_cast<double>(iterations) / static_cast<double>(family.pairs.size())
+                       : kNoNumber;
+  row.middle_error_scale = errors.empty() ? kNoNumber : quartiles(errors).median;
+  if (!has_bounds) row.width_scale = kNoNumber;
+
+  const Answer& answer = asked.answers[worst];
+  row.worst.json = case_json(
+      {family.pairs[worst].x, family.pairs[worst].y},
+      family.name + ", seed " + std::to_string(seed) + ", pair " + std::to_string(worst + 1));
+  row.worst.answer = answer.refused ? kNoNumber : static_cast<double>(answer.distance);
+  row.worst.distance = truths.given()[worst].distance[0];
+  return row;
+}
+
+/// Judges and times all configurations on one family. `share`: how much of it is done.
+class FamilyStudy {
+ public:
+  FamilyStudy(const Plan& plan, const Family& family, const Watch& watch,
+              std::function<void(double)> tell)
+      : plan_(plan), family_(family), timed_(family), watch_(watch), tell_(std::move(tell)) {
+    const auto most = static_cast<std::size_t>(std::max(1, plan.sizes.timed_pairs));
+    timed_.pairs.resize(std::min(timed_.pairs.size(), most));
+  }
+
+  /// Nothing when it was interrupted before all configurations were judged.
+  [[nodiscard]] std::vector<Row> rows() {
+    const std::vector<Configuration> all =
+        family_.vertices > 0 ? configurations_by_size() : configurations(plan_.quick);
+    Truths truths(family_);
+    std::vector<Row> out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!watch_.go_on()) return {};
+      if (all[i].start == Start::warm && !family_.in_motion) continue;
+      const Asked asked = ask(all[i], family_);
+      out.push_back(judged_row(all[i], family_, asked, truths, plan_.seed));
+      contestants_.push_back(ask(all[i], timed_).contestant);
+      tell_(kJudgingShare * static_cast<double>(i + 1) / static_cast<double>(all.size()));
+    }
+    const std::vector<Timing> timings = timed();
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].timed_pairs = static_cast<int>(timed_.pairs.size());
+      out[i].repetitions = static_cast<int>(timings[i].ns.size());
+      if (timings[i].ns.empty()) continue;
+      out[i].ns = quartiles(timings[i].ns);
+      out[i].ratio = ratio(timings[i], timings[0]);
+    }
+    return out;
+  }
+
+ private:
+  /// As many repetitions as the plan's time allows.
+  [[nodiscard]] std::vector<Timing> timed() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    // `interleave` asks up to twice for each contestant before the first turn.
+    const auto asked_by = [&](std::size_t repetitions) {
+      return static_cast<double>((repetitions + 2) * contestants_.size());
+    };
+    const double least = asked_by(kLeastRepetitions);
+    const double most = asked_by(kMostRepetitions);
+    double asked = 0.0;
+    return interleave(
+        contestants_, timed_.pairs.size(), kMostRepetitions,
+        [&] {
+          const std::chrono::duration<double> passed = Clock::now() - begin;
+          const double of_time = passed.count() / plan_.seconds_per_family;
+          const double share = std::max(std::min(of_time, asked / least), asked / most);
+          tell_(kJudgingShare + (1.0 - kJudgingShare) * std::min(1.0, share));
+          return watch_.go_on() && (asked++ < least || of_time < 1.0);
+        },
+        plan_.seconds_per_turn);
+  }
+
+  const Plan& plan_;
+  const Family& family_;
+  Family timed_;  ///< Its first pairs.
+  const Watch& watch_;
+  std::function<void(double)> tell_;
+  std::vector<Contestant> contestants_;
+};
+
+}  // namespace
+
+Plan plan(bool quick) {
+  Plan out;
+  out.quick = quick;
+  if (quick) {
+    out.sizes = {64, 32, 64};
+    out.seconds_per_family = 0.4;
+  }
+  return out;
+}
+
+Study study_accuracy(const Plan& plan, const Watch& watch) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  Study out;
+  out.machine = this_machine();
+  out.seed = plan.seed;
+  out.quick = plan.quick;
+  watch.tell(0.0, "families");
+  const std::vector<Family> families = families_of(plan.seed, plan.sizes, plan.reported);
+  out.families_planned = static_cast<int>(families.size());
+  for (std::size_t i = 0; i < families.size() && out.complete; ++i) {
+    const auto tell = [&](double share) {
+      watch.tell((static_cast<double>(i) + share) / static_cast<double>(families.size()),
+                 families[i].name);
+    };
+    std::vector<Row> rows = FamilyStudy(plan, families[i], watch, tell).rows();
+    std::move(rows.begin(), rows.end(), std::back_inserter(out.rows));
+    out.complete = watch.go_on();
+  }
+  mark_front(out.rows);
+  out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return out;
+}
+
+std::vector<Row> judged_rows(const Family& family, const std::vector<Configuration>& configurations,
+                             std::uint64_t seed) {
+  Truths truths(family);
+  std::vector<Row> out;
+  for (const Configuration& each : configurations) {
+    if (each.start == Start::warm && !family.in_motion) continue;
+    out.push_back(judged_row(each, family, ask(each, family), truths, seed));
+  }
+  return out;
+}
+
+std::vector<std::vector<const Row*>> by_family(const std::vector<Row>& rows) {
+  std::vector<std::vector<const Row*>> out;
+  for (const Row& row : rows) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const auto& group) {
+      return group.front()->family == row.family;
+    });
+    if (same == out.end()) {
+      out.push_back({&row});
+    } else {
+      same->push_back(&row);
+    }
+  }
+  return out;
+}
+
+void mark_front(std::vector<Row>& rows) {
+  const auto beats = [](const Row& a, const Row& b) {
+    return a.family == b.family && a.repetitions > 0 && a.ns.median <= b.ns.median &&
+           a.error_scale <= b.error_scale &&
+           (a.ns.median < b.ns.median || a.error_scale < b.error_scale);
+  };
+  for (Row& row : rows) {
+    row.on_front =
+        row.repetitions > 0 && std::isfinite(row.error_scale) &&
+        std::none_of(rows.begin(), rows.end(), [&](const Row& other) { return beats(other, row); });
+  }
+}
+
+}  // namespace gjkscope::study

@@ -1,0 +1,116 @@
+#pragma once
+// Error against time, for everything that buys accuracy: each configuration answers the pairs of
+// each family, is judged by the exact truth, and timed beside the others.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/configuration.hpp"
+#include "study/family.hpp"
+#include "study/interleave.hpp"
+
+namespace gjkscope::study {
+
+/// The pair that a configuration answers worst.
+struct WorstCase {
+  std::string json;       ///< For `gjkscope solve` and `gjkscope trace`.
+  double answer = 0.0;    ///< The distance that it gave; NaN where it gave none.
+  double distance = 0.0;  ///< The exact one, rounded.
+};
+
+/// One configuration on one family. Errors are the largest over all pairs; those named `..._scale`
+/// are divided by the scale of their pair, the largest distance between a vertex of X and one of Y.
+struct Row {
+  std::string family;
+  int vertices = 0;  ///< See Family.
+  std::string configuration;
+  std::string axis;
+
+  int pairs = 0;
+  int timed_pairs = 0;      ///< The first so many were timed.
+  int repetitions = 0;      ///< Of the timing; each asks about every one of them.
+  Quartiles ns;             ///< Per query. Without repetitions all of these are 0.
+  Quartiles ratio;          ///< To the default configuration, repetition by repetition.
+  double iterations = 0.0;  ///< On average; NaN where nobody counts them.
+  int most_iterations = 0;
+
+  int failed = 0;         ///< Pairs without an answer, or with one that is no number.
+  int undecided = 0;      ///< The answer leaves open whether the shapes overlap.
+  int wrong = 0;          ///< It says so wrongly, of the pair as it was given,
+  int wrong_as_kept = 0;  ///< of the pair as the configuration keeps it.
+  int broken_bounds = 0;  ///< The distance does not lie between the bounds.
+
+  /// Of the distance of the pairs as they were given; infinity when there is a pair without answer.
+  double error_scale = 0.0;
+  double relative_error = 0.0;      ///< Over pairs that are apart.
+  double middle_error_scale = 0.0;  ///< The median over the pairs that have an answer.
+  /// Of the distance of the pairs as they are kept: what computing alone does.
+  double error_units = 0.0;  ///< In units of u * scale, u of the type of the answer.
+  double relative_error_as_kept = 0.0;
+  double witness_scale = 0.0;  ///< See Judgement::witness.
+  double width_scale = 0.0;    ///< Of the bounds; NaN where there are none.
+
+  bool on_front =
+      false;  ///< No other row of the family is as fast and as accurate, and better in one.
+  WorstCase worst;
+};
+
+/// Where and how it was measured.
+struct Machine {
+  std::string processor;
+  int threads = 0;         ///< That the machine has; the study uses one.
+  bool has_lanes = false;  ///< Batches find the instructions that they want.
+  std::string compiler;
+  std::string flags;
+  std::string commit;  ///< When the program was configured.
+};
+[[nodiscard]] Machine this_machine();
+
+struct Plan {
+  std::uint64_t seed = 1;
+  bool quick = false;
+  Sizes sizes;
+  double seconds_per_family = 7.0;  ///< Of timing, about.
+  double seconds_per_turn = 2e-4;   ///< At least: shorter ones are at the mercy of the clock.
+  std::vector<Case> reported;       ///< See families_of.
+};
+[[nodiscard]] Plan plan(bool quick);
+
+struct Study {
+  Machine machine;
+  std::uint64_t seed = 0;
+  bool quick = false;
+  bool complete = true;  ///< It was not interrupted.
+  int families_planned = 0;
+  double seconds = 0.0;
+  std::vector<Row> rows;
+};
+
+struct Watch {
+  std::function<bool()> go_on = [] { return true; };
+  /// How much is done, from 0 to 1, and what is being done.
+  std::function<void(double share, const std::string& what)> tell = [](double, const std::string&) {
+  };
+};
+
+/// All but the times depends on the plan alone. Ended early by `watch`, it has the rows of the
+/// families that were done, and of the one that was being timed.
+[[nodiscard]] Study study_accuracy(const Plan& plan, const Watch& watch = {});
+
+/// The rows of a family without times: what `study_accuracy` has for it, for these configurations
+/// alone. `seed` is for the names of the worst cases.
+[[nodiscard]] std::vector<Row> judged_rows(const Family& family,
+                                           const std::vector<Configuration>& configurations,
+                                           std::uint64_t seed);
+
+/// Sets `on_front` in the rows of each family: by error_scale and the median time.
+void mark_front(std::vector<Row>& rows);
+
+/// Rows by family, in order of their first appearance.
+[[nodiscard]] std::vector<std::vector<const Row*>> by_family(const std::vector<Row>& rows);
+
+}  // namespace gjkscope::study

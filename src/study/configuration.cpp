@@ -1,0 +1,158 @@
+#include "study/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gjkscope::study {
+namespace {
+
+std::string_view arithmetic_name(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::half:
+      return "half";
+    case Arithmetic::single:
+      return "float";
+    case Arithmetic::single_in_double:
+      return "float in double";
+    case Arithmetic::batch:
+      return "float in batch";
+    case Arithmetic::double_:
+      return "double";
+    case Arithmetic::long_double:
+      return "long double";
+    case Arithmetic::quad:
+      return "quad";
+    case Arithmetic::exact:
+      return "exact";
+  }
+  return "?";
+}
+
+bool has_other_rules(const gjk::Options& options) {
+  return options.direction_rule != gjk::DirectionRule::perpendicular ||
+         options.region_order != gjk::RegionOrder::vertices_first;
+}
+
+bool has_all_stops(const gjk::Options& options) {
+  return options.stop_on_repeated_support && options.stop_on_no_progress;
+}
+
+}  // namespace
+
+std::string name_of(const Configuration& configuration) {
+  const gjk::Options& options = configuration.options;
+  std::string name(arithmetic_name(configuration.arithmetic));
+  if (configuration.effort == Effort::loop) name += ", loop only";
+  if (configuration.effort == Effort::bounds) name += ", no proof";
+  if (options.direction_rule == gjk::DirectionRule::towards_origin) name += ", towards O";
+  if (options.region_order == gjk::RegionOrder::edges_first) name += ", edges first";
+  if (!options.stop_on_no_progress) name += ", stop: repeated support";
+  if (!options.stop_on_repeated_support) name += ", stop: no progress";
+  if (options.tolerance > 0.0) name += fmt::format(", gap {:.0e}", options.tolerance);
+  if (options.iteration_cap != gjk::kDefaultIterationCap) {
+    name += fmt::format(", cap {}", options.iteration_cap);
+  }
+  if (configuration.start == Start::first_vertices) name += ", first vertices";
+  if (configuration.start == Start::warm) name += ", warm start";
+  return name;
+}
+
+std::string_view axis_of(const Configuration& configuration) {
+  const gjk::Options& options = configuration.options;
+  if (options.tolerance > 0.0) return "bound gap";
+  if (options.iteration_cap != gjk::kDefaultIterationCap) return "cap";
+  if (!has_all_stops(options)) return "stop rule";
+  if (has_other_rules(options)) return "direction and regions";
+  if (configuration.start != Start::centres) return "start";
+  return configuration.effort == Effort::proof ? "arithmetic" : "effort";
+}
+
+double unit_roundoff(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::half:
+      return 0x1p-11;
+    case Arithmetic::single:
+    case Arithmetic::batch:
+      return 0x1p-24;
+    case Arithmetic::long_double:
+      return std::ldexp(1.0, -std::numeric_limits<long double>::digits);
+    case Arithmetic::quad:
+      return 0x1p-113;
+    case Arithmetic::single_in_double:
+    case Arithmetic::double_:
+    case Arithmetic::exact:
+      break;
+  }
+  return 0x1p-53;
+}
+
+std::vector<Configuration> configurations(bool quick) {
+  using gjk::DirectionRule;
+  using gjk::RegionOrder;
+  std::vector<Configuration> out = {{}};
+  const auto add = [&](Arithmetic arithmetic, Effort effort) -> Configuration& {
+    out.push_back({arithmetic, effort});
+    return out.back();
+  };
+
+  constexpr Arithmetic kRounding[] = {Arithmetic::half,        Arithmetic::single,
+                                      Arithmetic::double_,     Arithmetic::single_in_double,
+                                      Arithmetic::long_double, Arithmetic::quad};
+  for (const Arithmetic arithmetic : kRounding) {
+    if (arithmetic != Arithmetic::double_) add(arithmetic, Effort::proof);
+    add(arithmetic, Effort::bounds);
+    add(arithmetic, Effort::loop);
+  }
+  add(Arithmetic::batch, Effort::proof);
+  add(Arithmetic::exact, Effort::proof);
+
+  for (const Arithmetic arithmetic : {Arithmetic::half, Arithmetic::single, Arithmetic::double_}) {
+    for (const Effort effort : {Effort::loop, Effort::proof}) {
+      if (arithmetic == Arithmetic::half && effort == Effort::proof) continue;
+      add(arithmetic, effort).options.direction_rule = DirectionRule::towards_origin;
+      add(arithmetic, effort).options.region_order = RegionOrder::edges_first;
+      Configuration& both = add(arithmetic, effort);
+      both.options.direction_rule = DirectionRule::towards_origin;
+      both.options.region_order = RegionOrder::edges_first;
+    }
+  }
+
+  for (const Effort effort : {Effort::loop, Effort::proof}) {
+    for (const Arithmetic arithmetic : {Arithmetic::single, Arithmetic::double_}) {
+      add(arithmetic, effort).options.stop_on_no_progress = false;
+      add(arithmetic, effort).options.stop_on_repeated_support = false;
+    }
+  }
+
+  for (int digits = 1; digits <= 15; ++digits) {
+    if (quick && digits % 3 != 0 && digits != 1) continue;
+    const double gap = std::strtod(fmt::format("1e-{}", digits).c_str(), nullptr);
+    add(Arithmetic::double_, Effort::proof).options.tolerance = gap;
+    if (digits <= 6) add(Arithmetic::single, Effort::proof).options.tolerance = gap;
+  }
+
+  for (int cap = 1; cap <= 20; ++cap) {
+    if (quick && cap > 4 && cap != 6 && cap != 10) continue;
+    add(Arithmetic::double_, Effort::proof).options.iteration_cap = cap;
+  }
+
+  for (const Effort effort : {Effort::proof, Effort::loop}) {
+    add(Arithmetic::double_, effort).start = Start::first_vertices;
+    add(Arithmetic::double_, effort).start = Start::warm;
+  }
+  return out;
+}
+
+std::vector<Configuration> configurations_by_size() {
+  std::vector<Configuration> out = {{}};
+  for (const Arithmetic arithmetic :
+       {Arithmetic::single, Arithmetic::single_in_double, Arithmetic::batch,
+        Arithmetic::long_double, Arithmetic::quad, Arithmetic::exact}) {
+    out.push_back({arithmetic, Effort::proof});
+  }
+  out.push_back({Arithmetic::double_, Effort::loop});
+  return out;
+}
+
+}  // namespace gjkscope::study

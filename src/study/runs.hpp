@@ -1,0 +1,159 @@
+#pragma once
+// Runs in every arithmetic. One source file for each group of them, since each takes the compiler
+// its time.
+
+#include <memory>
+
+#include "gjk/gjk.hpp"
+#include "study/answer.hpp"
+
+namespace gjkscope::study {
+
+[[nodiscard]] Asked ask_half(const Configuration& configuration, const Family& family);
+[[nodiscard]] Asked ask_float(const Configuration& configuration, const Family& family);
+[[nodiscard]] Asked ask_double(const Configuration& configuration, const Family& family);
+[[nodiscard]] Asked ask_wide(const Configuration& configuration, const Family& family);
+[[nodiscard]] Asked ask_exact(const Configuration& configuration, const Family& family);
+
+namespace detail {
+
+/// The same pairs in S, wrapped once.
+template <class S>
+struct Kept {
+  std::vector<families::Pair<S>> pairs;
+  std::vector<gjk::Query<S, 2>> queries;
+
+  explicit Kept(const std::vector<DoublePair>& given) {
+    for (const DoublePair& pair : given) pairs.push_back(families::converted<S>(pair));
+    for (const families::Pair<S>& pair : pairs) queries.push_back(pair.query());
+  }
+};
+
+/// What the loop itself comes to, without anything that checks it.
+template <class R>
+struct LoopAnswer {
+  gjk::Error error = gjk::Error::none;
+  R distance = R(0);
+  gjk::Vec<R, 2> x = gjk::Vec<R, 2>::Zero();
+  gjk::Vec<R, 2> y = gjk::Vec<R, 2>::Zero();
+  int iterations = 0;
+  gjk::Simplex<R, 2> simplex;
+};
+
+/// |P| of the simplex that came nearest, and witness points as weighted sums of its vertices (Catto
+/// 2010, slide "Witness points").
+template <class R, class S>
+[[nodiscard, gnu::flatten]] LoopAnswer<R> loop_only(const gjk::Query<S, 2>& query,
+                                                    const gjk::Options& options) {
+  using Traits = gjk::ScalarTraits<R>;
+  const gjk::Prepared<R, 2> prepared = gjk::prepare<R>(query, options);
+  gjk::State<R, 2> state = gjk::start(query, options, prepared);
+  gjk::NoRecord none;
+  while (state.stop == gjk::StopReason::running) gjk::step(state, query, options, prepared, none);
+  LoopAnswer<R> out;
+  out.error = state.error;
+  if (state.error != gjk::Error::none) return out;
+  out.simplex = state.best;
+  out.iterations = state.iteration;
+  out.distance = Traits::root(state.best_sq);
+  if (prepared.exponent != 0) out.distance = Traits::scaled(out.distance, prepared.exponent);
+  for (int i = 0; i < state.best.count; ++i) {
+    const gjk::VertexPair pair = state.best.vertices[i].pair;
+    for (int k = 0; k < 2; ++k) {
+      out.x[k] = out.x[k] + R(state.best.weights[i] * Traits::from(query.x.vertices[pair.x][k]));
+      out.y[k] = out.y[k] + R(state.best.weights[i] * Traits::from(query.y.vertices[pair.y][k]));
+    }
+  }
+  return out;
+}
+
+template <class S>
+[[nodiscard]] Quad widened(const S& value) {
+  if constexpr (std::is_same_v<S, Eigen::half>) {
+    return Quad(static_cast<float>(value));
+  } else if constexpr (std::is_same_v<S, Quad>) {
+    return value;
+  } else {
+    return Quad(value);
+  }
+}
+
+template <class R>
+[[nodiscard]] Answer answer_of(const LoopAnswer<R>& result) {
+  Answer out;
+  out.refused = result.error != gjk::Error::none;
+  out.verdict = result.distance == R(0) ? gjk::Verdict::overlapping : gjk::Verdict::separated;
+  out.distance = widened(result.distance);
+  out.x = {widened<R>(result.x[0]), widened<R>(result.x[1])};
+  out.y = {widened<R>(result.y[0]), widened<R>(result.y[1])};
+  out.iterations = result.iterations;
+  return out;
+}
+
+/// Of any result with bounds: gjk::Result of a scalar that rounds, or gjk::BatchResult.
+template <class Result>
+[[nodiscard]] Answer answer_of(const Result& result) {
+  Answer out;
+  out.refused = result.error != gjk::Error::none;
+  out.verdict = result.verdict;
+  out.has_bounds = true;
+  out.distance = widened(result.distance);
+  out.lower = widened(result.lower);
+  out.upper = widened(result.upper);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    out.x[i] = widened(result.x[k]);
+    out.y[i] = widened(result.y[k]);
+  }
+  out.iterations = result.iterations;
+  return out;
+}
+
+/// `run(query, options)` for all of the queries, the start of each as the configuration has it.
+template <class S, class Run>
+[[nodiscard]] Asked asked(const Configuration& configuration, const Family& family, Run run) {
+  const auto kept = std::make_shared<const Kept<S>>(family.pairs);
+  gjk::Options options = configuration.options;
+  options.certify = configuration.effort == Effort::proof;
+  options.start_count = configuration.start == Start::first_vertices ? 1 : 0;
+  const auto next = std::make_shared<gjk::Options>(options);
+  const auto query = [=, warm = configuration.start == Start::warm](std::size_t i) {
+    if (!warm) return run(kept->queries[i], *next);
+    if (i == 0) next->start_count = 0;
+    auto result = run(kept->queries[i], *next);
+    next->start_count = result.simplex.count;
+    for (int k = 0; k < result.simplex.count; ++k) {
+      next->start[static_cast<std::size_t>(k)] =
+          result.simplex.vertices[static_cast<std::size_t>(k)].pair;
+    }
+    return result;
+  };
+  Asked out;
+  for (std::size_t i = 0; i < kept->pairs.size(); ++i) {
+    if constexpr (!std::is_same_v<S, double>) {
+      out.kept.push_back(families::converted<double>(kept->pairs[i]));
+    }
+    out.answers.push_back(answer_of(query(i)));
+  }
+  if constexpr (std::is_same_v<S, double>) out.kept = family.pairs;
+  out.contestant = contestant(kept->pairs.size(), query, [](const auto& result) {
+    return static_cast<double>(result.distance);
+  });
+  return out;
+}
+
+/// R: the scalar of the run. S: that of the coordinates.
+template <class R, class S>
+[[nodiscard]] Asked ask_in(const Configuration& configuration, const Family& family) {
+  if (configuration.effort == Effort::loop) {
+    return asked<S>(configuration, family, [](const auto& query, const auto& options) {
+      return loop_only<R>(query, options);
+    });
+  }
+  return asked<S>(configuration, family, [](const auto& query, const auto& options) {
+    return gjk::distance<R>(query, options);
+  });
+}
+
+}  // namespace detail
+}  // namespace gjkscope::study

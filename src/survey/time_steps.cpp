@@ -1,0 +1,187 @@
+#include "survey/time_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "effects/balance.hpp"
+#include "study/report.hpp"
+
+namespace gjkscope {
+namespace {
+
+using study::Contestant;
+
+std::vector<TimeStepCost> timed(std::vector<TimeStepCost> rows,
+                                const std::vector<Contestant>& contestants, double seconds,
+                                int repetitions, const std::function<bool()>& go_on) {
+  const std::vector<study::Timing> timings =
+      study::interleave(contestants, 1, static_cast<std::size_t>(std::max(repetitions, 1)), go_on);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (timings[i].ns.empty()) return {};
+    rows[i].repetitions = static_cast<int>(timings[i].ns.size());
+    const study::Quartiles all = study::quartiles(timings[i].ns);
+    rows[i].ns = {all.low / seconds, all.median / seconds, all.high / seconds};
+  }
+  return rows;
+}
+
+/// The beams of a lesson: one for each run whose simplex is a segment.
+std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
+                                const std::function<bool()>& go_on) {
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  std::vector<Balance::Value> scenes;
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
+    const auto frame = std::find_if(run.frames.begin(), run.frames.end(),
+                                    [&](const Frame& each) { return each.run == i; });
+    if (frame == run.frames.end()) continue;
+    scenes.push_back(effects.get<Balance>(*frame));
+    if (scenes.back().moments.empty()) scenes.pop_back();
+  }
+  const LessonTime time = *lesson.time;
+  const auto simulate = [time](const Balance::Value& scene, double step) {
+    return swing(scene.masses, scene.weights[1], time, step);
+  };
+  std::vector<std::vector<Beam>> reference;
+  for (const Balance::Value& scene : scenes) reference.push_back(simulate(scene, kFinestStep));
+
+  std::vector<TimeStepCost> rows;
+  std::vector<Contestant> contestants;
+  if (scenes.empty()) return rows;
+  for (double step = 0x1p-4; step >= 0x1p-14; step /= 4.0) {
+    if (!go_on()) return {};
+    TimeStepCost row;
+    row.lesson = lesson.id;
+    row.step = step;
+    row.is_shown = step == kBeamStep;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::vector<Beam> moments = simulate(scenes[i], step);
+      for (std::size_t k = 0; k < moments.size(); ++k) {
+        row.error = std::max(row.error, std::abs(moments[k].angle - reference[i][k].angle));
+      }
+    }
+    rows.push_back(std::move(row));
+    contestants.push_back({[=] {
+                             double sum = 0.0;
+                             for (const Balance::Value& scene : scenes) {
+                               sum += simulate(scene, step).back().angle;
+                             }
+                             return sum;
+                           },
+                           {}});
+  }
+  return timed(std::move(rows), contestants, time.seconds * static_cast<double>(scenes.size()),
+               repetitions, go_on);
+}
+
+double average_iterations(const LessonRun& run) {
+  long sum = 0;
+  for (const PositionedRun& each : run.runs) sum += each.trace.result.iterations;
+  return static_cast<double>(sum) / static_cast<double>(run.runs.size());
+}
+
+/// The lesson with `steps` steps of time.
+Lesson in_steps(Lesson lesson, int steps) {
+  lesson.path_of_shapes->frames = steps + 1;
+  return lesson;
+}
+
+/// How far a vertex stands from where it stands with finer steps, at the moments of both.
+double place_error(const LessonRun& run, const LessonRun& finest) {
+  const std::size_t each = (finest.runs.size() - 1) / (run.runs.size() - 1);
+  double out = 0.0;
+  for (std::size_t i = 0; i < run.runs.size(); ++i) {
+    const PositionedRun& a = run.runs[i];
+    const PositionedRun& b = finest.runs[i * each];
+    for (std::size_t k = 0; k < a.x_world.size(); ++k) {
+      out = std::max(out, (a.x_world[k] - b.x_world[k]).norm());
+    }
+    for (std::size_t k = 0; k < a.y_world.size(); ++k) {
+      out = std::max(out, (a.y_world[k] - b.y_world[k]).norm());
+    }
+  }
+  return out;
+}
+
+/// Steps twice as coarse as the lesson's up to 16 times as fine.
+std::vector<TimeStepCost> motions(const Lesson& lesson, int repetitions,
+                                  const std::function<bool()>& go_on) {
+  const int own = lesson.path_of_shapes->frames - 1;
+  const double seconds = *lesson.path_of_shapes->seconds;
+  constexpr int kFiner = 16;
+  Lesson cold = lesson;
+  cold.warm_start = false;
+  const LessonRun finest = run_lesson(in_steps(lesson, own * kFiner));
+  std::vector<TimeStepCost> rows;
+  std::vector<Contestant> contestants;
+  for (int twice = 1; twice <= 2 * kFiner; twice *= 2) {
+    if (!go_on()) return {};
+    const int steps = own * twice / 2;
+    if (steps < 1 || own * kFiner % steps != 0) continue;
+    const Lesson stepped = in_steps(lesson, steps);
+    const LessonRun run = run_lesson(stepped);
+    TimeStepCost row;
+    row.lesson = lesson.id;
+    row.step = seconds / steps;
+    row.is_shown = steps == own;
+    row.error = place_error(run, finest);
+    row.iterations = average_iterations(run);
+    row.cold_iterations = average_iterations(run_lesson(in_steps(cold, steps)));
+    rows.push_back(std::move(row));
+    contestants.push_back(
+        {[=] { return static_cast<double>(run_lesson(stepped).runs.size()); }, {}});
+  }
+  return timed(std::move(rows), contestants, seconds, repetitions, go_on);
+}
+
+}  // namespace
+
+std::vector<TimeStepCost> time_step_costs(const Lesson& lesson, int repetitions,
+                                          const std::function<bool()>& go_on) {
+  if (lesson.time) return beams(lesson, repetitions, go_on);
+  const bool moves = lesson.path_of_shapes && lesson.path_of_shapes->seconds;
+  return moves ? motions(lesson, repetitions, go_on) : std::vector<TimeStepCost>();
+}
+
+std::string time_steps_table(const std::vector<TimeStepCost>& rows) {
+  if (rows.empty()) return "Nothing was measured: no lesson has a clock.\n";
+  std::string out = fmt::format(
+      "error: of a beam's angle, in radians, against steps of {} s; of a moving vertex, in the "
+      "world's unit,\nagainst the finest step. time: for each second that passes in the scene. * "
+      "the lesson's own step.\n\n  {:<20} {:>12} {:>9} {:>10} {:>10} {:>6} {:>6}\n",
+      kFinestStep, "lesson", "step", "error", "order", "time", "warm", "cold");
+  const TimeStepCost* before = nullptr;
+  for (const TimeStepCost& row : rows) {
+    // By which power of the step the error falls.
+    const bool has_order = before != nullptr && before->lesson == row.lesson && row.error > 0.0 &&
+                           before->error > 0.0 && row.iterations == 0.0;
+    const std::string order = has_order
+                                  ? fmt::format("{:.1f}", std::log(before->error / row.error) /
+                                                              std::log(before->step / row.step))
+                                  : "";
+    const auto iterations = [&](double value) {
+      return row.iterations > 0.0 ? fmt::format("{:.2f}", value) : std::string();
+    };
+    out += fmt::format("{} {:<20} {:>10.5g} s {:>9} {:>10} {:>10} {:>6} {:>6}\n",
+                       row.is_shown ? '*' : ' ', row.lesson, row.step, study::error_text(row.error),
+                       order, study::time_text(row.ns.median), iterations(row.iterations),
+                       iterations(row.cold_iterations));
+    before = &row;
+  }
+  return out;
+}
+
+std::string time_steps_csv(const std::vector<TimeStepCost>& rows) {
+  std::string out =
+      "lesson,step,shown,error,iterations,cold_iterations,repetitions,ns,ns_low,ns_high\n";
+  for (const TimeStepCost& row : rows) {
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", row.lesson, row.step,
+                       row.is_shown ? 1 : 0, row.error, row.iterations, row.cold_iterations,
+                       row.repetitions, row.ns.median, row.ns.low, row.ns.high);
+  }
+  return out;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line.hpp"
+
+namespace gjkscope {
+namespace {
+
+using test::read_file;
+using test::run_program;
+using test::TemporaryFolder;
+
+TEST(StudyCommand, SaysWhatIsWrongWithItsOptions) {
+  EXPECT_EQ(run_program("study").exit_code, 2);
+  EXPECT_EQ(run_program("study acuracy").exit_code, 2);
+  const auto seed = run_program("study accuracy --seed one");
+  EXPECT_EQ(seed.exit_code, 2);
+  EXPECT_NE(seed.err.find("--seed"), std::string::npos) << seed.err;
+  const auto advice = run_program("study accuracy --advice numbers.csv");
+  EXPECT_EQ(advice.exit_code, 2);
+  EXPECT_NE(advice.err.find("--advice"), std::string::npos) << advice.err;
+}
+
+TEST(StudyCommand, SaysBeforehandThatItCannotWrite) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("taken", "");
+  const auto ran = run_program("study accuracy --quick --out " + file);
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_NE(ran.err.find("cannot make the folder " + file), std::string::npos) << ran.err;
+  EXPECT_TRUE(ran.out.empty());
+}
+
+TEST(StudyCommand, InterruptedWritesWhatItHas) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::string program = GJKSCOPE_BINARY;
+  const std::string command = "timeout --preserve-status --signal=INT 2 " + program +
+                              " study accuracy --out " + out + " >" + out + ".txt 2>" + out +
+                              ".err";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_NE(read_file(out + ".err").find("gjkscope: interrupted; "), std::string::npos);
+  const auto json = nlohmann::json::parse(read_file(out + "/accuracy.json"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_NE(read_file(out + "/accuracy.csv").find("# complete: 0\n"), std::string::npos);
+  EXPECT_NE(read_file(out + "/accuracy.html").find("Interrupted"), std::string::npos);
+}
+
+TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::string out = " --quick --out " + folder.path().string();
+  const auto effects = run_program("study effects minkowski-hull" + out);
+  EXPECT_EQ(effects.exit_code, 2);
+  EXPECT_NE(effects.err.find("minkowski-hull"), std::string::npos) << effects.err;
+
+  const auto steps = run_program("study time-steps segment-balance polygons-gjk" + out);
+  EXPECT_EQ(steps.exit_code, 0) << steps.err;
+  EXPECT_NE(steps.out.find("\n* segment-balance"), std::string::npos) << steps.out;
+  EXPECT_EQ(steps.out.find("polygons-gjk"), std::string::npos) << "it has no clock";
+  EXPECT_NE(read_file(folder.path() / "time-steps.csv").find("\nsegment-balance,"),
+            std::string::npos);
+
+  const auto hull = run_program("study effects polygon-evolution" + out);
+  EXPECT_EQ(hull.exit_code, 0) << hull.err;
+  EXPECT_NE(hull.out.find("(all others)"), std::string::npos) << hull.out;
+  EXPECT_NE(read_file(folder.path() / "effects.csv").find("\npolygon-evolution,"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gjkscope

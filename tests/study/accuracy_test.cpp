@@ -1,0 +1,225 @@
+#include "study/accuracy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "geometry/oracle.hpp"
+#include "gjk/gjk.hpp"
+#include "small_study.hpp"
+
+namespace gjkscope::study {
+namespace {
+
+using test::small_plan;
+using test::small_study;
+
+std::vector<RationalPoint> rationals(const std::vector<Eigen::Vector2d>& points) {
+  std::vector<RationalPoint> out;
+  for (const Eigen::Vector2d& p : points) out.push_back(rational(p[0], p[1]));
+  return out;
+}
+
+/// Of a pair of nearest features, by trying all of them: no GJK.
+Rational oracle_distance_sq(const DoublePair& pair) {
+  return exact_answer(rationals(pair.x), rationals(pair.y)).distance_sq;
+}
+
+/// |value - root(distance_sq)|
+double error_of(double value, const Rational& distance_sq) {
+  if (distance_sq == 0) return std::abs(value);
+  const Rational sum = Rational(value) + Rational(root_nearest(distance_sq));
+  return std::abs(to_double(Rational((Rational(value) * Rational(value) - distance_sq) / sum)));
+}
+
+const Row* find(const Study& study, std::string_view family, std::string_view configuration) {
+  for (const Row& row : study.rows) {
+    if (row.family == family && row.configuration == configuration) return &row;
+  }
+  return nullptr;
+}
+
+bool has_more_digits_than_double(const Row& row) {
+  return row.configuration.starts_with("quad") || row.configuration.starts_with("long double");
+}
+
+/// But for times, and what follows from them.
+void expect_same(const Row& a, const Row& b) {
+  EXPECT_EQ(a.family, b.family);
+  EXPECT_EQ(a.configuration, b.configuration);
+  EXPECT_EQ(a.error_scale, b.error_scale);
+  EXPECT_EQ(a.relative_error, b.relative_error);
+  EXPECT_EQ(a.error_units, b.error_units);
+  EXPECT_EQ(a.witness_scale, b.witness_scale);
+  EXPECT_TRUE(a.iterations == b.iterations ||
+              (std::isnan(a.iterations) && std::isnan(b.iterations)));
+  EXPECT_EQ(a.wrong, b.wrong);
+  EXPECT_EQ(a.worst.json, b.worst.json);
+}
+
+TEST(Configurations, HaveNamesOfTheirOwnAndTheDefaultFirst) {
+  for (const bool quick : {false, true}) {
+    std::set<std::string> names;
+    std::set<std::string_view> axes;
+    for (const Configuration& each : configurations(quick)) {
+      EXPECT_TRUE(names.insert(name_of(each)).second) << name_of(each);
+      axes.insert(axis_of(each));
+    }
+    EXPECT_EQ(name_of(configurations(quick).front()), "double");
+    EXPECT_EQ(axes.size(), 7u);
+  }
+  EXPECT_GT(configurations(false).size(), configurations(true).size());
+}
+
+TEST(Study, WorstCasesAreWhatAnOracleSaysTheyAre) {
+  int checked = 0;
+  for (const Row& row : small_study().rows) {
+    SCOPED_TRACE(row.family + ": " + row.configuration);
+    const std::vector<ReadCase> cases = parse_cases(row.worst.json, "row");
+    ASSERT_EQ(cases.size(), 1u);
+    ASSERT_TRUE(cases[0].value);
+    const DoublePair pair{cases[0].value->a, cases[0].value->b, {}, {}};
+    const Rational distance_sq = oracle_distance_sq(pair);
+    EXPECT_EQ(row.worst.distance, root_nearest(distance_sq));
+    if (row.failed > 0 || has_more_digits_than_double(row)) continue;
+    const double error = error_of(row.worst.answer, distance_sq) / families::scale_of(pair);
+    EXPECT_NEAR(row.error_scale, error, 1e-9 * error);
+    ++checked;
+  }
+  EXPECT_GT(checked, 200);
+}
+
+TEST(Study, ErrorsAreTheLargestOfAllPairs) {
+  const Plan plan = small_plan();
+  const std::vector<Family> families = families_of(plan.seed, plan.sizes, plan.reported);
+  for (const Family& family : families) {
+    SCOPED_TRACE(family.name);
+    double in_double = 0.0;
+    double in_float = 0.0;
+    int wrong = 0;
+    for (const DoublePair& pair : family.pairs) {
+      const Rational distance_sq = oracle_distance_sq(pair);
+      const double scale = families::scale_of(pair);
+      const auto narrow = families::converted<float>(pair);
+      const double wide_answer = gjk::distance(pair.query()).distance;
+      const auto float_answer = gjk::distance<float>(narrow.query());
+      in_double = std::max(in_double, error_of(wide_answer, distance_sq) / scale);
+      in_float = std::max(
+          in_float, error_of(static_cast<double>(float_answer.distance), distance_sq) / scale);
+      wrong += (float_answer.verdict == gjk::Verdict::separated) != (distance_sq != 0);
+    }
+    const Row* row = find(small_study(), family.name, "double");
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(row->pairs, static_cast<int>(family.pairs.size()));
+    EXPECT_NEAR(row->error_scale, in_double, 1e-9 * in_double);
+    const Row* narrow_row = find(small_study(), family.name, "float");
+    ASSERT_NE(narrow_row, nullptr);
+    EXPECT_NEAR(narrow_row->error_scale, in_float, 1e-9 * in_float);
+    EXPECT_EQ(narrow_row->wrong, wrong);
+  }
+}
+
+TEST(Study, CertificatesHoldWhereTheyArePromised) {
+  for (const Row& row : small_study().rows) {
+    EXPECT_EQ(row.broken_bounds, 0) << row.family << ": " << row.configuration;
+  }
+}
+
+TEST(Study, TheDefaultIsNeverWrong) {
+  int families = 0;
+  for (const Row& row : small_study().rows) {
+    if (row.configuration != "double") continue;
+    ++families;
+    EXPECT_EQ(row.wrong + row.undecided + row.failed, 0) << row.family;
+    EXPECT_EQ(row.ratio.median, 1.0);
+    EXPECT_LE(row.error_units, 4.0) << row.family;
+  }
+  EXPECT_EQ(families, small_study().families_planned);
+}
+
+TEST(Study, FindsTheErrorsThatRoundingMakes) {
+  int wrong = 0;
+  for (const Row& row : small_study().rows) {
+    if (row.configuration == "half, loop only") wrong += row.wrong_as_kept;
+  }
+  EXPECT_GT(wrong, 0);
+  EXPECT_GT(find(small_study(), "random", "double, cap 1")->error_scale, 0.01);
+  EXPECT_GT(find(small_study(), "in motion", "double, warm start")->repetitions, 0);
+  EXPECT_EQ(find(small_study(), "random", "double, warm start"), nullptr);
+}
+
+TEST(Study, AllButTheTimesFollowsFromTheSeed) {
+  const Study again = study_accuracy(small_plan());
+  ASSERT_EQ(again.rows.size(), small_study().rows.size());
+  for (std::size_t i = 0; i < again.rows.size(); ++i) {
+    expect_same(again.rows[i], small_study().rows[i]);
+  }
+}
+
+TEST(Study, InterruptedKeepsWhatItHas) {
+  int asked = 0;
+  const Study part =
+      study_accuracy(small_plan(), {[&] { return ++asked < 2000; }, [](double, auto&) {}});
+  EXPECT_FALSE(part.complete);
+  ASSERT_FALSE(part.rows.empty());
+  ASSERT_LT(part.rows.size(), small_study().rows.size());
+  for (std::size_t i = 0; i < part.rows.size(); ++i) {
+    expect_same(part.rows[i], small_study().rows[i]);
+  }
+}
+
+TEST(Study, InterruptedAtOnceHasNothingToKeep) {
+  const Study none = study_accuracy(small_plan(), {[] { return false; }, [](double, auto&) {}});
+  EXPECT_FALSE(none.complete);
+  EXPECT_TRUE(none.rows.empty());
+}
+
+TEST(Study, TellsHowFarItIs) {
+  double last = 0.0;
+  std::set<std::string> told;
+  Plan plan = small_plan();
+  plan.sizes = {2, 2, 4};
+  const Study study = study_accuracy(plan, {[] { return true; },
+                                            [&](double share, const auto& what) {
+                                              EXPECT_GE(share, last);
+                                              EXPECT_LE(share, 1.0);
+                                              last = share;
+                                              told.insert(what);
+                                            }});
+  EXPECT_GT(last, 0.95);
+  EXPECT_GE(static_cast<int>(told.size()), study.families_planned);
+}
+
+TEST(Front, HoldsExactlyTheRowsThatNoneBeats) {
+  families::Source random(3);
+  std::vector<Row> rows;
+  for (int i = 0; i < 200; ++i) {
+    Row row;
+    row.family = std::string(1, i % 2 == 0 ? 'a' : 'b');
+    row.repetitions = i % 20 == 0 ? 0 : 1;
+    row.ns.median = random.among(1, 30);
+    row.error_scale = i % 15 == 0 ? std::numeric_limits<double>::infinity() : random.among(0, 30);
+    rows.push_back(row);
+  }
+  mark_front(rows);
+  int on_front = 0;
+  for (const Row& row : rows) {
+    const auto at_least_as_good = [&](const Row& other) {
+      return other.family == row.family && other.repetitions > 0 &&
+             other.ns.median <= row.ns.median && other.error_scale <= row.error_scale;
+    };
+    const auto equal = [&](const Row& other) {
+      return other.ns.median == row.ns.median && other.error_scale == row.error_scale;
+    };
+    bool beaten = row.repetitions == 0 || std::isinf(row.error_scale);
+    for (const Row& other : rows) beaten = beaten || (at_least_as_good(other) && !equal(other));
+    EXPECT_EQ(row.on_front, !beaten);
+    on_front += row.on_front;
+  }
+  EXPECT_GT(on_front, 4);
+  EXPECT_LT(on_front, 60);
+}
+
+}  // namespace
+}  // namespace gjkscope::study

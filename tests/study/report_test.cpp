@@ -1,0 +1,170 @@
+#include "study/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "small_study.hpp"
+
+namespace gjkscope::study {
+namespace {
+
+using test::small_study;
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+/// What from_csv says of a text.
+std::string complaint(const std::string& text) {
+  try {
+    static_cast<void>(from_csv(text));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Words, NumbersHaveTheUnitsThatReadBest) {
+  EXPECT_EQ(time_text(86.4), "86 ns");
+  EXPECT_EQ(time_text(1234.0), "1.23 µs");
+  EXPECT_EQ(time_text(3.45e7), "34.5 ms");
+  EXPECT_EQ(time_text(2.1e9), "2.1 s");
+  EXPECT_EQ(error_text(0.0), "0");
+  EXPECT_EQ(error_text(std::numeric_limits<double>::infinity()), "none");
+  EXPECT_EQ(error_text(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(iterations_text(2.96), "3.0");
+  EXPECT_EQ(iterations_text(std::numeric_limits<double>::quiet_NaN()), "");
+}
+
+TEST(Csv, ReadBackIsTheSame) {
+  const std::string text = to_csv(small_study());
+  const Study back = from_csv(text);
+  ASSERT_EQ(back.rows.size(), small_study().rows.size());
+  EXPECT_EQ(to_csv(back), text);
+  EXPECT_EQ(back.seed, small_study().seed);
+  EXPECT_EQ(back.rows[3].configuration, small_study().rows[3].configuration);
+  EXPECT_EQ(back.rows[3].error_scale, small_study().rows[3].error_scale);
+}
+
+TEST(Csv, SaysWhichLineIsWrong) {
+  const std::string text = to_csv(small_study());
+  EXPECT_EQ(complaint(""), "line 0: there are no rows");
+  EXPECT_EQ(complaint("# seed: one\n"), "line 1: 'seed' is not known, or has another value");
+  EXPECT_EQ(complaint("# sead: 1\n"), "line 1: 'sead' is not known, or has another value");
+  EXPECT_NE(complaint("family,error\n").find("line 1: expected the names of the fields"),
+            std::string::npos);
+  const std::size_t rows = text.find("\n\"") + 1;
+  EXPECT_EQ(complaint(text.substr(0, rows) + "\"random\",1\n"), "line 13: 2 fields, expected 28");
+  std::string bad = text;
+  bad.replace(text.find(",1,12,", rows), 6, ",2,12,");
+  EXPECT_NE(complaint(bad).find("'2' is no value of front"), std::string::npos) << complaint(bad);
+}
+
+TEST(Json, HoldsEveryRowAndItsWorstCase) {
+  const auto json = nlohmann::json::parse(to_json(small_study()));
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_FALSE(json["machine"]["compiler"].get<std::string>().empty());
+  ASSERT_EQ(json["rows"].size(), small_study().rows.size());
+  int without_answer = 0;
+  for (std::size_t i = 0; i < json["rows"].size(); ++i) {
+    const auto& one = json["rows"][i];
+    const Row& row = small_study().rows[i];
+    EXPECT_EQ(one["configuration"], row.configuration);
+    EXPECT_EQ(one["wrong"], row.wrong);
+    if (row.failed == 0) {
+      EXPECT_EQ(one["error_scale"], row.error_scale);
+    } else {
+      EXPECT_TRUE(one["error_scale"].is_null());
+      ++without_answer;
+    }
+    const auto cases = parse_cases(one["worst"]["case"].dump(), "row");
+    ASSERT_EQ(cases.size(), 1u);
+    EXPECT_TRUE(cases[0].value);
+  }
+  EXPECT_GT(without_answer, 0) << "half precision cannot hold coordinates of 1e12";
+}
+
+TEST(Summary, TakesTheWorstOfAllFamilies) {
+  const Study all = summary(small_study());
+  const Row& first = all.rows.front();
+  EXPECT_EQ(first.family, kAllFamilies);
+  EXPECT_EQ(first.configuration, "double");
+  int pairs = 0;
+  double error = 0.0;
+  for (const Row& row : small_study().rows) {
+    if (row.configuration != "double" || row.vertices > 0) continue;
+    pairs += row.pairs;
+    error = std::max(error, row.error_scale);
+  }
+  EXPECT_EQ(first.pairs, pairs);
+  EXPECT_EQ(first.error_scale, error);
+  EXPECT_EQ(first.ratio.median, 1.0);
+  for (const Row& row : all.rows) {
+    if (row.family == kAllFamilies) {
+      EXPECT_EQ(row.pairs, pairs) << row.configuration;
+    }
+  }
+}
+
+TEST(Table, MarksTheFrontAndNamesEveryFamily) {
+  const std::string text = table(small_study());
+  for (const auto& family : by_family(small_study().rows)) {
+    EXPECT_NE(text.find("\n" + family.front()->family + " ("), std::string::npos);
+  }
+  EXPECT_NE(text.find("\nall families ("), std::string::npos);
+  EXPECT_NE(text.find("\n* "), std::string::npos);
+  EXPECT_EQ(table(Study{}), "Nothing was measured.\n");
+}
+
+TEST(Page, HasADotForEveryRowAndNeedsNothingElse) {
+  const std::string text =
+      page(small_study(), read_file(GJKSCOPE_SOURCE_DIR "/assets/accuracy.html"));
+  EXPECT_EQ(count(text, "<section>"), by_family(small_study().rows).size());
+  EXPECT_EQ(count(text, "<g class=\"dot "), small_study().rows.size());
+  EXPECT_EQ(count(text, "<!-- "), 0u);
+  EXPECT_EQ(count(text, "://"), 0u) << "the page must open without a network";
+  EXPECT_EQ(count(text, "nan"), 0u);
+  EXPECT_NE(text.find("{&quot;name&quot;: &quot;needles, seed 7, pair"), std::string::npos);
+}
+
+TEST(Page, SaysThatTheStudyWasInterrupted) {
+  Study part = small_study();
+  part.complete = false;
+  EXPECT_NE(page(part, "<!-- about -->").find("Interrupted"), std::string::npos);
+}
+
+TEST(Advice, OffersOnlyWhatIsAccurateEnough) {
+  Study study = summary(small_study());
+  for (Row& row : study.rows) {
+    row.failed = row.configuration == "double" ? 0 : 1;
+    if (row.configuration == "double") row.error_scale = 3e-7;
+  }
+  const std::string text = advice(study);
+  EXPECT_NE(text.find("| 1 to 6 | double | 1.00 ×"), std::string::npos) << text;
+  EXPECT_NE(text.find("| 7 to "), std::string::npos) << text;
+  EXPECT_NE(text.find(" | nothing here |  | double | 1.00 ×"), std::string::npos) << text;
+}
+
+TEST(Advice, IsMadeFromItsNumbersAlone) {
+  const Study study = summary(small_study());
+  EXPECT_EQ(advice(from_csv(to_csv(study))), advice(study));
+}
+
+}  // namespace
+}  // namespace gjkscope::study

@@ -1,0 +1,143 @@
+#include "survey/accuracy_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "study/small_study.hpp"
+
+namespace gjkscope {
+namespace {
+
+using study::Row;
+using study::Study;
+using study::test::small_study;
+
+const Fonts& fonts() {
+  static const Fonts loaded(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  return loaded;
+}
+
+const std::map<std::string, Figure>& figures() {
+  static const std::map<std::string, Figure> all = [] {
+    std::map<std::string, Figure> out;
+    for (Figure& figure : accuracy_figures(small_study(), fonts())) {
+      std::string name = figure.name;
+      EXPECT_TRUE(out.emplace(std::move(name), std::move(figure)).second) << "names are unique";
+    }
+    return out;
+  }();
+  return all;
+}
+
+struct Written {
+  std::string text;
+  Rect box;
+};
+std::vector<Written> texts(const Picture& picture) {
+  std::vector<Written> out;
+  for (const Mark& mark : picture.marks) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (text == nullptr) continue;
+    const double width = fonts().width(text->style, text->text);
+    const double share = text->align == Align::left     ? 0.0
+                         : text->align == Align::center ? 0.5
+                                                        : 1.0;
+    const double left = text->at.x() - share * width;
+    out.push_back(
+        {text->text,
+         {{left, text->at.y() - fonts().cap_height(text->style)}, {left + width, text->at.y()}}});
+  }
+  return out;
+}
+
+std::vector<Point> disks(const Picture& picture, const std::string& role) {
+  std::vector<Point> out;
+  for (const Mark& mark : picture.marks) {
+    const Disk* disk = std::get_if<Disk>(&mark.shape);
+    if (disk != nullptr && mark.role == role) out.push_back(disk->center);
+  }
+  return out;
+}
+
+bool says(const Picture& picture, const std::string& text) {
+  const std::vector<Written> all = texts(picture);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Written& each) { return each.text == text; });
+}
+
+TEST(AccuracyFigures, ThereIsOneOfEachKind) {
+  int families = 0;
+  for (const auto& group : study::by_family(small_study().rows)) {
+    if (group.front()->vertices > 0) continue;
+    ++families;
+    std::string name = group.front()->family;
+    std::replace(name.begin(), name.end(), ' ', '-');
+    EXPECT_TRUE(figures().contains("front-" + name)) << name;
+    EXPECT_TRUE(figures().contains("iterations-" + name)) << name;
+  }
+  EXPECT_EQ(families, 11);
+  for (const char* name :
+       {"tolerance-time", "tolerance-error", "vertices", "vertices-more-digits"}) {
+    EXPECT_TRUE(figures().contains(name)) << name;
+  }
+  EXPECT_EQ(figures().size(), 2u * 11u + 4u);
+}
+
+TEST(AccuracyFigures, TextsKeepOffEachOtherAndOnThePage) {
+  for (const auto& [name, figure] : figures()) {
+    const std::vector<Written> all = texts(figure.picture);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Rect& a = all[i].box;
+      EXPECT_GE(a.min.x(), 0.0) << name << ": " << all[i].text;
+      EXPECT_GE(a.min.y(), 0.0) << name << ": " << all[i].text;
+      EXPECT_LE(a.max.x(), figure.picture.width) << name << ": " << all[i].text;
+      EXPECT_LE(a.max.y(), figure.picture.height) << name << ": " << all[i].text;
+      for (std::size_t k = 0; k < i; ++k) {
+        const Rect& b = all[k].box;
+        const bool apart = a.max.x() <= b.min.x() || b.max.x() <= a.min.x() ||
+                           a.max.y() <= b.min.y() || b.max.y() <= a.min.y();
+        EXPECT_TRUE(apart) << name << ": " << all[i].text << " on " << all[k].text;
+      }
+    }
+  }
+}
+
+TEST(AccuracyFigures, TheFrontIsThatOfTheStudy) {
+  for (const auto& group : study::by_family(small_study().rows)) {
+    if (group.front()->family != "needles") continue;
+    const Picture& picture = figures().at("front-needles").picture;
+    std::size_t on_front = 0;
+    for (const Row* row : group) {
+      if (!row->on_front) continue;
+      ++on_front;
+      EXPECT_TRUE(says(picture, row->configuration)) << row->configuration;
+    }
+    EXPECT_GT(on_front, 2u);
+    // And one beside the series' name.
+    EXPECT_EQ(disks(picture, "plot.first").size(), on_front + 1);
+  }
+}
+
+TEST(AccuracyFigures, MoreIterationsNeverWidenTheBounds) {
+  const Picture& picture = figures().at("iterations-random").picture;
+  std::vector<Point> errors = disks(picture, "plot.first");
+  ASSERT_GT(errors.size(), 4u);
+  errors.pop_back();  // of the name
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_GT(errors[i].x(), errors[i - 1].x());
+    EXPECT_GE(errors[i].y(), errors[i - 1].y() - 1e-9) << "down is smaller";
+  }
+}
+
+TEST(AccuracyFigures, NothingMeasuredNothingDrawn) {
+  EXPECT_TRUE(accuracy_figures(Study{}, fonts()).empty());
+  Study untimed = small_study();
+  for (Row& row : untimed.rows) row.repetitions = 0;
+  EXPECT_TRUE(accuracy_figures(untimed, fonts()).empty());
+}
+
+}  // namespace
+}  // namespace gjkscope
