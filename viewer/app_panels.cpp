@@ -96,7 +96,8 @@ std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run
   const auto start_of = [&](const WideTrace& trace) {
     std::string names;
     for (int i = 0; i < trace.initial.simplex.count; ++i)
-      names += (i > 0 ? " " : "") + run.pair_name(trace.initial.simplex.vertices[i].pair);
+      names += fmt::format("{}{}", i > 0 ? " " : "",
+                           run.pair_name(trace.initial.simplex.vertices[i].pair));
     return names;
   };
   if (start_of(a) != start_of(b))

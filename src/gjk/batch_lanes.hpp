@@ -287,7 +287,7 @@ GJKSCOPE_LANES void scan(Best<F>& best, const Eight* vertices, int i, Plane<F> d
 }
 template <int kBlock, class F>
 GJKSCOPE_LANES Plane<F> farthest(const Eight* vertices, int count, Plane<F> d) {
-  Best<F> best;
+  Best<F> best;  // NOLINT(cppcoreguidelines-pro-type-member-init): all of it follows
   best.vertex = vertex<F>(vertices, 0);
   best.value = dot(d, best.vertex);
   for (int i = 1; i < kBlock; ++i) scan(best, vertices, i, d);
@@ -363,7 +363,7 @@ struct Regions {
 template <class F>
 GJKSCOPE_LANES Regions<F> regions(Plane<F> c, Plane<F> ca, Plane<F> cb) {
   const F zero = fill(0.0f, F{});
-  Regions<F> out;
+  Regions<F> out;  // NOLINT(cppcoreguidelines-pro-type-member-init): all of it follows
   out.turn_a = cross(c, ca);
   out.turn_b = cross(cb, c);
   const F left_a = zero < out.turn_a;
@@ -446,7 +446,7 @@ GJKSCOPE_LANES Foot find_foot(Plane<Doubles> a, Plane<Doubles> b) {
   using F = Doubles;
   const F zero = fill(0.0, F{});
   const F one = fill(1.0, F{});
-  Foot foot;
+  Foot foot;  // NOLINT(cppcoreguidelines-pro-type-member-init): all of it follows
   const Plane<F> edge = b - a;
   const F along = negative(dot(a, edge));
   const F beyond_a = zero < along;

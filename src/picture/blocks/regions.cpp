@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -25,7 +27,7 @@ std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& 
   }
   if (size == 2) {
     for (int i = 0; i < count; ++i)
-      if (gjk::contains(face, i)) out += ", " + panel.words.coordinate(face, i);
+      if (gjk::contains(face, i)) out += fmt::format(", {}", panel.words.coordinate(face, i));
     out += " > 0";
   }
   return out;

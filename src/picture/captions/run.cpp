@@ -73,7 +73,7 @@ void cull(const Story& story, FrameText& text) {
 
 void direction(const Story& story, FrameText& text) {
   const std::string vertex = story.words.vertex(0);
-  const std::string name = story.run.point_query() ? vertex : "(" + vertex + ")";  // "(L−D)"
+  const std::string name = story.run.point_query() ? vertex : format("({})", vertex);  // "(L−D)"
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = format("d = 0: P is {} itself.", story.q);
