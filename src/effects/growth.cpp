@@ -37,8 +37,8 @@ class Random {
 Vector2d on_circle(double turn) {
   const double quadrant = std::floor(turn);
   const double t = turn - quadrant;
-  const Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
-  const Vector2d ahead(-point.y(), point.x());
+  Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+  Vector2d ahead(-point.y(), point.x());
   switch (static_cast<int>(quadrant) % 4) {
     case 0:
       return point;

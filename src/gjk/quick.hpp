@@ -102,7 +102,7 @@ struct Body {
 };
 
 /// A vertex of the simplex.
-struct Corner {
+struct Corner {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
   Flat<double> w;
   VertexPair pair;
 };
@@ -128,7 +128,7 @@ struct Bodies {
 };
 
 /// Where a run ended: at vertex a, between a and b, or in the triangle.
-struct Found {
+struct Found {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
   Corner a;
   Corner b;
   Corner c;

@@ -305,8 +305,7 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
       return text.find(words) != std::string::npos;
     });
   };
-  EXPECT_TRUE(
-      holds(texts_of_frame("collinear", 1), "BCD has area 0 and no weights"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 1), "BCD has area 0 and no weights"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
   EXPECT_TRUE(holds(texts_of_frame("direction-half", 10), "Half precision finds B"));
   EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));
