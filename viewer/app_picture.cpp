@@ -11,6 +11,7 @@
 #include "app.hpp"
 #include "geometry/polygon.hpp"
 #include "hit.hpp"
+#include "picture/text_box.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {

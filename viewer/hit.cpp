@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/polygon.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope {
 namespace {
@@ -64,13 +65,6 @@ struct Aim {
 };
 
 }  // namespace
-
-Rect box_of(const Fonts& fonts, const Text& text) {
-  const double width = fonts.width(text.style, text.text);
-  const double share = text.align == Align::left ? 0.0 : text.align == Align::right ? 1.0 : 0.5;
-  const double left = text.at.x() - share * width;
-  return {{left, text.at.y() - fonts.cap_height(text.style)}, {left + width, text.at.y()}};
-}
 
 Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, double slack) {
   Subject best;

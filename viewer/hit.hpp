@@ -5,9 +5,6 @@
 
 namespace gjkscope {
 
-/// What a text takes, from its base line to the height of its capitals.
-[[nodiscard]] Rect box_of(const Fonts& fonts, const Text& text);
-
 /// The subject of the mark at `p` (frame pixels), kind none where there is none. Points come before
 /// lines and lines before areas, and of each the last painted; points and lines are hit from up to
 /// `slack` away.

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "lesson/html.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -54,38 +56,7 @@ std::string contents(const std::vector<ExportedLesson>& lessons) {
   return chapter == 0 ? html : html + "</ul>\n";
 }
 
-std::string with(std::string page, std::string_view mark, const std::string& content) {
-  const std::size_t at = page.find(mark);
-  return at == std::string::npos ? page : page.replace(at, mark.size(), content);
-}
-
 }  // namespace
-
-std::string escape_html(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      case '\'':
-        html += "&#39;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 std::string sidecar(const ExportedLesson& lesson) {
   using Json = nlohmann::ordered_json;
@@ -127,8 +98,9 @@ std::string contact_sheet(const std::vector<ExportedLesson>& lessons, const std:
   const std::string summary = fmt::format("{} {}, {} frames", lessons.size(),
                                           lessons.size() == 1 ? "lesson" : "lessons", frame_count);
   // The lessons last: their words may hold anything, a mark of the template too.
-  return with(with(with(page, "<!-- summary -->", summary), "<!-- contents -->", contents(lessons)),
-              "<!-- lessons -->", sections);
+  return with_content(with_content(with_content(page, "<!-- summary -->", summary),
+                                   "<!-- contents -->", contents(lessons)),
+                      "<!-- lessons -->", sections);
 }
 
 }  // namespace gjkscope

@@ -35,7 +35,4 @@ struct ExportedLesson {
 [[nodiscard]] std::string contact_sheet(const std::vector<ExportedLesson>& lessons,
                                         const std::string& page);
 
-/// Text as HTML shows it, in elements and in quoted attributes.
-[[nodiscard]] std::string escape_html(const std::string& text);
-
 }  // namespace gjkscope

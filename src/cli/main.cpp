@@ -167,34 +167,36 @@ void add_commands(CLI::App& app, Arguments& args) {
       "130.\n\n"
       "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n");
 
-  CLI::App* effects = study->add_subcommand("effects", "What each effect costs in a frame");
-  effects->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
-  effects->add_flag("--quick", args.study.quick, "Fewer repetitions");
-  effects->add_option("--out", args.study.out_dir, "Folder for effects.csv")->type_name("DIR");
-  effects->footer(
-      "Builds the frames of lessons with each effect that is called for and without what calls "
-      "for\n"
-      "it, in turns. Effects that nothing calls for are never computed: the lesson against itself\n"
-      "shows how large the noise is. Interrupted (Ctrl-C), it prints what it has and ends with "
-      "130.\n\n"
-      "Examples:\n  gjkscope study effects polygons-gjk\n  gjkscope study effects --out study\n");
+  const auto of_lessons = [&](const std::string& name, const std::string& what) {
+    CLI::App* command = study->add_subcommand(name, what);
+    command->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
+    command->add_flag("--quick", args.study.quick, "Fewer repetitions");
+    command->add_option("--out", args.study.out_dir, "Folder for " + name + ".csv")
+        ->type_name("DIR");
+    return command;
+  };
+  of_lessons("effects", "What each effect costs in a frame")
+      ->footer(
+          "Builds the frames of lessons with each effect that is called for and without what calls "
+          "for\n"
+          "it, in turns. Effects that nothing calls for are never computed: the lesson against "
+          "itself\n"
+          "shows how large the noise is. Interrupted (Ctrl-C), it prints what it has and ends with "
+          "130.\n\n"
+          "Examples:\n  gjkscope study effects polygons-gjk\n  gjkscope study effects --out "
+          "study\n");
 
-  CLI::App* steps = study->add_subcommand("time-steps", "What the steps of a clock cost");
-  steps->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
-  steps->add_flag("--quick", args.study.quick, "Fewer repetitions");
-  steps->add_option("--out", args.study.out_dir, "Folder for time-steps.csv")->type_name("DIR");
-  steps->footer(
-      "Lessons with a clock: the error of the state, and the time, against the size of the step.\n"
-      "Lessons without are left out.\n\n"
-      "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
+  of_lessons("time-steps", "What the steps of a clock cost")
+      ->footer(
+          "Lessons with a clock: the error of the state, and the time, against the size of the "
+          "step.\n"
+          "Lessons without are left out.\n\n"
+          "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
 
-  CLI::App* pictures = study->add_subcommand("pictures", "What supersampling costs");
-  pictures->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
-  pictures->add_flag("--quick", args.study.quick, "Fewer repetitions");
-  pictures->add_option("--out", args.study.out_dir, "Folder for pictures.csv")->type_name("DIR");
-  pictures->footer(
-      "The last frame of each lesson with 1, 2 and 4 samples a pixel each way, against 16.\n\n"
-      "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
+  of_lessons("pictures", "What supersampling costs")
+      ->footer(
+          "The last frame of each lesson with 1, 2 and 4 samples a pixel each way, against 16.\n\n"
+          "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 
 int run(const CLI::App& app, Arguments& args) {

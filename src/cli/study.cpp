@@ -229,11 +229,10 @@ struct LessonStudy {
 int study_effects_command(const Environment& env, LessonChoice choice,
                           const StudyOptions& options) {
   const Fonts fonts(env.share / "assets" / "fonts.toml");
-  EffectsPlan plan;
-  if (options.quick) plan.seconds_per_lesson = 0.0;
+  const double seconds = options.quick ? 0.0 : 1.5;  // of timing a lesson, about
   const LessonStudy<EffectCost> study = {
       [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return effects_cost(run_lesson(lesson), fonts, plan, go_on);
+        return effects_cost(run_lesson(lesson), fonts, seconds, go_on);
       },
       effects_table, effects_csv, "effects.csv"};
   return study.run(env, std::move(choice), options);

@@ -134,6 +134,25 @@ class Widener {
   double unit_sq_;
 };
 
+/// A result, whose lengths are in the world's unit, and its simplex in units of 2^exponent.
+template <class S>
+[[nodiscard]] gjk::Result<double, 2> widened(const gjk::Result<S, 2>& result, int exponent) {
+  gjk::Result<double, 2> out;
+  out.error = result.error;
+  out.stop = result.stop;
+  out.verdict = result.verdict;
+  out.settled = result.settled;
+  out.distance = widened(result.distance);
+  out.lower = widened(result.lower);
+  out.upper = widened(result.upper);
+  out.distance_sq = widened(result.distance_sq);
+  out.x = widened(result.x);
+  out.y = widened(result.y);
+  out.iterations = result.iterations;
+  out.simplex = widened(result.simplex, exponent);
+  return out;
+}
+
 /// The trace in double and in the world's unit. Where the squares of a double run would leave the
 /// range of a double, it stays in its own unit, which `prepared.exponent` names. Of `prepared`, the
 /// error and the exponent are filled in.
@@ -151,19 +170,7 @@ template <class S>
   for (const gjk::Step<S, 2>& step : trace.steps) {
     out.steps.push_back({step.phase, step.iteration, widen(step.after), widen(step.record)});
   }
-  const gjk::Result<S, 2>& result = trace.result;
-  out.result.error = result.error;
-  out.result.stop = result.stop;
-  out.result.verdict = result.verdict;
-  out.result.settled = result.settled;
-  out.result.distance = widened(result.distance);
-  out.result.lower = widened(result.lower);
-  out.result.upper = widened(result.upper);
-  out.result.distance_sq = widened(result.distance_sq);
-  out.result.x = widened(result.x);
-  out.result.y = widened(result.y);
-  out.result.iterations = result.iterations;
-  out.result.simplex = widened(result.simplex, exponent);
+  out.result = widened(trace.result, exponent);
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "paint/arrow.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope {
 namespace {
@@ -225,7 +226,7 @@ class MarkPainter {
     double width = 0.0;
     for (const char32_t c : characters) width += glyph(font, c).AdvanceX;
 
-    const double share = text.align == Align::left ? 0.0 : text.align == Align::center ? 0.5 : 1.0;
+    const double share = share_before(text.align);
     // Whole frame pixels in height: base lines of a row agree and strokes stay sharp. Whole list
     // pixels across: the same word looks the same wherever it stands.
     const double scale = placement_.scale;

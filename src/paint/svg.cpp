@@ -5,24 +5,12 @@
 #include <optional>
 #include <string_view>
 
+#include "lesson/html.hpp"
 #include "paint/arrow.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 /// To a hundredth of a pixel, without zeros that say nothing.
 std::string number(double value) {
@@ -112,14 +100,13 @@ class MarkWriter {
   }
   std::string operator()(const Text& text) const {
     if (!style_.fill) return "";
-    const double width = fonts_.width(text.style, text.text);
-    const double share = text.align == Align::left ? 0.0 : text.align == Align::center ? 0.5 : 1.0;
+    const Rect box = box_of(fonts_, text);
     return fmt::format(
         "<text x=\"{}\" y=\"{}\" textLength=\"{}\" font-family=\"{}\" font-size=\"{}\" "
         "font-weight=\"{}\"{}{}>{}</text>\n",
-        number(text.at.x() - share * width), number(text.at.y()), number(width),
-        family(text.style.face), number(text.style.size), weight(text.style.face),
-        paint("fill", style_.fill), clip_, escaped(text.text));
+        number(box.min.x()), number(text.at.y()), number(box.size().x()), family(text.style.face),
+        number(text.style.size), weight(text.style.face), paint("fill", style_.fill), clip_,
+        escape_html(text.text));
   }
 
  private:
@@ -164,7 +151,7 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
       "{1}\" role=\"img\" stroke-linejoin=\"round\" stroke-linecap=\"round\" "
       "style=\"white-space:pre;font-variant-numeric:tabular-nums;font-kerning:none\">\n"
       "<title>{2}</title>\n",
-      width, height, escaped(title));
+      width, height, escape_html(title));
   for (std::size_t i = 0; i < picture.clips.size(); ++i) {
     const Rect& rect = picture.clips[i];
     out += fmt::format(

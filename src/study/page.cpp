@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/html.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope::study {
@@ -18,29 +19,6 @@ constexpr double kTop = 46;        ///< Above it: pairs without an answer.
 constexpr double kBottom = 62;     ///< Below the axis: its numbers and name.
 constexpr double kNoneBand = 26;   ///< Between the largest error and these.
 constexpr double kExactBand = 26;  ///< Between the least error and the axis: answers without error.
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// Decades that hold all values.
 struct Decades {
@@ -90,10 +68,10 @@ std::string arithmetic_of(const Row& row) {
 
 /// Square: the loop only; triangle: without proof; circle: with.
 std::string mark(const Row& row, double x, double y) {
-  if (row.configuration.find("loop only") != std::string::npos) {
+  if (effort_of(row) == Effort::loop) {
     return fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="9" height="9"/>)", x - 4.5, y - 4.5);
   }
-  if (row.configuration.find("no proof") != std::string::npos) {
+  if (effort_of(row) == Effort::bounds) {
     return fmt::format(R"(<path d="M{:.1f} {:.1f}l5.5 9.5h-11z"/>)", x, y - 6);
   }
   return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="5"/>)", x, y);
@@ -169,8 +147,8 @@ std::string dot(const Axes& axes, const Row& row) {
       R"(<g class="dot {}{}" tabindex="0" role="button" aria-label="{}" data-name="{}" data-values="{}" data-worst="{}" data-case="{}">{}</g>)"
       "\n",
       arithmetic_of(row), row.on_front ? " on-front" : "",
-      escaped(row.configuration + ": " + values + "; " + worst), escaped(row.configuration),
-      escaped(values), escaped(worst), escaped(row.worst.json),
+      escape_html(row.configuration + ": " + values + "; " + worst), escape_html(row.configuration),
+      escape_html(values), escape_html(worst), escape_html(row.worst.json),
       mark(row, axes.x(row.ns.median), axes.y(row.error_scale)));
 }
 
@@ -198,7 +176,7 @@ std::string numbers(const Axes& axes, const std::vector<const Row*>& front) {
 std::string front_list(const std::vector<const Row*>& front) {
   std::string out = "<ol>";
   for (const Row* row : front) {
-    out += fmt::format("<li>{} <span>{}, error {}</span></li>", escaped(row->configuration),
+    out += fmt::format("<li>{} <span>{}, error {}</span></li>", escape_html(row->configuration),
                        time_text(row->ns.median), error_text(row->error_scale));
   }
   return out + "</ol>";
@@ -221,16 +199,11 @@ std::string chart(const Axes& axes, const std::vector<const Row*>& rows) {
       R"(<svg viewBox="0 0 {width} {height}" role="group" aria-label="Error against time: {name}">{frame}{stairs}
 {dots}{numbers}</svg><p>On the front:</p>{list}</section>)"
       "\n",
-      fmt::arg("name", escaped(first.family)), fmt::arg("pairs", first.pairs),
+      fmt::arg("name", escape_html(first.family)), fmt::arg("pairs", first.pairs),
       fmt::arg("rows", rows.size()), fmt::arg("repetitions", first.repetitions),
       fmt::arg("width", kWidth), fmt::arg("height", kHeight), fmt::arg("frame", frame(axes)),
       fmt::arg("stairs", front.empty() ? "" : stairs(axes, front)), fmt::arg("dots", dots),
       fmt::arg("numbers", numbers(axes, front)), fmt::arg("list", front_list(front)));
-}
-
-std::string with(std::string page, std::string_view mark, const std::string& content) {
-  const std::size_t at = page.find(mark);
-  return at == std::string::npos ? page : page.replace(at, mark.size(), content);
 }
 
 }  // namespace
@@ -248,9 +221,11 @@ std::string page(const Study& study, std::string html) {
       "{}{} of {} families, in {:.0f} s on {}, one thread; {}, <code>{}</code>, commit {}, seed "
       "{}.",
       study.complete ? "" : "<strong>Interrupted: this is what there was.</strong> ", families,
-      study.families_planned, study.seconds, escaped(machine.processor), escaped(machine.compiler),
-      escaped(machine.flags), escaped(machine.commit), study.seed);
-  return with(with(std::move(html), "<!-- about -->", about), "<!-- charts -->", charts);
+      study.families_planned, study.seconds, escape_html(machine.processor),
+      escape_html(machine.compiler), escape_html(machine.flags), escape_html(machine.commit),
+      study.seed);
+  return with_content(with_content(std::move(html), "<!-- about -->", about), "<!-- charts -->",
+                      charts);
 }
 
 }  // namespace gjkscope::study

@@ -18,13 +18,18 @@ namespace gjkscope::study {
 /// Everything, the worst cases included. Numbers that are none or infinite are null.
 [[nodiscard]] std::string to_json(const Study& study);
 
+/// Names of families: of a summary's rows, and of the one that is not hard.
+inline constexpr std::string_view kAllFamilies = "all families";
+inline constexpr std::string_view kOrdinary = "random";
+
 /// Rows over all families instead of those of each, under the name kAllFamilies: errors are the
 /// largest, counts are added up, times are geometric means of medians. Only of configurations that
 /// answered all families. The ordinary family, those that differ by size, and what starts cost in
 /// motion, stay as they are.
-inline constexpr std::string_view kAllFamilies = "all families";
-inline constexpr std::string_view kOrdinary = "random";
 [[nodiscard]] Study summary(const Study& study);
+
+/// Of the configuration that a row names.
+[[nodiscard]] Effort effort_of(const Row& row);
 
 /// For a terminal: the summary, and the Pareto front of each family.
 [[nodiscard]] std::string table(const Study& study);

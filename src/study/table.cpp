@@ -97,6 +97,14 @@ std::string broken_lines(const std::vector<const Row*>& rows) {
 
 }  // namespace
 
+Effort effort_of(const Row& row) {
+  const auto names = [&](std::string_view part) {
+    return row.configuration.find(part) != std::string::npos;
+  };
+  if (names("loop only")) return Effort::loop;
+  return names("no proof") ? Effort::bounds : Effort::proof;
+}
+
 std::string error_text(double error) {
   if (std::isnan(error)) return "";
   if (std::isinf(error)) return "none";

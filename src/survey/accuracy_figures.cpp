@@ -13,6 +13,7 @@
 namespace gjkscope {
 namespace {
 
+using study::Effort;
 using study::Row;
 using study::Study;
 using RowList = std::vector<const Row*>;
@@ -85,17 +86,10 @@ class Decades {
 bool is_timed(const Row& row) { return row.repetitions > 0; }
 bool has_error(const Row& row) { return std::isfinite(row.error_scale); }
 
-/// The part of a name after the arithmetic: what is made of the run's simplex.
-enum class Kind { proof, bounds, loop };
-Kind kind_of(const Row& row) {
-  if (row.configuration.find("loop only") != std::string::npos) return Kind::loop;
-  if (row.configuration.find("no proof") != std::string::npos) return Kind::bounds;
-  return Kind::proof;
-}
-
 class Figures {
  public:
-  Figures(const Study& study, const Fonts& fonts) : study_(study), fonts_(fonts) {
+  Figures(const Study& study, const Fonts& fonts)
+      : study_(study), summary_(study::summary(study)), fonts_(fonts) {
     for (const Row& row : study.rows) {
       if (!is_timed(row)) continue;
       ns_.hold(row.ns.median);
@@ -125,9 +119,9 @@ class Figures {
     plot.y = error_.axis("largest error of the distance, as a share of the scale");
     PlotSeries best{PlotStyle::first, "Pareto front", {}, true};
     best.join = PlotJoin::stairs;
-    PlotSeries others[] = {{PlotStyle::third, "with proof", {}, false},
-                           {PlotStyle::fourth, "no proof", {}, false},
-                           {PlotStyle::second, "loop only", {}, false}};
+    PlotSeries proof{PlotStyle::third, "with proof", {}, false};
+    PlotSeries bounds{PlotStyle::fourth, "no proof", {}, false};
+    PlotSeries loop{PlotStyle::second, "loop only", {}, false};
     RowList on_front;
     int left_out = 0;
     int without_error = 0;
@@ -135,10 +129,15 @@ class Figures {
       left_out += has_error(*row) ? 0 : 1;
       if (!has_error(*row)) continue;
       without_error += row->error_scale == 0.0 ? 1 : 0;
-      if (row->on_front)
+      if (row->on_front) {
         on_front.push_back(row);
-      else
-        others[static_cast<std::size_t>(kind_of(*row))].points.push_back(place(*row));
+        continue;
+      }
+      const Effort effort = effort_of(*row);
+      PlotSeries& series = effort == Effort::proof    ? proof
+                           : effort == Effort::bounds ? bounds
+                                                      : loop;
+      series.points.push_back(place(*row));
     }
     std::sort(on_front.begin(), on_front.end(),
               [](const Row* a, const Row* b) { return a->ns.median < b->ns.median; });
@@ -159,9 +158,9 @@ class Figures {
                  type::kTick);
     }
     plot.series.push_back(std::move(best));
-    for (PlotSeries& series : others) {
-      series.join = PlotJoin::none;
-      plot.series.push_back(std::move(series));
+    for (PlotSeries* series : {&proof, &bounds, &loop}) {
+      series->join = PlotJoin::none;
+      plot.series.push_back(std::move(*series));
     }
     page.add(plot, plot_area(kListLeft - kMargin));
     const Row& first = *rows.front();
@@ -229,8 +228,7 @@ class Figures {
   [[nodiscard]] PlotSeries by_gap(PlotStyle style, std::string_view arithmetic, std::string name,
                                   Value value) const {
     PlotSeries out{style, std::move(name), {}, false};
-    const Study all = study::summary(study_);
-    for (const Row& row : all.rows) {
+    for (const Row& row : summary_.rows) {
       if (row.family != study::kAllFamilies || row.axis != "bound gap" || !is_timed(row) ||
           !row.configuration.starts_with(std::string(arithmetic) + ",") || !has_error(row)) {
         continue;
@@ -323,6 +321,7 @@ class Figures {
   }
 
   const Study& study_;
+  Study summary_;
   const Fonts& fonts_;
   Decades ns_;
   Decades error_;

@@ -90,8 +90,8 @@ study::Contestant contestant(LessonRun run, const Fonts& fonts) {
 
 }  // namespace
 
-std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts,
-                                     const EffectsPlan& plan, const std::function<bool()>& go_on) {
+std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, double seconds,
+                                     const std::function<bool()>& go_on) {
   using Clock = std::chrono::steady_clock;
   EffectGraph effects(run);
   const Clock::time_point begin = Clock::now();
@@ -121,7 +121,7 @@ std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts,
   add({}, run);
 
   const double each = once.count() * static_cast<double>(contestants.size());
-  const auto wanted = static_cast<std::size_t>(plan.seconds_per_lesson / each);
+  const auto wanted = static_cast<std::size_t>(seconds / each);
   const std::vector<study::Timing> timings =
       study::interleave(contestants, run.frames.size(),
                         std::clamp(wanted, kLeastRepetitions, kMostRepetitions), go_on);
@@ -143,14 +143,14 @@ std::string effects_table(const std::vector<EffectCost>& rows) {
       "Building the frames of a lesson with each effect and without what calls for it. ratio: with "
       "to without, median and quartiles\nof interleaved repetitions. The line without a name: the "
       "lesson against itself; effects that nothing calls for are never computed.\n\n"
-      "{:<24} {:<21} {:>6} {:>6} {:>9} {:>6} {:>5}  {:<13}  {}\n",
-      "lesson", "effect", "pulls", "runs", "a frame", "ratio", "", "quartiles", "without");
+      "{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n",
+      "lesson", "effect", "pulls", "runs", "a frame", "ratio", "quartiles", "without");
   for (const EffectCost& row : rows) {
     const bool has_ratio = row.ratio.median > 0.0;
-    out += fmt::format("{:<24} {:<21} {:>6} {:>6} {:>9} {:>6} {:>5}  {:<13}  {}\n", row.lesson,
+    out += fmt::format("{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n", row.lesson,
                        row.effect.empty() ? "(all others)" : row.effect, row.pulls, row.runs,
                        study::time_text(row.ns.median),
-                       has_ratio ? fmt::format("{:.3f}", row.ratio.median) : "", "",
+                       has_ratio ? fmt::format("{:.3f}", row.ratio.median) : "",
                        has_ratio ? fmt::format("{:.3f}-{:.3f}", row.ratio.low, row.ratio.high) : "",
                        has_ratio ? row.off : "its words call for it, too");
   }

@@ -26,17 +26,14 @@ struct EffectCost {
   study::Quartiles ratio;   ///< With it to without, repetition by repetition.
 };
 
-struct EffectsPlan {
-  double seconds_per_lesson = 1.5;  ///< Of timing, about.
-};
-
 /// Times how long the frames of a lesson take to build (layout, words and marks; painting them
 /// comes after and does not know of effects). For each effect that is called for, with it and
 /// without all that calls for it. The last row times the lesson against a copy of itself: how far
 /// the effects that nothing calls for, which are never computed, are from costing nothing, and how
-/// large the noise is. Ended early by `go_on`, it has no rows or those that were timed.
+/// large the noise is. `seconds`: of timing, about. Ended early by `go_on`, it has no rows or those
+/// that were timed.
 [[nodiscard]] std::vector<EffectCost> effects_cost(
-    const LessonRun& run, const Fonts& fonts, const EffectsPlan& plan,
+    const LessonRun& run, const Fonts& fonts, double seconds,
     const std::function<bool()>& go_on = [] { return true; });
 
 /// For a terminal.

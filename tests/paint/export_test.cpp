@@ -16,6 +16,7 @@
 
 #include "cli/contact_sheet.hpp"
 #include "effects/registry.hpp"
+#include "lesson/html.hpp"
 #include "lesson/load.hpp"
 
 namespace gjkscope {
@@ -246,7 +247,7 @@ TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {
   for (const auto& frame : json["frames"]) {
     EXPECT_NE(html.find("<img src=\"" + frame["file"].get<std::string>() + "\""),
               std::string::npos);
-    EXPECT_NE(html.find(escape_html(frame["caption"])), std::string::npos);
+    EXPECT_NE(html.find(escape_html(frame["caption"].get<std::string>())), std::string::npos);
   }
   EXPECT_EQ(html.find("<!-- lessons -->"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "it works offline";

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "lessons.hpp"
+#include "picture/text_box.hpp"
 #include "picture/theme.hpp"
 #include "picture/words.hpp"
 
@@ -18,14 +19,6 @@ namespace gjkscope {
 namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
-
-Rect box_of(const Fonts& fonts, const Text& text) {
-  const double width = fonts.width(text.style, text.text);
-  const double left = text.align == Align::left     ? text.at.x()
-                      : text.align == Align::center ? text.at.x() - 0.5 * width
-                                                    : text.at.x() - width;
-  return {{left, text.at.y() - fonts.cap_height(text.style)}, {left + width, text.at.y()}};
-}
 
 bool overlap(const Rect& a, const Rect& b) {
   return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&

@@ -8,6 +8,8 @@
 #include <random>
 #include <set>
 
+#include "picture/text_box.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -34,14 +36,6 @@ std::vector<Shape> shapes(const std::vector<Mark>& marks, const std::string& rol
     if (mark.role == role && shape) out.push_back(*shape);
   }
   return out;
-}
-
-Rect box_of(const Text& text) {
-  const double width = fonts().width(text.style, text.text);
-  const double left = text.at.x() - width * (text.align == Align::right    ? 1.0
-                                             : text.align == Align::center ? 0.5
-                                                                           : 0.0);
-  return {{left, text.at.y() - fonts().cap_height(text.style)}, {left + width, text.at.y()}};
 }
 
 bool overlap(const Rect& a, const Rect& b) {
@@ -162,7 +156,7 @@ TEST(Plot, TextsStayInTheAreaAndOffEachOther) {
   for (const Mark& mark : plot_marks(plot, fonts(), kArea)) {
     const Text* text = std::get_if<Text>(&mark.shape);
     if (!text) continue;
-    const Rect box = box_of(*text);
+    const Rect box = box_of(fonts(), *text);
     EXPECT_TRUE((box.min.array() >= kArea.min.array() - 1e-9).all()) << text->text;
     EXPECT_TRUE((box.max.array() <= kArea.max.array() + 1e-9).all()) << text->text;
     for (const Rect& other : boxes) EXPECT_FALSE(overlap(box, other)) << text->text;
@@ -216,7 +210,7 @@ TEST(Plot, NotesStandBesideTheirPoints) {
     for (const Text& text : shapes<Text>(marks, "plot.first.label")) {
       if (text.text != plot.notes[i].text) continue;
       ++found;
-      EXPECT_LT((box_of(text).center() - disks[i].center).norm(), 30.0);
+      EXPECT_LT((box_of(fonts(), text).center() - disks[i].center).norm(), 30.0);
     }
     EXPECT_EQ(found, 1) << plot.notes[i].text;
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "picture/text_box.hpp"
 #include "study/small_study.hpp"
 
 namespace gjkscope {
@@ -41,14 +42,7 @@ std::vector<Written> texts(const Picture& picture) {
   for (const Mark& mark : picture.marks) {
     const Text* text = std::get_if<Text>(&mark.shape);
     if (text == nullptr) continue;
-    const double width = fonts().width(text->style, text->text);
-    const double share = text->align == Align::left     ? 0.0
-                         : text->align == Align::center ? 0.5
-                                                        : 1.0;
-    const double left = text->at.x() - share * width;
-    out.push_back(
-        {text->text,
-         {{left, text->at.y() - fonts().cap_height(text->style)}, {left + width, text->at.y()}}});
+    out.push_back({text->text, box_of(fonts(), *text)});
   }
   return out;
 }

@@ -25,7 +25,7 @@ const LessonRun& lesson() {
 }
 
 const std::vector<EffectCost>& costs() {
-  static const std::vector<EffectCost> rows = effects_cost(lesson(), fonts(), {0.2});
+  static const std::vector<EffectCost> rows = effects_cost(lesson(), fonts(), 0.2);
   return rows;
 }
 
@@ -72,7 +72,7 @@ TEST(EffectsCost, TheLessonTakesAsLongAsItself) {
 }
 
 TEST(EffectsCost, InterruptedHasNothing) {
-  EXPECT_TRUE(effects_cost(lesson(), fonts(), {}, [] { return false; }).empty());
+  EXPECT_TRUE(effects_cost(lesson(), fonts(), 1.5, [] { return false; }).empty());
 }
 
 TEST(EffectsCost, EachRowIsALineOfTheFileAndOfTheTable) {
