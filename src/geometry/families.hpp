@@ -2,7 +2,8 @@
 // Pairs of shapes in families, easy and hard, for whatever speaks of many pairs: tests, benchmarks,
 // the study. Needs the core alone.
 //
-// Everything is made of + - * / and powers of two, so that a seed gives the same pairs everywhere.
+// A seed gives the same pairs everywhere: all is made of + - * / and powers of two, and where one
+// expression draws twice it draws in braces, whose order is the language's.
 
 #include <algorithm>
 #include <array>
@@ -147,7 +148,7 @@ class Source {
   }
 
   /// Two convex polygons of `count` vertices each, apart, close or overlapping.
-  [[nodiscard]] Pair<double> polygons(int count) { return apart_or_not(count, count); }
+  [[nodiscard]] Pair<double> polygons(int count) { return apart_or_not({count, count}); }
 
   /// A pair of the family, in a random order of arguments and with its vertex lists randomly
   /// rotated. Only S = double has anything but float values.
@@ -158,7 +159,8 @@ class Source {
         !std::is_same_v<S, double> || representation == Representation::float_values;
     Pair<double> made = make(family, floats);
     if (with_chance(0.5)) made = swapped(made);
-    made = rotated(std::move(made), bits_() % 64, bits_() % 64);
+    const std::array<std::size_t, 2> places = {bits_() % 64, bits_() % 64};
+    made = rotated(std::move(made), places[0], places[1]);
     if (floats) made = converted<double>(converted<float>(made));
     if constexpr (std::is_same_v<S, double>) {
       return made;
@@ -230,9 +232,13 @@ class Source {
     if (with_chance(0.5)) std::reverse(vertices.begin(), vertices.end());
     return vertices;
   }
-  [[nodiscard]] Points polygon_at(int count, const Point& centre) {
-    Points vertices = polygon(count);
-    move(vertices, centre);
+  struct Placed {
+    int count;
+    Point centre;
+  };
+  [[nodiscard]] Points polygon_at(const Placed& placed) {
+    Points vertices = polygon(placed.count);
+    move(vertices, placed.centre);
     return vertices;
   }
 
@@ -271,11 +277,21 @@ class Source {
     return shape;
   }
 
+  struct Counts {
+    int x;
+    int y;
+  };
+  struct Facing {
+    Counts counts;
+    bool x_edge;
+    bool y_edge;
+    double grid;
+  };
   /// X below the x-axis, Y above it, and both touching it; at the origin where X's edge and Y's
   /// do, or X's vertex and Y's edge, and so on.
-  [[nodiscard]] Pair<double> facing(int x_count, int y_count, bool x_edge, bool y_edge,
-                                    double grid) {
-    Pair<double> out{resting(x_count, x_edge, grid), resting(y_count, y_edge, grid)};
+  [[nodiscard]] Pair<double> facing(const Facing& how) {
+    Pair<double> out{resting(how.counts.x, how.x_edge, how.grid),
+                     resting(how.counts.y, how.y_edge, how.grid)};
     for (Point& p : out.x) p[1] = -p[1];
     return out;
   }
@@ -290,12 +306,12 @@ class Source {
     } else if (y_edge) {
       turn(pair, on_circle(among(0, 3)));
     } else {
-      turn(pair, Point(among(1, 7), among(-7, 7)));
+      turn(pair, Point{among(1, 7), among(-7, 7)});
     }
   }
 
-  [[nodiscard]] Pair<double> apart_or_not(int x_count, int y_count) {
-    return {polygon(x_count), polygon_at(y_count, in_square(2.5))};
+  [[nodiscard]] Pair<double> apart_or_not(const Counts& counts) {
+    return {polygon(counts.x), polygon_at({counts.y, in_square(2.5)})};
   }
 
   void repeat_vertices(Points& points) {
@@ -315,19 +331,19 @@ class Source {
     Pair<double> out;
     switch (family) {
       case Family::random:
-        out = apart_or_not(among(3, 8), among(3, 8));
+        out = apart_or_not({among(3, 8), among(3, 8)});
         break;
       case Family::points:
         out = {polygon(among(1, 2)),
-               polygon_at(with_chance(0.5) ? among(1, 2) : among(3, 8), in_square(1.5))};
+               polygon_at({with_chance(0.5) ? among(1, 2) : among(3, 8), in_square(1.5)})};
         break;
       case Family::collinear: {
         const bool on_axis = with_chance(0.4);
         const bool exact = with_chance(0.6);
         const Point along = on_axis ? on_circle(among(0, 3))
-                            : exact ? Point(among(1, 7), among(-7, 7))
+                            : exact ? Point{among(1, 7), among(-7, 7)}
                                     : direction();
-        const Point from = exact ? Point(among(-4, 4), among(-4, 4)) : in_square(2);
+        const Point from = exact ? Point{among(-4, 4), among(-4, 4)} : in_square(2);
         for (Points* points : {&out.x, &out.y}) {
           const double shift = points == &out.y ? among(-4, 4) : 0;
           for (int i = among(1, 4); i > 0; --i) {
@@ -346,16 +362,16 @@ class Source {
         break;
       }
       case Family::duplicates:
-        out = apart_or_not(among(1, 5), among(1, 5));
+        out = apart_or_not({among(1, 5), among(1, 5)});
         repeat_vertices(out.x);
         if (with_chance(0.7)) repeat_vertices(out.y);
         break;
       case Family::grid:
         out = {grid_points<double>(among(1, 6), 3), grid_points<double>(among(1, 6), 3)};
-        move(out.y, Point(among(0, 6), among(-1, 1)));
+        move(out.y, Point{among(0, 6), among(-1, 1)});
         break;
       case Family::identical:
-        out.x = with_chance(0.8) ? polygon_at(among(1, 8), in_square(2))
+        out.x = with_chance(0.8) ? polygon_at({among(1, 8), in_square(2)})
                                  : grid_points<double>(among(1, 6), 3);
         out.y = out.x;
         break;
@@ -366,7 +382,8 @@ class Source {
         break;
       case Family::posed: {
         out = {polygon(among(1, 8)), polygon(among(1, 8))};
-        const Point far = direction() * (with_chance(0.3) ? magnitude(1e1, floats ? 1e4 : 1e9) : 0);
+        const double away = with_chance(0.3) ? magnitude(1e1, floats ? 1e4 : 1e9) : 0;
+        const Point far = direction() * away;
         for (gjk::Pose<double, 2>* pose : {&out.x_pose, &out.y_pose}) {
           const Point turn = direction();
           pose->rotation << turn[0], -turn[1], turn[1], turn[0];
@@ -383,57 +400,62 @@ class Source {
         break;
       }
       case Family::needle_polygon:
-        out = {needle(magnitude(1e-10, 1e-4)), polygon_at(among(3, 8), in_square(1.5))};
+        out = {needle(magnitude(1e-10, 1e-4)), polygon_at({among(3, 8), in_square(1.5)})};
         turn(out, direction());
         break;
       case Family::parallel: {
-        out = facing(among(2, 6), among(2, 6), true, true, kNoGrid);
+        out = facing({{among(2, 6), among(2, 6)}, true, true, kNoGrid});
         const double tilt = magnitude(1e-10, 1e-3);
         turn(out.y, Point(1, with_chance(0.5) ? tilt : -tilt));
         const double distance = magnitude(1e-10, 1);
-        move(out.y, Point(between(-1, 1), with_chance(0.3) ? -0.3 * distance : distance));
+        move(out.y, Point{between(-1, 1), with_chance(0.3) ? -0.3 * distance : distance});
         turn_contact(out, floats, true);
         break;
       }
       case Family::gap:
       case Family::speck:
       case Family::shallow:
-        out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, grid);
+        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
         move(out.y, Point(0, family == Family::gap     ? magnitude(1e-12, 1e-3)
                              : family == Family::speck ? magnitude(floats ? 1e-30 : 1e-100, 1e-12)
                                                        : -magnitude(1e-6, 1e-3)));
         turn_contact(out, floats || family == Family::speck, y_edge);
         break;
       case Family::touching:
-        out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, grid);
+        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
         turn_contact(out, true, false);
-        move(out, Point(among(-64, 64) * 0.125, among(-64, 64) * 0.125));
+        move(out, Point{among(-64, 64) * 0.125, among(-64, 64) * 0.125});
         break;
       case Family::grazing:
-        out = facing(among(1, 8), among(1, 8), with_chance(0.6), y_edge, kNoGrid);
+        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
         turn(out, direction());
         move(out, in_square(1));
         break;
       case Family::tiny: {
-        out = apart_or_not(among(1, 8), among(1, 8));
+        out = apart_or_not({among(1, 8), among(1, 8)});
         const std::array<double, 3> sizes = {1e-4, 1e-6, 1e-30};
-        scale(out, sizes[static_cast<std::size_t>(among(0, 2))] * between(1, 2));
+        const double size = sizes[static_cast<std::size_t>(among(0, 2))];
+        scale(out, size * between(1, 2));
         break;
       }
-      case Family::huge:
-        out = apart_or_not(among(1, 8), among(1, 8));
-        scale(out, (with_chance(0.5) ? 1e6 : 1e30) * between(1, 2));
+      case Family::huge: {
+        out = apart_or_not({among(1, 8), among(1, 8)});
+        const double size = with_chance(0.5) ? 1e6 : 1e30;
+        scale(out, size * between(1, 2));
         break;
+      }
       case Family::ratio:
-        out = facing(among(3, 8), among(1, 8), with_chance(0.6), y_edge, kNoGrid);
+        out = facing({{among(3, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
         scale(out.x, with_chance(0.5) ? 1e4 : 1e8);
-        move(out.y, Point(between(-2, 2), with_chance(0.4) ? -between(0, 2) : magnitude(1e-6, 4)));
+        move(out.y, Point{between(-2, 2), with_chance(0.4) ? -between(0, 2) : magnitude(1e-6, 4)});
         turn_contact(out, floats, y_edge);
         break;
-      case Family::offset:
-        out = apart_or_not(among(1, 8), among(1, 8));
-        move(out, Point(direction() * magnitude(1e3, floats ? 1e6 : 1e12)));
+      case Family::offset: {
+        out = apart_or_not({among(1, 8), among(1, 8)});
+        const double away = magnitude(1e3, floats ? 1e6 : 1e12);
+        move(out, Point(direction() * away));
         break;
+      }
       case Family::denormals: {
         const int size = 1 << among(0, 16);
         out = {grid_points<double>(among(1, 6), size), grid_points<double>(among(1, 6), size)};

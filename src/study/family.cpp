@@ -39,7 +39,7 @@ std::vector<DoublePair> motion(families::Source& source, int count) {
   std::vector<DoublePair> pairs;
   while (static_cast<int>(pairs.size()) < count) {
     DoublePair pair = source.polygons(8);
-    const Eigen::Vector2d step(source.between(-0.05, 0.05), source.between(-0.05, 0.05));
+    const Eigen::Vector2d step{source.between(-0.05, 0.05), source.between(-0.05, 0.05)};
     for (int i = 0; i < kMoments && static_cast<int>(pairs.size()) < count; ++i) {
       pairs.push_back(pair);
       for (Eigen::Vector2d& p : pair.y) {
