@@ -52,6 +52,15 @@ std::string keep_commented(const fs::path& file) {
   return beside;
 }
 
+/// A lesson that can be written anywhere.
+Lesson with_absolute_results(Lesson lesson) {
+  if (lesson.study) {
+    lesson.study->results =
+        fs::absolute(fs::path(lesson.path).parent_path() / lesson.study->results).string();
+  }
+  return lesson;
+}
+
 /// What a run came to, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
@@ -137,7 +146,12 @@ void App::say(std::string message, bool is_error) {
 void App::open_path(const fs::path& path) {
   try {
     if (path.extension() == ".json") {
-      open_case_text(read_whole(path), path.string());
+      const std::string text = read_whole(path);
+      if (text.find("\"rows\"") == std::string::npos) {
+        open_case_text(text, path.string());
+      } else {
+        open_results(text, path);
+      }
     } else {
       open_lesson(path);
     }
@@ -153,6 +167,7 @@ void App::open_lesson(const fs::path& file) {
     return say(fmt::format("{}: {}", file.string(), session_.problem()), true);
   selected_ = {};
   playing_ = false;
+  back_.reset();
   kept_version_ = session_.version();
   remember_recent(file);
   say("");
@@ -161,14 +176,23 @@ void App::open_lesson(const fs::path& file) {
 void App::open_case_text(std::string_view text, const std::string& name) {
   const std::vector<ReadCase> cases = parse_cases(text, name);
   if (!cases.front().value) return say(all_of(cases.front().problems), true);
+  std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
+  if (lesson && open_unnamed(*std::move(lesson), name))
+    say(cases.size() > 1 ? fmt::format("the first of {} cases", cases.size()) : "");
+}
+
+std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
-  const Lesson plain = lesson_of(*cases.front().value, cases.front().name, ScalarKind::double_);
+  const Lesson plain = lesson_of(shapes, name, ScalarKind::double_);
   const fs::path template_file = paths_.share / "lessons" / (std::string(kOpening) + ".toml");
   LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, view_effects());
-  if (!loaded.lesson) return say(all_of(loaded.problems), true);
+  if (!loaded.lesson) {
+    say(all_of(loaded.problems), true);
+    return std::nullopt;
+  }
   Lesson lesson = std::move(*loaded.lesson);
   lesson.id = plain.id;
-  lesson.title = cases.front().name;
+  lesson.title = name;
   lesson.prose = "Shapes of a case. The distance is {distance}.";
   lesson.source.clear();
   lesson.x = plain.x;
@@ -183,12 +207,19 @@ void App::open_case_text(std::string_view text, const std::string& name) {
     for (LessonView& view : lesson.views) view.effects.clear();
   }
   lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to
-  if (!session_.open(std::move(lesson), {}))
-    return say(fmt::format("{}: {}", name, session_.problem()), true);
+  return lesson;
+}
+
+bool App::open_unnamed(Lesson lesson, const std::string& name) {
+  if (!session_.open(std::move(lesson), {})) {
+    say(fmt::format("{}: {}", name, session_.problem()), true);
+    return false;
+  }
   selected_ = {};
   playing_ = false;
   kept_version_ = session_.version();
-  say(cases.size() > 1 ? fmt::format("the first of {} cases", cases.size()) : "");
+  back_.reset();
+  return true;
 }
 
 void App::file_changed(const fs::path& path) {
@@ -213,7 +244,7 @@ void App::save_to(const fs::path& file) {
       write_whole(file, case_json(case_of(run), session_.lesson().id));
       return say(fmt::format("saved the case {}", file.string()));
     }
-    Lesson lesson = session_.lesson_as_seen();
+    Lesson lesson = with_absolute_results(session_.lesson_as_seen());
     lesson.expect = outcome_of(session_.run());
     const std::string commented = keep_commented(file);
     write_whole(file, lesson_toml(lesson));
@@ -296,7 +327,7 @@ void App::autosave() {
   if (!session_.is_unsaved()) return forget_autosave();
   try {
     const std::string text = fmt::format("{}{}\n{}", kKeptFrom, session_.file().string(),
-                                         lesson_toml(session_.lesson()));
+                                         lesson_toml(with_absolute_results(session_.lesson())));
     // Bytes: not pushed to the disk, which would hold up a drag; a killed process loses none.
     write_whole(paths_.state / kept_name(::getpid()),
                 std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
@@ -548,6 +579,15 @@ void App::make_commands() {
   add("View", "Values", {"V"}, [toggle] { toggle(Drawer::values); });
   add("View", "Numerics", {"N"}, [toggle] { toggle(Drawer::numerics); });
   add("View", "Effects", {"E"}, [toggle] { toggle(Drawer::effects); });
+  add("View", "Study", {"A"}, [toggle] { toggle(Drawer::study); });
+  add("View", "Worst run of the configuration", {"Enter"}, [&] {
+    const auto& study = session_.lesson().study;
+    const auto shown = static_cast<std::size_t>(session_.frame().detail);
+    if (!study || session_.frame().detail < 0 || shown >= study->configurations.size())
+      return say("this frame shows no configuration of a study");
+    open_worst_run(study->dot(study->configurations[shown]));
+  });
+  add("View", "Back to the study", {"B"}, [&] { go_back(); });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
       [&] { ui_scale_ = std::min(ui_scale_ + 0.125, 3.0); });

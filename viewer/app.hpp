@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "edit.hpp"
+#include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
 #include "session.hpp"
 
@@ -97,7 +98,7 @@ class App {
     std::vector<std::string> keys;
     std::function<void()> run;
   };
-  enum class Drawer { none, shapes, values, numerics, effects, predict };
+  enum class Drawer { none, shapes, values, numerics, effects, predict, study };
   enum class Dialog { none, open, save, export_frames, help, palette, save_answers };
 
   [[nodiscard]] bool is_dark() const;
@@ -125,6 +126,9 @@ class App {
   const PositionedRun& run_beside();
   void draw_effects();
   void draw_predict();
+  void draw_study();
+  /// What a dot of the study's plot says, beside the pointer.
+  void draw_dot_tooltip() const;
   void draw_dialogs();
   void draw_open_dialog(bool entered);
   void draw_palette(bool entered);
@@ -143,6 +147,18 @@ class App {
   void say(std::string message, bool is_error = false);
   void open_lesson(const std::filesystem::path& file);
   void open_case_text(std::string_view text, const std::string& name);
+  /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
+  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
+  /// Shows a lesson that has no file; `name` is for messages. False when it cannot be shown.
+  bool open_unnamed(Lesson lesson, const std::string& name);
+  /// Results of a study, in the lesson that shows them.
+  void open_results(std::string_view json, const std::filesystem::path& file);
+  /// The pair that a configuration answers worst, stepped as it computes.
+  void open_worst_run(const StudyDot& dot);
+  /// From a worst run back to the study.
+  void go_back();
+  /// The dots that the lesson's plot shows, by their index; empty without a study.
+  [[nodiscard]] std::vector<StudyDot> dots() const;
   void save_answers_to(const std::filesystem::path& file);
   void export_to(const std::filesystem::path& folder, bool all);
   void step(int by);
@@ -176,6 +192,7 @@ class App {
   double window_height_ = 0.0;
 
   Subject hovered_;
+  Subject pointed_in_panel_;  ///< By the pointer on a line of a drawer.
   Subject selected_;
   struct Drag {
     Subject subject;
@@ -221,6 +238,14 @@ class App {
   Beside beside_;
   std::optional<PositionedRun> beside_run_;
   std::vector<std::string> recent_;
+  /// Where a worst run was opened from.
+  struct Visit {
+    Lesson lesson;
+    std::filesystem::path file;
+    bool unsaved = false;
+    int index = 0;
+  };
+  std::optional<Visit> back_;
 };
 
 }  // namespace gjkscope

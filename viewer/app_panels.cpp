@@ -270,6 +270,9 @@ void App::draw_drawer() {
     case Drawer::predict:
       draw_predict();
       break;
+    case Drawer::study:
+      draw_study();
+      break;
     case Drawer::none:
       break;
   }

@@ -128,6 +128,7 @@ std::optional<Point> App::rotation_handle_at(edit::Which which) const {
 }
 
 void App::draw(const AtlasFonts& fonts) {
+  pointed_in_panel_ = {};
   draw_picture(fonts);
   if (!presenting_) {
     draw_toolbar();
@@ -137,6 +138,7 @@ void App::draw(const AtlasFonts& fonts) {
   draw_dialogs();
   draw_message();
   point_at_picture();
+  draw_dot_tooltip();
 }
 
 void App::draw_picture(const AtlasFonts& fonts) {
@@ -239,9 +241,10 @@ void App::point_at_picture() {
     }
     return;
   }
-  hovered_ = ours ? subject_at(session_.picture(), fonts_, on_page, kSlack) : Subject{};
+  hovered_ = ours ? subject_at(session_.picture(), fonts_, on_page, kSlack) : pointed_in_panel_;
   if (!ours) return;
-  if (is_vertex(hovered_) || is_shape(hovered_)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const std::optional<std::size_t> stage = stage_at(on_page);
   if (stage && io.MouseWheel != 0.0f) zoom(*stage, on_page, std::pow(1.15, -io.MouseWheel));
   if (!io.MouseClicked[0]) return;
@@ -282,6 +285,8 @@ void App::press_on(const Subject& subject, const Point& on_page) {
     drag_ = Drag{subject, 0, on_page, Vector2d::Zero()};
     return;
   }
+  if (subject.kind == Kind::study_dot)
+    return open_worst_run(dots()[static_cast<std::size_t>(subject.x)]);
   if (subject.kind == Kind::phase) {
     playing_ = false;
     if (!session_.go_to_next(static_cast<gjk::Phase>(subject.x))) say("this run has no such step");

@@ -108,6 +108,7 @@ class Player {
     if (std::sscanf(text.c_str(), "z:%d,%d", &out.x, &out.y) == 2)
       return {Kind::difference_vertex, out.x, out.y};
     if (std::sscanf(text.c_str(), "frame:%d", &out.x) == 1) return {Kind::frame, out.x};
+    if (std::sscanf(text.c_str(), "dot:%d", &out.x) == 1) return {Kind::study_dot, out.x};
     if (text.starts_with("phase:")) {
       if (const auto phase = value_of<gjk::Phase>(text.substr(6)))
         return {Kind::phase, static_cast<int>(*phase)};

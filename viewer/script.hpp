@@ -17,7 +17,8 @@
 //
 // A PLACE is two pixels "640 360", or the middle of a mark: "x:0" and "y:2" are vertices, "z:0,2"
 // one of the difference, "shape-x", "shape-y", "difference", "frame:7" of the timeline,
-// "phase:support" of the pseudocode; each may be followed by an offset in pixels, "y:2+30,-10".
+// "phase:support" of the pseudocode, "dot:3" of a study's plot; each may be followed by an offset
+// in pixels, "y:2+30,-10".
 
 #include <string_view>
 

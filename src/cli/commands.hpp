@@ -66,8 +66,9 @@ int explain_command(const Environment& env, const std::string& name, bool json);
 struct StudyOptions {
   bool quick = false;
   std::uint64_t seed = 1;
-  std::filesystem::path out_dir;  ///< Empty: nothing but the table is wanted.
-  std::filesystem::path advice;   ///< Empty: none is wanted.
+  std::filesystem::path out_dir;      ///< Empty: nothing but the table is wanted.
+  std::filesystem::path advice;       ///< Empty: none is wanted.
+  std::vector<std::string> families;  ///< Empty: all.
 };
 
 /// Measures error against time and prints a table; in `out_dir` accuracy.csv, .json and .html, and

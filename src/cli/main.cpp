@@ -155,6 +155,11 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->add_option("--out", args.study.out_dir,
                    "Folder for accuracy.csv, .json and .html, and for figures")
       ->type_name("DIR");
+  accuracy
+      ->add_option("--family", args.study.families,
+                   "Family of pairs to ask about, again for more; all without")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   accuracy->add_option("--seed", args.study.seed, "Seed of the pairs")->capture_default_str();
   accuracy
       ->add_option("--advice", args.study.advice,
@@ -165,7 +170,8 @@ void add_commands(CLI::App& app, Arguments& args) {
       "them in turns. Everything but the times depends on the seed alone. It takes up to three\n"
       "minutes; interrupted (Ctrl-C), it writes and prints what it has, says so, and ends with "
       "130.\n\n"
-      "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n");
+      "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n"
+      "  gjkscope study accuracy --family needles --family \"nearly parallel\"\n");
 
   const auto of_lessons = [&](const std::string& name, const std::string& what) {
     CLI::App* command = study->add_subcommand(name, what);

@@ -151,6 +151,7 @@ int study_accuracy_command(const Environment& env, const StudyOptions& options) 
   study::Plan plan = study::plan(options.quick);
   plan.seed = options.seed;
   plan.reported = reported_cases(env);
+  plan.families = options.families;
   const SignalWatch watch;
   const study::Study found = [&] {
     Progress progress(env.err);
@@ -188,7 +189,7 @@ namespace {
 /// Measures lessons one by one, and writes and prints what there is: a table, and a file of the
 /// same in `options.out_dir`.
 template <class Row>
-struct LessonStudy {
+struct PerLesson {
   std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
   std::function<std::string(const std::vector<Row>&)> table;
   std::function<std::string(const std::vector<Row>&)> csv;
@@ -230,7 +231,7 @@ int study_effects_command(const Environment& env, LessonChoice choice,
                           const StudyOptions& options) {
   const Fonts fonts(env.share / "assets" / "fonts.toml");
   const double seconds = options.quick ? 0.0 : 1.5;  // of timing a lesson, about
-  const LessonStudy<EffectCost> study = {
+  const PerLesson<EffectCost> study = {
       [&](const Lesson& lesson, const std::function<bool()>& go_on) {
         return effects_cost(run_lesson(lesson), fonts, seconds, go_on);
       },
@@ -241,7 +242,7 @@ int study_effects_command(const Environment& env, LessonChoice choice,
 int study_time_steps_command(const Environment& env, LessonChoice choice,
                              const StudyOptions& options) {
   const int repetitions = options.quick ? 3 : 15;
-  const LessonStudy<TimeStepCost> study = {
+  const PerLesson<TimeStepCost> study = {
       [&](const Lesson& lesson, const std::function<bool()>& go_on) {
         return time_step_costs(lesson, repetitions, go_on);
       },
@@ -254,7 +255,7 @@ int study_pictures_command(const Environment& env, LessonChoice choice,
   const Fonts fonts(env.share / "assets" / "fonts.toml");
   SamplingStudy sampling(fonts, Theme::load(env.share / "assets" / "themes", "light"));
   const int repetitions = options.quick ? 3 : 9;
-  const LessonStudy<SamplingCost> study = {
+  const PerLesson<SamplingCost> study = {
       [&](const Lesson& lesson, const std::function<bool()>& go_on) {
         return sampling.costs(lesson, repetitions, go_on);
       },

@@ -16,6 +16,7 @@
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
+#include "effects/worst_pair.hpp"
 
 namespace gjkscope {
 namespace {
@@ -49,6 +50,7 @@ const std::vector<EffectInfo>& registered_effects() {
       info<Slab>("view", "the widest strip proved empty between X and Y"),
       info<ColdStart>("panel", "the same run without the warm start"),
       info<Growth>("panel", "runs on random polygons, with more and more vertices"),
+      info<WorstPair>("panel", "the pair that a configuration of a study answers worst"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
       info<SecondRun>("view", "the same query in another scalar: its closest point and search"),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gjk/gjk.hpp"
+#include "lesson/study_results.hpp"
 
 namespace gjkscope {
 
@@ -51,7 +52,8 @@ enum class Granularity {
   time,
   maps,
   orders,
-  growth
+  growth,
+  study
 };
 
 /// What the frames of granularity `maps` show, one after the other.
@@ -72,10 +74,12 @@ inline constexpr int kMapStages = 8;
 enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
 inline constexpr int kOrderStages = 4;
 
-enum class ViewKind { world, difference, growth };
+enum class ViewKind { world, difference, growth, study };
 
 /// These views have a camera, and take effects; plots have neither.
-[[nodiscard]] constexpr bool shows_shapes(ViewKind kind) { return kind != ViewKind::growth; }
+[[nodiscard]] constexpr bool shows_shapes(ViewKind kind) {
+  return kind == ViewKind::world || kind == ViewKind::difference;
+}
 
 /// What a view shows: the rectangle around `center` that is `height` world units high (wider or
 /// narrower with the stage). Without a camera the view fits what it draws.
@@ -158,6 +162,22 @@ struct LessonGrowth {
   friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 
+/// Results of the study of accuracy, of which frames show some, one after the other.
+struct LessonStudy {
+  std::string results;                      ///< The file, as seen from the lesson's folder.
+  std::string family;                       ///< The family of pairs that is shown.
+  std::vector<std::string> configurations;  ///< Those with a frame; each is one of the family's.
+  std::vector<StudyDot> dots;               ///< Of all families in the file.
+
+  /// The dot of a configuration of the family.
+  [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {
+    return *std::find_if(dots.begin(), dots.end(), [&](const StudyDot& each) {
+      return each.family == family && each.configuration == configuration;
+    });
+  }
+  friend bool operator==(const LessonStudy&, const LessonStudy&) = default;
+};
+
 /// What a frame can ask before a step answers it: which support point comes next, which region
 /// holds the query point, which vertices are dropped, and whether the run stops.
 enum class Ask { support, region, dropped, stop };
@@ -201,6 +221,7 @@ struct Lesson {
   std::optional<LessonPath> path_of_shapes;
   std::optional<LessonTime> time;      ///< Set with granularity `time`, and only then.
   std::optional<LessonGrowth> growth;  ///< Set with granularity `growth`, and only then.
+  std::optional<LessonStudy> study;    ///< Set with granularity `study`, and only then.
 
   std::vector<LessonView> views;
   std::vector<PanelBlock> panel;

@@ -25,6 +25,26 @@ using detail::Problems;
 using detail::Reader;
 using detail::Table;
 
+struct FileText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+
+FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
+  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {std::nullopt, "the file cannot be opened"};
+  // One byte more than allowed tells that there is more, however large the file.
+  std::string text(most_bytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) return {std::nullopt, "the file cannot be read"};
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return {std::move(text), {}};
+}
+
 bool has_vertex(const LessonShape& shape, const std::string& name) {
   const auto& names = shape.vertex_names;
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -41,13 +61,19 @@ struct OtherTables {
   bool path = false;
   bool time = false;
   bool growth = false;
+  bool study = false;
 };
 
 /// Reads the tables of one file, in an order in which each finds what it refers to.
 class LessonReader {
  public:
-  LessonReader(Problems& problems, const std::vector<std::string>& known_effects)
-      : problems_(problems), reader_(problems), known_effects_(known_effects) {}
+  /// `folder`: from which the file sees others.
+  LessonReader(Problems& problems, const std::vector<std::string>& known_effects,
+               std::filesystem::path folder)
+      : problems_(problems),
+        reader_(problems),
+        known_effects_(known_effects),
+        folder_(std::move(folder)) {}
 
   Lesson read(const toml::table& root);
 
@@ -64,10 +90,10 @@ class LessonReader {
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
   void read_time(const Table& time);
   void read_growth(const Table& growth);
+  void read_study(const Table& study);
   void read_steps(const Table& steps, const OtherTables& has);
   void check_start(const Field& granularity);
-  void check_needs_time(const Field& field, std::string_view what);
-  void check_needs_growth(const Field& field, std::string_view what);
+  void check_needs(Granularity granularity, const Field& field, std::string_view what);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
@@ -80,6 +106,7 @@ class LessonReader {
   Problems& problems_;
   Reader reader_;
   const std::vector<std::string>& known_effects_;
+  std::filesystem::path folder_;
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
@@ -115,17 +142,19 @@ Lesson LessonReader::read(const toml::table& root) {
   if (const auto time = reader_.table(time_field, "time")) read_time(*time);
   const Field growth_field = file["growth"];
   if (const auto growth = reader_.table(growth_field, "growth")) read_growth(*growth);
+  const Field study_field = file["study"];
+  if (const auto study = reader_.table(study_field, "study")) read_study(*study);
   if (const auto steps = reader_.table(file["steps"], "steps")) {
     read_steps(*steps, {static_cast<bool>(path_field), static_cast<bool>(time_field),
-                        static_cast<bool>(growth_field)});
+                        static_cast<bool>(growth_field), static_cast<bool>(study_field)});
   }
-  if (time_field && lesson_.granularity != Granularity::time) {
-    problems_.add(time_field.place(), "a table [time] without granularity 'time'",
-                  "granularity = \"time\" in [steps]");
-  }
-  if (growth_field && lesson_.granularity != Granularity::growth) {
-    problems_.add(growth_field.place(), "a table [growth] without granularity 'growth'",
-                  "granularity = \"growth\" in [steps]");
+  for (const auto& [field, granularity] : {std::pair(time_field, Granularity::time),
+                                           {growth_field, Granularity::growth},
+                                           {study_field, Granularity::study}}) {
+    if (!field || lesson_.granularity == granularity) continue;
+    const std::string_view name = name_of(granularity);
+    problems_.add(field.place(), fmt::format("a table [{0}] without granularity '{0}'", name),
+                  fmt::format("granularity = \"{}\" in [steps]", name));
   }
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -461,6 +490,49 @@ void LessonReader::read_growth(const Table& growth) {
   lesson_.growth = std::move(read);
 }
 
+void LessonReader::read_study(const Table& study) {
+  using namespace limits;
+  LessonStudy read;
+  const Field results = study["results"];
+  const Field family = study["family"];
+  const Field configurations = study["configurations"];
+  read.results = reader_.text(results, kPathLength).value_or("");
+  if (!read.results.empty()) {
+    const std::filesystem::path file = folder_ / read.results;
+    const FileText text = read_file(file, kResultsBytes);
+    if (!text.text) {
+      problems_.add(results.place(), fmt::format("{}: {}", file.string(), text.problem),
+                    "accuracy.json of `gjkscope study accuracy --out`");
+    } else {
+      try {
+        read.dots = parse_study_results(*text.text);
+      } catch (const std::runtime_error& error) {
+        problems_.add(results.place(), fmt::format("{}: {}", file.string(), error.what()));
+      }
+    }
+  }
+  if (read.dots.empty()) return;
+  read.family = reader_.name(family, "family", families_in(read.dots)).value_or("");
+  std::vector<std::string> known;
+  for (const StudyDot& dot : of_family(read.dots, read.family)) known.push_back(dot.configuration);
+  const std::vector<Field> entries = reader_.entries(configurations, "name of a configuration");
+  if (configurations && configurations.node->is_array() &&
+      (entries.empty() || entries.size() > kStudied)) {
+    problems_.add(configurations, fmt::format("'configurations' has {} entries", entries.size()));
+  }
+  for (const Field& entry : entries) {
+    if (read.family.empty()) break;
+    const std::optional<std::string> name = reader_.name(entry, "configuration", known);
+    if (!name) continue;
+    if (std::count(read.configurations.begin(), read.configurations.end(), *name) > 0) {
+      problems_.add(entry.place(), fmt::format("configuration '{}' is named twice", *name),
+                    "each configuration once");
+    }
+    read.configurations.push_back(*name);
+  }
+  lesson_.study = std::move(read);
+}
+
 /// Maps and orders of tests belong to a triangle, a beam to a segment: to the first simplex of a
 /// point query.
 void LessonReader::check_start(const Field& granularity) {
@@ -476,16 +548,11 @@ void LessonReader::check_start(const Field& granularity) {
                 fmt::format("a point query whose 'start' names {} vertices", wanted));
 }
 
-void LessonReader::check_needs_time(const Field& field, std::string_view what) {
-  if (lesson_.granularity == Granularity::time) return;
-  problems_.add(field.place(), fmt::format("{} without time", what),
-                "granularity = \"time\" in [steps], and a table [time]");
-}
-
-void LessonReader::check_needs_growth(const Field& field, std::string_view what) {
-  if (lesson_.granularity == Granularity::growth) return;
-  problems_.add(field.place(), fmt::format("{} without polygons that grow", what),
-                "granularity = \"growth\" in [steps], and a table [growth]");
+void LessonReader::check_needs(Granularity granularity, const Field& field, std::string_view what) {
+  if (lesson_.granularity == granularity) return;
+  const std::string_view name = name_of(granularity);
+  problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, name),
+                fmt::format("granularity = \"{0}\" in [steps], and a table [{0}]", name));
 }
 
 void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
@@ -503,16 +570,20 @@ void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
                     fmt::format("at most {} vertices in each shape", limits::kPairVertices));
     }
   }
-  if (chosen == Granularity::time && !has.time) {
-    problems_.add(granularity.place(), "granularity 'time' without its table", "a table [time]");
+  const bool lacks_table = (chosen == Granularity::time && !has.time) ||
+                           (chosen == Granularity::growth && !has.growth) ||
+                           (chosen == Granularity::study && !has.study);
+  if (lacks_table) {
+    const std::string_view name = name_of(*chosen);
+    problems_.add(granularity.place(), fmt::format("granularity '{}' without its table", name),
+                  fmt::format("a table [{}]", name));
   } else {
     check_start(granularity);
   }
-  if (chosen == Granularity::growth && !has.growth) {
-    problems_.add(granularity.place(), "granularity 'growth' without its table",
-                  "a table [growth]");
-  } else if (chosen == Granularity::growth && has.path) {
-    problems_.add(granularity.place(), "granularity 'growth' with a path", "no table [path]");
+  const bool is_measured = chosen == Granularity::growth || chosen == Granularity::study;
+  if (is_measured && !lacks_table && has.path) {
+    problems_.add(granularity.place(),
+                  fmt::format("granularity '{}' with a path", name_of(*chosen)), "no table [path]");
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
@@ -533,8 +604,7 @@ void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
     problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
                   "no 'until': frames go through the first region tests");
   }
-  if (until && (chosen == Granularity::witness || chosen == Granularity::answer ||
-                chosen == Granularity::growth)) {
+  if (until && (chosen == Granularity::witness || chosen == Granularity::answer || is_measured)) {
     problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
                   "no 'until': frames show how the run ends");
   }
@@ -570,7 +640,7 @@ void LessonReader::read_views(const Field& views) {
                       "each effect once");
         continue;
       }
-      if (*name == "balance") check_needs_time(effect, "effect 'balance'");
+      if (*name == "balance") check_needs(Granularity::time, effect, "effect 'balance'");
       if (*name == kSecondRun && !beside_) {
         problems_.add(effect.place(), "effect 'second-run' without a scalar for it",
                       "'beside' in [query]");
@@ -579,10 +649,12 @@ void LessonReader::read_views(const Field& views) {
       view.effects.push_back(*name);
     }
     if (!shows_shapes(view.kind)) {
-      check_needs_growth((*table)["show"], "view 'growth'");
+      check_needs(view.kind == ViewKind::growth ? Granularity::growth : Granularity::study,
+                  (*table)["show"], fmt::format("view '{}'", name_of(view.kind)));
       for (const char* key : {"camera", "effects"}) {
         if (const Field field = (*table)[key]) {
-          problems_.add(field.place(), field.label + " in a view of growth",
+          problems_.add(field.place(),
+                        fmt::format("{} in a view of {}", field.label, name_of(view.kind)),
                         "a view of the world or of the difference");
         }
       }
@@ -606,12 +678,15 @@ void LessonReader::read_panel(const Table& panel) {
                     "each block once");
       continue;
     }
-    if (*block == PanelBlock::balance) check_needs_time(entry, "block 'balance'");
+    for (const auto& [needs, granularity] : {std::pair(PanelBlock::balance, Granularity::time),
+                                             {PanelBlock::growth, Granularity::growth}}) {
+      if (*block == needs)
+        check_needs(granularity, entry, fmt::format("block '{}'", name_of(*block)));
+    }
     if (*block == PanelBlock::orders && lesson_.granularity != Granularity::orders) {
       problems_.add(entry.place(), "block 'orders' without its frames",
                     "granularity = \"orders\" in [steps]");
     }
-    if (*block == PanelBlock::growth) check_needs_growth(entry, "block 'growth'");
     if (*block == PanelBlock::two_runs && !beside_) {
       problems_.add(entry.place(), "block 'two-runs' without a second run", "'beside' in [query]");
     }
@@ -691,26 +766,6 @@ void LessonReader::read_expect(const Table& expect) {
   }
 }
 
-struct FileText {
-  std::optional<std::string> text;
-  std::string problem;
-};
-
-FileText read_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
-  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return {std::nullopt, "the file cannot be opened"};
-  // One byte more than allowed tells that there is more, however large the file.
-  std::string text(limits::kFileBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) return {std::nullopt, "the file cannot be read"};
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return {std::move(text), {}};
-}
-
 /// At most one character behind the end of a line: the parser has the end of the file behind its
 /// last line break.
 Place within(std::string_view text, Place place) {
@@ -750,7 +805,7 @@ LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& na
   Problems problems(name.string());
   const std::optional<toml::table> file = parse_toml(text, problems);
   if (!file) return {std::nullopt, problems.sorted()};
-  Lesson lesson = LessonReader(problems, known_effects).read(*file);
+  Lesson lesson = LessonReader(problems, known_effects, name.parent_path()).read(*file);
   if (!problems.empty()) return {std::nullopt, problems.sorted()};
   lesson.id = name.stem().string();
   lesson.path = name.string();
@@ -759,7 +814,7 @@ LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& na
 
 LoadedLesson load_lesson(const std::filesystem::path& file,
                          const std::vector<std::string>& known_effects) {
-  const FileText read = read_file(file);
+  const FileText read = read_file(file, limits::kFileBytes);
   if (read.text) return parse_lesson(*read.text, file, known_effects);
   Problems problems(file.string());
   problems.add({}, read.problem, "a lesson file");
@@ -767,7 +822,7 @@ LoadedLesson load_lesson(const std::filesystem::path& file,
 }
 
 Place place_of(const std::filesystem::path& file, std::string_view dotted_key) {
-  const FileText read = read_file(file);
+  const FileText read = read_file(file, limits::kFileBytes);
   Problems problems(file.string());
   const std::optional<toml::table> root = parse_toml(read.text.value_or(""), problems);
   if (!root) return {};

@@ -26,7 +26,7 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 12> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Granularity>, 13> kTable = {
       {{"iteration", Granularity::iteration},
        {"phase", Granularity::phase},
        {"test", Granularity::test},
@@ -38,14 +38,16 @@ struct Named<Granularity> {
        {"time", Granularity::time},
        {"maps", Granularity::maps},
        {"orders", Granularity::orders},
-       {"growth", Granularity::growth}}};
+       {"growth", Granularity::growth},
+       {"study", Granularity::study}}};
 };
 template <>
 struct Named<ViewKind> {
-  static constexpr std::array<std::pair<std::string_view, ViewKind>, 3> kTable = {
+  static constexpr std::array<std::pair<std::string_view, ViewKind>, 4> kTable = {
       {{"world", ViewKind::world},
        {"difference", ViewKind::difference},
-       {"growth", ViewKind::growth}}};
+       {"growth", ViewKind::growth},
+       {"study", ViewKind::study}}};
 };
 template <>
 struct Named<PanelBlock> {

@@ -245,6 +245,13 @@ void add_frames(LessonRun& run, int index) {
     case Granularity::answer:
       run.frames.push_back({index, last, -1});
       return;
+    case Granularity::study: {
+      run.frames.push_back({index, -1, -1});
+      run.frames.push_back({index, last, -1});
+      const int shown = static_cast<int>(lesson.study->configurations.size());
+      for (int i = 0; i <= shown; ++i) run.frames.push_back({index, last, i});
+      return;
+    }
     case Granularity::growth: {
       run.frames.push_back({index, -1, -1});
       if (last < 0) return;

@@ -237,6 +237,13 @@ void write_growth(TomlText& out, const LessonGrowth& growth) {
   out.number("tolerance", growth.tolerance, defaults.tolerance);
 }
 
+void write_study(TomlText& out, const LessonStudy& study) {
+  out.table("[study]");
+  out.text("results", study.results, "");
+  out.text("family", study.family, "");
+  out.list("configurations", as_texts(study.configurations));
+}
+
 void write_view(TomlText& out, const LessonView& view) {
   out.table("[[views]]");
   out.key("show", as_text(name_of(view.kind)));
@@ -275,6 +282,7 @@ std::string lesson_toml(const Lesson& lesson) {
     out.key("frames", std::to_string(lesson.time->frames));
   }
   if (lesson.growth) write_growth(out, *lesson.growth);
+  if (lesson.study) write_study(out, *lesson.study);
   for (const LessonView& view : lesson.views) write_view(out, view);
   out.table("[panel]");
   if (!lesson.panel.empty()) out.list("blocks", names_as_texts(lesson.panel));

@@ -37,6 +37,7 @@ std::vector<LessonKey> make_keys() {
        "positions of the shapes, one run each"},
       {"", "time", "table [time]", "no time", "the moments that frames show"},
       {"", "growth", "table [growth]", "none", "random polygons that runs are measured with"},
+      {"", "study", "table [study]", "none", "results of `gjkscope study accuracy`"},
       {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
       {"", "questions", "tables [[questions]]", "none", "what frames ask before they tell it"},
@@ -119,8 +120,16 @@ std::vector<LessonKey> make_keys() {
       {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
        "the iterations until lower >= (1 - tolerance) * upper are counted, too"},
 
+      {"study", "results", text_up_to(kPathLength), required,
+       "accuracy.json of a study, as seen from the folder of the lesson"},
+      {"study", "family", text_up_to(kNameLength), required,
+       "family of pairs that is shown, one of the file's"},
+      {"study", "configurations", fmt::format("list of 1 to {} names of configurations", kStudied),
+       required, "those that get a frame each, in this order"},
+
       {"views", "show", one_of<ViewKind>(), required,
-       "the two shapes, Y - X, or iterations and support calls as the polygons of [growth] grow"},
+       "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
+       "error against time from [study]"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
       {"views", "camera", "table { center = [x, y], height = h }", "fits what is drawn",
        "the part of the world that is seen"},

@@ -110,7 +110,14 @@ std::string position_of(const LessonRun& run, int index) {
                        grouped(run.lesson.growth->vertices[static_cast<std::size_t>(frame.detail)]),
                        index + 1, count);
   }
-  if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
+  if (granularity == Granularity::study && frame.detail >= 0) {
+    const std::vector<std::string>& shown = run.lesson.study->configurations;
+    const auto detail = static_cast<std::size_t>(frame.detail);
+    return fmt::format("{} · {} of {}", detail < shown.size() ? shown[detail] : "Pareto front",
+                       index + 1, count);
+  }
+  if (grows || granularity == Granularity::study || granularity == Granularity::phase ||
+      granularity == Granularity::iteration) {
     if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
     return fmt::format("iteration {} of {} · {}", step.iteration,
@@ -144,6 +151,8 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   if (view.kind == ViewKind::world)
     return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
   if (view.kind == ViewKind::growth) return "Iterations as polygons grow";
+  if (view.kind == ViewKind::study)
+    return fmt::format("Error against time: {}", run.lesson.study->family);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
 }
 

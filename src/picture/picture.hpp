@@ -70,7 +70,8 @@ struct Subject {
     difference,         ///< Z as a whole.
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
-    phase               ///< `x` is the gjk::Phase.
+    phase,              ///< `x` is the gjk::Phase.
+    study_dot           ///< `x` is its index in its family.
   };
   Kind kind = Kind::none;
   int x = -1;

@@ -21,10 +21,11 @@ constexpr double kTickRoom = 26.0;  // between numbers of the y axis
 constexpr double kSymbol = 4.0;     // half of a symbol's size
 constexpr double kHollow = 6.0;     // of one that goes around another
 constexpr double kCurrentWidth = 16.0;
+constexpr double kCurrentRadius = 11.0;
 constexpr double kNameIndent = 14.0;  // symbol before the name of its series
 
-constexpr std::array<std::string_view, 4> kRoles = {"plot.first", "plot.second", "plot.third",
-                                                    "plot.fourth"};
+constexpr std::array<std::string_view, 5> kRoles = {"plot.first", "plot.second", "plot.third",
+                                                    "plot.fourth", "plot.limit"};
 
 std::string role_of(PlotStyle style, std::string_view part = "") {
   return std::string(kRoles[static_cast<std::size_t>(style)]) + std::string(part);
@@ -37,6 +38,7 @@ decltype(Mark::shape) symbol(PlotStyle style, const Point& at) {
     return polygon;
   };
   switch (style) {
+    case PlotStyle::limit:
     case PlotStyle::first:
       return Disk{at, kSymbol};
     case PlotStyle::second:
@@ -59,15 +61,6 @@ double part(const PlotAxis& axis, double value) {
                            ? std::log(value / axis.low) / std::log(axis.high / axis.low)
                            : (value - axis.low) / (axis.high - axis.low);
   return std::clamp(along, 0.0, 1.0);
-}
-
-std::string raised(int exponent) {
-  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    out += kDigits[static_cast<std::size_t>(digit - '0')];
-  return out;
 }
 
 /// factor * 10^exponent: written out, or as a power.
@@ -194,6 +187,10 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     add("plot.current",
         strip(at(*plot.current, plot.y.low) - half, at(*plot.current, plot.y.high) + half));
   }
+  if (plot.current_point) {
+    const Point point = at(plot.current_point->x(), plot.current_point->y());
+    obstacles.circles.push_back({point, kCurrentRadius});
+  }
   for (const PlotTick& tick : y_ticks) {
     const Point left = at(plot.x.low, tick.value);
     add("chart.grid", Polyline{{left, at(plot.x.high, tick.value)}});
@@ -216,15 +213,17 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   std::vector<Mark> symbols;
   for (auto series = plot.series.rbegin(); series != plot.series.rend(); ++series) {
     Polyline line;
-    for (const Eigen::Vector2d& value : series->points) {
-      const Point point = at(value.x(), value.y());
+    for (std::size_t i = 0; i < series->points.size(); ++i) {
+      const Point point = at(series->points[i].x(), series->points[i].y());
       if (series->join != PlotJoin::none) {
         const bool has_corner = series->join == PlotJoin::stairs && !line.points.empty();
         if (has_corner) line.points.emplace_back(point.x(), line.points.back().y());
         line.points.push_back(point);
       }
+      if (!series->has_symbols) continue;
       obstacles.circles.push_back({point, kHollow});
-      symbols.push_back({role_of(series->style), symbol(series->style, point)});
+      const Subject subject = series->subjects.empty() ? Subject{} : series->subjects[i];
+      symbols.push_back({role_of(series->style), symbol(series->style, point), -1, subject});
     }
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       obstacles.segments.push_back({line.points[i - 1], line.points[i]});
@@ -232,6 +231,9 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     if (!line.points.empty()) add(role_of(series->style, ".line"), std::move(line));
   }
   for (Mark& mark : symbols) marks.push_back(std::move(mark));
+  if (plot.current_point) {
+    add("plot.ring", Disk{at(plot.current_point->x(), plot.current_point->y()), kCurrentRadius});
+  }
 
   placer.begin_frame(std::move(obstacles));
   for (std::size_t i = 0; i < plot.notes.size(); ++i) {
@@ -259,6 +261,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     const double full = fonts.width(text.style, text.text);
     const Point start(text.at.x() + 0.5 * full - width, text.at.y());
     write(placed.role, start, series.name, text.style, Align::left);
+    if (!series.has_symbols) continue;
     add(role_of(series.style),
         symbol(series.style,
                start - Point(0.75 * kNameIndent, 0.5 * fonts.cap_height(text.style))));

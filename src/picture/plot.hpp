@@ -29,8 +29,8 @@ struct PlotTick {
 
 /// How the points of a series look: each has its role in themes ("plot.first", its symbols;
 /// "plot.first.line", whose dash is its own; "plot.first.label") and its symbol: a disk, a hollow
-/// square around it, a diamond, a hollow triangle.
-enum class PlotStyle { first, second, third, fourth };
+/// square around it, a diamond, a hollow triangle. `limit` is for a line around the others.
+enum class PlotStyle { first, second, third, fourth, limit };
 
 /// What joins the points of a series, in the order given: nothing, lines, or the stairs that go
 /// along the x axis first (what can be had for so much and no more).
@@ -43,6 +43,8 @@ struct PlotSeries {
   std::vector<Eigen::Vector2d> points;
   bool name_below = false;  ///< Rather below its points than above.
   PlotJoin join = PlotJoin::lines;
+  bool has_symbols = true;             ///< Points are to be seen, and not their line alone.
+  std::vector<Subject> subjects = {};  ///< What the points stand for; empty, or one each.
 };
 
 /// A word beside a point, in the colour of a series' name.
@@ -66,6 +68,7 @@ struct Plot {
   std::vector<PlotSeries> series;
   std::vector<PlotNote> notes;
   std::optional<double> current;  ///< The value on the x axis that the frame is about.
+  std::optional<Eigen::Vector2d> current_point;  ///< Or the point.
 };
 
 /// The plot with its axes, their numbers and titles inside of `area`. Names keep off lines and

@@ -94,6 +94,11 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       } else {
         group("outcome").ticks.push_back({"all n", "", true});
       }
+    } else if (granularity == Granularity::study && frame.detail >= 0) {
+      const bool is_last =
+          frame.detail == static_cast<int>(run.lesson.study->configurations.size());
+      group(is_last ? "outcome" : "configurations")
+          .ticks.push_back({is_last ? "front" : std::to_string(frame.detail + 1), "", is_last});
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
         group("start").ticks.push_back({});

@@ -43,6 +43,15 @@ std::string signed_fixed(double value, int decimals) {
   return positive ? "+" + digits : digits;
 }
 
+std::string raised(int exponent) {
+  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    out += kDigits[static_cast<std::size_t>(digit - '0')];
+  return out;
+}
+
 std::string grouped(double value) {
   std::string digits = fixed(value, 0);
   const std::size_t begin = digits.find_first_of("0123456789");

@@ -12,6 +12,9 @@ namespace gjkscope {
 /// The same, positive numbers with a plus sign.
 [[nodiscard]] std::string signed_fixed(double value, int decimals);
 
+/// "⁻¹²"
+[[nodiscard]] std::string raised(int exponent);
+
 /// "1,203": the whole number next to a value, its digits in groups of three.
 [[nodiscard]] std::string grouped(double value);
 

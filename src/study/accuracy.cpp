@@ -1,10 +1,14 @@
 #include "study/accuracy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
+#include "study/counter.hpp"
 #include "study/truth.hpp"
 
 namespace gjkscope::study {
@@ -168,11 +172,22 @@ class FamilyStudy {
       if (timings[i].ns.empty()) continue;
       out[i].ns = quartiles(timings[i].ns);
       out[i].ratio = ratio(timings[i], timings[0]);
+      out[i].instructions = instructions_of(contestants_[i]);
     }
     return out;
   }
 
  private:
+  /// Per query, of one repetition when everything is warm; NaN where they are not counted.
+  [[nodiscard]] double instructions_of(const Contestant& contestant) const {
+    const Counter counter(Counter::Kind::instructions);
+    const std::optional<std::uint64_t> before = counter.read();
+    if (!before) return std::numeric_limits<double>::quiet_NaN();
+    keep(contestant.sweep());
+    return static_cast<double>(*counter.read() - *before) /
+           static_cast<double>(timed_.pairs.size());
+  }
+
   /// As many repetitions as the plan's time allows.
   [[nodiscard]] std::vector<Timing> timed() {
     using Clock = std::chrono::steady_clock;
@@ -216,6 +231,25 @@ Plan plan(bool quick) {
   return out;
 }
 
+std::vector<Family> families_of(const Plan& plan) {
+  std::vector<Family> all = families_of(plan.seed, plan.sizes, plan.reported);
+  if (plan.families.empty()) return all;
+  for (const std::string& name : plan.families) {
+    const bool is_known = std::any_of(all.begin(), all.end(),
+                                      [&](const Family& family) { return family.name == name; });
+    if (is_known) continue;
+    std::string known;
+    for (const Family& family : all)
+      known += fmt::format("{}'{}'", known.empty() ? "" : ", ", family.name);
+    throw std::runtime_error(
+        fmt::format("there is no family '{}'; expected one of: {}", name, known));
+  }
+  std::erase_if(all, [&](const Family& family) {
+    return std::count(plan.families.begin(), plan.families.end(), family.name) == 0;
+  });
+  return all;
+}
+
 Study study_accuracy(const Plan& plan, const Watch& watch) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
@@ -224,7 +258,7 @@ Study study_accuracy(const Plan& plan, const Watch& watch) {
   out.seed = plan.seed;
   out.quick = plan.quick;
   watch.tell(0.0, "families");
-  const std::vector<Family> families = families_of(plan.seed, plan.sizes, plan.reported);
+  const std::vector<Family> families = families_of(plan);
   out.families_planned = static_cast<int>(families.size());
   for (std::size_t i = 0; i < families.size() && out.complete; ++i) {
     const auto tell = [&](double share) {

@@ -31,10 +31,11 @@ struct Row {
   std::string axis;
 
   int pairs = 0;
-  int timed_pairs = 0;      ///< The first so many were timed.
-  int repetitions = 0;      ///< Of the timing; each asks about every one of them.
-  Quartiles ns;             ///< Per query. Without repetitions all of these are 0.
-  Quartiles ratio;          ///< To the default configuration, repetition by repetition.
+  int timed_pairs = 0;  ///< The first so many were timed.
+  int repetitions = 0;  ///< Of the timing; each asks about every one of them.
+  Quartiles ns;         ///< Per query. Without repetitions all of these are 0.
+  Quartiles ratio;      ///< To the default configuration, repetition by repetition.
+  double instructions = std::numeric_limits<double>::quiet_NaN();  ///< Per query; see Counter.
   double iterations = 0.0;  ///< On average; NaN where nobody counts them.
   int most_iterations = 0;
 
@@ -74,9 +75,10 @@ struct Plan {
   std::uint64_t seed = 1;
   bool quick = false;
   Sizes sizes;
-  double seconds_per_family = 7.0;  ///< Of timing, about.
-  double seconds_per_turn = 2e-4;   ///< At least: shorter ones are at the mercy of the clock.
-  std::vector<Case> reported;       ///< See families_of.
+  double seconds_per_family = 7.0;    ///< Of timing, about.
+  double seconds_per_turn = 2e-4;     ///< At least: shorter ones are at the mercy of the clock.
+  std::vector<Case> reported;         ///< See families_of.
+  std::vector<std::string> families;  ///< Names of those that are asked about; empty: all.
 };
 [[nodiscard]] Plan plan(bool quick);
 
@@ -97,8 +99,11 @@ struct Watch {
   };
 };
 
-/// All but the times depends on the plan alone. Ended early by `watch`, it has the rows of the
-/// families that were done, and of the one that was being timed.
+/// The families that the plan asks about. Throws std::runtime_error for a name that none has.
+[[nodiscard]] std::vector<Family> families_of(const Plan& plan);
+
+/// All but times and instructions depends on the plan alone. Ended early by `watch`, it has the
+/// rows of the families that were done, and of the one that was being timed.
 [[nodiscard]] Study study_accuracy(const Plan& plan, const Watch& watch = {});
 
 /// The rows of a family without times: what `study_accuracy` has for it, for these configurations

@@ -58,6 +58,15 @@ std::string name_of(const Configuration& configuration) {
   return name;
 }
 
+std::optional<Configuration> configuration_named(std::string_view name) {
+  for (const auto& all : {configurations(false), configurations_by_size()}) {
+    for (const Configuration& each : all) {
+      if (name_of(each) == name) return each;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string_view axis_of(const Configuration& configuration) {
   const gjk::Options& options = configuration.options;
   if (options.tolerance > 0.0) return "bound gap";

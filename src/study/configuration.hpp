@@ -3,6 +3,7 @@
 // checked, by which rules the run decides, when it stops and where it starts.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ struct Configuration {
 /// What the configuration does otherwise than the first one of `configurations()`: "float, loop
 /// only". Names are unique.
 [[nodiscard]] std::string name_of(const Configuration& configuration);
+
+/// The configuration of that name; nothing when none has it.
+[[nodiscard]] std::optional<Configuration> configuration_named(std::string_view name);
 
 /// The axis along which a configuration differs from the default: "arithmetic", "effort",
 /// "direction and regions", "stop rule", "bound gap", "cap", "start".

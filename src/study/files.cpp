@@ -57,6 +57,8 @@ const std::vector<Field>& fields() {
       field<double>(
           "ratio_high", [](Row & row) -> auto& { return row.ratio.high; }),
       field<double>(
+          "instructions", [](Row & row) -> auto& { return row.instructions; }),
+      field<double>(
           "iterations", [](Row & row) -> auto& { return row.iterations; }),
       field<int>(
           "most_iterations", [](Row & row) -> auto& { return row.most_iterations; }),
@@ -256,7 +258,7 @@ std::string to_json(const Study& study) {
   out["complete"] = study.complete;
   out["families_planned"] = study.families_planned;
   out["seconds"] = study.seconds;
-  out["rows"] = Json::array();
+  std::string rows;  // one a line
   for (Row row : study.rows) {
     Json one;
     for (const Field& field : fields()) {
@@ -271,9 +273,11 @@ std::string to_json(const Study& study) {
     one["worst"] = {{"answer", number_json(row.worst.answer)},
                     {"distance", number_json(row.worst.distance)},
                     {"case", row.worst.json.empty() ? Json(nullptr) : Json::parse(row.worst.json)}};
-    out["rows"].push_back(std::move(one));
+    rows += fmt::format("{}{}", rows.empty() ? "\n" : ",\n", one.dump());
   }
-  return out.dump(1) + "\n";
+  std::string text = out.dump();
+  text.insert(text.size() - 1, fmt::format(",\n\"rows\":[{}\n]", rows));
+  return text + "\n";
 }
 
 }  // namespace gjkscope::study

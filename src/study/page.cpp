@@ -128,13 +128,16 @@ std::string stairs(const Axes& axes, const std::vector<const Row*>& front) {
 
 std::string values_of(const Row& row) {
   return fmt::format(
-      "{} ({} to {}), {} × the default\nlargest error: {} of the scale, {} of the distance\n"
-      "{} iterations; overlaps wrong {}, undecided {}; no answer {}; {} pairs, {} repetitions",
-      time_text(row.ns.median), time_text(row.ns.low), time_text(row.ns.high),
-      fmt::format("{:.2f}", row.ratio.median), error_text(row.error_scale),
-      error_text(row.relative_error),
-      std::isnan(row.iterations) ? "uncounted" : iterations_text(row.iterations), row.wrong,
-      row.undecided, row.failed, row.pairs, row.repetitions);
+             "{} ({} to {}), {} × the default\nlargest error: {} of the scale, {} of the distance\n"
+             "{} iterations; overlaps wrong {}, undecided {}; no answer {}; {} pairs, {} "
+             "repetitions",
+             time_text(row.ns.median), time_text(row.ns.low), time_text(row.ns.high),
+             fmt::format("{:.2f}", row.ratio.median), error_text(row.error_scale),
+             error_text(row.relative_error),
+             std::isnan(row.iterations) ? "uncounted" : iterations_text(row.iterations), row.wrong,
+             row.undecided, row.failed, row.pairs, row.repetitions) +
+         (std::isnan(row.instructions) ? ""
+                                       : fmt::format("; {:.0f} instructions", row.instructions));
 }
 
 std::string dot(const Axes& axes, const Row& row) {

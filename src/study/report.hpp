@@ -42,11 +42,7 @@ inline constexpr std::string_view kOrdinary = "random";
 /// (assets/accuracy.html).
 [[nodiscard]] std::string page(const Study& study, std::string html);
 
-/// "1.2e-16", "0", "none" (infinite), "" (no number).
-[[nodiscard]] std::string error_text(double error);
 /// "3.1"; "" (no number).
 [[nodiscard]] std::string iterations_text(double iterations);
-/// "86 ns", "1.23 µs", "34.5 ms", "2.1 s".
-[[nodiscard]] std::string time_text(double ns);
 
 }  // namespace gjkscope::study

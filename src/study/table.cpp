@@ -33,6 +33,7 @@ Row merged(const std::vector<const Row*>& rows) {
   out.pairs = 0;
   out.timed_pairs = 0;
   out.failed = out.undecided = out.wrong = out.wrong_as_kept = out.broken_bounds = 0;
+  out.instructions = 0.0;
   out.iterations = 0.0;
   out.worst = {};
   double largest = -1.0;
@@ -57,6 +58,7 @@ Row merged(const std::vector<const Row*>& rows) {
     out.wrong += row->wrong;
     out.wrong_as_kept += row->wrong_as_kept;
     out.broken_bounds += row->broken_bounds;
+    out.instructions += row->instructions / static_cast<double>(rows.size());
     out.iterations += row->iterations * row->pairs;
     out.most_iterations = std::max(out.most_iterations, row->most_iterations);
     widen(out.error_scale, row->error_scale);
@@ -105,23 +107,8 @@ Effort effort_of(const Row& row) {
   return names("no proof") ? Effort::bounds : Effort::proof;
 }
 
-std::string error_text(double error) {
-  if (std::isnan(error)) return "";
-  if (std::isinf(error)) return "none";
-  if (error == 0.0) return "0";
-  return error >= 0.1 && error < 1000.0 ? fmt::format("{:.2g}", error)
-                                        : fmt::format("{:.1e}", error);
-}
-
 std::string iterations_text(double iterations) {
   return std::isnan(iterations) ? "" : fmt::format("{:.1f}", iterations);
-}
-
-std::string time_text(double ns) {
-  if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
-  if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
-  if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
-  return fmt::format("{:.3g} s", ns / 1e9);
 }
 
 Study summary(const Study& study) {

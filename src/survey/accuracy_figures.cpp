@@ -7,13 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "picture/plot.hpp"
+#include "picture/study_plot.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope {
 namespace {
 
-using study::Effort;
 using study::Row;
 using study::Study;
 using RowList = std::vector<const Row*>;
@@ -27,9 +26,6 @@ constexpr double kPlotTop = 98.0;
 constexpr double kListLeft = 888.0;  ///< Where there is a list beside the plot.
 constexpr double kListGap = 28.0;
 constexpr double kRowHeight = 44.0;
-
-/// Answers without error are drawn here, at the foot of the axis.
-constexpr double kNoError = 1e-36;
 
 /// A page with a title and a line about it; plots and lists are added.
 class Page {
@@ -62,27 +58,6 @@ std::string file_name(std::string_view kind, std::string name) {
   return fmt::format("{}-{}", kind, name);
 }
 
-/// Whole powers of ten around values.
-class Decades {
- public:
-  void hold(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) return;
-    low_ = std::min(low_, std::floor(std::log10(value)));
-    high_ = std::max(high_, std::ceil(std::log10(value)));
-  }
-  [[nodiscard]] double low() const { return std::pow(10.0, low_); }
-  [[nodiscard]] PlotAxis axis(std::string title) const {
-    const bool is_empty = high_ < low_;
-    const double low = is_empty ? 0.0 : low_;
-    const double high = is_empty ? 1.0 : std::max(high_, low + 1.0);
-    return {std::pow(10.0, low), std::pow(10.0, high), true, std::move(title)};
-  }
-
- private:
-  double low_ = 400.0;
-  double high_ = -400.0;
-};
-
 bool is_timed(const Row& row) { return row.repetitions > 0; }
 bool has_error(const Row& row) { return std::isfinite(row.error_scale); }
 
@@ -114,53 +89,30 @@ class Figures {
  private:
   /// Error against time of one family, its front numbered and told of in a list.
   [[nodiscard]] Figure front(const RowList& rows) const {
-    Plot plot;
-    plot.x = ns_.axis("time of a query, nanoseconds");
-    plot.y = error_.axis("largest error of the distance, as a share of the scale");
-    PlotSeries best{PlotStyle::first, "Pareto front", {}, true};
-    best.join = PlotJoin::stairs;
-    PlotSeries proof{PlotStyle::third, "with proof", {}, false};
-    PlotSeries bounds{PlotStyle::fourth, "no proof", {}, false};
-    PlotSeries loop{PlotStyle::second, "loop only", {}, false};
-    RowList on_front;
-    int left_out = 0;
-    int without_error = 0;
-    for (const Row* row : rows) {
-      left_out += has_error(*row) ? 0 : 1;
-      if (!has_error(*row)) continue;
-      without_error += row->error_scale == 0.0 ? 1 : 0;
-      if (row->on_front) {
-        on_front.push_back(row);
-        continue;
-      }
-      const Effort effort = effort_of(*row);
-      PlotSeries& series = effort == Effort::proof    ? proof
-                           : effort == Effort::bounds ? bounds
-                                                      : loop;
-      series.points.push_back(place(*row));
-    }
-    std::sort(on_front.begin(), on_front.end(),
-              [](const Row* a, const Row* b) { return a->ns.median < b->ns.median; });
+    std::vector<StudyDot> dots;
+    for (const Row* row : rows) dots.push_back(dot_of(*row));
+    Plot plot = study_plot(dots);
+    plot.x = ns_.axis(std::move(plot.x.title));
+    plot.y = error_.axis(std::move(plot.y.title));
+    const auto count = [&](auto property) {
+      return std::count_if(dots.begin(), dots.end(), property);
+    };
+    const auto left_out = count([](const StudyDot& dot) { return !dot.error; });
+    const auto without_error = count([](const StudyDot& dot) { return dot.error == 0.0; });
+    const std::vector<StudyDot> best = front_of(dots);
     Page page(fonts_);
     const double step =
-        std::min(kRowHeight, (kHeight - kMargin - kPlotTop) / static_cast<double>(on_front.size()));
-    for (std::size_t i = 0; i < on_front.size(); ++i) {
-      const Row& row = *on_front[i];
-      best.points.push_back(place(row));
+        std::min(kRowHeight, (kHeight - kMargin - kPlotTop) / static_cast<double>(best.size()));
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      const StudyDot& dot = best[i];
       const std::string number = std::to_string(i + 1);
-      plot.notes.push_back({best.style, best.points.back(), number});
+      plot.notes.push_back({style_of(dot), place_of(dot), number});
       const double y = kPlotTop + 20.0 + static_cast<double>(i) * step;
-      page.write("plot.first.label", {kListLeft, y}, number, type::kHeading);
-      page.write("body", {kListLeft + kListGap, y}, row.configuration, type::kHeading);
+      page.write("plot.limit.label", {kListLeft, y}, number, type::kHeading);
+      page.write("body", {kListLeft + kListGap, y}, dot.configuration, type::kHeading);
       page.write("body.muted", {kListLeft + kListGap, y + 17.0},
-                 fmt::format("{}, error {}", study::time_text(row.ns.median),
-                             study::error_text(row.error_scale)),
+                 fmt::format("{}, error {}", time_text(dot.ns), error_text(*dot.error)),
                  type::kTick);
-    }
-    plot.series.push_back(std::move(best));
-    for (PlotSeries* series : {&proof, &bounds, &loop}) {
-      series->join = PlotJoin::none;
-      plot.series.push_back(std::move(*series));
     }
     page.add(plot, plot_area(kListLeft - kMargin));
     const Row& first = *rows.front();
@@ -175,8 +127,16 @@ class Figures {
                                   "What accuracy costs: " + first.family, std::move(about));
   }
 
-  [[nodiscard]] static Eigen::Vector2d place(const Row& row) {
-    return {row.ns.median, std::max(row.error_scale, kNoError)};
+  /// What the plot shows of a row.
+  [[nodiscard]] static StudyDot dot_of(const Row& row) {
+    StudyDot dot;
+    dot.family = row.family;
+    dot.configuration = row.configuration;
+    dot.axis = row.axis;
+    dot.on_front = row.on_front;
+    dot.ns = row.ns.median;
+    if (has_error(row)) dot.error = row.error_scale;
+    return dot;
   }
 
   /// Bounds and error against the cap on iterations.

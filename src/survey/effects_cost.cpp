@@ -149,7 +149,7 @@ std::string effects_table(const std::vector<EffectCost>& rows) {
     const bool has_ratio = row.ratio.median > 0.0;
     out += fmt::format("{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n", row.lesson,
                        row.effect.empty() ? "(all others)" : row.effect, row.pulls, row.runs,
-                       study::time_text(row.ns.median),
+                       time_text(row.ns.median),
                        has_ratio ? fmt::format("{:.3f}", row.ratio.median) : "",
                        has_ratio ? fmt::format("{:.3f}-{:.3f}", row.ratio.low, row.ratio.high) : "",
                        has_ratio ? row.off : "its words call for it, too");

@@ -98,7 +98,7 @@ std::string sampling_table(const std::vector<SamplingCost>& rows) {
       kSeenStep, "lesson", "samples", "rms", "largest", "pixels", "time");
   for (const SamplingCost& row : rows) {
     out += fmt::format("{:<24} {:>7} {:>6.2f} {:>8} {:>6.2f}% {:>9}\n", row.lesson, row.factor,
-                       row.rms, row.largest, 100.0 * row.seen, study::time_text(row.ns.median));
+                       row.rms, row.largest, 100.0 * row.seen, time_text(row.ns.median));
   }
   return out;
 }

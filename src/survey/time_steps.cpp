@@ -165,8 +165,8 @@ std::string time_steps_table(const std::vector<TimeStepCost>& rows) {
       return row.iterations > 0.0 ? fmt::format("{:.2f}", value) : std::string();
     };
     out += fmt::format("{} {:<20} {:>10.5g} s {:>9} {:>10} {:>10} {:>6} {:>6}\n",
-                       row.is_shown ? '*' : ' ', row.lesson, row.step, study::error_text(row.error),
-                       order, study::time_text(row.ns.median), iterations(row.iterations),
+                       row.is_shown ? '*' : ' ', row.lesson, row.step, error_text(row.error), order,
+                       time_text(row.ns.median), iterations(row.iterations),
                        iterations(row.cold_iterations));
     before = &row;
   }

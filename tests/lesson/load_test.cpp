@@ -375,10 +375,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[steps]", "¦[growth]\nvertices = [3, 4]\n[steps]",
                 "a table [growth] without granularity 'growth'"},
         Refused{"show = \"difference\"", "show = ¦\"growth\"",
-                "view 'growth' without polygons that grow"},
-        Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without polygons that grow"},
-        Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without time"},
-        Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without time"},
+                "view 'growth' without granularity 'growth'"},
+        Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without granularity 'growth'"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"study\"",
+                "granularity 'study' without its table"},
+        Refused{"show = \"difference\"", "show = ¦\"study\"",
+                "view 'study' without granularity 'study'"},
+        Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without granularity 'time'"},
+        Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without granularity 'time'"},
         Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without its frames"},
         Refused{"rotate = 15.0", "translate = ¦[1, 1]", "'translate' of X besides a path"},
         Refused{"\"history\"", "\"history\", ¦\"history\"", "effect 'history' is named twice"},
@@ -440,6 +444,38 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
   for (const auto& [from, to, what] : refused) {
     const std::string problems = all_of(parse(replaced(text, from, to)).problems);
     EXPECT_NE(problems.find(what), std::string::npos) << problems;
+  }
+}
+
+TEST(Load, AStudyShowsWhatItsFileHolds) {
+  const std::filesystem::path file = testing::lessons_folder() / "accuracy-cost.toml";
+  const std::string text = testing::file_text(file);
+  const auto parsed = [&](const std::string& changed) {
+    return parse_lesson(changed, file, testing::effects_of_views());
+  };
+  const LoadedLesson loaded = parsed(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  const LessonStudy& study = *loaded.lesson->study;
+  for (const std::string& name : study.configurations)
+    EXPECT_EQ(study.dot(name).configuration, name);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  EXPECT_EQ(run.frames.size(), study.configurations.size() + 3);
+  EXPECT_EQ(run.frames.back().detail, static_cast<int>(study.configurations.size()));
+  const std::string results = "results = \"accuracy-cost.json\"";
+  const std::string family = "family = \"nearly parallel\"";
+  const std::vector<std::array<std::string, 3>> refused = {
+      {results, "results = \"nowhere.json\"", "nowhere.json: there is no such file"},
+      {results, "results = \"accuracy-cost.toml\"", "accuracy-cost.toml: not JSON"},
+      {results, "", "'results'"},
+      {family, "family = \"nearly parallell\"", "did you mean 'nearly parallel'?"},
+      {"\"double\"", "\"doubel\"", "unknown configuration 'doubel'"},
+      {"\"double\"", "\"double\", \"double\"", "configuration 'double' is named twice"},
+      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'study' with a path"},
+      {"show = \"study\"", "show = \"study\"\neffects = [\"history\"]",
+       "'effects' in a view of study"}};
+  for (const auto& [from, to, what] : refused) {
+    const std::string problems = all_of(parsed(replaced(text, from, to)).problems);
+    EXPECT_NE(problems.find(what), std::string::npos) << to << "\n" << problems;
   }
 }
 

@@ -323,7 +323,7 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
       text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
       const LoadedLesson loaded = parse_lesson(text, "large.toml", testing::effects_of_views());
       if (granularity == "time" || granularity == "maps" || granularity == "orders" ||
-          granularity == "growth") {
+          granularity == "growth" || granularity == "study") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, or no path";
         continue;
       }

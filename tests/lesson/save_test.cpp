@@ -22,12 +22,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-LoadedLesson parse(const std::string& text) {
-  return parse_lesson(text, "saved.toml", testing::effects_of_views());
+LoadedLesson parse(const std::string& text, const std::filesystem::path& folder = {}) {
+  return parse_lesson(text, folder / "saved.toml", testing::effects_of_views());
 }
 
-Lesson lesson(const std::string& text) {
-  const LoadedLesson loaded = parse(text);
+/// `folder`: where the file would stand.
+Lesson lesson(const std::string& text, const std::filesystem::path& folder = {}) {
+  const LoadedLesson loaded = parse(text, folder);
   for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
   return loaded.lesson.value_or(Lesson{});
 }
@@ -154,7 +155,7 @@ TEST(SavedLesson, IsTheLessonAgain) {
     SCOPED_TRACE(file.string());
     const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
     ASSERT_TRUE(loaded.lesson);
-    Lesson read = lesson(lesson_toml(*loaded.lesson));
+    Lesson read = lesson(lesson_toml(*loaded.lesson), file.parent_path());
     EXPECT_EQ(read.id, "saved");
     read.id = loaded.lesson->id;
     read.path = loaded.lesson->path;
@@ -378,10 +379,20 @@ Lesson any_lesson(Random& random) {
     growth.seed = static_cast<int>(below(random, 3));
     if (one_in(random, 2)) growth.tolerance = std::uniform_real_distribution<double>()(random);
   }
+  if (out.granularity == Granularity::study) {
+    static const LessonStudy kShipped =
+        *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", testing::effects_of_views())
+             .lesson->study;
+    LessonStudy& study = out.study.emplace(kShipped);
+    study.results = std::filesystem::absolute(testing::lessons_folder() / study.results).string();
+    study.configurations.resize(1 + below(random, study.configurations.size()));
+  }
   for (LessonView& view : out.views) {
-    if (!out.growth && view.kind == ViewKind::growth) view.kind = ViewKind::difference;
-    if (view.kind == ViewKind::growth) view.camera.reset();
-    if (view.kind == ViewKind::growth && !out.beside) view.effects.clear();
+    const bool has_results = (view.kind == ViewKind::growth && out.growth) ||
+                             (view.kind == ViewKind::study && out.study);
+    if (!shows_shapes(view.kind) && !has_results) view.kind = ViewKind::difference;
+    if (!shows_shapes(view.kind)) view.camera.reset();
+    if (!shows_shapes(view.kind) && !out.beside) view.effects.clear();
   }
   for (std::size_t i = below(random, 4); i > 0; --i) {
     const auto block = any_of<PanelBlock>(random);
@@ -409,6 +420,7 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
   int paths = 0;
   int timed = 0;
   int grown = 0;
+  int studied = 0;
   for (int i = 0; i < kLessons; ++i) {
     Random random(kSeed + static_cast<unsigned>(i));
     const Lesson made = any_lesson(random);
@@ -426,16 +438,19 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     paths += made.path_of_shapes.has_value();
     timed += made.time.has_value();
     grown += made.growth.has_value();
+    studied += made.study.has_value();
   }
   fmt::print(
-      "{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed, {} grown\n",
-      kLessons, taken, long_prose, points, paths, timed, grown);
+      "{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed, {} grown, "
+      "{} studied\n",
+      kLessons, taken, long_prose, points, paths, timed, grown, studied);
   // They stand for all there are.
   EXPECT_GE(taken, 500);
   EXPECT_GE(long_prose, 100);
   EXPECT_GE(points, 20);
   EXPECT_GE(paths, 50);
   EXPECT_GE(grown, 10);
+  EXPECT_GE(studied, 5);
 }
 
 TEST(Decimal, IsShortAndNoWholeNumber) {

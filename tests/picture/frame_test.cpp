@@ -32,6 +32,7 @@ bool inside(const Rect& outer, const Rect& inner) {
 
 /// True for labels of the vertices of a shape that moves.
 bool moves(const Lesson& lesson, const std::string& role) {
+  if (lesson.study) return true;  // each pair has shapes of its own
   if (!lesson.path_of_shapes) return false;
   const bool of_x = role == "shape.x.label";
   return !(of_x ? lesson.path_of_shapes->x : lesson.path_of_shapes->y).points.empty();
@@ -280,6 +281,33 @@ TEST(Panel, PseudocodeKeepsTheValuesOfTheIterationBesideTheirLines) {
   EXPECT_EQ(after(texts, "w ← support point along d"), "D");
   EXPECT_EQ(after(texts, "if w in S or no farther: stop"), "no");
   EXPECT_EQ(after(texts, "add w to S"), "Simplex") << "not yet";
+}
+
+TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
+  const auto says = [](const Lesson& lesson, const std::string& part) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const Fonts fonts(kAssets / "fonts.toml");
+    const auto frames = lesson_pictures(run, effects, fonts);
+    return std::any_of(frames.begin(), frames.end(), [&](const FramePicture& frame) {
+      return std::any_of(frame.picture.marks.begin(), frame.picture.marks.end(),
+                         [&](const Mark& mark) {
+                           const Text* text = std::get_if<Text>(&mark.shape);
+                           return text && text->text.find(part) != std::string::npos;
+                         });
+    });
+  };
+  Lesson lesson = testing::shipped_lesson("segment-closest");
+  EXPECT_TRUE(says(lesson, "|B − A|²"));
+  std::swap(lesson.options.start[0], lesson.options.start[1]);
+  EXPECT_TRUE(says(lesson, "|A − B|²"));
+  EXPECT_FALSE(says(lesson, "|B − A|²"));
+  lesson.y.vertices.resize(1);
+  lesson.y.vertex_names.resize(1);
+  lesson.options.start[0] = {0, 0};
+  lesson.options.start_count = 1;
+  lesson.granularity = Granularity::phase;
+  EXPECT_FALSE(says(lesson, "|²"));
 }
 
 TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {

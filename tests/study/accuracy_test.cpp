@@ -8,6 +8,8 @@
 #include "geometry/oracle.hpp"
 #include "gjk/gjk.hpp"
 #include "small_study.hpp"
+#include "study/counter.hpp"
+#include "study/interleave.hpp"
 
 namespace gjkscope::study {
 namespace {
@@ -70,6 +72,53 @@ TEST(Configurations, HaveNamesOfTheirOwnAndTheDefaultFirst) {
     EXPECT_EQ(axes.size(), 7u);
   }
   EXPECT_GT(configurations(false).size(), configurations(true).size());
+}
+
+TEST(Configurations, AreFoundByTheirNames) {
+  for (const auto& all : {configurations(false), configurations_by_size()}) {
+    for (const Configuration& each : all) {
+      const std::optional<Configuration> found = configuration_named(name_of(each));
+      ASSERT_TRUE(found) << name_of(each);
+      EXPECT_EQ(name_of(*found), name_of(each));
+      EXPECT_EQ(found->options.tolerance, each.options.tolerance);
+      EXPECT_EQ(found->start, each.start);
+    }
+  }
+  EXPECT_FALSE(configuration_named("single"));
+}
+
+TEST(Study, AsksAboutTheFamiliesThatThePlanNames) {
+  Plan plan = test::small_plan();
+  plan.families = {"touching", "needles"};
+  const std::vector<Family> families = families_of(plan);
+  ASSERT_EQ(families.size(), 2u);
+  EXPECT_EQ(families[0].name, "needles");
+  EXPECT_EQ(families[1].name, "touching");
+  plan.families = {"needle"};
+  try {
+    static_cast<void>(families_of(plan));
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no family 'needle'; expected one of: 'random', "),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Counter, CountsWhatTheThreadDoes) {
+  const Counter counter(Counter::Kind::nanoseconds);
+  const std::optional<std::uint64_t> before = counter.read();
+  if (!before) GTEST_SKIP() << "this system lets no program count";
+  const auto work = [](int times) {
+    double sum = 0.0;
+    for (int i = 0; i < times; ++i) keep(sum += i);
+  };
+  work(1'000'000);
+  const std::uint64_t first = *counter.read() - *before;
+  work(20'000'000);
+  const std::uint64_t second = *counter.read() - *before - first;
+  EXPECT_GT(first, 0u);
+  EXPECT_GT(second, first);
 }
 
 TEST(Study, WorstCasesAreWhatAnOracleSaysTheyAre) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lesson/study_results.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope::study {
@@ -92,6 +93,37 @@ TEST(Docs, NumbersAreThoseOfTheCore) {
     ++compared;
   }
   EXPECT_EQ(compared, 12);
+}
+
+TEST(Docs, TheLessonShowsWhatTheCoreAnswers) {
+  const std::vector<StudyDot> dots =
+      parse_study_results(read_file(kSource / "lessons" / "accuracy-cost.json"));
+  std::vector<Configuration> some;
+  for (const Effort effort : {Effort::proof, Effort::loop}) {
+    for (const Arithmetic arithmetic : {Arithmetic::double_, Arithmetic::batch})
+      some.push_back({arithmetic, effort});
+  }
+  some.erase(some.begin() + 3);  // a batch has no other effort
+  Plan asked = plan(false);
+  asked.families = families_in(dots);
+  int compared = 0;
+  for (const Family& family : families_of(asked)) {
+    for (const Row& row : judged_rows(family, some, asked.seed)) {
+      SCOPED_TRACE(row.family + ": " + row.configuration);
+      const auto dot = std::find_if(dots.begin(), dots.end(), [&](const StudyDot& each) {
+        return each.family == row.family && each.configuration == row.configuration;
+      });
+      ASSERT_NE(dot, dots.end());
+      EXPECT_EQ(dot->pairs, row.pairs);
+      EXPECT_EQ(dot->error, row.error_scale);
+      EXPECT_EQ(dot->wrong, row.wrong);
+      EXPECT_EQ(dot->undecided, row.undecided);
+      EXPECT_EQ(dot->answer, row.worst.answer);
+      EXPECT_EQ(dot->distance, row.worst.distance);
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 6);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "lesson/study_results.hpp"
 #include "small_study.hpp"
 
 namespace gjkscope::study {
@@ -51,6 +52,26 @@ TEST(Words, NumbersHaveTheUnitsThatReadBest) {
   EXPECT_EQ(iterations_text(std::numeric_limits<double>::quiet_NaN()), "");
 }
 
+TEST(Json, IsWhatLessonsRead) {
+  const Study& study = small_study();
+  const std::vector<StudyDot> dots = parse_study_results(to_json(study));
+  std::size_t timed = 0;
+  for (const Row& row : study.rows) {
+    if (row.repetitions == 0) continue;
+    ASSERT_LT(timed, dots.size());
+    const StudyDot& dot = dots[timed++];
+    EXPECT_EQ(dot.family, row.family);
+    EXPECT_EQ(dot.configuration, row.configuration);
+    EXPECT_EQ(dot.axis, row.axis);
+    EXPECT_EQ(dot.ns, row.ns.median);
+    EXPECT_EQ(dot.ratio, row.ratio.median);
+    EXPECT_EQ(dot.on_front, row.on_front);
+    EXPECT_EQ(dot.distance, row.worst.distance);
+    EXPECT_EQ(dot.error.value_or(std::numeric_limits<double>::infinity()), row.error_scale);
+  }
+  EXPECT_EQ(timed, dots.size());
+}
+
 TEST(Csv, ReadBackIsTheSame) {
   const std::string text = to_csv(small_study());
   const Study back = from_csv(text);
@@ -69,7 +90,7 @@ TEST(Csv, SaysWhichLineIsWrong) {
   EXPECT_NE(complaint("family,error\n").find("line 1: expected the names of the fields"),
             std::string::npos);
   const std::size_t rows = text.find("\n\"") + 1;
-  EXPECT_EQ(complaint(text.substr(0, rows) + "\"random\",1\n"), "line 13: 2 fields, expected 28");
+  EXPECT_EQ(complaint(text.substr(0, rows) + "\"random\",1\n"), "line 13: 2 fields, expected 29");
   std::string bad = text;
   bad.replace(text.find(",1,12,", rows), 6, ",2,12,");
   EXPECT_NE(complaint(bad).find("'2' is no value of front"), std::string::npos) << complaint(bad);

@@ -6,12 +6,17 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
 
 #include "command_line.hpp"
 #include "headless_app.hpp"
 #include "hit.hpp"
 #include "lesson/case.hpp"
+#include "lesson/load.hpp"
 #include "lessons.hpp"
+#include "study/configuration.hpp"
 
 namespace gjkscope {
 namespace {
@@ -329,6 +334,105 @@ TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {
   const Point from = window.at({Kind::vertex_of_x, 0});
   window.drag(from, from + Point(20, 0));
   EXPECT_GT(window.session().lesson().x.vertices[0].x(), -3.0);
+}
+
+TEST(Study, ADotOpensItsWorstRunAndBReturns) {
+  HeadlessApp window("accuracy-cost");
+  Session& session = window.session();
+  const LessonStudy study = *session.lesson().study;
+  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  session.go_to(5);
+  window.settle();
+  // A dot that no other covers, and that is not the default.
+  std::optional<Subject> dot;
+  for (int i = static_cast<int>(family.size()) - 1; i > 0 && !dot; --i) {
+    const Subject candidate{Kind::study_dot, i};
+    if (!window.app().place_of(candidate)) continue;
+    window.move(window.at(candidate));
+    if (window.app().hovered() == candidate) dot = candidate;
+  }
+  ASSERT_TRUE(dot);
+  const StudyDot& wanted = family[static_cast<std::size_t>(dot->x)];
+  window.click(window.at(*dot));
+  EXPECT_EQ(session.lesson().title, wanted.configuration + ": worst of nearly parallel");
+  const study::Configuration configuration = *study::configuration_named(wanted.configuration);
+  gjk::Options options = configuration.options;
+  options.start_count = configuration.start == study::Start::first_vertices ? 1 : 0;
+  EXPECT_TRUE(session.lesson().options == options);
+  EXPECT_EQ(session.lesson().x.vertices, wanted.x);
+  EXPECT_GT(session.frame_count(), 3) << "it can be stepped";
+  window.key("B");
+  EXPECT_EQ(session.lesson().id, "accuracy-cost");
+  EXPECT_EQ(session.index(), 5);
+  EXPECT_FALSE(session.is_unsaved());
+  window.key("B");
+  EXPECT_EQ(window.app().message(), "there is no study to go back to");
+}
+
+TEST(Study, EnterOpensTheRunOfTheFramesConfiguration) {
+  HeadlessApp window("accuracy-cost");
+  Session& session = window.session();
+  window.key("Enter");
+  EXPECT_EQ(session.lesson().id, "accuracy-cost") << "the first frame shows no configuration";
+  const std::vector<std::string> shown = session.lesson().study->configurations;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    session.go_to(static_cast<int>(i) + 2);
+    window.settle();
+    window.key("Enter");
+    EXPECT_EQ(session.lesson().title, shown[i] + ": worst of nearly parallel");
+    window.key("B");
+    EXPECT_EQ(session.index(), static_cast<int>(i) + 2);
+  }
+}
+
+/// Each configuration of the shipped results can be stepped.
+TEST(Study, EveryDotOpens) {
+  HeadlessApp window("accuracy-cost");
+  const std::vector<StudyDot> family =
+      of_family(window.session().lesson().study->dots, "nearly parallel");
+  std::set<std::string> titles;
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    if (!family[i].error) continue;
+    window.click(window.at({Kind::study_dot, static_cast<int>(i)}));
+    // Dots lie on each other: the one on top opens.
+    EXPECT_NE(window.session().lesson().title.find(": worst of nearly parallel"), std::string::npos)
+        << window.app().message();
+    titles.insert(window.session().lesson().title);
+    window.key("B");
+  }
+  EXPECT_GE(titles.size(), 20u);
+}
+
+TEST(Study, TheDrawerChoosesTheFamilyAndUndoTakesItBack) {
+  HeadlessApp window("accuracy-cost");
+  window.key("A");
+  window.settle();
+  EXPECT_TRUE(
+      window.session().change("family", [](Lesson& lesson) { lesson.study->family = "random"; }));
+  window.settle();
+  EXPECT_EQ(window.session().lesson().study->family, "random");
+  window.key("Z", true);
+  EXPECT_EQ(window.session().lesson().study->family, "nearly parallel");
+}
+
+TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
+  const TemporaryFolder folder;
+  const fs::path results = folder.path() / "accuracy.json";
+  fs::copy_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "accuracy-cost.json", results);
+  HeadlessApp window(results.string());
+  ASSERT_TRUE(window.session().lesson().study);
+  EXPECT_FALSE(window.session().lesson().study->configurations.empty());
+  fs::create_directories(folder.path() / "elsewhere");
+  const fs::path saved = folder.path() / "elsewhere" / "mine.toml";
+  window.app().save_to(saved);
+  const LoadedLesson read = load_lesson(saved, testing::view_effects());
+  ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
+  EXPECT_EQ(read.lesson->study->dots, window.session().lesson().study->dots);
+
+  std::ofstream(results) << R"({"rows": [{"family": 3}]})";
+  window.app().open_path(results);
+  EXPECT_NE(window.app().message().find("row 1: "), std::string::npos) << window.app().message();
+  EXPECT_TRUE(window.session().lesson().study) << "what was open stays";
 }
 
 }  // namespace

@@ -86,8 +86,8 @@ TEST(Monkey, RandomEventsBreakNothing) {
     ImGui::GetIO().MouseDown[0] = false;
     window.settle();
     // What is shown can be written and read again.
-    const LoadedLesson read = parse_lesson(lesson_toml(window.session().lesson()), "monkey.toml",
-                                           testing::view_effects());
+    const LoadedLesson read =
+        parse_lesson(lesson_toml(window.session().lesson()), lesson.path, testing::view_effects());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     EXPECT_LT(window.session().index(), window.session().frame_count());
   }

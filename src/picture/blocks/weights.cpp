@@ -68,24 +68,26 @@ void weights(PanelBuilder& panel) {
                 type::kTick, Align::center);
   }
   panel.y += kRow + 2.0;
-  panel.write("body.muted", panel.left, count == 3 ? "u + v + w" : "u + v", type::kBody);
+  panel.write("body.muted", panel.left,
+              count == 3   ? "u + v + w"
+              : count == 2 ? "u + v"
+                           : "u",
+              type::kBody);
   panel.write(
       "code", panel.right,
       panel.run.lesson.scalar == ScalarKind::double_ ? fixed(sum, 3) : panel.numbers.weight(sum),
       type::kCode, Align::right);
   panel.y += kRow;
-  if (!point_query) return;
-  const std::string& a = panel.run.lesson.y.vertex_names[0];
-  const std::string& b = panel.run.lesson.y.vertex_names[1];
+  if (!point_query || count != 2) return;
+  const std::string a = panel.run.pair_name(value.simplex.vertices[0].pair);
+  const std::string b = panel.run.pair_name(value.simplex.vertices[1].pair);
   const std::string q = query_name(panel.run);
   const auto formula = [&](const std::string& text) {
     panel.write("code", panel.left, text, type::kCode);
     panel.y += kTightRow + 2.0;
   };
-  if (count == 2) {
-    formula(format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
-    formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
-  }
+  formula(format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+  formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
 }
 
 void linear_system(PanelBuilder& panel) {

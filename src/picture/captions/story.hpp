@@ -100,6 +100,10 @@ void slab(const Story& story, FrameText& text);
 /// A size of polygons, or, after the last one, what all of them say.
 void growth(const Story& story, FrameText& text);
 
+// study.cpp
+/// A configuration of the study, or, after the last one, the Pareto front.
+void study(const Story& story, FrameText& text);
+
 // answer.cpp
 void answer(const Story& story, FrameText& text);
 void witness(const Story& story, FrameText& text);

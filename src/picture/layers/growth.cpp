@@ -11,13 +11,16 @@
 
 namespace gjkscope::layers {
 
-void growth(SceneBuilder& scene, const Fonts& fonts) {
+void add_plot(SceneBuilder& scene, const Plot& plot, const Fonts& fonts) {
   constexpr double kTitle = 46.0;  // of the view
   constexpr double kMargin = 14.0;
   const Rect& card = scene.map.area();
   const Rect area{card.min + Point(kMargin, kTitle), card.max - Point(kMargin, 0.5 * kMargin)};
-  const Plot plot = iterations_plot(scene.run, scene.effects, scene.frame);
   for (Mark& mark : plot_marks(plot, fonts, area)) scene.out.marks.push_back(std::move(mark));
+}
+
+void growth(SceneBuilder& scene, const Fonts& fonts) {
+  add_plot(scene, iterations_plot(scene.run, scene.effects, scene.frame), fonts);
 }
 
 void growth_example(SceneBuilder& scene) {

@@ -1,6 +1,7 @@
 #pragma once
 // The layers of a stage: one family a file, drawn in the order of stage.cpp.
 
+#include "picture/plot.hpp"
 #include "picture/scene.hpp"
 
 namespace gjkscope::layers {
@@ -102,5 +103,15 @@ void second_run(SceneBuilder& scene);
 void growth(SceneBuilder& scene, const Fonts& fonts);
 /// A run on polygons of the frame's size, in the difference; in a unit of length of its own.
 void growth_example(SceneBuilder& scene);
+
+// study.cpp
+/// A view of the study: error against time.
+void study(SceneBuilder& scene, const Fonts& fonts);
+/// In the world, in a unit of length of its own: the pair that the frame's configuration answers
+/// worst.
+void worst_pair(SceneBuilder& scene);
+
+/// A plot that fills the view. (growth.cpp)
+void add_plot(SceneBuilder& scene, const Plot& plot, const Fonts& fonts);
 
 }  // namespace gjkscope::layers

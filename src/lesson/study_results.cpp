@@ -1,0 +1,107 @@
+#include "lesson/study_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lesson/case.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<double> number_or_none(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+StudyDot dot_of(const Json& row) {
+  StudyDot dot;
+  row.at("family").get_to(dot.family);
+  row.at("configuration").get_to(dot.configuration);
+  row.at("axis").get_to(dot.axis);
+  row.at("pairs").get_to(dot.pairs);
+  row.at("wrong").get_to(dot.wrong);
+  row.at("undecided").get_to(dot.undecided);
+  row.at("front").get_to(dot.on_front);
+  row.at("ns").get_to(dot.ns);
+  row.at("ratio").get_to(dot.ratio);
+  dot.error = number_or_none(row.at("error_scale"));
+  const Json& worst = row.at("worst");
+  dot.answer = number_or_none(worst.at("answer"));
+  worst.at("distance").get_to(dot.distance);
+  std::vector<ReadCase> cases = parse_cases(worst.at("case").dump(), "case");
+  const ReadCase& pair = cases.at(0);
+  if (!pair.value) throw std::runtime_error(to_string(pair.problems.at(0)));
+  dot.x = pair.value->a;
+  dot.y = pair.value->b;
+  return dot;
+}
+
+}  // namespace
+
+std::vector<StudyDot> parse_study_results(std::string_view json) {
+  constexpr const char* kExpected = "expected the accuracy.json of `gjkscope study accuracy`";
+  const Json read = Json::parse(json, nullptr, false);
+  if (read.is_discarded()) throw std::runtime_error(fmt::format("not JSON; {}", kExpected));
+  if (!read.is_object() || !read.contains("rows") || !read["rows"].is_array())
+    throw std::runtime_error(fmt::format("no rows; {}", kExpected));
+  std::vector<StudyDot> dots;
+  int number = 0;
+  for (const Json& row : read["rows"]) {
+    ++number;
+    try {
+      if (row.at("repetitions").get<int>() > 0) dots.push_back(dot_of(row));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("row {}: {}; {}", number, error.what(), kExpected));
+    }
+  }
+  if (dots.empty()) throw std::runtime_error(fmt::format("no row was timed; {}", kExpected));
+  return dots;
+}
+
+std::vector<StudyDot> of_family(const std::vector<StudyDot>& dots, std::string_view family) {
+  std::vector<StudyDot> out;
+  std::copy_if(dots.begin(), dots.end(), std::back_inserter(out),
+               [&](const StudyDot& dot) { return dot.family == family; });
+  return out;
+}
+
+std::vector<StudyDot> front_of(const std::vector<StudyDot>& dots) {
+  std::vector<StudyDot> out;
+  std::copy_if(dots.begin(), dots.end(), std::back_inserter(out),
+               [](const StudyDot& dot) { return dot.on_front; });
+  std::sort(out.begin(), out.end(),
+            [](const StudyDot& a, const StudyDot& b) { return a.ns < b.ns; });
+  return out;
+}
+
+std::vector<std::string> families_in(const std::vector<StudyDot>& dots) {
+  std::vector<std::string> names;
+  for (const StudyDot& dot : dots) {
+    if (std::find(names.begin(), names.end(), dot.family) == names.end())
+      names.push_back(dot.family);
+  }
+  return names;
+}
+
+std::string error_text(double error) {
+  if (std::isnan(error)) return "";
+  if (std::isinf(error)) return "none";
+  if (error == 0.0) return "0";
+  return error >= 0.1 && error < 1000.0 ? fmt::format("{:.2g}", error)
+                                        : fmt::format("{:.1e}", error);
+}
+
+std::string time_text(double ns) {
+  if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
+  if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
+  if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
+  return fmt::format("{:.3g} s", ns / 1e9);
+}
+
+}  // namespace gjkscope
