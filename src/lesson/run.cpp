@@ -246,7 +246,6 @@ void add_frames(LessonRun& run, int index) {
       run.frames.push_back({index, last, -1});
       return;
     case Granularity::study: {
-      run.frames.push_back({index, -1, -1});
       run.frames.push_back({index, last, -1});
       const int shown = static_cast<int>(lesson.study->configurations.size());
       for (int i = 0; i <= shown; ++i) run.frames.push_back({index, last, i});

@@ -116,8 +116,7 @@ std::string position_of(const LessonRun& run, int index) {
     return fmt::format("{} · {} of {}", detail < shown.size() ? shown[detail] : "Pareto front",
                        index + 1, count);
   }
-  if (grows || granularity == Granularity::study || granularity == Granularity::phase ||
-      granularity == Granularity::iteration) {
+  if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
     if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
     return fmt::format("iteration {} of {} · {}", step.iteration,

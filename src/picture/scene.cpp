@@ -129,8 +129,7 @@ bool SceneBuilder::knows_closest_point() const {
 bool SceneBuilder::shows_whole_simplex() const {
   return run.lesson.granularity == Granularity::phase ||
          run.lesson.granularity == Granularity::iteration ||
-         run.lesson.granularity == Granularity::growth ||
-         run.lesson.granularity == Granularity::study;
+         run.lesson.granularity == Granularity::growth;
 }
 
 bool SceneBuilder::has_direction() const {

@@ -114,7 +114,8 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
     layers::pair_under_construction(scene);
   } else if (granularity == Granularity::support && frame.detail >= 0) {
     layers::support_in_parts(scene);
-  } else if (granularity == Granularity::answer || granularity == Granularity::witness) {
+  } else if (granularity == Granularity::answer || granularity == Granularity::witness ||
+             granularity == Granularity::study) {
     layers::answer(scene);
   } else {
     if (calls_for(view, History::kName)) layers::history(scene);

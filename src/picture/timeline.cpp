@@ -120,7 +120,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "answer")
           .ticks.push_back({std::string(kParts[static_cast<std::size_t>(frame.detail)]), "",
                             frame.detail == kWitnessDistance});
-    } else if (granularity == Granularity::answer && frame.step >= 0) {
+    } else if ((granularity == Granularity::answer || granularity == Granularity::study) &&
+               frame.step >= 0) {
       const gjk::Result<double, 2>& result = run.run(frame).trace.result;
       const std::string closest = result.distance > 0.0
                                       ? format("{} – {}", feature_name(run, result.simplex, true),

@@ -459,7 +459,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   for (const std::string& name : study.configurations)
     EXPECT_EQ(study.dot(name).configuration, name);
   const LessonRun run = run_lesson(*loaded.lesson);
-  EXPECT_EQ(run.frames.size(), study.configurations.size() + 3);
+  EXPECT_EQ(run.frames.size(), study.configurations.size() + 2);
   EXPECT_EQ(run.frames.back().detail, static_cast<int>(study.configurations.size()));
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
