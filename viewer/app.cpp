@@ -192,6 +192,7 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
   }
   Lesson lesson = std::move(*loaded.lesson);
   lesson.id = plain.id;
+  lesson.path.clear();
   lesson.title = name;
   lesson.prose = "Shapes of a case. The distance is {distance}.";
   lesson.source.clear();

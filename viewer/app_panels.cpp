@@ -211,6 +211,7 @@ void App::draw_toolbar() {
   drawer("Values", "Values", Drawer::values);
   drawer("Numerics", "Numerics", Drawer::numerics);
   drawer("Effects", "Effects", Drawer::effects);
+  drawer("Study", "Study", Drawer::study);
   drawer("Predict", "Predict mode", Drawer::predict);
   button("Present", "Presenter mode", "Presenter mode (F5)");
   button("Open", "Open", "Open a lesson or a case (Ctrl+O)");
@@ -556,8 +557,10 @@ void App::draw_message() {
   if (text.empty()) return;
   const bool error = message_.empty() || message_is_error_;
   ImGui::SetNextWindowPos(ImVec2(static_cast<float>(0.5 * (area_.min.x() + area_.max.x())),
-                                 static_cast<float>(area_.min.y() + 6.0 * ui_scale_)),
+                                 static_cast<float>(area_.min.y() + 2.0 * ui_scale_)),
                           ImGuiCond_Always, ImVec2(0.5f, 0.0f));
+  // No higher than the line of the title, so that it covers no words.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f, 2.0f));
   ImGui::SetNextWindowBgAlpha(0.95f);
   ImGui::Begin("##message", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -569,6 +572,7 @@ void App::draw_message() {
   ImGui::PopTextWrapPos();
   if (error) ImGui::PopStyleColor();
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 void App::draw_dialogs() {

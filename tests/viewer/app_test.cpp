@@ -361,6 +361,7 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   EXPECT_TRUE(session.lesson().options == options);
   EXPECT_EQ(session.lesson().x.vertices, wanted.x);
   EXPECT_GT(session.frame_count(), 3) << "it can be stepped";
+  EXPECT_TRUE(session.lesson().path.empty()) << "no lesson of the list is open";
   window.key("B");
   EXPECT_EQ(session.lesson().id, "accuracy-cost");
   EXPECT_EQ(session.index(), 5);
