@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "effects/barycentric.hpp"
 
@@ -9,7 +10,6 @@ namespace gjkscope {
 namespace {
 
 constexpr double kGravity = 9.81;  // m/s²
-constexpr double kHang = 0.15;     // m below the beam: a period of about three seconds
 constexpr double kDamping = 0.65;  // N m s: nearly at rest after one period
 
 double support_at(double seconds, double balance_point, const LessonTime& time) {
@@ -20,23 +20,32 @@ double support_at(double seconds, double balance_point, const LessonTime& time) 
   return kMiddle + t * t * (3.0 - 2.0 * t) * (balance_point - kMiddle);
 }
 
+/// The angle at which the ground stops an end; an arm too short to reach it has none.
+double lowest(double arm, double radius) {
+  const double reach = std::hypot(arm, kAxleHeight);
+  const double way = kAxleHeight + kBeamHeight - radius;
+  if (reach <= way) return std::numbers::pi / 2.0;
+  return std::max(0.0, std::asin(way / reach) - std::atan2(kAxleHeight, std::abs(arm)));
+}
+
 /// One step of the semi-implicit Euler method for I angle'' = moment - damping * angle'.
 void advance(Beam& beam, const std::array<double, 2>& masses, double step) {
   const std::array<double, 2> arms = {-beam.support, 1.0 - beam.support};
   double inertia = 0.0;
   double moment = 0.0;
   for (int i = 0; i < 2; ++i) {
-    inertia += masses[i] * (arms[i] * arms[i] + kHang * kHang);
-    moment -=
-        masses[i] * kGravity * (arms[i] * std::cos(beam.angle) + kHang * std::sin(beam.angle));
+    inertia += masses[i] * (arms[i] * arms[i] + kAxleHeight * kAxleHeight);
+    moment -= masses[i] * kGravity *
+              (arms[i] * std::cos(beam.angle) + kAxleHeight * std::sin(beam.angle));
   }
   const double before = beam.angle;
   beam.rate += step * (moment - kDamping * beam.rate) / inertia;
   beam.angle += step * beam.rate;
   // An end on the ground stays there until it is lifted, and moves as the support slides under it.
-  for (const double arm : arms) {
+  for (int i = 0; i < 2; ++i) {
+    const double arm = arms[i];
     if (arm == 0.0) continue;
-    const double limit = std::asin(std::min(1.0, kSupportHeight / std::abs(arm)));
+    const double limit = lowest(arm, radius_of_mass(masses[i]));
     const bool down = arm < 0.0 ? beam.angle > limit : beam.angle < -limit;
     if (!down) continue;
     beam.angle = arm < 0.0 ? limit : -limit;
@@ -45,6 +54,12 @@ void advance(Beam& beam, const std::array<double, 2>& masses, double step) {
 }
 
 }  // namespace
+
+double radius_of_mass(double mass) {
+  constexpr double kRadius = 0.07;   // of mass 1
+  constexpr double kLargest = 0.12;  // beyond that a mass would stand on the ground
+  return std::min(kRadius * std::sqrt(std::abs(mass)), kLargest);
+}
 
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
                         const LessonTime& time, double step) {

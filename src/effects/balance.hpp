@@ -9,13 +9,18 @@ namespace gjkscope {
 /// Where a beam is at one moment. Lengths are fractions of the beam's, from its end A.
 struct Beam {
   double seconds = 0.0;
-  double support = 0.5;  ///< Where it stands.
+  double support = 0.5;  ///< Where the axle is, along the beam.
   double angle = 0.0;    ///< Radians; positive lifts B.
   double rate = 0.0;     ///< Radians a second.
 };
 
-/// How high the support stands over the ground, as a fraction of the beam's length.
-inline constexpr double kSupportHeight = 0.12;
+/// How high a level beam is over the ground, as a fraction of the beam's length.
+inline constexpr double kBeamHeight = 0.19;
+/// How high the axle that the beam hangs from is over it, in the same unit. A beam that hangs has a
+/// level to come to rest at: with 0.15 m its period is about three seconds.
+inline constexpr double kAxleHeight = 0.15;
+/// The radius of a mass, in the same unit: the area of its disk is as the mass.
+[[nodiscard]] double radius_of_mass(double mass);
 /// The shares of the time that the support stands in the middle, and at which it has arrived.
 inline constexpr double kSupportStarts = 1.0 / 3.0;
 inline constexpr double kSupportArrives = 0.5;
@@ -23,12 +28,11 @@ inline constexpr double kSupportArrives = 0.5;
 /// The step of a simulation, in seconds, that lessons show.
 inline constexpr double kBeamStep = 1.0 / 1024.0;
 
-/// A beam of length 1 m with `masses` (kg, none negative, not both 0) at its ends A and B, let go
-/// level on a support in its middle. The support then slides to `balance_point` and stays. The
-/// masses hang a little below the beam, so that it has a level to come to rest at, its axle is
-/// damped, and the ground stops its ends. One state for each moment of `time`; the same for the
-/// same arguments, bit for bit. `step`: of the simulation, in seconds; a power of two, so that
-/// steps add up exactly.
+/// A beam of length 1 m with the middles of `masses` (kg, none negative, not both 0) at its ends A
+/// and B, let go level. It hangs from an axle on a support that stands in its middle, then slides
+/// to `balance_point` and stays. The axle is damped, and the ground stops the masses and the ends.
+/// One state for each moment of `time`; the same for the same arguments, bit for bit. `step`: of
+/// the simulation, in seconds; a power of two, so that steps add up exactly.
 [[nodiscard]] std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
                                       const LessonTime& time, double step = kBeamStep);
 

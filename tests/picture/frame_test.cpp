@@ -216,9 +216,9 @@ TEST(Captions, TellWhichWayTheBeamTips) {
     return frames[9 * position + tick].text.caption;
   };
   EXPECT_TRUE(caption(0, 8).ends_with("the beam is level."));
-  EXPECT_TRUE(caption(1, 2).starts_with("A is heavier, and A is down by 13.9°"));
+  EXPECT_TRUE(caption(1, 2).starts_with("A is heavier, and A is down by 15.4°"));
   EXPECT_TRUE(caption(1, 8).ends_with("0.800 × 0.200 = 0.200 × 0.800: the beam is level."));
-  EXPECT_TRUE(caption(2, 2).starts_with("B is heavier, and B is down by 13.9°"));
+  EXPECT_TRUE(caption(2, 2).starts_with("B is heavier, and B is down by 15.7°"));
   EXPECT_TRUE(caption(3, 8).ends_with("A would need the mass −0.200. It has none: the beam tips."));
 }
 

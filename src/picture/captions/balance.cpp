@@ -41,9 +41,9 @@ void balance(const Story& story, FrameText& text) {
       text.caption += format(" There is no negative mass, so {} stays empty.", u < 0.0 ? a : b);
     }
     text.detail =
-        equal ? "The beam stands on its middle. Equal masses: it will stay level."
-              : format("The beam stands on its middle. {} is heavier: its end will go down.",
-                       heavier);
+        equal
+            ? "The beam hangs by its middle. Equal masses: it will stay level."
+            : format("The beam hangs by its middle. {} is heavier: its end will go down.", heavier);
   } else if (share <= kSupportStarts) {
     text.caption = equal ? format("Equal masses balance in the middle: {}.", turning)
                          : format("{} is heavier, and {}: {}.", heavier, tilts, turning);
