@@ -41,6 +41,41 @@ TEST(ColdStart, IsARunOfItsOwnThatCostsMoreAlongASlowMotion) {
   EXPECT_LT(2 * warm, cold + 10) << "warm starts need about half of the support points or fewer";
 }
 
+/// The indices of the vertices that lie as far along a direction as the one that a scan kept.
+std::set<int> tied(const std::vector<gjk::ScanEntry<double>>& scan, int kept) {
+  double largest = 0.0;
+  for (const auto& entry : scan)
+    if (entry.index == kept) largest = entry.value;
+  std::set<int> out;
+  for (const auto& entry : scan)
+    if (std::abs(entry.value - largest) < 1e-6) out.insert(entry.index);
+  return out;
+}
+
+TEST(ColdStart, NoPositionOfTheMotionIsDecidedByTheLastBit) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-motion"));
+  for (const PositionedRun& at : run.runs) {
+    for (const auto& step : at.trace.steps) {
+      if (step.phase != gjk::Phase::support) continue;
+      // Along an edge that holds P both of its ends are equally far, and either ends the run.
+      const auto& simplex = step.after.simplex;
+      std::set<int> of_x = {step.after.support.pair.x};
+      std::set<int> of_y = {step.after.support.pair.y};
+      const bool repeated =
+          std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
+                      [&](const auto& vertex) { return vertex.pair == step.after.support.pair; });
+      for (int i = 0; repeated && i < simplex.count; ++i) {
+        of_x.insert(simplex.vertices[i].pair.x);
+        of_y.insert(simplex.vertices[i].pair.y);
+      }
+      for (const int x : tied(step.record.scan_x, step.after.support.pair.x))
+        EXPECT_TRUE(of_x.contains(x)) << "at " << at.time << " s";
+      for (const int y : tied(step.record.scan_y, step.after.support.pair.y))
+        EXPECT_TRUE(of_y.contains(y)) << "at " << at.time << " s";
+    }
+  }
+}
+
 TEST(TouchedPoints, AreThoseOfTheStartAndTheSupportPointsEachOnce) {
   const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
   EffectGraph graph(run);
