@@ -51,6 +51,37 @@ double signed_area(std::span<const Vector2d> polygon) {
   return 0.5 * twice;
 }
 
+std::vector<std::array<int, 3>> triangles(std::span<const Vector2d> polygon) {
+  std::vector<int> left(polygon.size());
+  std::iota(left.begin(), left.end(), 0);
+  const double side = signed_area(polygon) < 0.0 ? -1.0 : 1.0;
+  const auto turn = [&](int a, int b, int c) {
+    return side * cross(polygon[b] - polygon[a], polygon[c] - polygon[a]);
+  };
+  std::vector<std::array<int, 3>> out;
+  const auto cut_ear = [&] {
+    const std::size_t n = left.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::array<int, 3> ear = {left[i], left[(i + 1) % n], left[(i + 2) % n]};
+      const double area = turn(ear[0], ear[1], ear[2]);
+      const auto reaches_in = [&](int other) {
+        return std::find(ear.begin(), ear.end(), other) == ear.end() &&
+               turn(ear[0], ear[1], other) >= 0.0 && turn(ear[1], ear[2], other) >= 0.0 &&
+               turn(ear[2], ear[0], other) >= 0.0;
+      };
+      if (area < 0.0 || std::any_of(left.begin(), left.end(), reaches_in)) continue;
+      if (area > 0.0) out.push_back(ear);
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>((i + 1) % n));
+      return true;
+    }
+    return false;
+  };
+  while (left.size() > 2) {
+    if (!cut_ear()) return {};
+  }
+  return out;
+}
+
 bool is_convex(std::span<const Vector2d> polygon) {
   const std::size_t n = polygon.size();
   if (n < 4) return true;

@@ -2,6 +2,7 @@
 // Plane geometry that pictures and effects need: hulls, areas, half-planes.
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct HalfPlane {
 
 /// True for a polygon that turns in one direction only (collinear corners allowed) and once around.
 [[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> polygon);
+
+/// Indices of the triangles that fill a simple polygon, ear by ear (Meisters 1975). None where no
+/// ear is left, as in some polygons that cross themselves.
+[[nodiscard]] std::vector<std::array<int, 3>> triangles(std::span<const Eigen::Vector2d> polygon);
 
 /// The part of a convex polygon that lies in a half-plane; empty when there is none. (Sutherland
 /// and Hodgman 1974.)

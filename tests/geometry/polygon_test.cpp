@@ -21,6 +21,30 @@ TEST(ConvexHull, OfOnePointAndOfALine) {
             (std::vector<int>{0, 2}));
 }
 
+TEST(Triangles, FillAPolygonThatIsNotConvex) {
+  // An arrow head, a comb with two teeth, and a square with a vertex on an edge; both ways round.
+  const std::vector<std::vector<Vector2d>> polygons = {
+      {{0, 0}, {4, -2}, {1, 0}, {4, 2}},
+      {{0, 0}, {6, 0}, {6, 3}, {5, 3}, {5, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {0, 1}},
+      {{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}};
+  for (std::vector<Vector2d> polygon : polygons) {
+    for (int round = 0; round < 2; ++round) {
+      double area = 0.0;
+      for (const auto& [a, b, c] : triangles(polygon)) {
+        const double part = signed_area(std::vector<Vector2d>{polygon[a], polygon[b], polygon[c]});
+        EXPECT_GT(part * signed_area(polygon), 0.0) << "turns as the polygon does";
+        area += part;
+      }
+      EXPECT_DOUBLE_EQ(area, signed_area(polygon));
+      std::reverse(polygon.begin(), polygon.end());
+    }
+  }
+}
+
+TEST(Triangles, ThereAreNoneWhereAPolygonCrossesItself) {
+  EXPECT_TRUE(triangles(std::vector<Vector2d>{{0, 0}, {2, 2}, {2, 0}, {0, 2}}).size() < 2u);
+}
+
 TEST(ConvexHull, IsCounterClockwiseConvexAndHoldsAllPoints) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);

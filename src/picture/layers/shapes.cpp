@@ -37,6 +37,10 @@ void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std
     if (is_convex(world)) {
       scene.area(role, points, whole);
     } else {
+      if (named) {
+        for (const auto& [a, b, c] : triangles(world))
+          scene.area(role + ".fill", {points[a], points[b], points[c]}, whole);
+      }
       scene.add(role, Polyline{points, true}, whole);
     }
     scene.outline(points);
