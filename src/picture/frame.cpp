@@ -102,6 +102,9 @@ std::string position_of(const LessonRun& run, int index) {
     return fmt::format("iteration {} · question",
                        run.run(frame).trace.steps[frame.answer].iteration);
   }
+  // How many steps there are would answer a question to come.
+  const bool asks = std::any_of(run.frames.begin() + index, run.frames.end(),
+                                [](const Frame& later) { return later.question >= 0; });
   const bool grows = granularity == Granularity::growth;
   if (grows && frame.detail == static_cast<int>(run.lesson.growth->vertices.size()))
     return fmt::format("outcome · {} of {}", index + 1, count);
@@ -117,10 +120,12 @@ std::string position_of(const LessonRun& run, int index) {
                        index + 1, count);
   }
   if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
-    if (frame.step < 0) return fmt::format("start · {} of {}", index + 1, count);
+    if (frame.step < 0) return asks ? "start" : fmt::format("start · {} of {}", index + 1, count);
     const gjk::Step<double, 2>& step = run.step(frame);
+    const std::string_view phase = phase_word(step.phase);
+    if (asks) return fmt::format("iteration {} · {}", step.iteration, phase);
     return fmt::format("iteration {} of {} · {}", step.iteration,
-                       run.run(frame).trace.result.iterations, name_of(step.phase));
+                       run.run(frame).trace.result.iterations, phase);
   }
   if (granularity == Granularity::pairs && index > 0 && index + 1 < count)
     return fmt::format("difference {} of {}", index, count - 2);
@@ -142,7 +147,7 @@ std::string position_of(const LessonRun& run, int index) {
     return fmt::format("{} · {}", position, kParts[static_cast<std::size_t>(frame.detail)]);
   }
   if (granularity == Granularity::path || granularity == Granularity::answer) return position;
-  return fmt::format("{} of {}", index + 1, count);
+  return asks ? fmt::format("step {}", index + 1) : fmt::format("{} of {}", index + 1, count);
 }
 
 std::string default_title(const LessonRun& run, const LessonView& view) {

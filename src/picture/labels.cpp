@@ -18,14 +18,18 @@ constexpr double kOutside = 1000.0;
 constexpr double kOverLabel = 400.0;
 constexpr double kOverCircle = 120.0;
 constexpr double kOverSegment = 100.0;
-constexpr double kOverPassing = 12.0;
+constexpr double kOverPassing = 20.0;
 constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 5.0;
 constexpr double kOtherAnchor = 8.0;  // each further one
 constexpr double kMove = 40.0;
-constexpr double kClearance = 2.0;  // pixels between a label and what it must not touch
-constexpr double kSideKept = 8.0;   // times kWrongSide, for labels that keep their side
+constexpr double kOverPassingNow = 60.0;  // more, in the one frame that the line is in
+constexpr double kNearCircle = 30.0;
+constexpr double kClearance = 2.0;       // pixels between a label and what it must not touch
+constexpr double kLabelClearance = 5.0;  // and between two labels, which would read as one
+constexpr double kAreaClearance = 18.0;  // and between the name of an area and a mark with its own
+constexpr double kSideKept = 8.0;        // times kWrongSide, for labels that keep their side
 constexpr int kDirections = 24;
 constexpr int kRings = 7;
 
@@ -99,7 +103,8 @@ Point LabelPlacer::size_of(const std::string& text, const TextStyle& style) cons
 double LabelPlacer::cost_of(const Rect& box) const {
   const Rect clear = grown(box, kClearance);
   double cost = contains(bounds_, clear) ? 0.0 : kOutside;
-  for (const Rect& label : taken_) cost += overlap(clear, label) ? kOverLabel : 0.0;
+  for (const Rect& label : taken_)
+    cost += overlap(grown(box, kLabelClearance), label) ? kOverLabel : 0.0;
   for (const Obstacles::Circle& circle : obstacles_.circles)
     cost += hits(clear, circle) ? kOverCircle : 0.0;
   for (const Obstacles::Segment& segment : obstacles_.segments)
@@ -119,16 +124,25 @@ Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::s
 Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const Point size = size_of(request.text, request.style);
   const auto known = offsets_.find(request.id);
-  if (fixed && known != offsets_.end()) {
+  if (fixed && known != offsets_.end() && !request.steps_aside) {
     const Rect box = box_around(request.anchor + known->second, size);
     taken_.push_back(box);
     return mark_at(box, request.text, request.role, request.style);
   }
+  // A place for all frames is found among the lines of all of them; in a frame only its own count.
+  const bool in_frame = !fixed || known != offsets_.end();
+  const auto cost_here = [&](const Rect& box) {
+    const Rect clear = grown(box, kClearance);
+    const auto crosses = [&](const auto& segment) { return hits(clear, segment); };
+    const bool crossed =
+        in_frame && std::any_of(obstacles_.passing.begin(), obstacles_.passing.end(), crosses);
+    return cost_of(box) + (crossed ? kOverPassingNow : 0.0);
+  };
   double best_cost = std::numeric_limits<double>::infinity();
   Point best = Point::Zero();
   const auto consider = [&](const Point& offset, double extra) {
     if (extra >= best_cost) return;
-    const double cost = extra + cost_of(box_around(request.anchor + offset, size));
+    const double cost = extra + cost_here(box_around(request.anchor + offset, size));
     if (cost < best_cost) {
       best_cost = cost;
       best = offset;
@@ -157,7 +171,8 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   consider_beside(request.anchor, 0.0);
   double extra = 0.0;
   for (const Point& anchor : request.other_anchors) consider_beside(anchor, extra += kOtherAnchor);
-  offsets_[request.id] = best;
+  // A label with a place for all frames steps aside for a frame, and then is back.
+  if (!fixed || !moves) offsets_[request.id] = best;
   const Rect box = box_around(request.anchor + best, size);
   taken_.push_back(box);
   return mark_at(box, request.text, request.role, request.style);
@@ -178,7 +193,10 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
   const auto consider = [&](const Point& center, double extra) {
     const Rect box = box_around(center, size);
     if (extra >= best_cost || !inside(request.polygon, grown(box, 3.0 * kClearance))) return;
-    const double cost = extra + cost_of(box);
+    const Rect wide = grown(box, kAreaClearance);
+    const bool near = std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(),
+                                  [&](const auto& circle) { return hits(wide, circle); });
+    const double cost = extra + cost_of(box) + (near ? kNearCircle : 0.0);
     if (cost < best_cost) {
       best_cost = cost;
       best = center;

@@ -40,6 +40,8 @@ struct LabelRequest {
   Point towards = Point::Zero();          ///< Preferred side; zero: any.
   bool keeps_side = false;                ///< Rather farther away than on another side.
   std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
+  /// A fixed label may leave its place for a frame in which a line crosses it.
+  bool steps_aside = false;
 };
 
 /// A label somewhere inside a convex polygon.

@@ -84,8 +84,10 @@ void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const 
   const std::string name = run.pair_name(vertex.pair);
   const Point point = at_difference(vertex.w);
   Point middle = map.area().center();
-  labels_of_difference().push_back(label("cloud:" + name, name, role, type::kSmallVertex, point,
-                                         kSimplexRadius, point - middle));
+  LabelRequest request =
+      label("cloud:" + name, name, role, type::kSmallVertex, point, kSimplexRadius, point - middle);
+  request.steps_aside = true;
+  labels_of_difference().push_back(std::move(request));
 }
 
 void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,

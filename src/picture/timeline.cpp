@@ -135,7 +135,7 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       const bool event =
           !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
       constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
-                                                                           {"cull", "−"},
+                                                                           {"drop", "−"},
                                                                            {"direction", "d"},
                                                                            {"support", "w"},
                                                                            {"stop?", "?"},
@@ -167,8 +167,10 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
                                      [](const Frame& frame) { return frame.question >= 0; }));
   const double width = std::min(
       kWidest, (area.size().x() - gaps - kQuestionWidth * questions) / (count - questions));
-  // What comes after a question would answer it.
-  const bool asks = run.frames[static_cast<std::size_t>(current)].question >= 0;
+  // What comes after the next question would answer it: a bar without ticks.
+  const auto question = std::find_if(run.frames.begin() + current, run.frames.end(),
+                                     [](const Frame& frame) { return frame.question >= 0; });
+  const int last = std::min(static_cast<int>(question - run.frames.begin()), count - 1);
   double x = area.min.x();
   int index = 0;
   const double bar_y = area.min.y() + 14.0;
@@ -176,16 +178,23 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   for (const Group& group : groups) {
     const int first = index;
     const double group_x = x;
-    if (asks && first > current) break;
     std::vector<double> centers;
     for (const Tick& tick : group.ticks) {
-      if (asks && index > current) break;
       const bool now = index == current;
       const std::string role = now               ? "timeline.current"
                                : index < current ? "timeline.done"
                                                  : "timeline.ahead";
       const Subject subject{Subject::Kind::frame, index};
       const double tick_width = tick.question ? kQuestionWidth : width;
+      if (index > last) {
+        const double gap = &tick == &group.ticks.back() ? kGroupGap : kTickGap;
+        const double end = std::min(x + tick_width + gap, area.max.x());
+        marks.push_back(
+            {"timeline.hidden", Box{{{x, bar_y}, {end, bar_y + 10.0}}, 0.0}, -1, subject});
+        x += tick_width + kTickGap;
+        ++index;
+        continue;
+      }
       centers.push_back(x + 0.5 * tick_width);
       if (tick.question) {
         marks.push_back(
@@ -206,6 +215,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     }
     const double group_end = x - kTickGap;
     x = group_end + kGroupGap;
+    if (first > last) continue;
     const bool holds_current = current >= first && current < index;
     const TextStyle style = holds_current ? type::kTickBold : type::kTick;
     const double label_width = fonts.width(style, group.label);
@@ -239,7 +249,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       return group.ticks[static_cast<std::size_t>(k - first)];
     };
     place(current, tick_at(current).label, true);
-    for (int k = first; k < index; ++k) {
+    for (int k = first; k < std::min(index, last + 1); ++k) {
       if (k != current && !place(k, tick_at(k).label, false))
         place(k, tick_at(k).short_label, false);
     }

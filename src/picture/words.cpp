@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "lesson/names.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -61,7 +63,7 @@ std::string grouped(double value) {
 
 std::string Numbers::operator()(double value) const {
   if (scalar_ == ScalarKind::single) return float_digits(value, 8);
-  if (scalar_ == ScalarKind::half) return float_digits(value, 4);
+  if (scalar_ == ScalarKind::half) return float_digits(value, 5);
   const double size = std::abs(value);
   if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return with_minus(fmt::format("{:.3e}", value));
   return fixed(value, 4);
@@ -93,8 +95,20 @@ std::vector<int> SimplexWords::order(gjk::Face face) const {
     if (gjk::contains(face, i)) out.push_back(i);
   }
   if (cyclic_ && face == 0b101) return {2, 0};
-  if (!cyclic_)
-    std::sort(out.begin(), out.end(), [&](int a, int b) { return vertex(a) < vertex(b); });
+  if (cyclic_) return out;
+  // A lesson that starts with the edge DC has reasons not to call it CD.
+  const gjk::Simplex<double, 2>& initial = run_.runs.front().trace.initial.simplex;
+  const auto place = [&](int i) {
+    const auto* end = initial.vertices.data() + initial.count;
+    return std::find_if(
+               initial.vertices.data(), end,
+               [&](const auto& other) { return other.pair == simplex_.vertices[i].pair; }) -
+           initial.vertices.data();
+  };
+  const bool of_start =
+      out.size() == 2 && place(out[0]) < initial.count && place(out[1]) < initial.count;
+  std::sort(out.begin(), out.end(),
+            [&](int a, int b) { return of_start ? place(a) < place(b) : vertex(a) < vertex(b); });
   return out;
 }
 
@@ -163,6 +177,10 @@ std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& si
   out += ' ';
   for (const int i : indices) out += (of_x ? run.lesson.x : run.lesson.y).vertex_names[i];
   return out;
+}
+
+std::string_view phase_word(gjk::Phase phase) {
+  return phase == gjk::Phase::cull ? "drop" : name_of(phase);
 }
 
 std::string query_name(const LessonRun& run) {

@@ -2,6 +2,7 @@
 // How numbers, points and simplices are written, in captions and panels alike.
 
 #include <string>
+#include <string_view>
 
 #include "lesson/run.hpp"
 
@@ -39,7 +40,8 @@ class SimplexWords {
   SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex);
 
   [[nodiscard]] std::string vertex(int i) const;
-  /// The vertices of a face in the order of its name: a triangle's third edge is CA, not AC.
+  /// The vertices of a face in the order of its name: a triangle's third edge is CA, not AC, and an
+  /// edge that a run starts with has its direction.
   [[nodiscard]] std::vector<int> order(gjk::Face face) const;
   /// "CE", or "N−C, L−D" where vertices are pairs.
   [[nodiscard]] std::string face(gjk::Face face) const;
@@ -65,6 +67,9 @@ class SimplexWords {
 /// KLM".
 [[nodiscard]] std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex,
                                        bool of_x);
+
+/// A phase as its reader knows it: "drop", which the code calls cull.
+[[nodiscard]] std::string_view phase_word(gjk::Phase phase);
 
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);

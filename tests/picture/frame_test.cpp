@@ -280,7 +280,7 @@ TEST(Panel, PseudocodeKeepsTheValuesOfTheIterationBesideTheirLines) {
   EXPECT_EQ(after(texts, "if d = 0: stop"), "no");
   EXPECT_EQ(after(texts, "w ← support point along d"), "D");
   EXPECT_EQ(after(texts, "if w in S or no farther: stop"), "no");
-  EXPECT_EQ(after(texts, "add w to S"), "Simplex") << "not yet";
+  EXPECT_EQ(after(texts, "add w to S"), "Simplex S") << "not yet";
 }
 
 TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
@@ -328,8 +328,57 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   };
   EXPECT_TRUE(holds(texts_of_frame("collinear", 1), "BCD has area 0 and no weights"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
+  EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 24), "In X, D lies as far as C."));
   EXPECT_TRUE(holds(texts_of_frame("direction-half", 10), "Half precision finds B"));
   EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));
+}
+
+TEST(Captions, DoNotUseWeightsBeforeALessonHasThem) {
+  for (const char* id : {"segment-regions", "triangle-features"}) {
+    for (const FramePicture& frame : frames_of(id)) {
+      for (const Mark& mark : frame.picture.marks) {
+        const Text* text = std::get_if<Text>(&mark.shape);
+        if (!text) continue;
+        for (const char* word : {"eight", "dot(", "u =", "AB =", "BC =", "uABC"})
+          EXPECT_EQ(text->text.find(word), std::string::npos) << id << ": " << text->text;
+      }
+    }
+  }
+  EXPECT_EQ(frames_of("triangle-features")[0].text.caption,
+            "Q lies in region A: its projections onto both edges at A fall beyond A.");
+}
+
+TEST(Panel, ARoundingErrorIsNoDistance) {
+  const std::vector<std::string> before = texts_of_frame("stop-edge-left", 3);
+  EXPECT_EQ(after(before, "Distance lies in"), "0, but for rounding");
+  const std::vector<std::string> exact = texts_of_frame("stop-edge-left", 5);
+  EXPECT_EQ(after(exact, "Distance lies in"), "[0.0000, 0.0000]");
+}
+
+TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("direction-half"));
+  EffectGraph effects(run);
+  const Fonts fonts(kAssets / "fonts.toml");
+  const auto coloured = [&](int frame, const std::string& words) {
+    for (const Mark& mark : lesson_pictures(run, effects, fonts)[frame].picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (text && text->text == words) return mark.role == "fail" || mark.role == "pass";
+    }
+    ADD_FAILURE() << "no " << words;
+    return false;
+  };
+  EXPECT_FALSE(coloured(1, "−90")) << "P is B in both runs, with other digits";
+  EXPECT_TRUE(coloured(7, "−26.375"));
+}
+
+TEST(Panel, TheMapsComeBeforeWhatTheySayOfQ) {
+  const auto told = [](int frame) {
+    const std::vector<std::string> texts = texts_of_frame("triangle-two-maps", frame);
+    return std::find(texts.begin(), texts.end(), "✗ not the same") != texts.end();
+  };
+  EXPECT_FALSE(told(0));
+  EXPECT_FALSE(told(6));
+  EXPECT_TRUE(told(7));
 }
 
 TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {

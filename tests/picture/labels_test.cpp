@@ -49,6 +49,33 @@ TEST_F(Labels, KeepTheirPlaceFromFrameToFrameWhileItIsFree) {
   EXPECT_EQ(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)), first);
 }
 
+TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALineOnlyWhereTheyMay) {
+  Obstacles crossed;
+  crossed.passing.push_back({{0.0, 150.0}, {400.0, 150.0}});
+  for (const bool may : {false, true}) {
+    LabelRequest label = request(may ? "may" : "may not", {200.0, 150.0}, {1.0, 0.0});
+    label.steps_aside = may;
+    placer.begin_frame({});
+    const Point home = center(placer.place(label, true));
+    placer.begin_frame(crossed);
+    EXPECT_EQ(center(placer.place(label, true)) == home, !may);
+    placer.begin_frame({});
+    EXPECT_EQ(center(placer.place(label, true)), home) << "back once the line is gone";
+  }
+}
+
+TEST_F(Labels, OfAnAreaKeepAwayFromMarksThatHaveNamesOfTheirOwn) {
+  Obstacles obstacles;
+  obstacles.circles.push_back({{100.0, 50.0}, 5.0});
+  placer.begin_frame(obstacles);
+  const std::vector<Point> wide = {{0.0, 0.0}, {200.0, 0.0}, {200.0, 100.0}, {0.0, 100.0}};
+  const auto marks = placer.place_inside({"a", "label", "role", type::kRegion, wide, {}});
+  ASSERT_EQ(marks.size(), 1u);
+  const Point from = center(marks[0]) - Point(100.0, 50.0);
+  const double half = 0.5 * fonts.width(type::kRegion, "label");
+  EXPECT_TRUE(std::abs(from.x()) > half + 18.0 || std::abs(from.y()) > 22.0);
+}
+
 TEST_F(Labels, OfAnAreaStandInItOrNowhere) {
   placer.begin_frame({});
   const std::vector<Point> wide = {{0.0, 0.0}, {200.0, 0.0}, {200.0, 100.0}, {0.0, 100.0}};

@@ -48,7 +48,7 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[0].question.question->answer, "D");
   EXPECT_TRUE(all[0].answer.caption.starts_with("Answer: D lies farthest along d"));
   EXPECT_EQ(all[0].question.position, "iteration 2 · question");
-  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "E", "C", "D", "two of them"}));
+  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
   EXPECT_EQ(all[1].question.question->answer, "E");
   EXPECT_EQ(all[2].question.question->answer, "yes");
   EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. Stop: C is in the simplex"));
@@ -62,10 +62,10 @@ TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
   EXPECT_NE(all[0].question.detail.find("K  ·  L  ·  M  ·  N"), std::string::npos);
 }
 
-TEST(QuestionFrames, RegionsThatAreRuledOutAreNoChoice) {
+TEST(QuestionFrames, TheOrderOfTheChoicesDoesNotGiveTheRegionAway) {
   const std::vector<Asked> all = asked(testing::shipped_lesson("triangle-ordered-test"));
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].question.question->choices, (Choices{"BC", "CA", "ABC"}));
+  EXPECT_EQ(all[0].question.question->choices, (Choices{"A", "B", "C", "AB", "BC", "CA", "ABC"}));
   EXPECT_EQ(all[0].question.question->answer, "BC");
 }
 
@@ -104,6 +104,28 @@ TEST(QuestionFrames, DrawWhatTheLastFrameDrewAndNothingOfWhatComes) {
       EXPECT_EQ(count(frames[i], role), count(frames[i - 1], role)) << role;
   }
   EXPECT_EQ(questions, 3);
+}
+
+TEST(QuestionFrames, TheFramesBeforeThemDoNotTellWhatComesAfter) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  for (const char* id : {"polygon-evolution", "polygons-gjk", "triangle-ordered-test"}) {
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    EffectGraph effects(run);
+    const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+    int next = -1;
+    for (int i = static_cast<int>(frames.size()) - 1; i >= 0; --i) {
+      if (run.frames[static_cast<std::size_t>(i)].question >= 0) next = i;
+      if (next < 0) continue;
+      const FramePicture& frame = frames[static_cast<std::size_t>(i)];
+      EXPECT_EQ(frame.text.position.find(" of "), std::string::npos) << frame.text.position;
+      for (const Mark& mark : frame.picture.marks) {
+        if (mark.subject.kind != Subject::Kind::frame) continue;
+        EXPECT_EQ(mark.role == "timeline.hidden", mark.subject.x > next)
+            << id << ", frame " << i + 1;
+      }
+    }
+    EXPECT_GE(next, 0);
+  }
 }
 
 TEST(QuestionFrames, LeftOutTheOthersSayWhatTheySaidBefore) {

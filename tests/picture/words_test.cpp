@@ -29,6 +29,34 @@ TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
   EXPECT_EQ(numbers.point({static_cast<double>(-0.021008447F), -0.0}), "(−0.021008447, 0)");
 }
 
+TEST(Words, HalfLessonsPrintAllDigitsThatTellValuesApart) {
+  Lesson lesson;
+  lesson.scalar = ScalarKind::half;
+  const Numbers numbers(lesson);
+  EXPECT_EQ(numbers(-26.375), "−26.375");
+  EXPECT_EQ(numbers(10736.0), "10736");
+  EXPECT_EQ(numbers(-0.09375), "−0.09375");
+}
+
+TEST(Words, AnEdgeThatARunStartsWithHasItsDirection) {
+  const LessonRun right = run_lesson(testing::shipped_lesson("stop-edge-right"));
+  for (const Frame& frame : {right.frames.front(), right.frames.back()}) {
+    const SimplexWords words(right, right.state(frame).simplex);
+    EXPECT_EQ(words.face(0b011), "DC");
+  }
+  const LessonRun pentagon = run_lesson(testing::shipped_lesson("polygon-evolution"));
+  for (const Frame& frame : pentagon.frames) {
+    const auto& simplex = pentagon.state(frame).simplex;
+    if (simplex.count != 2) continue;
+    EXPECT_NE(SimplexWords(pentagon, simplex).face(0b011), "EC") << "others by the alphabet";
+  }
+}
+
+TEST(Words, ThePhaseThatDropsVerticesIsCalledSo) {
+  EXPECT_EQ(phase_word(gjk::Phase::cull), "drop");
+  EXPECT_EQ(phase_word(gjk::Phase::support), "support");
+}
+
 TEST(Words, TheThirdEdgeOfATriangleIsCA) {
   const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
   const SimplexWords words(run, run.state(run.frames[0]).simplex);

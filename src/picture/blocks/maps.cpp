@@ -84,9 +84,14 @@ void signs(PanelBuilder& panel) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     return format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
+  // Q's place in the maps is told when the maps are there.
+  const auto told = [&](MapStage stage) {
+    return panel.run.lesson.granularity != Granularity::maps ||
+           MapStage{panel.frame.detail} >= stage;
+  };
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
-    const bool current = face == positive;
+    const bool current = face == positive && told(MapStage::signs);
     if (current) panel.highlight();
     const TextStyle style = current ? type::kCodeBold : type::kCode;
     for (int i = 0; i < 3; ++i) {
@@ -101,8 +106,9 @@ void signs(PanelBuilder& panel) {
   const bool agree = positive == panel.state.region;
   panel.write("heading", panel.left, "Voronoi region", type::kHeading);
   panel.write("body", name_at, feature(panel.state.region), type::kStrong);
-  panel.write(agree ? "pass" : "fail", panel.right, agree ? "✓ the same" : "✗ not the same",
-              type::kStrong, Align::right);
+  if (told(MapStage::difference))
+    panel.write(agree ? "pass" : "fail", panel.right, agree ? "✓ the same" : "✗ not the same",
+                type::kStrong, Align::right);
   panel.y += kRow;
 }
 

@@ -96,9 +96,12 @@ void regions(PanelBuilder& panel) {
     panel.write(current ? "body" : "body.muted", panel.left + 104.0, panel.words.face(face),
                 current ? type::kStrong : type::kBody);
     if (current) {
-      const std::string p = gjk::vertex_count(face) == 3
-                                ? "P = Q"
-                                : "P = " + panel.words.combination(face, panel.numbers);
+      // An edge's point by its place: weights need not be known yet.
+      const Eigen::Vector2d on_edge = panel.state.p + panel.run.run(panel.frame).x_world[0];
+      const int size = gjk::vertex_count(face);
+      const std::string p = "P = " + (size == 3   ? query_name(panel.run)
+                                      : size == 2 ? panel.numbers.point(on_edge)
+                                                  : panel.words.face(face));
       panel.write("code.current", panel.right, p, type::kCodeBold, Align::right);
     }
     panel.y += kRow + 2.0;

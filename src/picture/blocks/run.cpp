@@ -51,7 +51,7 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
 }  // namespace
 
 void simplex(PanelBuilder& panel) {
-  panel.write("heading", panel.left, "Simplex", type::kHeading);
+  panel.write("heading", panel.left, "Simplex S", type::kHeading);
   const double x0 = panel.left + 152.0;
   panel.write("heading", x0, "weight", type::kHeading);
   panel.y += kRow;
@@ -132,15 +132,25 @@ void bounds(PanelBuilder& panel) {
   const DistanceBounds bounds = known ? panel.run.bounds(panel.frame) : DistanceBounds{};
   const double low = bounds.lower;
   const double high = bounds.upper;
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  // An upper bound that is no more than what rounding may have done to a distance of 0.
+  constexpr double kRounding = 1e-12;  // of the size of Y: far less than frames show
+  double size = 0.0;
+  for (const Eigen::Vector2d& vertex : positioned.y_world)
+    size = std::max(size, (vertex - positioned.y_world[0]).norm());
+  const bool rounding = high > 0.0 && high < kRounding * size;
   panel.write("code.current", panel.right,
-              known ? format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",
+              rounding ? std::string("0, but for rounding")
+              : known  ? format("[{}, {}]", panel.numbers(low), panel.numbers(high))
+                       : "–",
               type::kCode, Align::right);
   panel.y += 22.0;
-  const double first_high = known ? panel.run.run(panel.frame).bounds.front().upper : 0.0;
+  const double first_high = known ? positioned.bounds.front().upper : 0.0;
   panel.add("bounds.track", Box{{{panel.left, panel.y - 8.0}, {panel.right, panel.y}}, 4.0});
   if (known && first_high > 0.0) {
     const auto at = [&](double v) {
-      return panel.left + std::min(v / first_high, 1.0) * (panel.right - panel.left);
+      const double share = rounding ? 0.0 : std::min(v / first_high, 1.0);
+      return panel.left + share * (panel.right - panel.left);
     };
     double a = at(low);
     double b = at(high);
@@ -151,8 +161,9 @@ void bounds(PanelBuilder& panel) {
     const double p_at = std::min(b, panel.right - 12.0);
     const double line_at = close ? std::min(a, p_at) - 6.0 : a;
     if (low > 0.0) {
-      panel.write("body.muted", std::max(line_at, panel.left + 80.0), "support line", type::kTick,
-                  Align::right);
+      // Of all support lines so far, which need not be the one that is drawn.
+      panel.write("body.muted", std::max(line_at, panel.left + 104.0), "best support line",
+                  type::kTick, Align::right);
     }
     panel.write("body.muted", p_at, "P", type::kTick,
                 close && low > 0.0 ? Align::left : Align::center);

@@ -48,12 +48,14 @@ void two_runs(PanelBuilder& panel) {
   const auto known = [&](Phase since) {
     return panel.phase() && *panel.phase() >= since && *panel.phase() != Phase::add;
   };
-  const auto row = [&](const std::string& name, bool shown, auto value) {
+  // What differs stands out: the values themselves, which have their own digits in each column.
+  const auto row = [&](const std::string& name, bool since, auto value, auto words) {
     panel.write("code", panel.left, name, type::kCode);
-    std::array<std::string, 2> texts;
+    std::array<std::string, 2> texts = {"–", "–"};
     for (int i = 0; i < 2; ++i)
-      texts[i] = shown && columns[i].state ? value(columns[i]) : std::string("–");
-    const bool differ = shown && texts[0] != texts[1];
+      if (since && columns[i].state) texts[i] = words(columns[i], value(columns[i]));
+    const bool both = columns[0].state && columns[1].state;
+    const bool differ = since && (!both || value(columns[0]) != value(columns[1]));
     for (int i = 0; i < 2; ++i) {
       panel.write(!differ  ? "code"
                   : i == 0 ? "fail"
@@ -63,8 +65,9 @@ void two_runs(PanelBuilder& panel) {
     panel.y += kRow;
   };
   const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
-    row(name, known(since),
-        [&](const Column& column) { return column.numbers(vector(column)[axis]); });
+    row(
+        name, known(since), [&](const Column& column) { return vector(column)[axis]; },
+        [](const Column& column, double value) { return column.numbers(value); });
   };
   const auto p = [](const Column& column) {
     return Eigen::Vector2d(column.state->p + column.run.x_world[0]);
@@ -74,15 +77,20 @@ void two_runs(PanelBuilder& panel) {
   coordinate("P.y", Phase::closest, p, 1);
   coordinate("d.x", Phase::direction, d, 0);
   coordinate("d.y", Phase::direction, d, 1);
-  row("towards", known(Phase::direction), [](const Column& column) {
-    const Eigen::Vector2d& along = column.state->d;
+  row("towards", known(Phase::direction), d, [](const Column&, const Eigen::Vector2d& along) {
     return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
   });
-  row("support", known(Phase::support),
-      [&](const Column& column) { return panel.run.pair_name(column.state->support.pair); });
-  row("stops", known(Phase::stop), [](const Column& column) {
-    return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
-  });
+  const auto as_it_is = [](const Column&, const std::string& text) { return text; };
+  row(
+      "support", known(Phase::support),
+      [&](const Column& column) { return panel.run.pair_name(column.state->support.pair); },
+      as_it_is);
+  row(
+      "stops", known(Phase::stop),
+      [](const Column& column) {
+        return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
+      },
+      as_it_is);
 }
 
 }  // namespace gjkscope::blocks

@@ -34,7 +34,7 @@ void pairs(const Story& story, FrameText& text) {
         minkowski_hull(minkowski_cloud(story.positioned.x_world, story.positioned.y_world)).size();
     text.caption = format(
         "The hull of the {} points is the Minkowski difference Z = {} − {}; {} of them are its "
-        "corners.",
+        "vertices.",
         all, y, x, corners);
     text.detail =
         story.trace.result.distance > 0.0

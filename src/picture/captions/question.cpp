@@ -65,11 +65,10 @@ class Asking {
   }
 
   void region() {
-    // Regions whose tests have failed are no choice any more.
-    const bool in_tests = run_.lesson.granularity == Granularity::test;
+    // All of them, also those whose tests have failed: the first one left would be the answer.
     const gjk::detail::RegionList order =
         gjk::detail::list_regions(before_.simplex.count, run_.lesson.options.region_order);
-    for (int i = in_tests ? story_.frame.detail + 1 : 0; i < order.count; ++i)
+    for (int i = 0; i < order.count; ++i)
       asked_.choices.push_back(words_.face(order.conditions[i].face));
     asked_.answer = words_.face(step_.after.region);
     text_.caption =
@@ -82,6 +81,8 @@ class Asking {
     const auto& dropped = step_.record.dropped;
     asked_.choices = {"none"};
     for (int i = 0; i < before_.simplex.count; ++i) asked_.choices.push_back(words_.vertex(i));
+    // The order in which they joined would tell the oldest.
+    std::sort(asked_.choices.begin() + 1, asked_.choices.end());
     if (before_.simplex.count > 2) asked_.choices.emplace_back("two of them");
     asked_.answer = dropped.empty()       ? "none"
                     : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)

@@ -113,6 +113,40 @@ void areas(const Story& story, FrameText& text) {
                        thousandths == 1000 ? "=" : "≈", story.q);
 }
 
+/// A lesson that shows no weights is told by features: weights may be new to its reader.
+bool tells_features(const Story& story) {
+  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
+  return story.state.simplex.count == 3 && story.run.lesson.granularity == Granularity::path &&
+         std::find(blocks.begin(), blocks.end(), PanelBlock::weights) == blocks.end();
+}
+
+void features(const Story& story, FrameText& text) {
+  const gjk::Face face = story.state.region;
+  const std::string name = story.words.face(face);
+  switch (gjk::vertex_count(face)) {
+    case 1:
+      text.caption =
+          format("{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
+                 story.q, name);
+      text.detail = format("The vertex {} is closest, at distance {}.", name, story.distance());
+      return;
+    case 2: {
+      const std::vector<int> ends = story.words.order(face);
+      text.caption = format(
+          "{0} lies in region {1}: beyond {1}, and its projection onto {1} falls between {2} and "
+          "{3}.",
+          story.q, name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
+      text.detail =
+          format("That projection is the closest point P, at distance {}.", story.distance());
+      return;
+    }
+    default:
+      text.caption =
+          format("{} lies inside {}: it is its own closest point, P = {}.", story.q, name, story.q);
+      text.detail = "The distance is 0.";
+  }
+}
+
 /// What the sign of one coordinate says about where Q is.
 std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
   if (gjk::vertex_count(term.face) == 3) {
@@ -155,6 +189,7 @@ void projection(const Story& story, FrameText& text) {
 
 void closest(const Story& story, FrameText& text) {
   if (tells_areas(story)) return areas(story, text);
+  if (tells_features(story)) return features(story, text);
   if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
   if (story.shows(Projection::kName) && story.state.simplex.count == 2 && story.run.point_query() &&
       story.run.lesson.granularity == Granularity::path) {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
@@ -115,6 +116,25 @@ std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& 
   return format("{} and {}", fmt::join(names, ", "), last);
 }
 
+/// " D of X lies as far." where other vertices of a shape lie as far along its direction as the one
+/// that was kept, else nothing.
+std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEntry<double>>& scan,
+                        int kept) {
+  const auto of_kept = std::find_if(scan.begin(), scan.end(),
+                                    [&](const auto& entry) { return entry.index == kept; });
+  if (of_kept == scan.end()) return {};
+  constexpr double kSame = 1e-12;  // of the value: far less than frames show
+  std::vector<std::string> names;
+  for (const auto& entry : scan) {
+    if (entry.index != kept &&
+        std::abs(entry.value - of_kept->value) <= kSame * std::abs(of_kept->value))
+      names.push_back(shape.vertex_names[static_cast<std::size_t>(entry.index)]);
+  }
+  if (names.empty()) return {};
+  return format(" In {}, {} lie{} as far as {}.", shape.name, fmt::join(names, " and "),
+                names.size() == 1 ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
+}
+
 /// Why a distance of 0 is one: P is O.
 std::string zero_distance(const Story& story) {
   const gjk::Face all = story.state.simplex.all();
@@ -155,6 +175,10 @@ void support(const Story& story, FrameText& text) {
                      story.set_name())
             : format("{} is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
                      name, story.set_name());
+  if (story.run.point_query()) return;
+  const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
+  text.detail += also_as_far(story.run.lesson.y, record.scan_y, pair.y);
+  text.detail += also_as_far(story.run.lesson.x, record.scan_x, pair.x);
 }
 
 void stop(const Story& story, FrameText& text) {

@@ -52,9 +52,10 @@ void difference(SceneBuilder& scene) {
                  {Subject::Kind::difference_vertex, cloud[i].pair.x, cloud[i].pair.y});
       if (names_all) {
         const std::string name = scene.run.pair_name(cloud[i].pair);
-        scene.out.fixed_labels.push_back(scene.label("cloud:" + name, name, "cloud.label",
-                                                     type::kSmallVertex, point, kCloudRadius,
-                                                     point - middle));
+        LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
+                                         point, kCloudRadius, point - middle);
+        label.steps_aside = true;
+        scene.out.fixed_labels.push_back(std::move(label));
       }
     }
   }
@@ -111,8 +112,9 @@ void corner_names(SceneBuilder& scene) {
   for (const int index : hull) {
     const std::string name = scene.run.pair_name(cloud[index].pair);
     const Point point = scene.at(cloud[index].z);
-    const LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
-                                           point, sizes::kSimplexRadius, point - middle);
+    LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
+                                     point, sizes::kSimplexRadius, point - middle);
+    label.steps_aside = true;
     auto& labels = scene.labels_of_difference();
     const bool named = std::any_of(labels.begin(), labels.end(),
                                    [&](const auto& other) { return other.id == label.id; });
