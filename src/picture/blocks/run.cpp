@@ -157,16 +157,19 @@ void bounds(PanelBuilder& panel) {
     if (b - a < 4.0) a = std::max(panel.left, 0.5 * (a + b) - 2.0), b = a + 4.0;
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
-    const bool close = b - a < 110.0;
+    // Of all support lines so far, which need not be the one that is drawn.
+    const std::string line = "best support line";
+    constexpr double kBetween = 6.0;
     const double p_at = std::min(b, panel.right - 12.0);
-    const double line_at = close ? std::min(a, p_at) - 6.0 : a;
     if (low > 0.0) {
-      // Of all support lines so far, which need not be the one that is drawn.
-      panel.write("body.muted", std::max(line_at, panel.left + 104.0), "best support line",
-                  type::kTick, Align::right);
+      const double least = panel.left + panel.fonts.width(type::kTick, line);
+      const double line_end = std::max(std::min(a, p_at) - kBetween, least);
+      panel.write("body.muted", line_end, line, type::kTick, Align::right);
+      panel.write("body.muted", std::max(p_at, line_end + 2.0 * kBetween), "P", type::kTick,
+                  Align::center);
+    } else {
+      panel.write("body.muted", p_at, "P", type::kTick, Align::center);
     }
-    panel.write("body.muted", p_at, "P", type::kTick,
-                close && low > 0.0 ? Align::left : Align::center);
   } else {
     panel.y += 18.0;
   }
