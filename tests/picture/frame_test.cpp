@@ -359,8 +359,9 @@ TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
   const LessonRun run = run_lesson(testing::shipped_lesson("direction-half"));
   EffectGraph effects(run);
   const Fonts fonts(kAssets / "fonts.toml");
-  const auto coloured = [&](int frame, const std::string& words) {
-    for (const Mark& mark : lesson_pictures(run, effects, fonts)[frame].picture.marks) {
+  const auto frames = lesson_pictures(run, effects, fonts);
+  const auto coloured = [&](std::size_t frame, const std::string& words) {
+    for (const Mark& mark : frames[frame].picture.marks) {
       const Text* text = std::get_if<Text>(&mark.shape);
       if (text && text->text == words) return mark.role == "fail" || mark.role == "pass";
     }
