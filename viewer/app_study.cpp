@@ -92,7 +92,7 @@ void App::open_results(std::string_view json, const fs::path& file) {
   study.family = has_family ? lesson.study->family : families.front();
   study.configurations = configurations_to_show(of_family(study.dots, study.family));
   lesson.study = std::move(study);
-  if (open_unnamed(std::move(lesson), file.string())) {
+  if (show(std::move(lesson), {}, file.string())) {
     drawer_ = Drawer::study;
     say("");
   }
@@ -120,7 +120,7 @@ void App::open_worst_run(const StudyDot& dot) {
   lesson->options.start_count = found->start == study::Start::first_vertices ? 1 : 0;
   if (!is_sound(*lesson)) return;
   Visit from{session_.lesson(), session_.file(), session_.is_unsaved(), session_.index()};
-  if (!open_unnamed(*std::move(lesson), dot.configuration)) return;
+  if (!show(*std::move(lesson), {}, dot.configuration)) return;
   back_ = std::move(from);
   say("B goes back to the study");
 }

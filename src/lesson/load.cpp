@@ -38,7 +38,9 @@ FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return {std::nullopt, "the file cannot be opened"};
   // One byte more than allowed tells that there is more, however large the file.
-  std::string text(most_bytes + 1, '\0');
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return {std::nullopt, "the file cannot be read"};
+  std::string text(std::min<std::uintmax_t>(size, most_bytes) + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) return {std::nullopt, "the file cannot be read"};
   text.resize(static_cast<std::size_t>(in.gcount()));
@@ -503,6 +505,9 @@ void LessonReader::read_study(const Table& study) {
     if (!text.text) {
       problems_.add(results.place(), fmt::format("{}: {}", file.string(), text.problem),
                     "accuracy.json of `gjkscope study accuracy --out`");
+    } else if (text.text->size() > kResultsBytes) {
+      problems_.add(results.place(), fmt::format("{}: the file is too large", file.string()),
+                    fmt::format("at most {} bytes", static_cast<int>(kResultsBytes)));
     } else {
       try {
         read.dots = parse_study_results(*text.text);

@@ -7,8 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-
-#include "lesson/case.hpp"
+#include <utility>
 
 namespace gjkscope {
 namespace {
@@ -17,6 +16,14 @@ using Json = nlohmann::json;
 
 std::optional<double> number_or_none(const Json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+std::vector<Eigen::Vector2d> points_of(const Json& list) {
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& [x, y] : list.get<std::vector<std::pair<double, double>>>())
+    points.emplace_back(x, y);
+  if (points.empty()) throw std::runtime_error("a shape without vertices");
+  return points;
 }
 
 StudyDot dot_of(const Json& row) {
@@ -34,11 +41,8 @@ StudyDot dot_of(const Json& row) {
   const Json& worst = row.at("worst");
   dot.answer = number_or_none(worst.at("answer"));
   worst.at("distance").get_to(dot.distance);
-  std::vector<ReadCase> cases = parse_cases(worst.at("case").dump(), "case");
-  const ReadCase& pair = cases.at(0);
-  if (!pair.value) throw std::runtime_error(to_string(pair.problems.at(0)));
-  dot.x = pair.value->a;
-  dot.y = pair.value->b;
+  dot.x = points_of(worst.at("case").at("a"));
+  dot.y = points_of(worst.at("case").at("b"));
   return dot;
 }
 
