@@ -40,7 +40,10 @@ struct Result {
 
 namespace detail {
 
-[[nodiscard]] inline double rounded(const Expansion& value) { return value.estimate(); }
+template <class R>
+[[nodiscard]] R rounded(const Expansion& value) {
+  return value.estimate<R>();
+}
 template <class R>
 [[nodiscard]] R rounded(const DoubleWord<R>& value) {
   return value.hi;
@@ -118,9 +121,9 @@ inline constexpr int kCarefulRoundings = 6;
 /// Negative when O lies on that side of the edge to which perpendicular(edge) points.
 template <class R, class N>
 [[nodiscard]] R careful_distance(const Flat<N>& a, const Flat<N>& b, bool on_edge) {
-  if (!on_edge) return R(careful_length(rounded(a.x), rounded(a.y)));
+  if (!on_edge) return R(careful_length(rounded<R>(a.x), rounded<R>(a.y)));
   const Flat<N> edge = b - a;
-  return R(rounded(cross(a, edge)) / careful_length(rounded(edge.x), rounded(edge.y)));
+  return R(rounded<R>(cross(a, edge)) / careful_length(rounded<R>(edge.x), rounded<R>(edge.y)));
 }
 
 /// The largest coordinate of the simplex.
@@ -149,10 +152,30 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
   }
   R sum(0);
   for (int i = 0; i < 3; ++i) {
-    simplex.weights[i] = magnitude(rounded(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
+    simplex.weights[i] = magnitude(rounded<R>(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
     sum = sum + simplex.weights[i];
   }
   for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
+}
+
+/// The place of from + beyond in the world, with about twice the digits before the last rounding:
+/// for shapes that lie far from their own origin, where a rotation rounds by more than Z is large.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
+                                                     const Vec<R, D>& beyond,
+                                                     const Prepared<R, D>& prepared) {
+  Vec<R, D> world;
+  for (int row = 0; row < D; ++row) {
+    CarefulSum<R> sum;
+    sum.add(ScalarTraits<R>::from(pose.translation[row]) * prepared.unit);
+    for (int k = 0; k < D; ++k) {
+      const R entry = ScalarTraits<R>::from(pose.rotation(row, k));
+      sum.add_product(entry, R(from[k] * prepared.unit));
+      sum.add_product(entry, R(beyond[k] * prepared.unit));
+    }
+    world[row] = ScalarTraits<R>::scaled(sum.normalised().hi, prepared.exponent);
+  }
+  return world;
 }
 
 /// Witness points, in the world, from the pairs and weights of a simplex. They are put together
@@ -179,6 +202,12 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
       if (i == base) continue;
       const W weight = ScalarTraits<W>::from(R(simplex.weights[i] / sum));
       beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
+    }
+    if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
+      if (turned && prepared.centred) {
+        point = careful_place<R>(shape.pose, from, beyond, prepared);
+        return;
+      }
     }
     const Vec<W, D> local = from + beyond;
     Vec<W, D> world = turned ? shape.pose.template rotated<W>(local) : local;

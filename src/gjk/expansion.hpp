@@ -19,10 +19,11 @@ class Expansion {
     if (value != 0.0) components_.push_back(value);
   }
 
-  /// The nearest double, or a neighbour of it.
-  [[nodiscard]] double estimate() const {
-    double sum = 0.0;
-    for (const double component : components_) sum += component;
+  /// The nearest number of R, or a neighbour of it. R: double or wider.
+  template <class R = double>
+  [[nodiscard]] R estimate() const {
+    R sum(0.0);
+    for (const double component : components_) sum = sum + R(component);
     return sum;
   }
   /// This * 2^exponent.

@@ -185,6 +185,26 @@ template <class R>
   return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
 }
 
+/// The barycentric weights of P in an exact simplex, in the digits of R.
+template <class R>
+[[nodiscard]] std::array<R, 3> exact_weights(const Simplex<Expansion, 2>& simplex) {
+  const Flat<Expansion> a = flat(simplex.vertices[0].w);
+  const Flat<Expansion> b = flat(simplex.vertices[1].w);
+  if (simplex.count == 1) return {R(1), R(0), R(0)};
+  std::array<R, 3> weights = {R(0), R(0), R(0)};
+  if (simplex.count == 2) {
+    const Flat<Expansion> edge = b - a;
+    weights[0] = rounded<R>(dot(b, edge));
+    weights[1] = rounded<R>(-dot(a, edge));
+  } else {
+    const Flat<Expansion> c = flat(simplex.vertices[2].w);
+    weights = {magnitude(rounded<R>(cross(b, c))), magnitude(rounded<R>(cross(c, a))),
+               magnitude(rounded<R>(cross(a, b)))};
+  }
+  const R sum = weights[0] + weights[1] + weights[2];
+  return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
 /// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in
 /// `out`. Leaves it as it is when exact arithmetic has no room for the query.
 template <class R, class S>
@@ -212,12 +232,16 @@ template <class R, class S>
   const State<Expansion, 2> end = run(query, options, exact);
   if (end.stop == StopReason::iteration_cap) return;
 
+  using Wide =
+      std::conditional_t<(std::numeric_limits<double>::digits < std::numeric_limits<R>::digits), R,
+                         double>;
+  const std::array<Wide, 3> weights = exact_weights<Wide>(end.best);
   out.settled = true;
   out.simplex.count = end.best.count;
   for (int i = 0; i < end.best.count; ++i) {
     const SupportPoint<Expansion, 2>& vertex = end.best.vertices[i];
     out.simplex.vertices[i] = support_point(query, prepared, vertex.pair);
-    out.simplex.weights[i] = static_cast<R>(end.best.weights[i].estimate());
+    out.simplex.weights[i] = static_cast<R>(weights[i]);
   }
   bounds = {};
   if (end.best_sq == Expansion()) {
@@ -225,11 +249,9 @@ template <class R, class S>
   } else {
     out.verdict = Verdict::separated;
     const auto& ends = end.best.vertices;
-    const R distance =
-        magnitude(careful_distance<R>(flat(ends[0].w), flat(ends[1].w), end.best.count == 2));
-    // Expansions are read as doubles, whatever else R can hold.
-    const R few = R(kCarefulRoundings) *
-                  std::max(Traits::unit_roundoff(), R(ScalarTraits<double>::unit_roundoff()));
+    const R distance = static_cast<R>(
+        magnitude(careful_distance<Wide>(flat(ends[0].w), flat(ends[1].w), end.best.count == 2)));
+    const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
     // A denormal quotient is off by up to half of the smallest number.
     const bool denormal = distance < std::numeric_limits<R>::min();
     const R least = denormal ? std::numeric_limits<R>::denorm_min() : R(0);
@@ -291,7 +313,8 @@ template <class R, class S, int D>
     }
     if constexpr (D == 2 && std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
       const bool proved = out.verdict != Verdict::undecided;
-      const bool wide = options.tolerance == 0.0 && !bounds.tight;
+      const bool wide = !bounds.tight && Traits::from(options.tolerance) * bounds.upper <
+                                             bounds.upper - bounds.lower;
       const bool ended =
           state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
       if (options.certify && ended && (!proved || wide)) {

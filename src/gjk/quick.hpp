@@ -355,41 +355,49 @@ struct Asked {
 /// As detail::set_witness_points: put together from the vertex of the largest weight.
 template <class S>
 [[nodiscard]] Flat<double> witness(const Found& simplex, const Body<S>& body,
-                                   const Vec<S, 2>& translation, int VertexPair::*index) {
+                                   const Pose<S, 2>& pose, const Prepared<double, 2>& prepared,
+                                   int VertexPair::*index) {
   const double weight_a = simplex.weight_a;
   const double weight_b = simplex.weight_b;
   const double weight_c = simplex.weight_c;
-  Flat<double> local = body.vertex(simplex.a.pair.*index);
+  Flat<double> from = body.vertex(simplex.a.pair.*index);
+  Flat<double> beyond{0.0, 0.0};
   if (simplex.count == 2) {
-    const Flat<double> other = body.vertex(simplex.b.pair.*index);
-    const bool from_other = weight_a < weight_b;
-    const double weight = (from_other ? weight_a : weight_b) / (weight_a + weight_b);
-    const Flat<double> from = from_other ? other : local;
-    const Flat<double> edge = (from_other ? local : other) - from;
-    local = {from.x + edge.x * weight, from.y + edge.y * weight};
+    const Flat<double> b = body.vertex(simplex.b.pair.*index);
+    const bool from_b = weight_a < weight_b;
+    const double weight = (from_b ? weight_a : weight_b) / (weight_a + weight_b);
+    const Flat<double> edge = from_b ? from - b : b - from;
+    if (from_b) from = b;
+    beyond = {edge.x * weight, edge.y * weight};
   } else if (simplex.count == 3) {
+    const Flat<double> a = from;
     const Flat<double> b = body.vertex(simplex.b.pair.*index);
     const Flat<double> c = body.vertex(simplex.c.pair.*index);
     const double sum = weight_a + weight_b + weight_c;
-    const auto from = [&](const Flat<double>& base, const Flat<double>& p, double p_weight,
-                          const Flat<double>& q, double q_weight) {
+    const auto start_at = [&](const Flat<double>& base, const Flat<double>& p, double p_weight,
+                              const Flat<double>& q, double q_weight) {
       const Flat<double> to_p = p - base;
       const Flat<double> to_q = q - base;
       const double s = p_weight / sum;
       const double t = q_weight / sum;
-      return Flat<double>{base.x + (to_p.x * s + to_q.x * t), base.y + (to_p.y * s + to_q.y * t)};
+      from = base;
+      beyond = {to_p.x * s + to_q.x * t, to_p.y * s + to_q.y * t};
     };
     if (std::max(weight_a, weight_b) < weight_c) {
-      local = from(c, local, weight_a, b, weight_b);
+      start_at(c, a, weight_a, b, weight_b);
     } else if (weight_a < weight_b) {
-      local = from(b, local, weight_a, c, weight_c);
+      start_at(b, a, weight_a, c, weight_c);
     } else {
-      local = from(local, b, weight_b, c, weight_c);
+      start_at(a, b, weight_b, c, weight_c);
     }
   }
-  const Flat<double> world = body.rotated(local);
-  return {world.x + static_cast<double>(translation[0]),
-          world.y + static_cast<double>(translation[1])};
+  if (body.turned && body.centred) {
+    return flat(detail::careful_place<double>(pose, Vec<double, 2>(from.x, from.y),
+                                              Vec<double, 2>(beyond.x, beyond.y), prepared));
+  }
+  const Flat<double> world = body.rotated({from.x + beyond.x, from.y + beyond.y});
+  return {world.x + static_cast<double>(pose.translation[0]),
+          world.y + static_cast<double>(pose.translation[1])};
 }
 
 /// Fills in the answer. False when it is not proved, or came from a place that is not ordinary.
@@ -433,8 +441,8 @@ template <class S>
   set(0, simplex.a, simplex.weight_a);
   if (simplex.count > 1) set(1, simplex.b, simplex.weight_b);
   if (simplex.count > 2) set(2, simplex.c, simplex.weight_c);
-  const Flat<double> x = witness(simplex, bodies.x, query.x.pose.translation, &VertexPair::x);
-  const Flat<double> y = witness(simplex, bodies.y, query.y.pose.translation, &VertexPair::y);
+  const Flat<double> x = witness(simplex, bodies.x, query.x.pose, prepared, &VertexPair::x);
+  const Flat<double> y = witness(simplex, bodies.y, query.y.pose, prepared, &VertexPair::y);
   out.x[0] = x.x;
   out.x[1] = x.y;
   out.y[0] = y.x;

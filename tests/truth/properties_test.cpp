@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "claim.hpp"
 #include "exact.hpp"
 #include "geometry/families.hpp"
 
@@ -195,6 +196,35 @@ RC_GTEST_PROP(Property, BoundsOnlyCloseInAlongATrace, ()) {
     }
     before = &step.after;
   }
+}
+
+RC_GTEST_PROP(Property, WitnessesOfShapesFarFromTheirOwnOriginsLieInThem, ()) {
+  // What turns in a frame of its own ends near the world's origin, and near the other.
+  const auto turned = [](const Points& points) {
+    const double half = coordinate(Digits::many);
+    gjk::Pose<double, 2> pose;
+    const double c = (1 - half * half) / (1 + half * half);
+    const double s = 2 * half / (1 + half * half);
+    pose.rotation << c, -s, s, c;
+    pose.translation = 0x1p-4 * point(Digits::some) - pose.rotated(points[0]);
+    return pose;
+  };
+  const auto few_points = [] {
+    Points points = {point(Digits::many)};
+    if (*rc::gen::arbitrary<bool>()) points.push_back(points[0] + 0x1p-4 * point(Digits::some));
+    return points;
+  };
+  Pair<double> pair;
+  pair.x = few_points();
+  pair.y = few_points();
+  pair.x_pose = turned(pair.x);
+  pair.y_pose = turned(pair.y);
+  const ExactPair exact(pair.query());
+  const Judgement found =
+      judge(exact, exact.truth({}), exact.scale(), claim_of(gjk::distance(pair.query())));
+  RC_ASSERT(!found.refused);
+  RC_ASSERT(found.outside <= 4.0);
+  RC_ASSERT(found.apart <= 4.0);
 }
 
 RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
