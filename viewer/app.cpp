@@ -147,7 +147,7 @@ void App::open_path(const fs::path& path) {
   try {
     if (path.extension() == ".json") {
       const std::string text = read_whole(path);
-      if (text.find("\"rows\"") == std::string::npos) {
+      if (text.find("\"rows\":") == std::string::npos) {
         open_case_text(text, path.string());
       } else {
         open_results(text, path);
@@ -163,12 +163,7 @@ void App::open_path(const fs::path& path) {
 void App::open_lesson(const fs::path& file) {
   LoadedLesson loaded = parse_lesson(read_whole(file), file, view_effects());
   if (!loaded.lesson) return say(all_of(loaded.problems), true);
-  if (!session_.open(std::move(*loaded.lesson), file))
-    return say(fmt::format("{}: {}", file.string(), session_.problem()), true);
-  selected_ = {};
-  playing_ = false;
-  back_.reset();
-  kept_version_ = session_.version();
+  if (!show(std::move(*loaded.lesson), file, file.string())) return;
   remember_recent(file);
   say("");
 }
@@ -177,7 +172,7 @@ void App::open_case_text(std::string_view text, const std::string& name) {
   const std::vector<ReadCase> cases = parse_cases(text, name);
   if (!cases.front().value) return say(all_of(cases.front().problems), true);
   std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
-  if (lesson && open_unnamed(*std::move(lesson), name))
+  if (lesson && show(*std::move(lesson), {}, name))
     say(cases.size() > 1 ? fmt::format("the first of {} cases", cases.size()) : "");
 }
 
@@ -211,8 +206,8 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
   return lesson;
 }
 
-bool App::open_unnamed(Lesson lesson, const std::string& name) {
-  if (!session_.open(std::move(lesson), {})) {
+bool App::show(Lesson lesson, const fs::path& file, const std::string& name) {
+  if (!session_.open(std::move(lesson), file)) {
     say(fmt::format("{}: {}", name, session_.problem()), true);
     return false;
   }
@@ -591,8 +586,9 @@ void App::make_commands() {
   add("View", "Back to the study", {"B"}, [&] { go_back(); });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
-      [&] { ui_scale_ = std::min(ui_scale_ + 0.125, 3.0); });
-  add("View", "Smaller panels", {"Ctrl+-"}, [&] { ui_scale_ = std::max(ui_scale_ - 0.125, 0.75); });
+      [&] { panel_size_ = std::min(panel_size_ + 0.125, 3.0); });
+  add("View", "Smaller panels", {"Ctrl+-"},
+      [&] { panel_size_ = std::max(panel_size_ - 0.125, 0.75); });
   for (const std::string& theme : Theme::names(paths_.share / "assets" / "themes"))
     add("View", "Theme " + theme, {}, [this, theme] { set_theme(theme); });
   add("View", "Next theme", {"T"}, [&] {

@@ -47,8 +47,9 @@ class App {
 
   // Called by the window
 
-  /// What the atlas must hold for a window of this size: pixels per frame pixel of the picture.
-  [[nodiscard]] double layout(double width, double height);
+  /// What the atlas must hold for a window of this size, in pixels: pixels per frame pixel of the
+  /// picture. `density`: how many times finer the pixels are than on an ordinary screen.
+  [[nodiscard]] double layout(double width, double height, double density = 1.0);
   /// Pixels of the panels' type and spaces per pixel of theirs at scale 1.
   [[nodiscard]] double ui_scale() const { return ui_scale_; }
   /// All windows of a frame.
@@ -149,8 +150,9 @@ class App {
   void open_case_text(std::string_view text, const std::string& name);
   /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
   [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
-  /// Shows a lesson that has no file; `name` is for messages. False when it cannot be shown.
-  bool open_unnamed(Lesson lesson, const std::string& name);
+  /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
+  /// cannot be shown.
+  bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name);
   /// Results of a study, in the lesson that shows them.
   void open_results(std::string_view json, const std::filesystem::path& file);
   /// The pair that a configuration answers worst, stepped as it computes.
@@ -187,7 +189,8 @@ class App {
 
   Rect area_;  ///< Of the picture, in pixels of the window.
   double zoom_ = 1.0;
-  double ui_scale_ = 1.0;
+  double panel_size_ = 1.0;  ///< As the user chose.
+  double ui_scale_ = 1.0;    ///< Times the density of the screen.
   double window_width_ = 0.0;
   double window_height_ = 0.0;
 

@@ -53,7 +53,8 @@ Vector2d snapped(const Vector2d& value, double grid) {
 
 }  // namespace
 
-double App::layout(double width, double height) {
+double App::layout(double width, double height, double density) {
+  ui_scale_ = panel_size_ * density;
   window_width_ = width;
   window_height_ = height;
   Rect area{{0.0, 0.0}, {width, height}};

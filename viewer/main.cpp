@@ -1,5 +1,7 @@
 // The command line of gjkscope-viewer.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -48,12 +50,20 @@ int run(int argc, char** argv) {
   std::string script;
   std::string screenshot;
   std::pair<int, int> size = {1440, 900};
+  double scale = 1.0;
   bool keeps = true;
+  bool log_frames = false;
   arguments.add_option("LESSON", name, "a lesson by id or path, a case (.json), or a folder");
   arguments.add_option("--script", script, "play recorded input from this file, then end");
   arguments.add_option("--screenshot", screenshot, "then write what the window shows, as PNG");
   arguments.add_option("--size", size, "width and height of the window")
       ->check(CLI::Range(1, 16384));
+  arguments
+      .add_option("--scale", scale,
+                  "how large everything is; 2 on a dense screen that does not say that it is one")
+      ->check(CLI::Range(0.5, 8.0));
+  arguments.add_flag("--log-frames", log_frames,
+                     "write to standard error how many milliseconds each frame took");
   arguments.add_flag("!--no-state", keeps, "keep nothing: no unsaved work, no recent files");
   try {
     arguments.parse(argc, argv);
@@ -71,7 +81,10 @@ int run(int argc, char** argv) {
       std::cerr << "gjkscope-viewer: " << error.what() << '\n';
       return kProblem;
     }
-    Window window(*app, fonts, size.first, size.second);
+    Window window(*app, fonts, size.first, size.second, scale);
+    if (log_frames) {
+      window.after_frame = [](double seconds) { fmt::print(stderr, "{:.2f}\n", 1e3 * seconds); };
+    }
     if (script.empty() && screenshot.empty()) {
       window.run();
       return kDone;

@@ -86,14 +86,15 @@ const ImWchar* panel_characters() {
 }  // namespace
 
 struct Window::Impl {
-  Impl(App& the_app, const Fonts& the_fonts, int width, int height)
-      : app(the_app), fonts(the_fonts) {
+  Impl(App& the_app, const Fonts& the_fonts, int width, int height, double the_scale)
+      : app(the_app), fonts(the_fonts), scale(the_scale) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-    window.reset(SDL_CreateWindow("gjkscope", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
-                                  height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE));
+    window.reset(
+        SDL_CreateWindow("gjkscope", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                         SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
     if (!window) throw NoWindow(fmt::format("no window can be opened ({})", SDL_GetError()));
     context.reset(SDL_GL_CreateContext(window.get()));
     if (!context) throw NoWindow(fmt::format("there is no OpenGL 3 ({})", SDL_GetError()));
@@ -167,9 +168,9 @@ struct Window::Impl {
     return copy;
   }
 
-  /// Fonts for the picture at `scale` and for the panels; nothing where they are there.
-  void prepare_fonts(double scale) {
-    if (atlas_fonts && scale == atlas_fonts->scale() && ui_scale == app.ui_scale()) return;
+  /// Fonts for the picture at `zoom` and for the panels; nothing where they are there.
+  void prepare_fonts(double zoom) {
+    if (atlas_fonts && zoom == atlas_fonts->scale() && ui_scale == app.ui_scale()) return;
     ui_scale = app.ui_scale();
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -183,7 +184,7 @@ struct Window::Impl {
     config.SizePixels = static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
     config.GlyphRanges = panel_characters();
     io.Fonts->AddFont(&config);
-    atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, scale);
+    atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -213,25 +214,31 @@ struct Window::Impl {
     is_full = full;
   }
 
-  void draw() {
+  /// Pixels per unit in which SDL gives sizes and places: more than one on some dense screens.
+  [[nodiscard]] double pixels_per_unit() const {
     int width = 0;
-    int height = 0;
-    SDL_GetWindowSize(window.get(), &width, &height);
+    int pixels = 0;
+    SDL_GetWindowSize(window.get(), &width, nullptr);
+    SDL_GL_GetDrawableSize(window.get(), &pixels, nullptr);
+    return width > 0 && pixels > 0 ? static_cast<double>(pixels) / width : 1.0;
+  }
+  [[nodiscard]] ImVec2 in_pixels(int x, int y) const {
+    const double ratio = pixels_per_unit();
+    return {static_cast<float>(ratio * x), static_cast<float>(ratio * y)};
+  }
+
+  void draw(const std::function<void(double)>& after_frame) {
+    const double begin = seconds();
     int pixels_wide = 0;
     int pixels_high = 0;
     SDL_GL_GetDrawableSize(window.get(), &pixels_wide, &pixels_high);
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
-    if (width > 0 && height > 0) {
-      io.DisplayFramebufferScale =
-          ImVec2(static_cast<float>(pixels_wide) / static_cast<float>(width),
-                 static_cast<float>(pixels_high) / static_cast<float>(height));
-    }
-    const double now = seconds() + skipped;
+    io.DisplaySize = ImVec2(static_cast<float>(pixels_wide), static_cast<float>(pixels_high));
+    const double now = begin + skipped;
     io.DeltaTime = static_cast<float>(std::clamp(now - last_frame, 1e-4, 1.0));
     last_frame = now;
     app.tick(now);
-    prepare_fonts(app.layout(width, height));
+    prepare_fonts(app.layout(pixels_wide, pixels_high, pixels_per_unit() * scale));
     app.set_colors();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -260,6 +267,10 @@ struct Window::Impl {
       }
     }
     SDL_GL_SwapWindow(window.get());
+    if (after_frame) {
+      gl->finish();
+      after_frame(seconds() - begin);
+    }
     set_title();
     io.MouseWheel = 0.0f;
   }
@@ -273,13 +284,11 @@ struct Window::Impl {
         quit = true;
         return true;
       case SDL_MOUSEMOTION:
-        io.MousePos =
-            ImVec2(static_cast<float>(event.motion.x), static_cast<float>(event.motion.y));
+        io.MousePos = in_pixels(event.motion.x, event.motion.y);
         return false;
       case SDL_MOUSEBUTTONDOWN:
       case SDL_MOUSEBUTTONUP: {
-        io.MousePos =
-            ImVec2(static_cast<float>(event.button.x), static_cast<float>(event.button.y));
+        io.MousePos = in_pixels(event.button.x, event.button.y);
         const int button = event.button.button == SDL_BUTTON_LEFT    ? 0
                            : event.button.button == SDL_BUTTON_RIGHT ? 1
                                                                      : 2;
@@ -340,6 +349,7 @@ struct Window::Impl {
 
   App& app;
   const Fonts& fonts;
+  double scale;
   Sdl sdl;
   std::unique_ptr<SDL_Window, DeleteWindow> window;
   std::unique_ptr<void, DeleteContext> context;
@@ -361,8 +371,8 @@ struct Window::Impl {
   Image* shot = nullptr;
 };
 
-Window::Window(App& app, const Fonts& fonts, int width, int height)
-    : impl_(std::make_unique<Impl>(app, fonts, width, height)) {}
+Window::Window(App& app, const Fonts& fonts, int width, int height, double scale)
+    : impl_(std::make_unique<Impl>(app, fonts, width, height, scale)) {}
 Window::~Window() = default;
 
 void Window::run() {
@@ -383,7 +393,7 @@ void Window::run() {
       impl_->take_all();
     }
     if (impl_->frames_left > 0) {
-      impl_->draw();
+      impl_->draw(after_frame);
       --impl_->frames_left;
     }
   }
@@ -395,7 +405,7 @@ void Window::settle() {
   for (int i = 0; i < kMost && !impl_->quit; ++i) {
     impl_->take_all();
     if (impl_->frames_left == 0) return;
-    impl_->draw();
+    impl_->draw(after_frame);
     --impl_->frames_left;
   }
 }
@@ -446,8 +456,9 @@ void Window::push_text(const std::string& text) {
 void Window::push_move(double x, double y) {
   SDL_Event event = {};
   event.type = SDL_MOUSEMOTION;
-  event.motion.x = static_cast<int>(std::lround(x));
-  event.motion.y = static_cast<int>(std::lround(y));
+  const double ratio = impl_->pixels_per_unit();
+  event.motion.x = static_cast<int>(std::lround(x / ratio));
+  event.motion.y = static_cast<int>(std::lround(y / ratio));
   SDL_PushEvent(&event);
   settle();
 }
@@ -458,8 +469,9 @@ void Window::push_button(bool down, int clicks) {
   event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
   event.button.button = SDL_BUTTON_LEFT;
   event.button.clicks = static_cast<Uint8>(clicks);
-  event.button.x = static_cast<int>(at.x);
-  event.button.y = static_cast<int>(at.y);
+  const double ratio = impl_->pixels_per_unit();
+  event.button.x = static_cast<int>(std::lround(at.x / ratio));
+  event.button.y = static_cast<int>(std::lround(at.y / ratio));
   SDL_PushEvent(&event);
   settle();
 }
@@ -482,7 +494,7 @@ Image Window::screenshot() {
   Image image;
   settle();
   impl_->shot = &image;
-  impl_->draw();
+  impl_->draw(after_frame);
   impl_->shot = nullptr;
   return image;
 }

@@ -2,6 +2,7 @@
 // A window of SDL2 and OpenGL 3 around an App: events in, frames out. It waits for events and draws
 // nothing while nothing changes.
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,16 +20,20 @@ class NoWindow : public std::runtime_error {
 
 class Window {
  public:
-  /// Throws NoWindow saying what was tried.
-  Window(App& app, const Fonts& fonts, int width, int height);
+  /// `scale`: how many times larger than on an ordinary screen everything is, beyond what the
+  /// display says of itself. Throws NoWindow saying what was tried.
+  Window(App& app, const Fonts& fonts, int width, int height, double scale = 1.0);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   /// Until the user quits.
   void run();
+  /// Called after each frame, when it is drawn to the end, with the seconds that it took. Waiting
+  /// for the end costs time, so nothing waits while nobody asks.
+  std::function<void(double)> after_frame;
 
-  // For scripts: the same way as the user's events.
+  // For scripts: the same way as the user's events. Places are in pixels.
 
   void push_key(const KeyPress& key);
   void push_text(const std::string& text);

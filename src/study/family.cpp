@@ -72,7 +72,8 @@ std::vector<Family> families_of(std::uint64_t seed, const Sizes& sizes,
   families::Source source(seed);
   out.push_back({"in motion", "one octagon passes and turns beside another, moment by moment",
                  motion(source, sizes.pairs), 0, true});
-  for (int vertices = 4; vertices <= sizes.most_vertices; vertices *= 4) {
+  for (const int vertices : {3, 4, 16, 64, 256, 1024}) {
+    if (vertices > sizes.most_vertices) break;
     Family family{fmt::format("{} vertices", vertices),
                   fmt::format("two polygons of {} vertices", vertices),
                   {},
