@@ -27,6 +27,9 @@ constexpr int kVerticesPerList = 40000;
 // Circles are polygons whose sides stay this close to the circle, in pixels of the list.
 constexpr double kCircleError = 0.08;
 
+// Ends of lines are round beyond this half width, in pixels of the list.
+constexpr double kSquareEnds = 1.0;
+
 // Lines at most this wide (frame pixels) that run along an axis are moved to pixel boundaries:
 // rules and ticks stay crisp. Wider ones may move smoothly.
 constexpr double kHairline = 1.25;
@@ -64,6 +67,15 @@ Points arc(const Point& center, double radius, double from, double to, double pi
 Points circle(const Point& center, double radius, double pixels_per_unit) {
   Points points = arc(center, radius, 0.0, 2.0 * pi, pixels_per_unit);
   points.pop_back();
+  return points;
+}
+
+/// What a round pen covers on its way from `from` to `to`.
+Points capsule(const Point& from, const Point& to, double radius, double pixels_per_unit) {
+  const double angle = std::atan2(to.y() - from.y(), to.x() - from.x());
+  Points points = arc(to, radius, angle - 0.5 * pi, angle + 0.5 * pi, pixels_per_unit);
+  const Points back = arc(from, radius, angle + 0.5 * pi, angle + 1.5 * pi, pixels_per_unit);
+  points.insert(points.end(), back.begin(), back.end());
   return points;
 }
 
@@ -345,9 +357,22 @@ class MarkPainter {
     fill_convex(circle(center, 0.5 * style_->width, placement_.scale), paint);
   }
 
+  /// A line with round ends; square ones of the same area where nobody can tell.
+  void straight(const Point& from, const Point& to, const Color& paint) const {
+    const double radius = 0.5 * style_->width;
+    if (radius * placement_.scale > kSquareEnds) {
+      return fill_convex(capsule(from, to, radius, placement_.scale), paint);
+    }
+    const Point end = 0.25 * pi * radius * (to - from).normalized();
+    const std::vector<ImVec2> line = to_list({from - end, to + end});
+    list_.AddPolyline(line.data(), 2, color(paint), ImDrawFlags_None,
+                      static_cast<float>(style_->width * placement_.scale));
+  }
+
   /// Round joins and ends, as in `stroke-linejoin="round"`.
   void solid(const Points& points, bool closed, const Color& paint) const {
     if (points.size() == 1) return dot(points[0], paint);
+    if (points.size() == 2) return straight(points[0], points[1], paint);
     if (turns_gently(points, closed) || paint.a < 255) {
       const std::vector<ImVec2> line = to_list(points);
       list_.AddPolyline(line.data(), static_cast<int>(line.size()), color(paint),
