@@ -189,6 +189,8 @@ class App {
 
   Rect area_;  ///< Of the picture, in pixels of the window.
   double zoom_ = 1.0;
+  double toolbar_height_ =
+      0.0;                   ///< As it was drawn last, in pixels; one row at least is kept for it.
   double panel_size_ = 1.0;  ///< As the user chose.
   double ui_scale_ = 1.0;    ///< Times the density of the screen.
   double window_width_ = 0.0;

@@ -175,10 +175,22 @@ void App::set_colors() const {
 void App::draw_toolbar() {
   begin_panel("##toolbar", {{0.0, 0.0}, {window_width_, area_.min.y()}},
               ImGuiWindowFlags_NoScrollbar);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  // Beside what came before, or in a new row where the window is too narrow.
+  bool is_first = true;
+  const auto place = [&](float width) {
+    if (!is_first && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= end)
+      ImGui::SameLine();
+    is_first = false;
+  };
+  const auto width_of = [&](const char* text) {
+    return ImGui::CalcTextSize(text).x + 2.0f * style.FramePadding.x;
+  };
   const auto button = [&](const char* text, const char* command, const char* help) {
+    place(width_of(text));
     if (ImGui::Button(text)) run_command(command);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
-    ImGui::SameLine();
   };
   button("|<", "First frame", "First frame (Home)");
   button("<<", "Iteration before", "Iteration before (Shift+Left)");
@@ -187,25 +199,26 @@ void App::draw_toolbar() {
   button(">", "Next step", "Next step (Right)");
   button(">>", "Next iteration", "Next iteration (Shift+Right)");
   button(">|", "Last frame", "Last frame (End)");
-  ImGui::SetNextItemWidth(static_cast<float>(86.0 * ui_scale_));
+  const auto speed_width = static_cast<float>(86.0 * ui_scale_);
+  place(speed_width);
+  ImGui::SetNextItemWidth(speed_width);
   auto speed = static_cast<float>(frames_per_second_);
   if (ImGui::SliderFloat("##speed", &speed, 0.25f, 16.0f, "%.2g / s", ImGuiSliderFlags_Logarithmic))
     frames_per_second_ = std::clamp(static_cast<double>(speed), 0.25, 32.0);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second ([ and ])");
-  ImGui::SameLine();
   button("Undo", "Undo", "Undo (Ctrl+Z)");
   button("Redo", "Redo", "Redo (Ctrl+Y)");
   button("Fit", "Fit", "Show all of it (F)");
   bool snaps = snap_ > 0.0;
+  place(ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize("Snap").x);
   if (ImGui::Checkbox("Snap", &snaps)) run_command("Snap to a grid");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Snap to a grid of 0.25 (G)");
-  ImGui::SameLine();
   const auto drawer = [&](const char* text, const char* command, Drawer which) {
     const bool on = drawer_ == which;
+    place(width_of(text));
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     if (ImGui::Button(text)) run_command(command);
     if (on) ImGui::PopStyleColor();
-    ImGui::SameLine();
   };
   drawer("Shapes", "Shapes", Drawer::shapes);
   drawer("Values", "Values", Drawer::values);
@@ -218,6 +231,7 @@ void App::draw_toolbar() {
   button("Save", "Save", "Save (Ctrl+S)");
   button("Export", "Export frames", "Export frames (Ctrl+E)");
   button("?", "Keys", "All keys (?)");
+  toolbar_height_ = ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + style.WindowPadding.y;
   ImGui::End();
 }
 

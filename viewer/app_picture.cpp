@@ -20,7 +20,8 @@ namespace {
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
-constexpr double kToolbar = 38.0;
+constexpr double kToolbar = 38.0;     // of one row
+constexpr double kMostToolbar = 0.4;  // of the window
 constexpr double kLessons = 216.0;
 constexpr double kDrawer = 400.0;
 constexpr double kSlack = 7.0;        // frame pixels around a point or a line that still hit it
@@ -59,7 +60,8 @@ double App::layout(double width, double height, double density) {
   window_height_ = height;
   Rect area{{0.0, 0.0}, {width, height}};
   if (!presenting_) {
-    area.min.y() += kToolbar * ui_scale_;
+    area.min.y() +=
+        std::min(std::max(kToolbar * ui_scale_, toolbar_height_), kMostToolbar * height);
     if (lessons_shown_) area.min.x() += kLessons * ui_scale_;
     if (drawer_ != Drawer::none) area.max.x() -= kDrawer * ui_scale_;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 #include <malloc.h>
 
 #include <cmath>
@@ -319,6 +320,24 @@ TEST(App, AWindowOfAnySizeDraws) {
     window.resize(width, height);
     window.key("Right");
   }
+}
+
+TEST(App, ADenseScreenShowsTheSameInMorePixels) {
+  const Subject vertex{Kind::vertex_of_x, 0};
+  HeadlessApp window;
+  window.resize(1280.0, 800.0);
+  const Point before = window.at(vertex);
+  window.resize(2560.0, 1600.0, 2.0);
+  EXPECT_LT((window.at(vertex) - 2.0 * before).norm(), 0.01 * before.norm());
+}
+
+TEST(App, InANarrowWindowButtonsStandInMoreRows) {
+  const auto lower_end = [] { return ImGui::FindWindowByName("##toolbar")->Rect().Max.y; };
+  HeadlessApp window;
+  window.resize(1440.0, 900.0);
+  const float wide = lower_end();
+  window.resize(640.0, 900.0);
+  EXPECT_GT(lower_end(), 1.5f * wide);
 }
 
 TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {

@@ -36,7 +36,7 @@ void HeadlessApp::frame(double seconds) {
   io.DeltaTime = static_cast<float>(seconds);
   now_ += seconds;
   app_->tick(now_);
-  const double scale = app_->layout(width_, height_);
+  const double scale = app_->layout(width_, height_, density_);
   if (!atlas_fonts_ || atlas_fonts_->scale() != scale) {
     io.Fonts->Clear();
     io.Fonts->AddFontDefault();
@@ -57,9 +57,10 @@ void HeadlessApp::settle() {
   for (int i = 0; i < 3; ++i) frame();
 }
 
-void HeadlessApp::resize(double width, double height) {
+void HeadlessApp::resize(double width, double height, double density) {
   width_ = width;
   height_ = height;
+  density_ = density;
   settle();
 }
 

@@ -26,7 +26,8 @@ class HeadlessApp {
   void settle();
   /// One frame; `seconds` have passed.
   void frame(double seconds = 0.02);
-  void resize(double width, double height);
+  /// In pixels; see App::layout.
+  void resize(double width, double height, double density = 1.0);
   void move(const Point& to);
   void button(bool down, int clicks = 1);
   void click(const Point& at, int clicks = 1);
@@ -43,6 +44,7 @@ class HeadlessApp {
   std::unique_ptr<AtlasFonts> atlas_fonts_;
   double width_ = 1440.0;
   double height_ = 900.0;
+  double density_ = 1.0;
   double now_ = 0.0;
 };
 
