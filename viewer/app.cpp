@@ -133,7 +133,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
 }
 
 App::~App() {
-  if (!session_.is_unsaved()) forget_autosave();
+  if (!session_.has_unsaved()) forget_autosave();
 }
 
 // Files ------------------------------------------------------------------------------------------
@@ -163,17 +163,15 @@ void App::open_path(const fs::path& path) {
 void App::open_lesson(const fs::path& file) {
   LoadedLesson loaded = parse_lesson(read_whole(file), file, view_effects());
   if (!loaded.lesson) return say(all_of(loaded.problems), true);
-  if (!show(std::move(*loaded.lesson), file, file.string())) return;
-  remember_recent(file);
-  say("");
+  if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);
 }
 
-void App::open_case_text(std::string_view text, const std::string& name) {
+void App::open_case_text(std::string_view text, const std::string& name, bool unsaved) {
   const std::vector<ReadCase> cases = parse_cases(text, name);
   if (!cases.front().value) return say(all_of(cases.front().problems), true);
   std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
-  if (lesson && show(*std::move(lesson), {}, name))
-    say(cases.size() > 1 ? fmt::format("the first of {} cases", cases.size()) : "");
+  if (lesson && show(*std::move(lesson), {}, name, unsaved) && cases.size() > 1)
+    say(fmt::format("the first of {} cases", cases.size()));
 }
 
 std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
@@ -206,14 +204,17 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
   return lesson;
 }
 
-bool App::show(Lesson lesson, const fs::path& file, const std::string& name) {
-  if (!session_.open(std::move(lesson), file)) {
+bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
+  const bool leaves_unsaved = session_.is_unsaved();
+  if (leaves_unsaved) autosave();
+  if (!session_.open(std::move(lesson), file, unsaved)) {
     say(fmt::format("{}: {}", name, session_.problem()), true);
     return false;
   }
+  say(leaves_unsaved ? "undo goes back to what was not saved" : "");
   selected_ = {};
   playing_ = false;
-  kept_version_ = session_.version();
+  if (!unsaved) kept_version_ = session_.version();
   back_.reset();
   return true;
 }
@@ -542,7 +543,7 @@ void App::make_commands() {
     say("copied the shapes as a case");
   });
   add("Edit", "Paste a case", {"Ctrl+V"}, [&] {
-    if (paste) open_case_text(paste(), "pasted");
+    if (paste) open_case_text(paste(), "pasted", true);
   });
   add("File", "Open", {"Ctrl+O"}, [&] {
     dialog_ = Dialog::open;
@@ -596,7 +597,7 @@ void App::make_commands() {
     const auto now = std::find(names.begin(), names.end(), theme_name_);
     set_theme(now == names.end() || now + 1 == names.end() ? names.front() : *(now + 1));
   });
-  add("Help", "Keys", {"?", "Shift+/", "F1"},
+  add("Help", "Keys", {"?", "F1"},
       [&] { dialog_ = dialog_ == Dialog::help ? Dialog::none : Dialog::help; });
   add("Help", "Any command", {"Ctrl+P", "/"}, [&] {
     dialog_ = Dialog::palette;

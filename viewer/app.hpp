@@ -147,12 +147,14 @@ class App {
   void make_commands();
   void say(std::string message, bool is_error = false);
   void open_lesson(const std::filesystem::path& file);
-  void open_case_text(std::string_view text, const std::string& name);
+  /// `unsaved`: it comes from no file.
+  void open_case_text(std::string_view text, const std::string& name, bool unsaved = false);
   /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
   [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
   /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
   /// cannot be shown.
-  bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name);
+  bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name,
+            bool unsaved = false);
   /// Results of a study, in the lesson that shows them.
   void open_results(std::string_view json, const std::filesystem::path& file);
   /// The pair that a configuration answers worst, stepped as it computes.
@@ -189,6 +191,7 @@ class App {
 
   Rect area_;  ///< Of the picture, in pixels of the window.
   double zoom_ = 1.0;
+  Point toolbar_end_ = Point::Zero();  ///< What is free of its last row begins here.
   double toolbar_height_ =
       0.0;                   ///< As it was drawn last, in pixels; one row at least is kept for it.
   double panel_size_ = 1.0;  ///< As the user chose.

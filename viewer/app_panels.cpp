@@ -232,6 +232,7 @@ void App::draw_toolbar() {
   button("Export", "Export frames", "Export frames (Ctrl+E)");
   button("?", "Keys", "All keys (?)");
   toolbar_height_ = ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + style.WindowPadding.y;
+  toolbar_end_ = Point(ImGui::GetItemRectMax().x + style.ItemSpacing.x, ImGui::GetItemRectMin().y);
   ImGui::End();
 }
 
@@ -570,11 +571,16 @@ void App::draw_message() {
   const std::string& text = message_.empty() ? session_.problem() : message_;
   if (text.empty()) return;
   const bool error = message_.empty() || message_is_error_;
-  ImGui::SetNextWindowPos(ImVec2(static_cast<float>(0.5 * (area_.min.x() + area_.max.x())),
-                                 static_cast<float>(area_.min.y() + 2.0 * ui_scale_)),
-                          ImGuiCond_Always, ImVec2(0.5f, 0.0f));
-  // No higher than the line of the title, so that it covers no words.
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f, 2.0f));
+  // Behind the buttons, where there is nothing to cover; else on the line of the title.
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const double width = ImGui::CalcTextSize(text.c_str()).x + 2.0f * padding.x;
+  if (!presenting_ && toolbar_end_.x() + width < window_width_) {
+    ImGui::SetNextWindowPos(vec(toolbar_end_));
+  } else {
+    ImGui::SetNextWindowPos(vec({area_.max.x(), area_.min.y() + 2.0 * ui_scale_}), ImGuiCond_Always,
+                            ImVec2(1.0f, 0.0f));
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::SetNextWindowBgAlpha(0.95f);
   ImGui::Begin("##message", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |

@@ -63,21 +63,28 @@ bool Session::replace(Lesson lesson) {
 
 bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   if (dragging_) end_drag();
+  std::optional<Entry> before;
+  if (shown_) before = {"open " + lesson.id, lesson_, {{file_, is_unsaved(), index_}}};
   if (!replace(std::move(lesson))) return false;
   go_to(0);
   file_ = std::move(file);
-  past_.clear();
-  future_.clear();
-  ++version_;
+  if (before) remember(*std::move(before));
+  changed();
   saved_version_ = unsaved ? -1 : version_;
   return true;
+}
+
+bool Session::has_unsaved() const {
+  return is_unsaved() || std::any_of(past_.begin(), past_.end(), [](const Entry& entry) {
+           return entry.of_other && entry.of_other->unsaved;
+         });
 }
 
 bool Session::reload(Lesson lesson) {
   if (dragging_) end_drag();
   Lesson before = lesson_;
   if (!replace(std::move(lesson))) return false;
-  remember("reload", std::move(before));
+  remember({"reload", std::move(before)});
   changed();
   saved_version_ = version_;
   return true;
@@ -93,10 +100,10 @@ void Session::changed() {
   future_.clear();
 }
 
-void Session::remember(std::string name, Lesson lesson) {
-  past_.push_back({std::move(name), std::move(lesson)});
+void Session::remember(Entry entry) {
+  past_.push_back(std::move(entry));
   std::size_t all = 0;
-  for (const Entry& entry : past_) all += weight(entry.lesson);
+  for (const Entry& each : past_) all += weight(each.lesson);
   while (past_.size() > kMostEntries || (all > kMostRemembered && past_.size() > 1)) {
     all -= weight(past_.front().lesson);
     past_.erase(past_.begin());
@@ -106,7 +113,7 @@ void Session::remember(std::string name, Lesson lesson) {
 bool Session::change(const std::string& name, const std::function<void(Lesson&)>& edit) {
   if (dragging_) end_drag();
   hold_cameras();
-  remember(name, lesson_);
+  remember({name, lesson_});
   const std::vector<std::optional<Camera>> cameras = cameras_;
   edit(lesson_);
   cameras_.resize(lesson_.views.size());
@@ -123,7 +130,7 @@ bool Session::change(const std::string& name, const std::function<void(Lesson&)>
 void Session::begin_drag(const std::string& name) {
   if (dragging_) end_drag();
   hold_cameras();
-  remember(name, lesson_);
+  remember({name, lesson_});
   changed();
   dragging_ = true;
 }
@@ -153,10 +160,20 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
   Entry entry = std::move(from.back());
   from.pop_back();
   std::swap(lesson_, entry.lesson);
+  std::optional<Whereabouts> there;
+  if (entry.of_other) {
+    there = std::exchange(*entry.of_other, {file_, is_unsaved(), index_});
+    cameras_.clear();
+    file_ = there->file;
+  }
   to.push_back(std::move(entry));
   cameras_.resize(lesson_.views.size());
   ++version_;
   show(false);
+  if (there) {
+    go_to(there->index);
+    saved_version_ = there->unsaved ? -1 : version_;
+  }
   return true;
 }
 

@@ -35,15 +35,18 @@ class Session {
 
   // The lesson
 
-  /// Shows another lesson, from its start; history begins anew. `file` is where it is saved, empty
-  /// for what has no file yet. `unsaved`: it differs from its file. False, and all stays as it
-  /// was, when its run cannot be shown.
+  /// Shows another lesson, from its start: an entry of the history, so that undo goes back to the
+  /// one before, whatever was done to it. `file` is where it is saved, empty for what has no file
+  /// yet. `unsaved`: it differs from its file. False, and all stays as it was, when its run cannot
+  /// be shown.
   bool open(Lesson lesson, std::filesystem::path file, bool unsaved = false);
   /// The file changed: the same place of the new lesson; an entry of the history.
   bool reload(Lesson lesson);
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool is_unsaved() const { return version_ != saved_version_; }
+  /// So is this lesson, or one that undo goes back to.
+  [[nodiscard]] bool has_unsaved() const;
   void mark_saved(std::filesystem::path file);
   /// Grows with every change.
   [[nodiscard]] long version() const { return version_; }
@@ -111,9 +114,16 @@ class Session {
   [[nodiscard]] Lesson lesson_as_seen() const;
 
  private:
+  /// Where a lesson belongs, and how far it was stepped.
+  struct Whereabouts {
+    std::filesystem::path file;
+    bool unsaved = false;
+    int index = 0;
+  };
   struct Entry {
     std::string name;
     Lesson lesson;
+    std::optional<Whereabouts> of_other = std::nullopt;  ///< When another lesson was opened.
   };
   struct Shown;
   /// Where in the run one is, to find it again in another.
@@ -125,7 +135,7 @@ class Session {
   };
 
   bool replace(Lesson lesson);
-  void remember(std::string name, Lesson lesson);
+  void remember(Entry entry);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.

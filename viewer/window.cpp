@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 
@@ -45,6 +46,12 @@ struct Gl {
 double seconds() {
   return static_cast<double>(SDL_GetPerformanceCounter()) /
          static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+/// Neither a letter nor a digit nor a named key: where it is, and with which other keys it is
+/// typed, differs from keyboard to keyboard.
+bool is_sign(std::string_view text) {
+  return text.size() == 1 && std::ispunct(static_cast<unsigned char>(text[0])) != 0;
 }
 
 struct Sdl {
@@ -303,8 +310,8 @@ struct Window::Impl {
       case SDL_TEXTINPUT:
         if (io.WantTextInput) {
           io.AddInputCharactersUTF8(event.text.text);
-        } else if (std::strcmp(event.text.text, "?") == 0) {
-          app.press({"?"});
+        } else if (is_sign(event.text.text)) {
+          app.press({event.text.text});
         }
         return false;
       case SDL_KEYDOWN:
@@ -318,6 +325,7 @@ struct Window::Impl {
         if (!down) return false;
         const std::string name = SDL_GetKeyName(event.key.keysym.sym);
         if (io.WantTextInput && name != "Escape") return false;
+        if (is_sign(name) && !io.KeyCtrl) return false;  // comes as text, too
         app.press({name, io.KeyCtrl, io.KeyShift});
         return false;
       }
@@ -430,7 +438,7 @@ void Window::push_key(const KeyPress& key) {
   event.key.keysym.scancode = SDL_GetScancodeFromKey(event.key.keysym.sym);
   event.key.keysym.mod =
       static_cast<Uint16>((key.ctrl ? KMOD_LCTRL : 0) | (key.shift ? KMOD_LSHIFT : 0));
-  if (key.key == "?") return push_text("?");
+  if (is_sign(key.key) && !key.ctrl) return push_text(key.key);
   SDL_PushEvent(&event);
   settle();
   event.type = SDL_KEYUP;

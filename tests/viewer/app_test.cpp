@@ -220,6 +220,28 @@ TEST(App, WorkThatWasNotSavedIsThereAgain) {
   EXPECT_NE(std::string::npos, again.app().message().find("restored"));
 }
 
+TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
+  const TemporaryFolder folder;
+  const auto kept = [&] {
+    std::string text;
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+      if (entry.path().filename().string().starts_with("unsaved-"))
+        text = test::read_file(entry.path());
+    }
+    return text;
+  };
+  {
+    HeadlessApp window("polygons-gjk", folder.path());
+    window.app().paste = [] { return R"({"a": [[0, 0.125]], "b": [[7, 0]]})"; };
+    window.key("V", true);
+    for (int i = 0; i < 3; ++i) window.frame(1.0);
+    EXPECT_NE(std::string::npos, kept().find("0.125"));
+    window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "collinear.toml");
+    EXPECT_FALSE(window.session().is_unsaved());
+  }
+  EXPECT_NE(std::string::npos, kept().find("0.125"));
+}
+
 TEST(App, AFileThatChangesIsReadAgainAndABrokenOneIsSaidWithItsPlace) {
   const TemporaryFolder folder;
   const std::string text =

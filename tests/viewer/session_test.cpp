@@ -159,6 +159,39 @@ TEST(Session, ReloadKeepsThePlaceAndCanBeUndone) {
   EXPECT_TRUE(session.is_unsaved());
 }
 
+TEST(Session, AnotherLessonTakesNothingAway) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
+  EXPECT_EQ("", session.undo_name());
+  const Lesson first = session.lesson();
+  ASSERT_TRUE(session.change("move", [](Lesson& lesson) { lesson.x.vertices[0].x() -= 1.0; }));
+  const Lesson edited = session.lesson();
+  session.go_to(9);
+  ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
+  EXPECT_FALSE(session.is_unsaved());
+  EXPECT_TRUE(session.has_unsaved());
+  session.go_to(3);
+
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ(edited, session.lesson());
+  EXPECT_EQ("a.toml", session.file());
+  EXPECT_EQ(9, session.index());
+  EXPECT_TRUE(session.is_unsaved());
+  ASSERT_TRUE(session.redo());
+  EXPECT_EQ("segment-regions", session.lesson().id);
+  EXPECT_EQ("b.toml", session.file());
+  EXPECT_EQ(3, session.index());
+  EXPECT_FALSE(session.is_unsaved());
+  ASSERT_TRUE(session.undo());
+  session.mark_saved("c.toml");
+  ASSERT_TRUE(session.redo());
+  EXPECT_FALSE(session.has_unsaved());
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ("c.toml", session.file());
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ(first, session.lesson());
+}
+
 TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
