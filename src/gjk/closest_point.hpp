@@ -67,7 +67,7 @@ struct RegionList {
       }
     }
   }
-  if (order == RegionOrder::vertices_first) return sorted;
+  if (order != RegionOrder::edges_first) return sorted;
   RegionList reordered;
   for (const bool edges : {true, false}) {
     for (int i = 0; i < sorted.count; ++i) {
@@ -231,11 +231,12 @@ void find_region(State<S, D>& state, Rec& record) {
   const Simplex<S, D>& simplex = state.simplex;
   const CoordinateTable<S, D, kCount> table(simplex);
   static constexpr RegionList kList = list_regions(kCount, kOrder);
+  constexpr bool kChecked = kOrder != RegionOrder::unchecked;
   const auto taken = [&](const RegionCondition& condition) {
     if constexpr (Rec::kOn) record.region_tests.push_back(noted(condition, table));
     if (!condition.holds(table.positive())) return false;
-    const bool full = vertex_count(condition.face) == D + 1;
-    if (full && !weights_reach_origin(simplex, table[condition.face])) return false;
+    const bool doubtful = kChecked && vertex_count(condition.face) == D + 1;
+    if (doubtful && !weights_reach_origin(simplex, table[condition.face])) return false;
     take_region(state, condition.face, table[condition.face]);
     return true;
   };
@@ -244,20 +245,23 @@ void find_region(State<S, D>& state, Rec& record) {
   }
   (std::make_integer_sequence<int, kList.count>{});
   if (found) return;
-  const Face nearest = nearest_face(simplex, table);
+  const Face nearest = kChecked ? nearest_face(simplex, table) : simplex.all();
   if constexpr (Rec::kOn) {
     const bool full_is_nearest = nearest == simplex.all() && vertex_count(nearest) == D + 1;
-    record.no_region_held = !full_is_nearest;
+    record.no_region_held = kChecked && !full_is_nearest;
   }
   take_region(state, nearest, table[nearest]);
 }
 
 template <int kCount, class S, int D, class Rec>
 void find_closest_point_of(State<S, D>& state, const Options& options, Rec& record) {
-  if (options.region_order == RegionOrder::vertices_first) {
-    find_region<kCount, RegionOrder::vertices_first>(state, record);
-  } else {
-    find_region<kCount, RegionOrder::edges_first>(state, record);
+  switch (options.region_order) {
+    case RegionOrder::vertices_first:
+      return find_region<kCount, RegionOrder::vertices_first>(state, record);
+    case RegionOrder::edges_first:
+      return find_region<kCount, RegionOrder::edges_first>(state, record);
+    case RegionOrder::unchecked:
+      return find_region<kCount, RegionOrder::unchecked>(state, record);
   }
 }
 

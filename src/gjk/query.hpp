@@ -200,11 +200,15 @@ enum class DirectionRule : std::uint8_t {
   towards_origin,  ///< d = O - P, with the round-off of P (Catto 2010, "A bad direction").
 };
 
-/// The order in which Voronoi regions are tested; the first region whose test holds is taken.
+/// The order in which Voronoi regions are tested; the first region whose test holds is taken. Where
+/// rounding leaves no region whose test holds, or makes O lie in a simplex whose weights put P
+/// elsewhere, the region with the nearest point is taken.
 enum class RegionOrder : std::uint8_t {
   vertices_first,  ///< Vertices, edges, ..., interior: the slides' order.
   edges_first,     ///< Edges before vertices. Exact arithmetic cannot tell the difference; rounding
                    ///< can.
+  unchecked,       ///< Vertices first, and every test is believed: the last region is what is left
+                   ///< over, as on the slides.
 };
 
 /// Indices of the vertices of X and Y whose difference is a vertex of the simplex.

@@ -145,9 +145,10 @@ struct Named<gjk::DirectionRule> {
 };
 template <>
 struct Named<gjk::RegionOrder> {
-  static constexpr std::array<std::pair<std::string_view, gjk::RegionOrder>, 2> kTable = {
+  static constexpr std::array<std::pair<std::string_view, gjk::RegionOrder>, 3> kTable = {
       {{"vertices-first", gjk::RegionOrder::vertices_first},
-       {"edges-first", gjk::RegionOrder::edges_first}}};
+       {"edges-first", gjk::RegionOrder::edges_first},
+       {"unchecked", gjk::RegionOrder::unchecked}}};
 };
 
 template <class E>

@@ -65,7 +65,7 @@ std::vector<LessonKey> make_keys() {
       {"query", "direction", one_of<gjk::DirectionRule>(), "perpendicular",
        "how the search direction is built"},
       {"query", "regions", one_of<gjk::RegionOrder>(), "vertices-first",
-       "order of the region tests"},
+       "order of the region tests; unchecked: vertices first, and each of them is believed"},
       {"query", "stop", "list of: repeated-support, no-progress", "both",
        "stop tests that may be left out; origin inside, zero direction and the cap always apply"},
       {"query", "tolerance", "number of at least 0 and below 1", "0",

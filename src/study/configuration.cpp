@@ -47,6 +47,7 @@ std::string name_of(const Configuration& configuration) {
   if (configuration.effort == Effort::bounds) name += ", no proof";
   if (options.direction_rule == gjk::DirectionRule::towards_origin) name += ", towards O";
   if (options.region_order == gjk::RegionOrder::edges_first) name += ", edges first";
+  if (options.region_order == gjk::RegionOrder::unchecked) name += ", regions unchecked";
   if (!options.stop_on_no_progress) name += ", stop: repeated support";
   if (!options.stop_on_repeated_support) name += ", stop: no progress";
   if (options.tolerance > 0.0) name += fmt::format(", gap {:.0e}", options.tolerance);
@@ -121,6 +122,7 @@ std::vector<Configuration> configurations(bool quick) {
       if (arithmetic == Arithmetic::half && effort == Effort::proof) continue;
       add(arithmetic, effort).options.direction_rule = DirectionRule::towards_origin;
       add(arithmetic, effort).options.region_order = RegionOrder::edges_first;
+      add(arithmetic, effort).options.region_order = RegionOrder::unchecked;
       Configuration& both = add(arithmetic, effort);
       both.options.direction_rule = DirectionRule::towards_origin;
       both.options.region_order = RegionOrder::edges_first;

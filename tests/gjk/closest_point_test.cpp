@@ -210,6 +210,32 @@ TEST(rounding, "when rounding leaves every test false the nearest face is taken,
   CHECK(happened > 50);
 }
 
+TEST(unchecked, "unchecked tests find the same region, but where rounding fools them") {
+  const auto order = gjk::RegionOrder::unchecked;
+  constexpr std::uint64_t kSeed = 4;
+  families::Source random(kSeed);
+  int fooled = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("seed", kSeed, "triangle", i);
+    std::vector<Vec<double, 2>> points;
+    for (int k = 0; k < 3; ++k) points.emplace_back(random.among(-4, 4), random.among(-4, 4));
+    const bool thin = cross(gjk::flat(Vec<double, 2>(points[1] - points[0])),
+                            gjk::flat(Vec<double, 2>(points[2] - points[0]))) == 0.0;
+    if (!thin) CHECK_EQ(closest(points).region, closest(points, order).region);
+    // On a line through O, up to rounding, and on both sides of it.
+    const double angle = random.between(0, 6.283185307179586);
+    for (Vec<double, 2>& point : points) {
+      point = random.between(-4, 4) * Vec<double, 2>(std::cos(angle), std::sin(angle));
+    }
+    const Closest believed = closest(points, order);
+    if (believed.region != closest(points).region) {
+      CHECK_EQ(0b111, static_cast<int>(believed.region));
+      ++fooled;
+    }
+  }
+  CHECK(fooled > 20);
+}
+
 std::vector<int> faces(int vertices, gjk::RegionOrder order) {
   std::vector<int> out;
   const gjk::detail::RegionList list = gjk::detail::list_regions(vertices, order);
