@@ -62,11 +62,11 @@ class Advice {
         machine.compiler, machine.flags, machine.commit, study_.seed);
   }
 
-  /// Of the rows that `suit` and are as fast as any of them, but for what may be noise, the first:
-  /// the plainest. A cap buys no accuracy.
+  /// Of the rows that `suit` and are as fast as any of them, but for what is noise or a matter of
+  /// the processor, the first: the plainest. A cap buys no accuracy.
   template <class Suits>
   [[nodiscard]] static const Row* fastest(const RowList& rows, Suits suits) {
-    constexpr double kNoise = 1.15;
+    constexpr double kAlike = 1.25;
     RowList all;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(all), [&](const Row* row) {
       return row->failed == 0 && row->axis != "cap" && suits(*row);
@@ -76,7 +76,7 @@ class Advice {
     const Row* best = *std::min_element(
         all.begin(), all.end(), [&](const Row* x, const Row* y) { return time(x) < time(y); });
     return *std::find_if(all.begin(), all.end(),
-                         [&](const Row* row) { return time(row) <= kNoise * time(best); });
+                         [&](const Row* row) { return time(row) <= kAlike * time(best); });
   }
 
   [[nodiscard]] std::string digits() const {
@@ -84,7 +84,8 @@ class Advice {
         "## To be sure of k digits\n\n"
         "The fastest configuration whose error was at most half a unit of digit k, on every pair: "
         "of the scale (the largest\ndistance between a vertex of X and one of Y), and, which is "
-        "harder, of the distance itself. Among equally fast ones the plainest.\n\n";
+        "harder, of the distance itself. Of those that take at most a quarter more time, the "
+        "plainest.\n\n";
     if (!ordinary_.empty()) {
       out += "### For ordinary shapes\n\n" + fmt::format("The family \"{}\".\n\n", kOrdinary) +
              digit_table(ordinary_) + "\n";
