@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -98,6 +99,7 @@ std::string position_of(const LessonRun& run, int index) {
   const int count = static_cast<int>(run.frames.size());
   const Granularity granularity = run.lesson.granularity;
   if (frame.question >= 0) {
+    if (granularity == Granularity::test) return fmt::format("step {} · question", index + 1);
     // How many iterations there are would tell whether this is the last.
     return fmt::format("iteration {} · question",
                        run.run(frame).trace.steps[frame.answer].iteration);
@@ -305,7 +307,8 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   for (std::size_t i = 0; i < run_.frames.size(); ++i) {
     if (scope_ == LabelScope::frame && i != shown) continue;
     const Scene& of_frame = scene(of_view, i);
-    if (!of_frame.fixed_labels.empty()) scenes.push_back(&of_frame);
+    if (!of_frame.fixed_labels.empty() || !of_frame.area_labels.empty())
+      scenes.push_back(&of_frame);
   }
   Obstacles all;
   for (const Scene* of_frame : scenes) {
@@ -327,6 +330,18 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
       if (shows(view.stage.card, label) && placed.insert(label.id).second)
         (void)view.placer.place(label, true);
     }
+  }
+  // Of an area that is another one in each frame no place could be kept.
+  std::map<std::string, const AreaLabelRequest*> areas;
+  std::set<std::string> change;
+  for (const Scene* of_frame : scenes) {
+    for (const AreaLabelRequest& label : of_frame->area_labels) {
+      const AreaLabelRequest& first = *areas.try_emplace(label.id, &label).first->second;
+      if (first.polygon != label.polygon || first.text != label.text) change.insert(label.id);
+    }
+  }
+  for (const auto& [id, label] : areas) {
+    if (!change.contains(id)) (void)view.placer.place_inside(*label, true);
   }
 }
 

@@ -62,11 +62,10 @@ Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame)
   PlotSeries all{PlotStyle::fourth, "n · n points of Z", {}};
   for (const Sample& sample : measured)
     all.points.emplace_back(sample.vertices, 1.0 * sample.vertices * sample.vertices);
-  plot.series = {
-      series_of(measured, PlotStyle::first, "points computed", &Sample::touched_points),
-      series_of(measured, PlotStyle::second, "vertices, scanned", &Sample::scanned_vertices),
-      series_of(measured, PlotStyle::third, "vertices, climbed", &Sample::seen_vertices),
-      std::move(all)};
+  plot.series = {series_of(measured, PlotStyle::first, "points computed", &Sample::touched_points),
+                 series_of(measured, PlotStyle::second, "scanned", &Sample::scanned_vertices),
+                 series_of(measured, PlotStyle::third, "climbed", &Sample::seen_vertices),
+                 std::move(all)};
   return plot;
 }
 

@@ -21,17 +21,20 @@ constexpr double kOverSegment = 100.0;
 constexpr double kOverPassing = 20.0;
 constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
-constexpr double kFarther = 5.0;
+constexpr double kFarther = 8.0;
 constexpr double kOtherAnchor = 8.0;  // each further one
 constexpr double kMove = 40.0;
 constexpr double kOverPassingNow = 60.0;  // more, in the one frame that the line is in
-constexpr double kNearCircle = 30.0;
-constexpr double kClearance = 2.0;       // pixels between a label and what it must not touch
-constexpr double kLabelClearance = 5.0;  // and between two labels, which would read as one
+constexpr double kAcross = 30.0;          // a line between a label and what it names
+constexpr double kNear = 30.0;
+constexpr double kClearance = 4.0;       // pixels between a label and what it must not touch
+constexpr double kLabelClearance = 6.0;  // and between two labels, which would read as one
 constexpr double kAreaClearance = 18.0;  // and between the name of an area and a mark with its own
+constexpr double kLineClearance = 9.0;   // and a line, which it has room to keep away from
 constexpr double kSideKept = 8.0;        // times kWrongSide, for labels that keep their side
 constexpr int kDirections = 24;
 constexpr int kRings = 7;
+constexpr int kFixedRings = 4;  // what stays in place is called close by
 
 Rect box_around(const Point& center, const Point& size) {
   return {center - 0.5 * size, center + 0.5 * size};
@@ -74,6 +77,16 @@ bool hits(const Rect& box, const Obstacles::Circle& circle) {
   return (nearest - circle.center).norm() < circle.radius;
 }
 
+/// True if the segments have a point in common that is no end of either.
+bool cross(const Obstacles::Segment& p, const Obstacles::Segment& q) {
+  const auto side = [](const Obstacles::Segment& of, const Point& point) {
+    const Point d = of.b - of.a;
+    const Point to = point - of.a;
+    return d.x() * to.y() - d.y() * to.x();
+  };
+  return side(p, q.a) * side(p, q.b) < 0.0 && side(q, p.a) * side(q, p.b) < 0.0;
+}
+
 bool inside(std::span<const Point> polygon, const Rect& box) {
   const double orientation = signed_area(polygon);
   const Point corners[] = {
@@ -109,10 +122,15 @@ double LabelPlacer::cost_of(const Rect& box) const {
     cost += hits(clear, circle) ? kOverCircle : 0.0;
   for (const Obstacles::Segment& segment : obstacles_.segments)
     cost += hits(clear, segment) ? kOverSegment : 0.0;
+  return cost;
+}
+
+double LabelPlacer::cost_of_passing(const Rect& box, bool in_frame) const {
+  const Rect clear = grown(box, kClearance);
   const auto passing = std::count_if(obstacles_.passing.begin(), obstacles_.passing.end(),
                                      [&](const auto& segment) { return hits(clear, segment); });
-  cost += kOverPassing * std::min<double>(static_cast<double>(passing), kMostPassing);
-  return cost;
+  return kOverPassing * std::min<double>(static_cast<double>(passing), kMostPassing) +
+         (in_frame && passing > 0 ? kOverPassingNow : 0.0);
 }
 
 Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::string& role,
@@ -123,47 +141,46 @@ Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::s
 
 Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const Point size = size_of(request.text, request.style);
-  const auto known = offsets_.find(request.id);
-  if (fixed && known != offsets_.end() && !request.steps_aside) {
-    const Rect box = box_around(request.anchor + known->second, size);
-    taken_.push_back(box);
-    return mark_at(box, request.text, request.role, request.style);
-  }
-  // A place for all frames is found among the lines of all of them; in a frame only its own count.
-  const bool in_frame = !fixed || known != offsets_.end();
-  const auto cost_here = [&](const Rect& box) {
-    const Rect clear = grown(box, kClearance);
-    const auto crosses = [&](const auto& segment) { return hits(clear, segment); };
-    const bool crossed =
-        in_frame && std::any_of(obstacles_.passing.begin(), obstacles_.passing.end(), crosses);
-    return cost_of(box) + (crossed ? kOverPassingNow : 0.0);
+  const auto known = places_.find(request.id);
+  const bool moves = known != places_.end();
+  // A place for all frames is found among what stays in them; a line that passes makes way.
+  const bool in_frame = !fixed || moves;
+  const auto centre = [&](const Place& place) -> Point {
+    return request.anchor + place.beside + 0.5 * place.face.cwiseProduct(size);
+  };
+  const auto is_cut_off = [&](const Point& middle) {
+    const Point way = middle - request.anchor;
+    const double length = way.norm();
+    if (length <= request.gap) return false;
+    const Obstacles::Segment visible{request.anchor + request.gap / length * way, middle};
+    return std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
+                       [&](const auto& segment) { return cross(visible, segment); });
   };
   double best_cost = std::numeric_limits<double>::infinity();
-  Point best = Point::Zero();
-  const auto consider = [&](const Point& offset, double extra) {
+  Place best;
+  const auto consider = [&](const Place& place, double extra) {
     if (extra >= best_cost) return;
-    const double cost = extra + cost_here(box_around(request.anchor + offset, size));
+    const Rect box = box_around(centre(place), size);
+    const double cost = extra + cost_of(box) + (in_frame ? cost_of_passing(box, true) : 0.0) +
+                        (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {
       best_cost = cost;
-      best = offset;
+      best = place;
     }
   };
-  const bool moves = known != offsets_.end();
   if (moves) consider(known->second, 0.0);
   const double start = request.towards.norm() > 0.0
                            ? std::atan2(request.towards.y(), request.towards.x())
                            : -0.25 * std::numbers::pi;
   const auto consider_beside = [&](const Point& anchor, double extra) {
-    for (int ring = 0; ring < kRings; ++ring) {
+    for (int ring = 0; ring < (fixed ? kFixedRings : kRings); ++ring) {
       for (int k = 0; k < kDirections; ++k) {
         const double turn = 2.0 * std::numbers::pi * k / kDirections;
         const Point d(std::cos(start + turn), std::sin(start + turn));
         // The box touches the free circle with the side or corner that faces the anchor.
         const Point face = d / std::max(std::abs(d.x()), std::abs(d.y()));
-        const Point offset = anchor - request.anchor + d * (request.gap + 7.0 * ring) +
-                             0.5 * face.cwiseProduct(size);
         const double side = request.keeps_side ? kSideKept * kWrongSide : kWrongSide;
-        consider(offset,
+        consider({anchor - request.anchor + d * (request.gap + 7.0 * ring), face},
                  extra + side * (1.0 - std::cos(turn)) + kFarther * ring + (moves ? kMove : 0.0));
       }
     }
@@ -172,13 +189,13 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   double extra = 0.0;
   for (const Point& anchor : request.other_anchors) consider_beside(anchor, extra += kOtherAnchor);
   // A label with a place for all frames steps aside for a frame, and then is back.
-  if (!fixed || !moves) offsets_[request.id] = best;
-  const Rect box = box_around(request.anchor + best, size);
+  if (!fixed || !moves) places_[request.id] = best;
+  const Rect box = box_around(centre(best), size);
   taken_.push_back(box);
   return mark_at(box, request.text, request.role, request.style);
 }
 
-std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
+std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, bool in_any_case) {
   const Point size = size_of(request.text, request.style);
   Rect extent{request.polygon[0], request.polygon[0]};
   for (const Point& point : request.polygon) {
@@ -189,35 +206,38 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request) {
   extent.max = extent.max.cwiseMin(bounds_.max);
   const Point middle = centroid(request.polygon);
   std::optional<Point> best;
-  double best_cost = kOverCircle;  // rather no label than one over a mark
+  double best_cost = in_any_case ? std::numeric_limits<double>::infinity() : kOverCircle;
   const auto consider = [&](const Point& center, double extra) {
     const Rect box = box_around(center, size);
     if (extra >= best_cost || !inside(request.polygon, grown(box, 3.0 * kClearance))) return;
     const Rect wide = grown(box, kAreaClearance);
+    const Rect aside = grown(box, kLineClearance);
     const bool near = std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(),
-                                  [&](const auto& circle) { return hits(wide, circle); });
-    const double cost = extra + cost_of(box) + (near ? kNearCircle : 0.0);
+                                  [&](const auto& circle) { return hits(wide, circle); }) ||
+                      std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
+                                  [&](const auto& segment) { return hits(aside, segment); });
+    const double cost = extra + cost_of(box) + cost_of_passing(box, false) + (near ? kNear : 0.0);
     if (cost < best_cost) {
       best_cost = cost;
       best = center;
     }
   };
-  const auto known = offsets_.find(request.id);
-  if (known != offsets_.end()) consider(known->second, 0.0);
+  const auto known = places_.find(request.id);
+  if (known != places_.end()) consider(known->second.beside, 0.0);
   constexpr double kStep = 10.0;
   for (double y = extent.min.y() + kStep; y < extent.max.y(); y += kStep) {
     for (double x = extent.min.x() + kStep; x < extent.max.x(); x += kStep) {
       consider({x, y},
-               0.05 * (Point(x, y) - middle).norm() + (known != offsets_.end() ? kMove : 0.0));
+               0.05 * (Point(x, y) - middle).norm() + (known != places_.end() ? kMove : 0.0));
     }
   }
   if (!best) {
     if (!request.otherwise) return {};
     return {place(*request.otherwise, false)};
   }
-  offsets_[request.id] = *best;
+  places_[request.id] = {*best, Point::Zero()};
   const Rect box = box_around(*best, size);
-  taken_.push_back(box);
+  taken_.push_back(grown(box, 2.0 * kLabelClearance));
   return {mark_at(box, request.text, request.role, request.style)};
 }
 

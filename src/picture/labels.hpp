@@ -40,8 +40,6 @@ struct LabelRequest {
   Point towards = Point::Zero();          ///< Preferred side; zero: any.
   bool keeps_side = false;                ///< Rather farther away than on another side.
   std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
-  /// A fixed label may leave its place for a frame in which a line crosses it.
-  bool steps_aside = false;
 };
 
 /// A label somewhere inside a convex polygon.
@@ -64,13 +62,23 @@ class LabelPlacer {
   /// Reserves room that labels must not take.
   void reserve(const Rect& box) { taken_.push_back(box); }
 
-  /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
+  /// The text mark of a label. `fixed`: a place found once for the id is kept, but for frames in
+  /// which something else is there.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
-  /// No mark when the polygon has no room and there is no other place.
-  [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request);
+  /// No mark when the polygon has no room and there is no other place. `in_any_case`: rather on a
+  /// mark than nowhere.
+  [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request,
+                                               bool in_any_case = false);
 
  private:
+  /// A place that is kept when the text gets longer or shorter.
+  struct Place {
+    Point beside = Point::Zero();  ///< What of the label is nearest to the anchor, from there.
+    Point face = Point::Zero();    ///< From there to the middle, in halves of the label's size.
+  };
+
   [[nodiscard]] double cost_of(const Rect& box) const;
+  [[nodiscard]] double cost_of_passing(const Rect& box, bool in_frame) const;
   [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role,
                              const TextStyle& style) const;
   [[nodiscard]] Point size_of(const std::string& text, const TextStyle& style) const;
@@ -79,8 +87,7 @@ class LabelPlacer {
   Rect bounds_;
   Obstacles obstacles_;
   std::vector<Rect> taken_;
-  std::map<std::string, Point>
-      offsets_;  ///< Centre of each label, relative to its anchor, in the last frame it was in.
+  std::map<std::string, Place> places_;  ///< Of each label, in the last frame that it was in.
 };
 
 }  // namespace gjkscope

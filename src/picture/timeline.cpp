@@ -160,13 +160,16 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   constexpr double kTickGap = 5.0;
   constexpr double kWidest = 116.0;
   constexpr double kQuestionWidth = 10.0;
+  constexpr double kHiddenRest = 120.0;
   const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) +
                       kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
   const int questions =
       static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(),
                                      [](const Frame& frame) { return frame.question >= 0; }));
+  // Where a question is asked last, an end of the bar at the end would tell the answer.
+  const double rest = questions > 0 ? kHiddenRest : 0.0;
   const double width = std::min(
-      kWidest, (area.size().x() - gaps - kQuestionWidth * questions) / (count - questions));
+      kWidest, (area.size().x() - rest - gaps - kQuestionWidth * questions) / (count - questions));
   // What comes after the next question would answer it: a bar without ticks.
   const auto question = std::find_if(run.frames.begin() + current, run.frames.end(),
                                      [](const Frame& frame) { return frame.question >= 0; });
@@ -188,7 +191,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       const double tick_width = tick.question ? kQuestionWidth : width;
       if (index > last) {
         const double gap = &tick == &group.ticks.back() ? kGroupGap : kTickGap;
-        const double end = std::min(x + tick_width + gap, area.max.x());
+        const double end = index + 1 == count ? area.max.x() : x + tick_width + gap;
         marks.push_back(
             {"timeline.hidden", Box{{{x, bar_y}, {end, bar_y + 10.0}}, 0.0}, -1, subject});
         x += tick_width + kTickGap;

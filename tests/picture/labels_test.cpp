@@ -49,19 +49,34 @@ TEST_F(Labels, KeepTheirPlaceFromFrameToFrameWhileItIsFree) {
   EXPECT_EQ(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)), first);
 }
 
-TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALineOnlyWhereTheyMay) {
+TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALine) {
   Obstacles crossed;
   crossed.passing.push_back({{0.0, 150.0}, {400.0, 150.0}});
-  for (const bool may : {false, true}) {
-    LabelRequest label = request(may ? "may" : "may not", {200.0, 150.0}, {1.0, 0.0});
-    label.steps_aside = may;
+  const LabelRequest label = request("a", {200.0, 150.0}, {1.0, 0.0});
+  placer.begin_frame({});
+  const Point home = center(placer.place(label, true));
+  placer.begin_frame(crossed);
+  EXPECT_NE(center(placer.place(label, true)), home);
+  placer.begin_frame({});
+  EXPECT_EQ(center(placer.place(label, true)), home) << "back once the line is gone";
+}
+
+TEST_F(Labels, KeepTheirDistanceWhenTheirTextGetsShorter) {
+  LabelRequest label = request("a", {200.0, 150.0}, {1.0, 0.0});
+  const auto gap = [&](const std::string& text) {
+    label.text = text;
     placer.begin_frame({});
-    const Point home = center(placer.place(label, true));
-    placer.begin_frame(crossed);
-    EXPECT_EQ(center(placer.place(label, true)) == home, !may);
-    placer.begin_frame({});
-    EXPECT_EQ(center(placer.place(label, true)), home) << "back once the line is gone";
-  }
+    const Mark mark = placer.place(label, false);
+    return center(mark).x() - 0.5 * fonts.width(type::kVertex, text) - 200.0;
+  };
+  EXPECT_DOUBLE_EQ(gap("P = Q"), gap("Q"));
+}
+
+TEST_F(Labels, StandOnTheSideOfALineThatWhatTheyNameIsOn) {
+  Obstacles obstacles;
+  obstacles.segments.push_back({{0.0, 140.0}, {400.0, 140.0}});
+  placer.begin_frame(obstacles);
+  EXPECT_GT(center(placer.place(request("a", {200.0, 150.0}, {0.0, -1.0}), false)).y(), 140.0);
 }
 
 TEST_F(Labels, OfAnAreaKeepAwayFromMarksThatHaveNamesOfTheirOwn) {

@@ -210,7 +210,7 @@ TEST(Plot, NotesStandBesideTheirPoints) {
     for (const Text& text : shapes<Text>(marks, "plot.first.label")) {
       if (text.text != plot.notes[i].text) continue;
       ++found;
-      EXPECT_LT((box_of(fonts(), text).center() - disks[i].center).norm(), 30.0);
+      EXPECT_LT((box_of(fonts(), text).center() - disks[i].center).norm(), 36.0);
     }
     EXPECT_EQ(found, 1) << plot.notes[i].text;
   }

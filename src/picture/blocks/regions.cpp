@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
 
+#include "effects/projection.hpp"
 #include "picture/blocks/blocks.hpp"
 
 namespace gjkscope::blocks {
@@ -61,7 +63,17 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
   panel.y += kRow + 2.0;
 }
 
-void tests(PanelBuilder& panel) {
+void tests(PanelBuilder& of_frame) {
+  // Once P is found, its tests stay, with the simplex that they were about.
+  Frame asked = of_frame.frame;
+  const auto& steps = of_frame.run.run(asked).trace.steps;
+  if (of_frame.phase() != gjk::Phase::add)
+    while (asked.step > 0 && steps[asked.step].phase != gjk::Phase::closest) --asked.step;
+  PanelBuilder panel(of_frame.run, of_frame.effects, asked, of_frame.fonts, {});
+  panel.left = of_frame.left;
+  panel.right = of_frame.right;
+  panel.y = of_frame.y;
+  const bool asks_now = asked.step == of_frame.frame.step;
   panel.heading("First true test wins");
   const gjk::detail::RegionList order =
       gjk::detail::list_regions(panel.state.simplex.count, panel.run.lesson.options.region_order);
@@ -71,11 +83,86 @@ void tests(PanelBuilder& panel) {
     const TestMark mark = !reached         ? TestMark::untried
                           : tried[i].holds ? TestMark::holds
                                            : TestMark::fails;
-    test_row(panel, mark, reached && i == panel.tests_reached(),
+    test_row(panel, mark, asks_now && reached && i == panel.tests_reached(),
              panel.words.face(order.conditions[i].face), condition(panel, order, i),
              reached ? panel.test_values(tried[i]) : "");
   }
+  of_frame.y = panel.y;
+  std::move(panel.marks.begin(), panel.marks.end(), std::back_inserter(of_frame.marks));
 }
+
+namespace {
+
+/// Where Q projects to on the line of an edge: before it, on it, or beyond it.
+void ruler(PanelBuilder& panel, int from, int to) {
+  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const auto face = static_cast<gjk::Face>(gjk::face_of(from) | gjk::face_of(to));
+  const auto along = gjk::barycentric(simplex, face);
+  if (!(along.denominator > 0.0)) return;
+  const double share = along.numerator[to] / along.denominator;
+  const std::string a = panel.words.vertex(from);
+  const std::string b = panel.words.vertex(to);
+  std::string name = "onto " + panel.words.face(face);
+  if (simplex.count == 3) {
+    const int other = 3 - from - to;
+    const bool inside = gjk::barycentric(simplex, simplex.all()).numerator[other] > 0.0;
+    name += inside ? ", from inside" : ", from outside";
+  }
+  panel.write("body", panel.left, name, type::kBody);
+  panel.write("strong", panel.right,
+              share <= 0.0   ? "before " + a
+              : share >= 1.0 ? "beyond " + b
+                             : fmt::format("between {} and {}", a, b),
+              type::kStrong, Align::right);
+  panel.y += 14.0;
+  constexpr double kBeyond = 0.6;  // lengths of the edge before and after it
+  constexpr double kHalf = 4.0;
+  const auto at = [&](double v) {
+    const double part = (std::clamp(v, -kBeyond, 1.0 + kBeyond) + kBeyond) / (1.0 + 2.0 * kBeyond);
+    return panel.left + part * (panel.right - panel.left);
+  };
+  const auto strip = [&](const std::string& role, double low, double high, bool holds) {
+    panel.add(holds ? "region.active" : role,
+              Box{{{at(low), panel.y - kHalf}, {at(high), panel.y + kHalf}}, 0.0});
+  };
+  strip("region.vertex", -kBeyond, 0.0, share <= 0.0);
+  strip("region.edge", 0.0, 1.0, share > 0.0 && share < 1.0);
+  strip("region.vertex", 1.0, 1.0 + kBeyond, share >= 1.0);
+  for (const double end : {0.0, 1.0}) {
+    panel.add("weight.axis",
+              Polyline{{{at(end), panel.y - 2.0 * kHalf}, {at(end), panel.y + 2.0 * kHalf}}});
+  }
+  panel.add("closest", Disk{{at(share), panel.y}, 4.5});
+  panel.y += 20.0;
+  panel.write("body.muted", at(0.0), a, type::kTick, Align::center);
+  panel.write("body.muted", at(1.0), b, type::kTick, Align::center);
+  panel.y += kRow;
+}
+
+/// Q's distance from everything on a segment that can be closest.
+void candidates(PanelBuilder& panel) {
+  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const Projection::Value& g = panel.effects.get<Projection>(panel.frame);
+  if (!g) return;
+  const auto row = [&](const std::string& name, const std::string& note, double distance,
+                       bool holds) {
+    panel.write(holds ? "strong" : "body.muted", panel.left, "from " + name,
+                holds ? type::kStrong : type::kBody);
+    panel.write("body.muted", panel.left + 104.0, note, type::kBody);
+    panel.write(holds ? "code.current" : "code", panel.right, panel.numbers(distance),
+                holds ? type::kCodeBold : type::kCode, Align::right);
+    panel.y += kRow;
+  };
+  panel.heading(fmt::format("Distance of {}", query_name(panel.run)));
+  for (int i = 0; i < 2; ++i) {
+    row(panel.words.vertex(i), "", simplex.vertices[i].w.norm(),
+        panel.state.region == gjk::face_of(i));
+  }
+  const bool on_edge = panel.state.region == simplex.all();
+  row("G", on_edge ? "on the segment" : "not on the segment", g->norm(), on_edge);
+}
+
+}  // namespace
 
 void regions(PanelBuilder& panel) {
   panel.heading("Closest feature");
@@ -106,13 +193,15 @@ void regions(PanelBuilder& panel) {
     }
     panel.y += kRow + 2.0;
   }
-  panel.y += 4.0;
-  if (panel.phase()) {
-    panel.write("heading", panel.left, "distance", type::kHeading);
-    panel.write("code.current", panel.right, panel.numbers(std::sqrt(panel.state.p_sq)),
-                type::kCodeBold, Align::right);
-    panel.y += kRow;
+  if (!panel.phase()) return;
+  panel.rule();
+  if (count == 2) {
+    candidates(panel);
+    panel.rule();
   }
+  panel.heading(fmt::format("Projection of {}", query_name(panel.run)));
+  for (int i = 0; i + 1 < count; ++i) ruler(panel, i, i + 1);
+  if (count == 3) ruler(panel, 2, 0);
 }
 
 }  // namespace gjkscope::blocks

@@ -178,8 +178,9 @@ void bounds(PanelBuilder& panel) {
 
 void direction_rules(PanelBuilder& panel) {
   panel.heading("Two ways to build d");
-  const bool built = panel.state.simplex.count == 2 && panel.phase() &&
-                     *panel.phase() != Phase::closest && *panel.phase() != Phase::cull;
+  const auto phase = panel.phase();
+  const bool built = panel.state.simplex.count == 2 &&
+                     (phase == Phase::direction || phase == Phase::support || phase == Phase::stop);
   static const DirectionRules::Value none;
   const DirectionRules::Value& rules =
       built ? panel.effects.get<DirectionRules>(panel.frame) : none;

@@ -23,9 +23,7 @@ std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
     case StopReason::repeated_support:
       return "w in S";
     case StopReason::no_progress:
-      return panel.phase() == gjk::Phase::stop && !panel.stop_follows_support()
-                 ? "P no nearer"
-                 : "w no farther than S";
+      return "w no farther than S";
     case StopReason::within_tolerance:
       return "bounds close enough";
     default:
@@ -45,10 +43,6 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
       return format("{} {}", panel.run.pair_name(panel.state.support.pair),
                     test.holds ? "is there" : "is new");
     case StopReason::no_progress:
-      if (!panel.stop_follows_support())
-        return format("{} = {} as before",
-                      panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|",
-                      number(std::sqrt(test.right)));
       return format("{} by {}", panel.run.pair_name(panel.state.support.pair),
                     number(test.left - test.right));
     case StopReason::within_tolerance:
@@ -65,6 +59,40 @@ bool left_out(const gjk::Options& options, StopReason reason) {
          (reason == StopReason::within_tolerance && !(options.tolerance > 0.0));
 }
 
+void row(PanelBuilder& panel, TestMark mark, const std::string& name, const std::string& values) {
+  const bool tried = mark != TestMark::untried;
+  const bool holds = mark == TestMark::holds;
+  if (holds) panel.highlight("highlight.pass");
+  test_mark(panel, mark);
+  panel.write(tried ? "body" : "untried", panel.left + 24.0, name,
+              holds ? type::kStrong : TextStyle{Face::regular, 15});
+  if (tried) {
+    panel.write(holds ? "code.current" : "code", panel.right, values,
+                holds ? type::kCodeBold : type::kCode, Align::right);
+  }
+  panel.y += kRow + 2.0;
+}
+
+/// Whether P came nearer than in the iteration before, which is asked before there is a direction.
+void nearer(PanelBuilder& panel, const gjk::StopTest<double>* test) {
+  const std::string name = "P no nearer";
+  const auto& steps = panel.run.run(panel.frame).trace.steps;
+  std::vector<double> lengths;  // of this iteration and the one before
+  for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
+    if (steps[i].phase == gjk::Phase::closest) lengths.push_back(std::sqrt(steps[i].after.p_sq));
+  if (panel.phase() != gjk::Phase::stop || lengths.size() < 2)
+    return row(panel, TestMark::untried, name, "");
+  const bool holds = !panel.stop_follows_support() && test && test->tried && test->holds;
+  const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
+  if (panel.state.stop == StopReason::origin_inside) return row(panel, TestMark::untried, name, "");
+  const std::string length =
+      panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|";
+  if (holds)
+    return row(panel, TestMark::holds, name,
+               format("{} = {} as before", length, number(lengths[0])));
+  row(panel, TestMark::fails, name, format("{} < {}", number(lengths[0]), number(lengths[1])));
+}
+
 }  // namespace
 
 void stop_tests(PanelBuilder& panel) {
@@ -72,28 +100,25 @@ void stop_tests(PanelBuilder& panel) {
   static const std::vector<gjk::StopTest<double>> none;
   const bool decided = panel.phase() == gjk::Phase::stop;
   const auto& tests = decided ? panel.run.step(panel.frame).record.stop_tests : none;
-  std::array<StopReason, 6> order = {StopReason::origin_inside,    StopReason::zero_direction,
-                                     StopReason::repeated_support, StopReason::no_progress,
-                                     StopReason::within_tolerance, StopReason::iteration_cap};
-  // Whether P came nearer is asked before there is a direction.
-  if (decided && !panel.stop_follows_support())
-    order = {StopReason::origin_inside,    StopReason::no_progress,      StopReason::zero_direction,
-             StopReason::repeated_support, StopReason::within_tolerance, StopReason::iteration_cap};
-  for (const StopReason reason : order) {
-    if (left_out(panel.run.lesson.options, reason)) continue;
+  constexpr std::array<StopReason, 6> kOrder = {
+      StopReason::origin_inside, StopReason::zero_direction,   StopReason::repeated_support,
+      StopReason::no_progress,   StopReason::within_tolerance, StopReason::iteration_cap};
+  const auto found = [&](StopReason reason) -> const gjk::StopTest<double>* {
     const auto test = std::find_if(tests.begin(), tests.end(),
                                    [&](const auto& other) { return other.reason == reason; });
-    const bool tried = test != tests.end() && test->tried;
-    const bool holds = tried && test->holds;
-    if (holds) panel.highlight("highlight.pass");
-    test_mark(panel, !tried ? TestMark::untried : holds ? TestMark::holds : TestMark::fails);
-    panel.write(tried ? "body" : "untried", panel.left + 24.0, name_of_test(panel, reason),
-                holds ? type::kStrong : TextStyle{Face::regular, 15});
-    if (tried) {
-      panel.write(holds ? "code.current" : "code", panel.right, compared(panel, *test),
-                  holds ? type::kCodeBold : type::kCode, Align::right);
-    }
-    panel.y += kRow + 2.0;
+    return test == tests.end() ? nullptr : &*test;
+  };
+  for (const StopReason reason : kOrder) {
+    if (left_out(panel.run.lesson.options, reason)) continue;
+    const gjk::StopTest<double>* test = found(reason);
+    if (reason == StopReason::no_progress && !panel.stop_follows_support()) test = nullptr;
+    const TestMark mark = !test || !test->tried ? TestMark::untried
+                          : test->holds         ? TestMark::holds
+                                                : TestMark::fails;
+    row(panel, mark, name_of_test(panel, reason), test ? compared(panel, *test) : "");
+    if (reason == StopReason::origin_inside &&
+        !left_out(panel.run.lesson.options, StopReason::no_progress))
+      nearer(panel, found(StopReason::no_progress));
   }
 }
 

@@ -137,7 +137,7 @@ void unit_vector(PanelBuilder& panel) {
     panel.y += kRow;
   };
   panel.heading("The unit vector of " + a + b);
-  row(format("length = ‖{} − {}‖", b, a), panel.numbers(built->length));
+  row(format("length = |{} − {}|", b, a), panel.numbers(built->length));
   row(format("n = ({} − {}) / length", b, a), panel.numbers.point(built->n));
   panel.rule();
   panel.heading("Fractional lengths along n");

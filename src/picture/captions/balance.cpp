@@ -25,11 +25,12 @@ void balance(const Story& story, FrameText& text) {
   const bool equal = value.masses[0] == value.masses[1];
   const bool missing = u < 0.0 || v < 0.0;
   const double tilt = beam.angle * 180.0 / std::numbers::pi;
-  constexpr double kLevel = 0.5;  // degrees: not to be seen
+  constexpr double kLevel = 0.05;  // degrees: prints as 0.0
+  constexpr double kAtRest = 0.5;  // not to be seen
   const bool level = std::abs(tilt) < kLevel;
+  const std::string degrees = fixed(std::abs(tilt), 1) + "°";
   const std::string tilts =
-      level ? "the beam is level"
-            : format("{} is down by {}°", tilt > 0.0 ? a : b, fixed(std::abs(tilt), 1));
+      level ? "the beam is level" : format("{} is down by {}", tilt > 0.0 ? a : b, degrees);
   const double share = beam.seconds / story.run.lesson.time->seconds;
   const std::string turning =
       format("{} × {} at {} against {} × {} at {}", number(value.masses[0]), number(beam.support),
@@ -69,9 +70,13 @@ void balance(const Story& story, FrameText& text) {
   } else {
     const std::string moments = format("{} × {} = {} × {}", number(value.masses[0]), number(v),
                                        number(value.masses[1]), number(u));
-    text.caption = level ? format("On G = uA + vB both sides turn alike, {}: {}.", moments, tilts)
-                         : format("On G = uA + vB both sides turn alike, {}: the beam swings, {}.",
-                                  moments, tilts);
+    const std::string state = level                      ? tilts
+                              : std::abs(tilt) < kAtRest ? format(
+                                                               "the beam comes to rest, level "
+                                                               "but for {}",
+                                                               degrees)
+                                                         : "the beam swings, " + tilts;
+    text.caption = format("On G = uA + vB both sides turn alike, {}: {}.", moments, state);
     text.detail = format("G is the balance point of the masses: {} of the way from {} to {}.",
                          number(v), a, b);
   }

@@ -67,6 +67,9 @@ void cull(const Story& story, FrameText& text) {
             ? format("P is {} as it was before: {} brought nothing, and nothing else will.",
                      story.q, story.run.pair_name(dropped[0].pair))
             : "P came no nearer than before: nothing is left to search for.";
+  } else if (story.reaches_query()) {
+    text.detail =
+        format("P is {} already, but no test has asked for that. Next: a direction d.", story.q);
   } else {
     text.detail = format("Next: a direction d in which to look for a point closer to {}.", story.q);
   }
