@@ -143,8 +143,10 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const Point size = size_of(request.text, request.style);
   const auto known = places_.find(request.id);
   const bool moves = known != places_.end();
-  // A place for all frames is found among what stays in them; a line that passes makes way.
+  // A place for good is found among what stays in frames and the lines of all of them; for one that
+  // can be left, a line that passes is no matter. In a frame its own lines count.
   const bool in_frame = !fixed || moves;
+  const bool minds_passing = in_frame || !request.steps_aside;
   const auto centre = [&](const Place& place) -> Point {
     return request.anchor + place.beside + 0.5 * place.face.cwiseProduct(size);
   };
@@ -156,12 +158,18 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     return std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
                        [&](const auto& segment) { return cross(visible, segment); });
   };
+  if (fixed && moves && !request.steps_aside) {
+    const Rect box = box_around(centre(known->second), size);
+    taken_.push_back(box);
+    return mark_at(box, request.text, request.role, request.style);
+  }
   double best_cost = std::numeric_limits<double>::infinity();
   Place best;
   const auto consider = [&](const Place& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
-    const double cost = extra + cost_of(box) + (in_frame ? cost_of_passing(box, true) : 0.0) +
+    const double cost = extra + cost_of(box) +
+                        (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {
       best_cost = cost;

@@ -40,6 +40,8 @@ struct LabelRequest {
   Point towards = Point::Zero();          ///< Preferred side; zero: any.
   bool keeps_side = false;                ///< Rather farther away than on another side.
   std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
+  /// A fixed label may leave its place for a frame in which something else is there.
+  bool steps_aside = false;
 };
 
 /// A label somewhere inside a convex polygon.
@@ -62,8 +64,7 @@ class LabelPlacer {
   /// Reserves room that labels must not take.
   void reserve(const Rect& box) { taken_.push_back(box); }
 
-  /// The text mark of a label. `fixed`: a place found once for the id is kept, but for frames in
-  /// which something else is there.
+  /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
   /// No mark when the polygon has no room and there is no other place. `in_any_case`: rather on a
   /// mark than nowhere.

@@ -86,6 +86,7 @@ void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const 
   Point middle = map.area().center();
   LabelRequest request =
       label("cloud:" + name, name, role, type::kSmallVertex, point, kSimplexRadius, point - middle);
+  request.steps_aside = true;
   labels_of_difference().push_back(std::move(request));
 }
 

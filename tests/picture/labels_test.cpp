@@ -49,16 +49,19 @@ TEST_F(Labels, KeepTheirPlaceFromFrameToFrameWhileItIsFree) {
   EXPECT_EQ(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)), first);
 }
 
-TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALine) {
+TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALineOnlyWhereTheyMay) {
   Obstacles crossed;
   crossed.passing.push_back({{0.0, 150.0}, {400.0, 150.0}});
-  const LabelRequest label = request("a", {200.0, 150.0}, {1.0, 0.0});
-  placer.begin_frame({});
-  const Point home = center(placer.place(label, true));
-  placer.begin_frame(crossed);
-  EXPECT_NE(center(placer.place(label, true)), home);
-  placer.begin_frame({});
-  EXPECT_EQ(center(placer.place(label, true)), home) << "back once the line is gone";
+  for (const bool may : {false, true}) {
+    LabelRequest label = request(may ? "may" : "may not", {200.0, 150.0}, {1.0, 0.0});
+    label.steps_aside = may;
+    placer.begin_frame({});
+    const Point home = center(placer.place(label, true));
+    placer.begin_frame(crossed);
+    EXPECT_EQ(center(placer.place(label, true)) == home, !may);
+    placer.begin_frame({});
+    EXPECT_EQ(center(placer.place(label, true)), home) << "back once the line is gone";
+  }
 }
 
 TEST_F(Labels, KeepTheirDistanceWhenTheirTextGetsShorter) {

@@ -210,7 +210,10 @@ TEST(Plot, NotesStandBesideTheirPoints) {
     for (const Text& text : shapes<Text>(marks, "plot.first.label")) {
       if (text.text != plot.notes[i].text) continue;
       ++found;
-      EXPECT_LT((box_of(fonts(), text).center() - disks[i].center).norm(), 36.0);
+      const Point center = box_of(fonts(), text).center();
+      const double own = (center - disks[i].center).norm();
+      EXPECT_LT(own, 36.0);
+      EXPECT_LT(3.0 * own, (center - disks[1 - i].center).norm());
     }
     EXPECT_EQ(found, 1) << plot.notes[i].text;
   }

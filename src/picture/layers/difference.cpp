@@ -54,6 +54,7 @@ void difference(SceneBuilder& scene) {
         const std::string name = scene.run.pair_name(cloud[i].pair);
         LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
                                          point, kCloudRadius, point - middle);
+        label.steps_aside = true;
         scene.out.fixed_labels.push_back(std::move(label));
       }
     }
@@ -113,6 +114,7 @@ void corner_names(SceneBuilder& scene) {
     const Point point = scene.at(cloud[index].z);
     LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
                                      point, sizes::kSimplexRadius, point - middle);
+    label.steps_aside = true;
     auto& labels = scene.labels_of_difference();
     const bool named = std::any_of(labels.begin(), labels.end(),
                                    [&](const auto& other) { return other.id == label.id; });
