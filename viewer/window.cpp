@@ -234,7 +234,7 @@ struct Window::Impl {
     return {static_cast<float>(ratio * x), static_cast<float>(ratio * y)};
   }
 
-  void draw(const std::function<void(double)>& after_frame) {
+  void draw(const std::function<void(double)>& tell) {
     const double begin = seconds();
     int pixels_wide = 0;
     int pixels_high = 0;
@@ -274,9 +274,9 @@ struct Window::Impl {
       }
     }
     SDL_GL_SwapWindow(window.get());
-    if (after_frame) {
+    if (tell) {
       gl->finish();
-      after_frame(seconds() - begin);
+      tell(seconds() - begin);
     }
     set_title();
     io.MouseWheel = 0.0f;

@@ -63,32 +63,32 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
   panel.y += kRow + 2.0;
 }
 
-void tests(PanelBuilder& of_frame) {
+void tests(PanelBuilder& panel) {
   // Once P is found, its tests stay, with the simplex that they were about.
-  Frame asked = of_frame.frame;
-  const auto& steps = of_frame.run.run(asked).trace.steps;
-  if (of_frame.phase() != gjk::Phase::add)
+  Frame asked = panel.frame;
+  const auto& steps = panel.run.run(asked).trace.steps;
+  if (panel.phase() != gjk::Phase::add)
     while (asked.step > 0 && steps[asked.step].phase != gjk::Phase::closest) --asked.step;
-  PanelBuilder panel(of_frame.run, of_frame.effects, asked, of_frame.fonts, {});
-  panel.left = of_frame.left;
-  panel.right = of_frame.right;
-  panel.y = of_frame.y;
-  const bool asks_now = asked.step == of_frame.frame.step;
-  panel.heading("First true test wins");
+  PanelBuilder before(panel.run, panel.effects, asked, panel.fonts, {});
+  before.left = panel.left;
+  before.right = panel.right;
+  before.y = panel.y;
+  const bool asks_now = asked.step == panel.frame.step;
+  before.heading("First true test wins");
   const gjk::detail::RegionList order =
-      gjk::detail::list_regions(panel.state.simplex.count, panel.run.lesson.options.region_order);
-  const auto& tried = panel.region_tests();
+      gjk::detail::list_regions(before.state.simplex.count, before.run.lesson.options.region_order);
+  const auto& tried = before.region_tests();
   for (int i = 0; i < order.count; ++i) {
-    const bool reached = i <= panel.tests_reached() && i < static_cast<int>(tried.size());
+    const bool reached = i <= before.tests_reached() && i < static_cast<int>(tried.size());
     const TestMark mark = !reached         ? TestMark::untried
                           : tried[i].holds ? TestMark::holds
                                            : TestMark::fails;
-    test_row(panel, mark, asks_now && reached && i == panel.tests_reached(),
-             panel.words.face(order.conditions[i].face), condition(panel, order, i),
-             reached ? panel.test_values(tried[i]) : "");
+    test_row(before, mark, asks_now && reached && i == before.tests_reached(),
+             before.words.face(order.conditions[i].face), condition(before, order, i),
+             reached ? before.test_values(tried[i]) : "");
   }
-  of_frame.y = panel.y;
-  std::move(panel.marks.begin(), panel.marks.end(), std::back_inserter(of_frame.marks));
+  panel.y = before.y;
+  std::move(before.marks.begin(), before.marks.end(), std::back_inserter(panel.marks));
 }
 
 namespace {
