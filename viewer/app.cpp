@@ -205,6 +205,7 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
 }
 
 bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
+  release();
   const bool leaves_unsaved = session_.is_unsaved();
   if (leaves_unsaved) autosave();
   if (!session_.open(std::move(lesson), file, unsaved)) {
@@ -225,6 +226,7 @@ void App::file_changed(const fs::path& path) {
     LoadedLesson loaded = parse_lesson(read_whole(path), path, view_effects());
     if (!loaded.lesson) return say(all_of(loaded.problems), true);
     if (*loaded.lesson == session_.lesson()) return;
+    release();
     if (!session_.reload(std::move(*loaded.lesson)))
       return say(fmt::format("{}: {}", path.string(), session_.problem()), true);
     say(fmt::format("{} has changed and was read again; undo brings back what was here",
@@ -523,10 +525,12 @@ void App::make_commands() {
         [this, i] { choose(i); });
   }
   add("Edit", "Undo", {"Ctrl+Z"}, [&] {
+    release();  // what is held may not be there afterwards
     const std::string name = session_.undo_name();
     say(session_.undo() ? fmt::format("undone: {}", name) : "nothing to undo");
   });
   add("Edit", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"}, [&] {
+    release();
     const std::string name = session_.redo_name();
     say(session_.redo() ? fmt::format("done again: {}", name) : "nothing to do again");
   });

@@ -128,6 +128,7 @@ void App::open_worst_run(const StudyDot& dot) {
 void App::go_back() {
   if (!back_) return say("there is no study to go back to");
   const Visit visit = *std::exchange(back_, std::nullopt);
+  release();
   if (!session_.open(visit.lesson, visit.file, visit.unsaved)) return say(session_.problem(), true);
   session_.go_to(visit.index);
   selected_ = {};

@@ -34,7 +34,7 @@ constexpr double kLineClearance = 9.0;   // and a line, which it has room to kee
 constexpr double kSideKept = 8.0;        // times kWrongSide, for labels that keep their side
 constexpr int kDirections = 24;
 constexpr int kRings = 7;
-constexpr int kFixedRings = 4;  // what stays in place is called close by
+constexpr int kFixedRings = 4;  // of what stays in place, and has a single one
 
 Rect box_around(const Point& center, const Point& size) {
   return {center - 0.5 * size, center + 0.5 * size};
@@ -180,8 +180,9 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const double start = request.towards.norm() > 0.0
                            ? std::atan2(request.towards.y(), request.towards.x())
                            : -0.25 * std::numbers::pi;
+  const int rings = fixed && request.other_anchors.empty() ? kFixedRings : kRings;
   const auto consider_beside = [&](const Point& anchor, double extra) {
-    for (int ring = 0; ring < (fixed ? kFixedRings : kRings); ++ring) {
+    for (int ring = 0; ring < rings; ++ring) {
       for (int k = 0; k < kDirections; ++k) {
         const double turn = 2.0 * std::numbers::pi * k / kDirections;
         const Point d(std::cos(start + turn), std::sin(start + turn));

@@ -138,7 +138,7 @@ TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
 
 TEST(App, ThePointedDifferenceIsLinkedToItsVertices) {
   HeadlessApp window;
-  window.move(window.at({Kind::difference_vertex, 0, 0}));
+  window.move(window.at({Kind::vertex_of_y, -1, 0}));
   EXPECT_TRUE(is_linked(window.app().hovered(), kK));
   EXPECT_TRUE(is_linked(window.app().hovered(), {Kind::vertex_of_x, 0}));
 }
@@ -240,6 +240,21 @@ TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
     EXPECT_FALSE(window.session().is_unsaved());
   }
   EXPECT_NE(std::string::npos, kept().find("0.125"));
+}
+
+TEST(App, UndoTakesWhatIsHeldOutOfTheHand) {
+  HeadlessApp window("segment-regions");
+  window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "polygons-gjk.toml");
+  window.settle();
+  const Point held = window.at({Kind::vertex_of_y, -1, 0});
+  window.move(held);
+  window.button(true);
+  window.key("Z", true);
+  EXPECT_EQ("segment-regions", window.session().lesson().id);
+  const Lesson before = window.session().lesson();
+  window.move(held + Point(30, 30));
+  window.button(false);
+  EXPECT_EQ(before, window.session().lesson());
 }
 
 TEST(App, AFileThatChangesIsReadAgainAndABrokenOneIsSaidWithItsPlace) {
