@@ -138,7 +138,7 @@ TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
 
 TEST(App, ThePointedDifferenceIsLinkedToItsVertices) {
   HeadlessApp window;
-  window.move(window.at({Kind::vertex_of_y, -1, 0}));
+  window.move(window.at({Kind::difference_vertex, 0, 0}));
   EXPECT_TRUE(is_linked(window.app().hovered(), kK));
   EXPECT_TRUE(is_linked(window.app().hovered(), {Kind::vertex_of_x, 0}));
 }
