@@ -92,10 +92,7 @@ void App::open_results(std::string_view json, const fs::path& file) {
   study.family = has_family ? lesson.study->family : families.front();
   study.configurations = configurations_to_show(of_family(study.dots, study.family));
   lesson.study = std::move(study);
-  if (show(std::move(lesson), {}, file.string())) {
-    drawer_ = Drawer::study;
-    say("");
-  }
+  if (show(std::move(lesson), {}, file.string())) drawer_ = Drawer::study;
 }
 
 void App::open_worst_run(const StudyDot& dot) {

@@ -100,18 +100,6 @@ template <class R, class S>
   return {coordinate(0), coordinate(1)};
 }
 
-/// The length of a vector whose squares may underflow.
-template <class R>
-[[nodiscard]] R careful_length(const R& x, const R& y) {
-  const R size = std::max(magnitude(x), magnitude(y));
-  if (size == R(0)) return size;
-  if (ScalarTraits<R>::is_in_range(size)) return length(Flat<R>{x, y});
-  const int exponent = ScalarTraits<R>::exponent(size);
-  const auto scaled = [&](const R& a) { return ScalarTraits<R>::scaled(a, -exponent); };
-  const R in_unit = length(Flat<R>{scaled(x), scaled(y)});
-  return ScalarTraits<R>::scaled(in_unit, exponent);
-}
-
 /// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
 /// the determinant, three times in the length, the quotient, and the bound.
 inline constexpr int kCarefulRoundings = 6;
@@ -121,9 +109,12 @@ inline constexpr int kCarefulRoundings = 6;
 /// Negative when O lies on that side of the edge to which perpendicular(edge) points.
 template <class R, class N>
 [[nodiscard]] R careful_distance(const Flat<N>& a, const Flat<N>& b, bool on_edge) {
-  if (!on_edge) return R(careful_length(rounded<R>(a.x), rounded<R>(a.y)));
+  const auto length_of = [](const Flat<N>& v) {
+    return careful_length(Vec<R, 2>(rounded<R>(v.x), rounded<R>(v.y)));
+  };
+  if (!on_edge) return length_of(a);
   const Flat<N> edge = b - a;
-  return R(rounded<R>(cross(a, edge)) / careful_length(rounded<R>(edge.x), rounded<R>(edge.y)));
+  return R(rounded<R>(cross(a, edge)) / length_of(edge));
 }
 
 /// The largest coordinate of the simplex.
@@ -141,6 +132,19 @@ template <class R, int D>
   return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
 }
 
+/// Weights of the vertices of a triangle around O: the areas across from them, as shares of all.
+template <class R, class N>
+[[nodiscard]] std::array<R, 3> shares_of_area(const std::array<Flat<N>, 3>& w) {
+  std::array<R, 3> weights;
+  R sum(0);
+  for (int i = 0; i < 3; ++i) {
+    weights[i] = magnitude(rounded<R>(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
+    sum = sum + weights[i];
+  }
+  for (R& weight : weights) weight = weight / sum;
+  return weights;
+}
+
 /// Weights of a simplex around O, with about twice the digits: in a thin one the run's own put P
 /// visibly beside O.
 template <class R, class S>
@@ -150,12 +154,8 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
   for (int i = 0; i < 3; ++i) {
     w[i] = careful_vertex(query, prepared, simplex.vertices[i].pair);
   }
-  R sum(0);
-  for (int i = 0; i < 3; ++i) {
-    simplex.weights[i] = magnitude(rounded<R>(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
-    sum = sum + simplex.weights[i];
-  }
-  for (int i = 0; i < 3; ++i) simplex.weights[i] = simplex.weights[i] / sum;
+  const std::array<R, 3> weights = shares_of_area<R>(w);
+  std::copy(weights.begin(), weights.end(), simplex.weights.begin());
 }
 
 /// The place of from + beyond in the world, with about twice the digits before the last rounding:

@@ -188,21 +188,14 @@ template <class R>
 /// The barycentric weights of P in an exact simplex, in the digits of R.
 template <class R>
 [[nodiscard]] std::array<R, 3> exact_weights(const Simplex<Expansion, 2>& simplex) {
+  if (simplex.count == 1) return {R(1), R(0), R(0)};
   const Flat<Expansion> a = flat(simplex.vertices[0].w);
   const Flat<Expansion> b = flat(simplex.vertices[1].w);
-  if (simplex.count == 1) return {R(1), R(0), R(0)};
-  std::array<R, 3> weights = {R(0), R(0), R(0)};
-  if (simplex.count == 2) {
-    const Flat<Expansion> edge = b - a;
-    weights[0] = rounded<R>(dot(b, edge));
-    weights[1] = rounded<R>(-dot(a, edge));
-  } else {
-    const Flat<Expansion> c = flat(simplex.vertices[2].w);
-    weights = {magnitude(rounded<R>(cross(b, c))), magnitude(rounded<R>(cross(c, a))),
-               magnitude(rounded<R>(cross(a, b)))};
-  }
-  const R sum = weights[0] + weights[1] + weights[2];
-  return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+  if (simplex.count == 3) return shares_of_area<R, Expansion>({a, b, flat(simplex.vertices[2].w)});
+  const Flat<Expansion> edge = b - a;
+  const R of_a = rounded<R>(dot(b, edge));
+  const R of_b = rounded<R>(-dot(a, edge));
+  return {of_a / (of_a + of_b), of_b / (of_a + of_b), R(0)};
 }
 
 /// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in

@@ -109,6 +109,18 @@ template <class S>
   return ScalarTraits<S>::root(dot(a, a));
 }
 
+/// The length of a vector whose squares may overflow or underflow.
+template <class S, int D>
+[[nodiscard]] S careful_length(const Vec<S, D>& a) {
+  const S size = norm_max(a);
+  if (size == S(0)) return size;
+  if (ScalarTraits<S>::is_in_range(size)) return length(a);
+  const int exponent = ScalarTraits<S>::exponent(size);
+  Vec<S, D> in_unit;
+  for (int i = 0; i < D; ++i) in_unit[i] = ScalarTraits<S>::scaled(a[i], -exponent);
+  return ScalarTraits<S>::scaled(length(in_unit), exponent);
+}
+
 /// Square roots of two numbers, at once where the processor can.
 template <class S>
 [[nodiscard]] Flat<S> roots(const S& a, const S& b) {

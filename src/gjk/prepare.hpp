@@ -118,13 +118,8 @@ template <class R, class S, int D>
     }
     prepared.offset[row] = offset.hi;
   }
-  // Squares may overflow where the offset is small.
-  const auto length_of = [](const Vec<R, D>& a) {
-    const R size = norm_max(a);
-    return R(0) < size ? R(size * length(Vec<R, D>(a / size))) : size;
-  };
-  return length_of(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
-         length_of(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
+  return careful_length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
+         careful_length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
 }
 
 /// Fills in what is measured in the run's unit of length.
