@@ -14,8 +14,8 @@ namespace {
 // Costs of a place, in arbitrary units that only compare: leaving the stage is worse than covering
 // a label, that worse than covering a mark, that worse than an unexpected side; moving must be
 // worth at least one covered line.
-constexpr double kOutside = 1000.0;
-constexpr double kOverLabel = 400.0;
+constexpr double kOutside = 1e6;
+constexpr double kOverLabel = 1e4;  // however many marks another place covers
 constexpr double kOverCircle = 120.0;
 constexpr double kOverSegment = 100.0;
 constexpr double kOverPassing = 20.0;
@@ -35,6 +35,7 @@ constexpr double kSideKept = 8.0;        // times kWrongSide, for labels that ke
 constexpr int kDirections = 24;
 constexpr int kRings = 7;
 constexpr int kFixedRings = 4;  // of what stays in place, and has a single one
+constexpr int kMostRings = 40;  // of what finds no room nearer
 
 Rect box_around(const Point& center, const Point& size) {
   return {center - 0.5 * size, center + 0.5 * size};
@@ -182,7 +183,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
                            : -0.25 * std::numbers::pi;
   const int rings = fixed && request.other_anchors.empty() ? kFixedRings : kRings;
   const auto consider_beside = [&](const Point& anchor, double extra) {
-    for (int ring = 0; ring < rings; ++ring) {
+    for (int ring = 0; ring < rings || (ring < kMostRings && best_cost >= kOverLabel); ++ring) {
       for (int k = 0; k < kDirections; ++k) {
         const double turn = 2.0 * std::numbers::pi * k / kDirections;
         const Point d(std::cos(start + turn), std::sin(start + turn));
