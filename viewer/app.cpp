@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -133,7 +134,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
 }
 
 App::~App() {
-  if (!session_.has_unsaved()) forget_autosave();
+  if (session_.all_unsaved().empty()) keep_only(0);
 }
 
 // Files ------------------------------------------------------------------------------------------
@@ -207,7 +208,6 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
 bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
   release();
   const bool leaves_unsaved = session_.is_unsaved();
-  if (leaves_unsaved) autosave();
   if (!session_.open(std::move(lesson), file, unsaved)) {
     say(fmt::format("{}: {}", name, session_.problem()), true);
     return false;
@@ -215,7 +215,11 @@ bool App::show(Lesson lesson, const fs::path& file, const std::string& name, boo
   say(leaves_unsaved ? "undo goes back to what was not saved" : "");
   selected_ = {};
   playing_ = false;
-  if (!unsaved) kept_version_ = session_.version();
+  if (leaves_unsaved || unsaved) {
+    keep_unsaved();
+  } else {
+    kept_version_ = session_.version();
+  }
   back_.reset();
   return true;
 }
@@ -249,7 +253,7 @@ void App::save_to(const fs::path& file) {
     write_whole(file, lesson_toml(lesson));
     session_.mark_saved(file);
     remember_recent(file);
-    forget_autosave();
+    keep_unsaved();
     say(fmt::format("saved {}{}", file.string(),
                     commented.empty() ? "" : "; as it was, with its comments: " + commented));
   } catch (const std::runtime_error& error) {
@@ -316,42 +320,59 @@ void App::remember_recent(const fs::path& file) {
 
 namespace {
 constexpr std::string_view kKeptFrom = "# unsaved work on ";
-std::string kept_name(long process) { return fmt::format("unsaved-{}.toml", process); }
+std::string kept_name(long process, int number) {
+  return fmt::format("unsaved-{}-{}.toml", process, number);
+}
 }  // namespace
 
 void App::autosave() {
-  if (paths_.state.empty() || session_.version() == kept_version_) return;
+  if (session_.version() != kept_version_) keep_unsaved();
+}
+
+void App::keep_unsaved() {
+  if (paths_.state.empty()) return;
   kept_version_ = session_.version();
   next_save_ = now_ + kSaveEvery;
-  if (!session_.is_unsaved()) return forget_autosave();
+  int kept = 0;
   try {
-    const std::string text = fmt::format("{}{}\n{}", kKeptFrom, session_.file().string(),
-                                         lesson_toml(with_absolute_results(session_.lesson())));
-    // Bytes: not pushed to the disk, which would hold up a drag; a killed process loses none.
-    write_whole(paths_.state / kept_name(::getpid()),
-                std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    for (const Session::Unsaved& each : session_.all_unsaved()) {
+      const std::string text = fmt::format("{}{}\n{}", kKeptFrom, each.file.string(),
+                                           lesson_toml(with_absolute_results(each.lesson)));
+      // Bytes: not pushed to the disk, which would hold up a drag; a killed process loses none.
+      write_whole(paths_.state / kept_name(::getpid(), ++kept),
+                  std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    }
+    keep_only(kept);
   } catch (const std::runtime_error& error) {
     say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
   }
 }
 
-void App::forget_autosave() const {
+void App::keep_only(int count) const {
   if (paths_.state.empty()) return;
   std::error_code none;
-  fs::remove(paths_.state / kept_name(::getpid()), none);
+  while (fs::remove(paths_.state / kept_name(::getpid(), ++count), none)) continue;
 }
 
 void App::restore() {
   std::error_code none;
+  std::map<std::pair<long, int>, fs::path> kept;
   for (const fs::directory_entry& entry : fs::directory_iterator(paths_.state, none)) {
     const std::string name = entry.path().filename().string();
     long process = 0;
-    if (std::sscanf(name.c_str(), "unsaved-%ld.toml", &process) != 1 || name != kept_name(process))
+    int number = 0;
+    if (std::sscanf(name.c_str(), "unsaved-%ld-%d.toml", &process, &number) != 2 ||
+        name != kept_name(process, number)) {
       continue;
+    }
     const bool alive = ::kill(static_cast<pid_t>(process), 0) == 0;
-    if (alive) continue;
+    if (!alive) kept[{process, number}] = entry.path();
+  }
+  std::vector<std::string> restored;
+  std::vector<fs::path> taken;
+  for (const auto& [key, path] : kept) {
     try {
-      const std::string text = read_whole(entry.path());
+      const std::string text = read_whole(path);
       const std::size_t end = text.find('\n');
       std::string from;
       if (text.starts_with(kKeptFrom) && end != std::string::npos)
@@ -359,15 +380,18 @@ void App::restore() {
       LoadedLesson loaded =
           parse_lesson(text, from.empty() ? "unsaved.toml" : from, view_effects());
       if (!loaded.lesson || !session_.open(std::move(*loaded.lesson), from, true)) continue;
-      autosave();
-      fs::remove(entry.path(), none);
-      say(fmt::format("restored what was not saved{}{}", from.empty() ? "" : " of ",
-                      fs::path(from).filename().string()));
-      return;
+      restored.push_back(from.empty() ? session_.lesson().title
+                                      : fs::path(from).filename().string());
+      taken.push_back(path);
     } catch (const std::runtime_error&) {
       continue;
     }
   }
+  if (restored.empty()) return;
+  keep_unsaved();
+  for (const fs::path& path : taken) fs::remove(path, none);
+  say(fmt::format("restored what was not saved of {}{}", fmt::join(restored, ", "),
+                  restored.size() > 1 ? "; undo goes back through them" : ""));
 }
 
 // Time -------------------------------------------------------------------------------------------

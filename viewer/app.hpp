@@ -174,8 +174,12 @@ class App {
   [[nodiscard]] bool is_sound(const Lesson& lesson);
   void select_next(int by);
   void set_theme(const std::string& name);
+  /// Where something has changed since.
   void autosave();
-  void forget_autosave() const;
+  /// Each lesson in a file of its own, for a window that starts after this one was killed.
+  void keep_unsaved();
+  /// Removes the files after the first so many.
+  void keep_only(int count) const;
   void restore();
   void remember_recent(const std::filesystem::path& file);
   /// The name by which a question's choices call a subject; empty when they do not.

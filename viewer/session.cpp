@@ -74,10 +74,16 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   return true;
 }
 
-bool Session::has_unsaved() const {
-  return is_unsaved() || std::any_of(past_.begin(), past_.end(), [](const Entry& entry) {
-           return entry.of_other && entry.of_other->unsaved;
-         });
+std::vector<Session::Unsaved> Session::all_unsaved() const {
+  std::vector<Unsaved> out;
+  for (const std::vector<Entry>* entries : {&past_, &future_}) {
+    for (const Entry& entry : *entries) {
+      if (entry.of_other && entry.of_other->unsaved)
+        out.push_back({entry.lesson, entry.of_other->file});
+    }
+  }
+  if (is_unsaved()) out.push_back({lesson_, file_});
+  return out;
 }
 
 bool Session::reload(Lesson lesson) {

@@ -45,8 +45,13 @@ class Session {
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool is_unsaved() const { return version_ != saved_version_; }
-  /// So is this lesson, or one that undo goes back to.
-  [[nodiscard]] bool has_unsaved() const;
+  struct Unsaved {
+    const Lesson& lesson;
+    const std::filesystem::path& file;
+  };
+  /// Lessons that differ from their files: those that undo and redo lead to, and this one, the
+  /// last.
+  [[nodiscard]] std::vector<Unsaved> all_unsaved() const;
   void mark_saved(std::filesystem::path file);
   /// Grows with every change.
   [[nodiscard]] long version() const { return version_; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -213,7 +214,7 @@ TEST(App, WorkThatWasNotSavedIsThereAgain) {
     if (entry.path().filename().string().starts_with("unsaved-")) kept = entry.path();
   }
   ASSERT_FALSE(kept.empty());
-  fs::rename(kept, folder.path() / "unsaved-999999999.toml");
+  fs::rename(kept, folder.path() / "unsaved-999999999-1.toml");
   HeadlessApp again("", folder.path());
   EXPECT_EQ(edited, again.session().lesson().y.vertices);
   EXPECT_TRUE(again.session().is_unsaved());
@@ -240,6 +241,37 @@ TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
     EXPECT_FALSE(window.session().is_unsaved());
   }
   EXPECT_NE(std::string::npos, kept().find("0.125"));
+}
+
+TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
+  const TemporaryFolder folder;
+  const fs::path killed = folder.path() / "killed";
+  std::vector<Lesson> edited;
+  {
+    HeadlessApp window("polygons-gjk", folder.path());
+    const auto edit = [&] {
+      window.session().change("move", [](Lesson& lesson) { lesson.y.vertices[0].x() -= 0.125; });
+      edited.push_back(window.session().lesson());
+      for (int i = 0; i < 3; ++i) window.frame(1.0);
+    };
+    edit();
+    window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "polygons-witness.toml");
+    edit();
+    // What is there now is what a killed process leaves, whose number is nobody's.
+    fs::create_directory(killed);
+    for (int i = 1; i <= 2; ++i) {
+      fs::copy_file(folder.path() / fmt::format("unsaved-{}-{}.toml", ::getpid(), i),
+                    killed / fmt::format("unsaved-999999999-{}.toml", i));
+    }
+  }
+  HeadlessApp again("", killed);
+  EXPECT_EQ(edited[1].y.vertices, again.session().lesson().y.vertices);
+  EXPECT_NE(std::string::npos, again.app().message().find("polygons-gjk.toml"));
+  EXPECT_EQ(2u, again.session().all_unsaved().size());
+  EXPECT_FALSE(fs::exists(killed / "unsaved-999999999-1.toml"));
+  EXPECT_TRUE(fs::exists(killed / fmt::format("unsaved-{}-2.toml", ::getpid())));
+  again.key("Z", true);
+  EXPECT_EQ(edited[0].y.vertices, again.session().lesson().y.vertices);
 }
 
 TEST(App, UndoTakesWhatIsHeldOutOfTheHand) {

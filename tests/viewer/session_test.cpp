@@ -169,7 +169,9 @@ TEST(Session, AnotherLessonTakesNothingAway) {
   session.go_to(9);
   ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
   EXPECT_FALSE(session.is_unsaved());
-  EXPECT_TRUE(session.has_unsaved());
+  ASSERT_EQ(1u, session.all_unsaved().size());
+  EXPECT_EQ(edited, session.all_unsaved()[0].lesson);
+  EXPECT_EQ("a.toml", session.all_unsaved()[0].file);
   session.go_to(3);
 
   ASSERT_TRUE(session.undo());
@@ -185,11 +187,34 @@ TEST(Session, AnotherLessonTakesNothingAway) {
   ASSERT_TRUE(session.undo());
   session.mark_saved("c.toml");
   ASSERT_TRUE(session.redo());
-  EXPECT_FALSE(session.has_unsaved());
+  EXPECT_TRUE(session.all_unsaved().empty());
   ASSERT_TRUE(session.undo());
   EXPECT_EQ("c.toml", session.file());
   ASSERT_TRUE(session.undo());
   EXPECT_EQ(first, session.lesson());
+}
+
+TEST(Session, EveryLessonThatIsNotSavedIsTold) {
+  Session session(fonts());
+  const auto move = [](Lesson& lesson) { lesson.y.vertices[0].x() -= 0.125; };
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
+  ASSERT_TRUE(session.change("move", move));
+  ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
+  ASSERT_TRUE(session.change("move", move));
+  const auto files = [&] {
+    std::vector<std::string> out;
+    for (const Session::Unsaved& each : session.all_unsaved()) out.push_back(each.file.string());
+    return out;
+  };
+  EXPECT_EQ((std::vector<std::string>{"a.toml", "b.toml"}), files());
+  ASSERT_TRUE(session.undo());
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ((std::vector<std::string>{"b.toml", "a.toml"}), files()) << "redo leads to b.toml";
+  ASSERT_TRUE(session.redo());
+  ASSERT_TRUE(session.redo());
+  EXPECT_EQ((std::vector<std::string>{"a.toml", "b.toml"}), files());
+  session.mark_saved("b.toml");
+  EXPECT_EQ((std::vector<std::string>{"a.toml"}), files());
 }
 
 TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
