@@ -202,32 +202,50 @@ template <class S, int D>
   }
 }
 
-/// True when O lies on the plane (in the plane: the line) through the vertices of a facet.
 template <class S, int D>
-[[nodiscard]] bool passes_through_origin(const Simplex<S, D>& simplex, Face facet) {
+[[nodiscard]] std::array<Vec<S, D>, D> vertices_of(const Simplex<S, D>& simplex, Face facet) {
   std::array<Vec<S, D>, D> vertices;
   for (int i = 0, k = 0; i <= D && k < D; ++i) {
     if (contains(facet, i)) vertices[k++] = simplex.vertices[i].w;
   }
-  return determinant<S, D>(vertices) == S(0);
+  return vertices;
+}
+
+/// |P|^2 of P on a facet that O does not lie on: from the facet's plane, for which, as for its
+/// normal, nobody needs P.
+template <class S, int D>
+[[nodiscard]] S facet_distance_sq(const Simplex<S, D>& simplex, Face facet, const S& volume) {
+  const std::array<Vec<S, D>, D> vertices = vertices_of(simplex, facet);
+  std::array<Vec<S, D>, D - 1> edges;
+  for (int i = 0; i < D - 1; ++i) edges[i] = vertices[i + 1] - vertices[0];
+  const Vec<S, D> normal = perpendicular<S, D>(edges);
+  return volume * S(volume / dot(normal, normal));
 }
 
 /// P on `face`, by its coordinates.
 template <class S, int D>
-void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates) {
+void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
+                 DirectionRule rule) {
   const int size = vertex_count(face);
   state.region = face;
   set_weights(state.simplex, face, coordinates);
   // Where O lies in the face P is O itself; the weighted sum would only say so up to rounding.
-  const bool at_origin = size == D + 1 || (size == D && passes_through_origin(state.simplex, face));
+  S volume(0);  // that O spans with a facet
+  if (size == D) volume = determinant<S, D>(vertices_of(state.simplex, face));
+  const bool at_origin = size == D + 1 || (size == D && volume == S(0));
   state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
   state.p_sq = dot(state.p, state.p);
+  if constexpr (!ScalarTraits<S>::kExact) {
+    if (size == D && !at_origin && rule == DirectionRule::perpendicular) {
+      state.p_sq = facet_distance_sq(state.simplex, face, volume);
+    }
+  }
 }
 
 /// Takes the first region whose condition holds. The compiler makes the list of conditions, and
 /// straight code from it.
 template <int kCount, RegionOrder kOrder, class S, int D, class Rec>
-void find_region(State<S, D>& state, Rec& record) {
+void find_region(State<S, D>& state, DirectionRule rule, Rec& record) {
   const Simplex<S, D>& simplex = state.simplex;
   const CoordinateTable<S, D, kCount> table(simplex);
   static constexpr RegionList kList = list_regions(kCount, kOrder);
@@ -237,7 +255,7 @@ void find_region(State<S, D>& state, Rec& record) {
     if (!condition.holds(table.positive())) return false;
     const bool doubtful = kChecked && vertex_count(condition.face) == D + 1;
     if (doubtful && !weights_reach_origin(simplex, table[condition.face])) return false;
-    take_region(state, condition.face, table[condition.face]);
+    take_region(state, condition.face, table[condition.face], rule);
     return true;
   };
   const bool found = [&]<int... I>(std::integer_sequence<int, I...>) {
@@ -250,18 +268,19 @@ void find_region(State<S, D>& state, Rec& record) {
     const bool full_is_nearest = nearest == simplex.all() && vertex_count(nearest) == D + 1;
     record.no_region_held = kChecked && !full_is_nearest;
   }
-  take_region(state, nearest, table[nearest]);
+  take_region(state, nearest, table[nearest], rule);
 }
 
 template <int kCount, class S, int D, class Rec>
 void find_closest_point_of(State<S, D>& state, const Options& options, Rec& record) {
   switch (options.region_order) {
     case RegionOrder::vertices_first:
-      return find_region<kCount, RegionOrder::vertices_first>(state, record);
+      return find_region<kCount, RegionOrder::vertices_first>(state, options.direction_rule,
+                                                              record);
     case RegionOrder::edges_first:
-      return find_region<kCount, RegionOrder::edges_first>(state, record);
+      return find_region<kCount, RegionOrder::edges_first>(state, options.direction_rule, record);
     case RegionOrder::unchecked:
-      return find_region<kCount, RegionOrder::unchecked>(state, record);
+      return find_region<kCount, RegionOrder::unchecked>(state, options.direction_rule, record);
   }
 }
 

@@ -348,7 +348,7 @@ template <class R, class S, int D>
 /// Allocates only where exact arithmetic has to settle the answer.
 template <class R = Default, class S, int D>
 [[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
-                                                                const Options& options = {}) {
+                                                                const Options& options) {
   const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
   Result<RunScalar<R, S>, D> out;
   if constexpr (D == 2 && std::is_same_v<RunScalar<R, S>, double>) {
@@ -359,6 +359,12 @@ template <class R = Default, class S, int D>
   }
   detail::run_by_phases(query, options, prepared, out);
   return out;
+}
+
+/// With the default options, which the compiler knows.
+template <class R = Default, class S, int D>
+[[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query) {
+  return distance<R>(query, Options());
 }
 
 /// The same run, every phase recorded.

@@ -15,6 +15,20 @@
 
 namespace gjk {
 
+/// Two numbers side by side, for processors that compute with both at once: a vector of the plane,
+/// or a number of each of two vertices.
+using Two [[gnu::vector_size(16)]] = double;
+using TwoMasks [[gnu::vector_size(16)]] = long long;
+
+/// Two numbers that stand in memory at a multiple of 16 bytes.
+[[nodiscard]] inline Two two_at(const double* from) {
+#ifdef __SSE2__
+  return _mm_load_pd(from);
+#else
+  return Two{from[0], from[1]};
+#endif
+}
+
 /// A point or direction in dimension D.
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;

@@ -101,11 +101,11 @@ template <class R, class S, int D>
   return (R(1) + most_sq) / R(2);  // at least the root, for numbers from 1 on
 }
 
-/// Fills in the offset where centres are not the shapes' own origins. Returns how far from these
-/// they lie.
+/// The offset where centres are not the shapes' own origins.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] R measure_offset_of_centres(const Query<S, D>& query,
-                                                         Prepared<R, D>& prepared) {
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+                                                         const Prepared<R, D>& prepared) {
+  Vec<R, D> out;
   const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
   const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
   const R& unit = prepared.unit;
@@ -116,8 +116,14 @@ template <class R, class S, int D>
       offset = offset + (from(query.y.pose.rotation(row, k)) * exact(prepared.y_centre[k] * unit) -
                          from(query.x.pose.rotation(row, k)) * exact(prepared.x_centre[k] * unit));
     }
-    prepared.offset[row] = offset.hi;
+    out[row] = offset.hi;
   }
+  return out;
+}
+/// How far from the shapes' own origins their centres lie.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] R length_to_centres(const Query<S, D>& query,
+                                                 const Prepared<R, D>& prepared) {
   return careful_length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
          careful_length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
 }
@@ -129,7 +135,8 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   bool is_exact = !prepared.centred;
   R from_centres(0);
   if (prepared.centred) {
-    from_centres = measure_offset_of_centres(query, prepared);
+    prepared.offset = offset_of_centres(query, prepared);
+    from_centres = length_to_centres(query, prepared);
   } else {
     for (int i = 0; i < D; ++i) {
       const R x_place = ScalarTraits<R>::from(query.x.pose.translation[i]) * prepared.unit;
@@ -142,7 +149,8 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
 
   // How many roundings, times what they are relative to. In the world a vertex of Z is a single
   // difference; else both vertices are centred and turned, subtracted, and moved by the offset. A
-  // scan compares two dot products of a direction that was turned with vertices that were centred.
+  // scan compares two dot products of a direction with vertices that were centred; one or the other
+  // was turned.
   // Turning a vector of length r rounds by at most (1 + sqrt(D)) u r.
   const R far = length(prepared.offset);
   R vertex_roundings = is_exact ? R(0) : far;

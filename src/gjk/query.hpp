@@ -44,15 +44,29 @@ struct Pose {
     return local;
   }
   [[nodiscard]] bool is_turned() const {
-    S difference(0);
+#ifdef __SSE2__
+    if constexpr (D == 2 && std::is_same_v<S, double>) {
+      const Two x = _mm_cmpneq_pd(two_at(rotation.data()), Two{1.0, 0.0});
+      const Two y = _mm_cmpneq_pd(two_at(rotation.data() + 2), Two{0.0, 1.0});
+      return _mm_movemask_pd(_mm_or_pd(x, y)) != 0;
+    }
+#endif
+    bool turned = false;
     for (int row = 0; row < D; ++row) {
       for (int column = 0; column < D; ++column) {
-        const S entry = rotation(row, column) - S(row == column ? 1 : 0);
-        difference = difference + magnitude(entry);
+        turned |= rotation(row, column) != S(row == column ? 1 : 0);
       }
     }
-    return difference != S(0);
+    return turned;
   }
+};
+
+/// A few points of the plane, coordinate by coordinate and the last one repeated: for scans that
+/// look at several at a time.
+struct Rows {
+  static constexpr int kCount = 8;
+  alignas(16) double x[kCount];
+  alignas(16) double y[kCount];
 };
 
 /// Some points, borrowed, and what a query needs to know of them all: measured once, when the range
@@ -103,6 +117,11 @@ class Points {
 
   static constexpr std::size_t kRingFrom = 32;
 
+  /// So few that scans turn all of them into the world, rather than a direction into their frame.
+  [[nodiscard]] bool is_small() const { return size() <= Rows::kCount; }
+  /// Of a small shape in the plane whose runs are in double: the points, seen from their centre.
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+
  private:
   void measure() {
     if (points_.empty()) return;
@@ -122,6 +141,7 @@ class Points {
     const Vec<S, D> middle = low_ / S(2) + high_ / S(2);
     centred_ = norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle);
     if (centred_) centre_ = middle;
+    if constexpr (D == 2 && std::is_same_v<RunScalar<Default, S>, double>) fill_rows();
     const S size =
         std::max(norm_max(Vec<S, D>(high_ - centre_)), norm_max(Vec<S, D>(low_ - centre_)));
     if (!finite_ || !(S(0) < size) || !ScalarTraits<S>::is_finite(size)) return;
@@ -139,6 +159,17 @@ class Points {
     radius_ = ScalarTraits<S>::scaled(radius, exponent);
     const bool below = ScalarTraits<S>::scaled(radius_, -exponent) < radius;
     if (below) radius_ = radius_ + std::numeric_limits<S>::denorm_min();
+  }
+
+  void fill_rows() {
+    const auto from_centre = [&](const Vec<S, D>& point, int axis) {
+      return static_cast<double>(point[axis]) - static_cast<double>(centre_[axis]);
+    };
+    for (std::size_t i = 0; is_small() && i < Rows::kCount; ++i) {
+      const Vec<S, D>& point = points_[std::min(i, size() - 1)];
+      rows_.x[i] = from_centre(point, 0);
+      rows_.y[i] = from_centre(point, 1);
+    }
   }
 
   /// All turns go the same way beyond rounding, and the edges go round once.
@@ -166,6 +197,7 @@ class Points {
   }
 
   std::span<const Vec<S, D>> points_;
+  Rows rows_;
   Vec<S, D> low_ = Vec<S, D>::Zero();
   Vec<S, D> high_ = Vec<S, D>::Zero();
   Vec<S, D> centre_ = Vec<S, D>::Zero();

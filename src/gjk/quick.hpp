@@ -6,39 +6,64 @@
 // to `trace`, which does not. Missing is what ordinary queries do not need: a run that comes to
 // such a place gives up, and the phases start over.
 
+#include <bit>
+
 #include "gjk/certificate.hpp"
 #include "gjk/stop.hpp"
 
 namespace gjk::quick {
 
-/// Two numbers side by side, for processors that compute with both at once.
-using Two [[gnu::vector_size(16)]] = double;
-using TwoMasks [[gnu::vector_size(16)]] = long long;
-
-/// Bit i is set when the comparison that made the masks holds for number i.
-[[nodiscard]] inline int bits(const TwoMasks& masks) {
+[[nodiscard]] inline Two both(double a) { return Two{a, a}; }
+[[nodiscard]] inline Two swapped(const Two& a) { return __builtin_shufflevector(a, a, 1, 0); }
+[[nodiscard]] inline Two larger(const Two& a, const Two& b) {
 #ifdef __SSE2__
-  return _mm_movemask_pd(_mm_castsi128_pd(masks));
+  return _mm_max_pd(b, a);
 #else
-  return static_cast<int>((masks[0] & 1) | (masks[1] & 2));
+  return a < b ? b : a;
+#endif
+}
+/// Zeros with the sign of a.
+[[nodiscard]] inline Two sign_of(double a) { return both(std::copysign(0.0, a)); }
+/// a, turned round where `sign`, made of zeros, has one.
+[[nodiscard]] inline Two with_sign(const Two& a, const Two& sign) {
+  return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) ^ std::bit_cast<TwoMasks>(sign));
+}
+[[nodiscard]] inline double dot(const Two& a, const Two& b) {
+  const Two products = a * b;
+  return products[0] + products[1];
+}
+[[nodiscard]] inline double cross(const Two& a, const Two& b) {
+  const Two products = a * swapped(b);
+  return products[0] - products[1];
+}
+/// As gjk::perpendicular.
+[[nodiscard]] inline Two perpendicular(const Two& a) { return Two{a[1], -a[0]}; }
+[[nodiscard]] inline Flat<double> flat(const Two& a) { return {a[0], a[1]}; }
+
+/// Bits 2 and 3 are those of `second`: set where a comparison holds.
+[[nodiscard]] inline int bits(const TwoMasks& first, const TwoMasks& second) {
+#ifdef __SSE2__
+  return _mm_movemask_ps(
+      _mm_shuffle_ps(_mm_castsi128_ps(first), _mm_castsi128_ps(second), _MM_SHUFFLE(2, 0, 2, 0)));
+#else
+  return static_cast<int>((first[0] & 1) | (first[1] & 2) | (second[0] & 4) | (second[1] & 8));
 #endif
 }
 
 /// As detail::scan, four vertices at a time: the first of those that lie farthest along d. Without
 /// a branch, for nobody foresees how vertices compare. Vertices may be looked at again.
 template <class VertexAt>
-[[nodiscard]] inline int farthest(int count, const Flat<double>& d, const VertexAt& vertex) {
+[[nodiscard]] inline int farthest(int count, const Two& d, const VertexAt& vertex) {
   double most = 0.0;
   const auto first_of = [&](int i, int j, int k, int l) {
-    const auto along = [&](const Flat<double>& a, const Flat<double>& b) {
-      return Two{d.x, d.x} * Two{a.x, b.x} + Two{d.y, d.y} * Two{a.y, b.y};
+    const auto along = [&](const Two& a, const Two& b) {
+      return Two{d[0], d[0]} * Two{a[0], b[0]} + Two{d[1], d[1]} * Two{a[1], b[1]};
     };
     const Two left = along(vertex(i), vertex(j));
     const Two right = along(vertex(k), vertex(l));
-    const Two larger = left < right ? right : left;
-    most = larger[0] < larger[1] ? larger[1] : larger[0];
-    const Two all = {most, most};
-    return i + __builtin_ctz(bits(left == all) | bits(right == all) << 2);
+    const Two most_of = larger(left, right);
+    most = most_of[0] < most_of[1] ? most_of[1] : most_of[0];
+    return i + __builtin_ctz(bits(left == both(most), right == both(most)));
   };
   const int last = count - 1;
   int index = first_of(0, std::min(1, last), std::min(2, last), std::min(3, last));
@@ -52,58 +77,122 @@ template <class VertexAt>
   return index;
 }
 
+/// Four vertices of `rows` along d, from vertex i on.
+struct FourAlong {
+  Two left;
+  Two right;
+  FourAlong(const Rows& rows, int i, const Two& dx, const Two& dy, const Two& sign)
+      : left(with_sign(dx * two_at(rows.x + i) + dy * two_at(rows.y + i), sign)),
+        right(with_sign(dx * two_at(rows.x + i + 2) + dy * two_at(rows.y + i + 2), sign)) {}
+  [[nodiscard]] Two most() const { return larger(left, right); }
+  [[nodiscard]] int equal_to(const Two& value) const { return bits(left == value, right == value); }
+  [[nodiscard]] int less_than(const Two& value) const { return bits(left < value, right < value); }
+};
+
+/// The same, where the vertices stand in rows.
+[[nodiscard]] inline int farthest(int count, const Two& d, const Two& sign, const Rows& rows) {
+  const Two dx = both(d[0]);
+  const Two dy = both(d[1]);
+  const FourAlong four(rows, 0, dx, dy, sign);
+  Two most = four.most();
+  if (count <= 4) {
+    most = larger(most, swapped(most));
+    return __builtin_ctz(four.equal_to(most));
+  }
+  const FourAlong next(rows, 4, dx, dy, sign);
+  most = larger(most, next.most());
+  most = larger(most, swapped(most));
+  return __builtin_ctz(four.equal_to(most) | next.equal_to(most) << 4);
+}
+
 /// A shape, its vertices seen from its centre.
 template <class S>
 struct Body {
-  const Vec<S, 2>* vertices;
-  const S* rotation;  ///< Column by column.
-  Flat<double> centre;
+  const Points<S, 2>& points;
+  Two column[2];  ///< Of the rotation.
+  Two centre;
   int count;
   bool turned;
   bool centred;
+  bool small;
+  const Rows* rows;  ///< Of a small shape, as its pose turns them.
 
-  Body(const Shape<S, 2>& shape, bool is_turned, bool is_centred, const Vec<double, 2>& middle)
-      : vertices(&shape.vertices[0]),
-        rotation(shape.pose.rotation.data()),
-        centre(flat(middle)),
+  Body(const Shape<S, 2>& shape, bool is_turned, bool is_centred, const Vec<double, 2>& middle,
+       Rows& turned_rows)
+      : points(shape.vertices),
+        column{two(shape.pose.rotation.col(0)), two(shape.pose.rotation.col(1))},
+        centre{middle[0], middle[1]},
         count(static_cast<int>(shape.vertices.size())),
         turned(is_turned),
-        centred(is_centred) {}
+        centred(is_centred),
+        small(points.is_small()),
+        rows(&points.rows()) {
+    if (!small || !turned) return;
+    rows = &turned_rows;
+    for (int i = 0; i < (count <= 4 ? 4 : Rows::kCount); i += 2) {
+      const Two x_row = two_at(points.rows().x + i);
+      const Two y_row = two_at(points.rows().y + i);
+      const auto turn = [&](double* to, int axis) {
+        const Two turned_row = both(column[0][axis]) * x_row + both(column[1][axis]) * y_row;
+        to[i] = turned_row[0];
+        to[i + 1] = turned_row[1];
+      };
+      turn(turned_rows.x, 0);
+      turn(turned_rows.y, 1);
+    }
+  }
 
-  [[nodiscard]] Flat<double> vertex(int i) const {
-    return {static_cast<double>(vertices[i][0]), static_cast<double>(vertices[i][1])};
+  [[nodiscard]] static Two two(const Vec<S, 2>& a) {
+    return Two{static_cast<double>(a[0]), static_cast<double>(a[1])};
   }
-  [[nodiscard]] Flat<double> from_centre(int i) const {
-    return centred ? vertex(i) - centre : vertex(i);
-  }
-  [[nodiscard]] Flat<double> rotated(const Flat<double>& a) const {
+  [[nodiscard]] Two vertex(int i) const { return two(points[i]); }
+  [[nodiscard]] Two from_centre(int i) const { return centred ? vertex(i) - centre : vertex(i); }
+  [[nodiscard]] Two rotated(const Two& a) const {
     if (!turned) return a;
-    return {rotation[0] * a.x + rotation[2] * a.y, rotation[1] * a.x + rotation[3] * a.y};
+    return column[0] * both(a[0]) + column[1] * both(a[1]);
   }
-  [[nodiscard]] Flat<double> placed(int i) const { return rotated(from_centre(i)); }
+  [[nodiscard]] Two placed(int i) const {
+    if (small) return Two{rows->x[i], rows->y[i]};
+    return rotated(from_centre(i));
+  }
 
   /// Of a direction in the world, the first vertex that lies farthest along it.
-  [[nodiscard]] int farthest(const Flat<double>& d) const {
-    const Flat<double> local = to_local(d);
-    if (centred) return quick::farthest(count, local, [&](int i) { return vertex(i) - centre; });
-    return quick::farthest(count, local, [&](int i) { return vertex(i); });
+  [[nodiscard]] int farthest(const Two& d, const Two& sign) const {
+    if (small) return quick::farthest(count, d, sign, *rows);
+    return quick::farthest(count, with_sign(to_local(d), sign),
+                           [&](int i) { return from_centre(i); });
   }
-  [[nodiscard]] int count_as_far(const Flat<double>& d, int i, int j, double error) const {
-    const Flat<double> local = to_local(d);
-    return detail::count_as_far<double>(
-        count, [&](int k) { return dot(local, from_centre(k)); }, i, j, error);
+  /// As detail::count_as_far; 3 stands for more, too.
+  [[nodiscard]] int count_as_far(const Two& d, int i, int j, double error) const {
+    if (!small) {
+      const Two local = to_local(d);
+      return detail::count_as_far<double>(
+          count, [&](int k) { return dot(local, from_centre(k)); }, i, j, error);
+    }
+    const Two nearer = both(std::min(dot(d, placed(i)), dot(d, placed(j))) - error);
+    const Two dx = both(d[0]);
+    const Two dy = both(d[1]);
+    int less = FourAlong(*rows, 0, dx, dy, both(0.0)).less_than(nearer);
+    if (count > 4) less |= FourAlong(*rows, 4, dx, dy, both(0.0)).less_than(nearer) << 4;
+    const unsigned all = (1U << count) - 1U;
+    const unsigned first = all & ~static_cast<unsigned>(less);
+    const unsigned second = first & (first - 1U);
+    const unsigned third = second & (second - 1U);
+    return static_cast<int>(first != 0) + static_cast<int>(second != 0) +
+           static_cast<int>(third != 0);
   }
 
  private:
-  [[nodiscard]] Flat<double> to_local(const Flat<double>& d) const {
+  [[nodiscard]] Two to_local(const Two& d) const {
     if (!turned) return d;
-    return {rotation[0] * d.x + rotation[1] * d.y, rotation[2] * d.x + rotation[3] * d.y};
+    return Two{column[0][0], column[1][0]} * both(d[0]) +
+           Two{column[0][1], column[1][1]} * both(d[1]);
   }
 };
 
 /// A vertex of the simplex.
 struct Corner {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
-  Flat<double> w;
+  Two w;
   VertexPair pair;
 };
 
@@ -112,30 +201,26 @@ template <class S>
 struct Bodies {
   Body<S> x;
   Body<S> y;
-  Flat<double> offset;
+  Two offset;
 
-  Bodies(const Query<S, 2>& query, const Prepared<double, 2>& prepared)
-      : x(query.x, prepared.x_turned, prepared.centred, prepared.x_centre),
-        y(query.y, prepared.y_turned, prepared.centred, prepared.y_centre),
-        offset(flat(prepared.offset)) {}
+  Bodies(const Query<S, 2>& query, const Prepared<double, 2>& prepared, std::array<Rows, 2>& rows)
+      : x(query.x, prepared.x_turned, prepared.centred, prepared.x_centre, rows[0]),
+        y(query.y, prepared.y_turned, prepared.centred, prepared.y_centre, rows[1]),
+        offset{prepared.offset[0], prepared.offset[1]} {}
 
-  [[nodiscard]] VertexPair farthest(const Flat<double>& d) const {
-    return {x.farthest(-d), y.farthest(d)};
+  [[nodiscard]] VertexPair farthest(const Two& d, const Two& sign) const {
+    return {x.farthest(d, -sign), y.farthest(d, sign)};
   }
   [[nodiscard]] Corner corner(VertexPair pair) const {
     return {(y.placed(pair.y) - x.placed(pair.x)) + offset, pair};
   }
 };
 
-/// Where a run ended: at vertex a, between a and b, or in the triangle.
+/// Where a run ended: at a vertex, between two, or in a triangle.
 struct Found {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
-  Corner a;
-  Corner b;
-  Corner c;
+  Corner corners[3];
+  double weights[3];
   int count;
-  double weight_a;
-  double weight_b;
-  double weight_c;
   double plane_sq;  ///< See State.
   double plane_reach_sq;
   int iterations;
@@ -148,24 +233,25 @@ template <class S>
 [[nodiscard, gnu::flatten]] inline bool walk(const Bodies<S>& bodies, const Options& options,
                                              Found& found) {
   const VertexPair first =
-      options.start_count == 0 ? bodies.farthest(-bodies.offset) : options.start[0];
+      options.start_count == 0 ? bodies.farthest(bodies.offset, both(-0.0)) : options.start[0];
   Corner a = bodies.corner(first);
   Corner b = a;
   bool on_edge = false;  // else P is a
-  double weight_a = 1.0;
-  double weight_b = 0.0;
+  Two weights{1.0, 0.0};
   double plane_sq = 0.0;
   double plane_reach_sq = 0.0;
   double best_sq = std::numeric_limits<double>::infinity();
   int iteration = 1;
   const auto end = [&](StopReason reason) {
-    found.a = a;
-    found.b = b;
-    found.c = b;
+    if (on_edge && reason != StopReason::origin_inside) {
+      const Two edge = b.w - a.w;
+      weights = Two{dot(b.w, edge), -dot(a.w, edge)} / both(dot(edge, edge));
+    }
+    found.corners[0] = a;
+    found.corners[1] = b;
+    found.weights[0] = weights[0];
+    found.weights[1] = weights[1];
     found.count = on_edge ? 2 : 1;
-    found.weight_a = weight_a;
-    found.weight_b = weight_b;
-    found.weight_c = 0.0;
     found.plane_sq = plane_sq;
     found.plane_reach_sq = plane_reach_sq;
     found.iterations = iteration;
@@ -173,28 +259,27 @@ template <class S>
     return true;
   };
   for (;; ++iteration) {
-    // Direction.
-    Flat<double> p = a.w;
-    Flat<double> d = -a.w;
+    // Direction, before its sign: d or -d. P is on the line of an edge, so p_sq is the square of
+    // the line's distance.
+    Two d = a.w;
+    Two side = both(-0.0);
+    double d_sq = dot(d, d);
+    double p_sq = d_sq;
     if (on_edge) {
-      const Flat<double> edge = b.w - a.w;
-      const double edge_sq = dot(edge, edge);
-      weight_a = dot(b.w, edge) / edge_sq;
-      weight_b = -dot(a.w, edge) / edge_sq;
-      p = {weight_a * a.w.x + weight_b * b.w.x, weight_a * a.w.y + weight_b * b.w.y};
-      const Flat<double> normal{edge.y, -edge.x};
-      const double side = std::copysign(1.0, 0.0 - dot(normal, a.w));
-      d = {side * normal.x, side * normal.y};
-      if (cross(a.w, b.w) == 0.0) return false;
+      const Two edge = b.w - a.w;
+      const double a_cross_b = cross(a.w, b.w);
+      d = perpendicular(edge);
+      side = sign_of(0.0 - dot(d, a.w));
+      d_sq = dot(edge, edge);
+      p_sq = a_cross_b * (a_cross_b / d_sq);
     }
-    const double p_sq = dot(p, p);
-    const double d_sq = dot(d, d);
-    if (!(p_sq < best_sq) || d_sq == 0.0) return false;
+    if (!(0.0 < p_sq && p_sq < best_sq)) return false;
     best_sq = p_sq;
 
     // Support and stop. A vertex that is in the simplex already need not be put together again.
-    const VertexPair pair = bodies.farthest(d);
-    const auto note_plane = [&](const Flat<double>& w) {
+    const VertexPair pair = bodies.farthest(d, side);
+    d = with_sign(d, side);
+    const auto note_plane = [&](const Two& w) {
       const double value = dot(d, w);
       const double below = value < 0.0 ? value : 0.0;
       const double distance_sq = below * (below / d_sq);
@@ -204,12 +289,9 @@ template <class S>
       }
       return value;
     };
-    if (pair == a.pair) {
-      note_plane(a.w);
-      return end(StopReason::repeated_support);
-    }
-    if (pair == b.pair) {
-      note_plane(b.w);
+    const bool is_b = pair == b.pair;
+    if (is_b || pair == a.pair) {
+      note_plane(is_b ? b.w : a.w);
       return end(StopReason::repeated_support);
     }
     const Corner c = bodies.corner(pair);
@@ -220,7 +302,7 @@ template <class S>
     if (options.iteration_cap <= iteration) return false;
 
     // Closest and cull.
-    const Flat<double> ac = c.w - a.w;
+    const Two ac = c.w - a.w;
     const bool a_in_ac = 0.0 < dot(c.w, ac);
     const bool c_in_ac = 0.0 < -dot(a.w, ac);
     if (!on_edge) {
@@ -231,7 +313,7 @@ template <class S>
       continue;
     }
     // O is in the region of neither a nor b: they were kept by the cull before.
-    const Flat<double> bc = c.w - b.w;
+    const Two bc = c.w - b.w;
     const bool b_in_bc = 0.0 < dot(c.w, bc);
     const bool c_in_bc = 0.0 < -dot(b.w, bc);
     const double volume = cross(b.w - a.w, ac);
@@ -244,8 +326,7 @@ template <class S>
       a = c;
       b = c;
       on_edge = false;
-      weight_a = 1.0;
-      weight_b = 0.0;
+      weights = Two{1.0, 0.0};
     } else if (!(0.0 < of_c)) {
       continue;
     } else if (b_in_bc && c_in_bc && !(0.0 < of_a)) {
@@ -255,13 +336,12 @@ template <class S>
       b = c;
     } else {
       const double sum = of_a + of_b + of_c;
-      weight_a = of_a / sum;
-      weight_b = of_b / sum;
+      weights = Two{of_a, of_b} / both(sum);
       ++iteration;
       static_cast<void>(end(StopReason::origin_inside));
-      found.c = c;
+      found.corners[2] = c;
+      found.weights[2] = of_c / sum;
       found.count = 3;
-      found.weight_c = of_c / sum;
       return 0.0 < of_a && 0.0 < of_b;
     }
   }
@@ -278,25 +358,30 @@ struct Asked {
   [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
-    const Flat<double> from = bodies.x.placed(x0);
-    const Flat<double> from_other = bodies.x.placed(x1);
-    const Flat<double> to = bodies.y.placed(y0);
-    const Flat<double> to_other = bodies.y.placed(y1);
-    const auto length_sq = [&](const Flat<double>& difference) {
-      const Flat<double> w = difference + bodies.offset;
-      return dot(w, w);
+    const Two from = bodies.x.placed(x0);
+    const Two from_other = bodies.x.placed(x1);
+    const Two to = bodies.y.placed(y0);
+    const Two to_other = bodies.y.placed(y1);
+    const Two to_x{to[0], to_other[0]};
+    const Two to_y{to[1], to_other[1]};
+    const auto lengths_sq = [&](const Two& start) {
+      const Two x = (to_x - both(start[0])) + both(bodies.offset[0]);
+      const Two y = (to_y - both(start[1])) + both(bodies.offset[1]);
+      return x * x + y * y;
     };
-    return larger(larger(length_sq(to - from), length_sq(to - from_other)),
-                  larger(length_sq(to_other - from), length_sq(to_other - from_other)));
+    const Two most = larger(lengths_sq(from), lengths_sq(from_other));
+    return gjk::larger(most[0], most[1]);
   }
   [[nodiscard]] double careful_distance() const {
-    return careful_distance_of(query, prepared, simplex.a.pair, simplex.b.pair, simplex.count == 2);
+    return careful_distance_of(query, prepared, simplex.corners[0].pair, simplex.corners[1].pair,
+                               simplex.count == 2);
   }
-  [[nodiscard]] bool is_certainly_farthest(const Flat<double>& d, double angle) const {
+  [[nodiscard]] bool is_certainly_farthest(const Flat<double>& direction, double angle) const {
+    const Two d{direction.x, direction.y};
     const bool on_edge = simplex.count == 2;
-    const VertexPair first = simplex.a.pair;
-    const VertexPair last = on_edge ? simplex.b.pair : first;
-    const double error = length(d) * prepared.scan_error_within(angle);
+    const VertexPair first = simplex.corners[0].pair;
+    const VertexPair last = on_edge ? simplex.corners[1].pair : first;
+    const double error = length(direction) * prepared.scan_error_within(angle);
     return bodies.x.count_as_far(-d, first.x, last.x, error) *
                bodies.y.count_as_far(d, first.y, last.y, error) ==
            (on_edge ? 2 : 1);
@@ -315,18 +400,18 @@ struct Asked {
                                                                const Prepared<double, 2>& prepared,
                                                                VertexPair pair) {
     detail::CarefulSum<Two, double> sum;
-    const auto both = [](const Vec<S, 2>& a, double sign) {
+    const auto pair_of = [](const Vec<S, 2>& a, double sign) {
       return Two{sign * static_cast<double>(a[0]), sign * static_cast<double>(a[1])};
     };
     const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, double sign) {
-      const Two local = both(shape.vertices[vertex], sign);
+      const Two local = pair_of(shape.vertices[vertex], sign);
       if (!turned) return sum.add(local);
       for (int k = 0; k < 2; ++k) {
-        sum.add_product(both(shape.pose.rotation.col(k), 1.0), Two{local[k], local[k]});
+        sum.add_product(pair_of(shape.pose.rotation.col(k), 1.0), Two{local[k], local[k]});
       }
     };
-    sum.add(both(query.y.pose.translation, 1.0));
-    sum.add(both(query.x.pose.translation, -1.0));
+    sum.add(pair_of(query.y.pose.translation, 1.0));
+    sum.add(pair_of(query.x.pose.translation, -1.0));
     add(query.y, pair.y, prepared.y_turned, 1.0);
     add(query.x, pair.x, prepared.x_turned, -1.0);
     const DoubleWord<Two> out = sum.normalised();
@@ -337,9 +422,10 @@ struct Asked {
 /// As detail::surely_inside, and what the phases ask of a triangle and its weights.
 [[nodiscard]] inline bool is_surely_inside(const Found& simplex,
                                            const Prepared<double, 2>& prepared) {
-  const Flat<double>& a = simplex.a.w;
-  const Flat<double>& b = simplex.b.w;
-  const Flat<double>& c = simplex.c.w;
+  const Flat<double> a = flat(simplex.corners[0].w);
+  const Flat<double> b = flat(simplex.corners[1].w);
+  const Flat<double> c = flat(simplex.corners[2].w);
+  const auto& [weight_a, weight_b, weight_c] = simplex.weights;
   const auto norm_max = [](const Flat<double>& v) {
     return std::max(std::abs(v.x), std::abs(v.y));
   };
@@ -347,57 +433,46 @@ struct Asked {
   const double error = detail::volume_error(size, prepared);
   const double least =
       std::min(std::min(std::abs(cross(b, c)), std::abs(cross(a, c))), std::abs(cross(a, b)));
-  const Flat<double> p{simplex.weight_a * a.x + simplex.weight_b * b.x + simplex.weight_c * c.x,
-                       simplex.weight_a * a.y + simplex.weight_b * b.y + simplex.weight_c * c.y};
+  const Flat<double> p{weight_a * a.x + weight_b * b.x + weight_c * c.x,
+                       weight_a * a.y + weight_b * b.y + weight_c * c.y};
   return error < least && !(2.0 * ScalarTraits<double>::unit_roundoff() * size < norm_max(p));
 }
 
 /// As detail::set_witness_points: put together from the vertex of the largest weight.
 template <class S>
-[[nodiscard]] Flat<double> witness(const Found& simplex, const Body<S>& body,
-                                   const Pose<S, 2>& pose, const Prepared<double, 2>& prepared,
-                                   int VertexPair::*index) {
-  const double weight_a = simplex.weight_a;
-  const double weight_b = simplex.weight_b;
-  const double weight_c = simplex.weight_c;
-  Flat<double> from = body.vertex(simplex.a.pair.*index);
-  Flat<double> beyond{0.0, 0.0};
+[[nodiscard]] Two witness(const Found& simplex, const Body<S>& body, const Pose<S, 2>& pose,
+                          const Prepared<double, 2>& prepared, int VertexPair::*index) {
+  const auto& weights = simplex.weights;
+  const auto vertex = [&](int i) { return body.vertex(simplex.corners[i].pair.*index); };
+  Two from = vertex(0);
+  Two beyond{0.0, 0.0};
   if (simplex.count == 2) {
-    const Flat<double> b = body.vertex(simplex.b.pair.*index);
-    const bool from_b = weight_a < weight_b;
-    const double weight = (from_b ? weight_a : weight_b) / (weight_a + weight_b);
-    const Flat<double> edge = from_b ? from - b : b - from;
+    const Two b = vertex(1);
+    const bool from_b = weights[0] < weights[1];
+    const double weight = (from_b ? weights[0] : weights[1]) / (weights[0] + weights[1]);
+    beyond = (from_b ? from - b : b - from) * both(weight);
     if (from_b) from = b;
-    beyond = {edge.x * weight, edge.y * weight};
   } else if (simplex.count == 3) {
-    const Flat<double> a = from;
-    const Flat<double> b = body.vertex(simplex.b.pair.*index);
-    const Flat<double> c = body.vertex(simplex.c.pair.*index);
-    const double sum = weight_a + weight_b + weight_c;
-    const auto start_at = [&](const Flat<double>& base, const Flat<double>& p, double p_weight,
-                              const Flat<double>& q, double q_weight) {
-      const Flat<double> to_p = p - base;
-      const Flat<double> to_q = q - base;
-      const double s = p_weight / sum;
-      const double t = q_weight / sum;
-      from = base;
-      beyond = {to_p.x * s + to_q.x * t, to_p.y * s + to_q.y * t};
+    const double sum = weights[0] + weights[1] + weights[2];
+    const auto start_at = [&](int base, int p, int q) {
+      from = vertex(base);
+      beyond =
+          (vertex(p) - from) * both(weights[p] / sum) + (vertex(q) - from) * both(weights[q] / sum);
     };
-    if (std::max(weight_a, weight_b) < weight_c) {
-      start_at(c, a, weight_a, b, weight_b);
-    } else if (weight_a < weight_b) {
-      start_at(b, a, weight_a, c, weight_c);
+    if (std::max(weights[0], weights[1]) < weights[2]) {
+      start_at(2, 0, 1);
+    } else if (weights[0] < weights[1]) {
+      start_at(1, 0, 2);
     } else {
-      start_at(a, b, weight_b, c, weight_c);
+      start_at(0, 1, 2);
     }
   }
   if (body.turned && body.centred) {
-    return flat(detail::careful_place<double>(pose, Vec<double, 2>(from.x, from.y),
-                                              Vec<double, 2>(beyond.x, beyond.y), prepared));
+    const Vec<double, 2> place = detail::careful_place<double>(
+        pose, Vec<double, 2>(from[0], from[1]), Vec<double, 2>(beyond[0], beyond[1]), prepared);
+    return Two{place[0], place[1]};
   }
-  const Flat<double> world = body.rotated({from.x + beyond.x, from.y + beyond.y});
-  return {world.x + static_cast<double>(pose.translation[0]),
-          world.y + static_cast<double>(pose.translation[1])};
+  return body.rotated(from + beyond) + Body<S>::two(pose.translation);
 }
 
 /// Fills in the answer. False when it is not proved, or came from a place that is not ordinary.
@@ -405,7 +480,8 @@ template <class S>
 [[nodiscard, gnu::flatten]] bool distance(const Query<S, 2>& query, const Options& options,
                                           const Prepared<double, 2>& prepared,
                                           Result<double, 2>& out) {
-  const Bodies<S> bodies(query, prepared);
+  std::array<Rows, 2> turned_rows;
+  const Bodies<S> bodies(query, prepared, turned_rows);
   Found found;
   if (!walk(bodies, options, found)) return false;
   const Found& simplex = found;
@@ -416,9 +492,10 @@ template <class S>
     out.lower = 0.0;
     out.upper = 0.0;
   } else {
+    const auto& [a, b, c] = simplex.corners;
     const detail::Feature<double> feature{
-        simplex.a.w,        simplex.b.w,
-        simplex.count == 2, std::min(simplex.weight_a, simplex.weight_b),
+        flat(a.w),          flat(b.w),
+        simplex.count == 2, std::min(simplex.weights[0], simplex.weights[1]),
         found.plane_sq,     found.plane_reach_sq};
     const detail::Bounds<double> bounds =
         detail::bounds_outside(feature, prepared, Asked<S>{simplex, bodies, query, prepared});
@@ -432,21 +509,18 @@ template <class S>
   out.stop = found.stop;
   out.iterations = found.iterations;
   out.simplex.count = simplex.count;
-  const auto set = [&](int i, const Corner& corner, double weight) {
-    out.simplex.vertices[i].w[0] = corner.w.x;
-    out.simplex.vertices[i].w[1] = corner.w.y;
-    out.simplex.vertices[i].pair = corner.pair;
-    out.simplex.weights[i] = weight;
-  };
-  set(0, simplex.a, simplex.weight_a);
-  if (simplex.count > 1) set(1, simplex.b, simplex.weight_b);
-  if (simplex.count > 2) set(2, simplex.c, simplex.weight_c);
-  const Flat<double> x = witness(simplex, bodies.x, query.x.pose, prepared, &VertexPair::x);
-  const Flat<double> y = witness(simplex, bodies.y, query.y.pose, prepared, &VertexPair::y);
-  out.x[0] = x.x;
-  out.x[1] = x.y;
-  out.y[0] = y.x;
-  out.y[1] = y.y;
+  for (int i = 0; i < simplex.count; ++i) {
+    out.simplex.vertices[i].w[0] = simplex.corners[i].w[0];
+    out.simplex.vertices[i].w[1] = simplex.corners[i].w[1];
+    out.simplex.vertices[i].pair = simplex.corners[i].pair;
+    out.simplex.weights[i] = simplex.weights[i];
+  }
+  const Two x = witness(simplex, bodies.x, query.x.pose, prepared, &VertexPair::x);
+  const Two y = witness(simplex, bodies.y, query.y.pose, prepared, &VertexPair::y);
+  out.x[0] = x[0];
+  out.x[1] = x[1];
+  out.y[0] = y[0];
+  out.y[1] = y[1];
   return true;
 }
 

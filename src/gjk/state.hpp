@@ -114,7 +114,7 @@ struct State {
   Simplex<S, D> simplex;
   Face region = 0;                  ///< The face of `simplex` that holds P, from closest to cull.
   Vec<S, D> p = Vec<S, D>::Zero();  ///< Closest point of the simplex to O.
-  S p_sq = S(0);                    ///< |p|^2
+  S p_sq = S(0);                    ///< |p|^2; see detail::facet_distance_sq.
   Vec<S, D> d = Vec<S, D>::Zero();  ///< Search direction, in world axes.
   SupportPoint<S, D> support;       ///< Farthest point of Z along d.
   S support_value = S(0);           ///< dot(d, support.w)

@@ -10,27 +10,39 @@
 namespace gjk {
 namespace detail {
 
-/// The vertices of a shape along a direction in the shape's own frame: dot(d, vertex - centre).
+/// A vertex as its shape's pose turns it, seen from the shape's centre, in the run's unit.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> placed(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+                               bool turned, const Vec<R, D>& centre, std::size_t i) {
+  const auto& vertex = converted<R, S, D>(shape.vertices[i]);
+  const Vec<R, D> local =
+      prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - centre) : Vec<R, D>(vertex));
+  return turned ? shape.pose.template rotated<R>(local) : local;
+}
+
+/// The vertices of a shape along a direction: dot(d, vertex - centre). Those of a small shape are
+/// turned into the world; for a large one the direction is turned into its frame, which exact
+/// scalars always do: it takes fewer products.
 template <class R, class S, int D>
 struct Along {
+  const Shape<S, D>& shape;
   const Points<S, D>& vertices;
   const Prepared<R, D>& prepared;
   const Vec<R, D>& centre;
+  bool turns_vertices;
   Vec<R, D> d;
 
-  Along(const Shape<S, D>& shape, const Prepared<R, D>& query_prepared, bool turned,
+  Along(const Shape<S, D>& query_shape, const Prepared<R, D>& query_prepared, bool turned,
         const Vec<R, D>& shape_centre, const Vec<R, D>& world)
-      : vertices(shape.vertices),
+      : shape(query_shape),
+        vertices(shape.vertices),
         prepared(query_prepared),
         centre(shape_centre),
-        d(turned ? shape.pose.template direction_to_local<R>(world) : world) {}
+        turns_vertices(turned && !ScalarTraits<R>::kExact && vertices.is_small()),
+        d(turned && !turns_vertices ? shape.pose.template direction_to_local<R>(world) : world) {}
 
   [[nodiscard]] R operator()(std::size_t i) const {
-    const auto& vertex = converted<R, S, D>(vertices[i]);
-    if (prepared.centred || prepared.exponent != 0) {
-      return dot<R, D>(d, prepared.in_unit(vertex - centre));
-    }
-    return dot<R, D>(d, vertex);
+    return dot<R, D>(d, placed(shape, prepared, turns_vertices, centre, i));
   }
 };
 
@@ -134,7 +146,9 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 [[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Along<R, S, D>& along) {
   std::vector<ScanEntry<R>> entries;
-  const R at_centre = dot(along.d, along.prepared.in_unit(along.centre));
+  const Vec<R, D> centre = along.prepared.in_unit(along.centre);
+  const R at_centre =
+      dot(along.d, along.turns_vertices ? along.shape.pose.template rotated<R>(centre) : centre);
   Farthest<R> farthest;
   const auto note = [&](int i) {
     const R value = along(i);
@@ -157,17 +171,15 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 [[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
                                                const Prepared<R, D>& prepared, VertexPair pair) {
-  const auto& x = converted<R, S, D>(query.x.vertices[pair.x]);
-  const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
-  if (prepared.same_frame) return {prepared.in_unit(y) - prepared.in_unit(x), pair};
-  const auto placed = [&](const Shape<S, D>& shape, const Vec<R, D>& vertex, bool turned,
-                          const Vec<R, D>& centre) {
-    const Vec<R, D> local = prepared.centred ? Vec<R, D>(vertex - centre) : vertex;
-    const Vec<R, D> in_unit = prepared.in_unit(local);
-    return turned ? shape.pose.template rotated<R>(in_unit) : in_unit;
-  };
-  const Vec<R, D> placed_x = placed(query.x, x, prepared.x_turned, prepared.x_centre);
-  const Vec<R, D> placed_y = placed(query.y, y, prepared.y_turned, prepared.y_centre);
+  if (prepared.same_frame) {
+    const auto& x = converted<R, S, D>(query.x.vertices[pair.x]);
+    const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
+    return {prepared.in_unit(y) - prepared.in_unit(x), pair};
+  }
+  const Vec<R, D> placed_x =
+      detail::placed(query.x, prepared, prepared.x_turned, prepared.x_centre, pair.x);
+  const Vec<R, D> placed_y =
+      detail::placed(query.y, prepared, prepared.y_turned, prepared.y_centre, pair.y);
   return {Vec<R, D>(placed_y - placed_x) + prepared.offset, pair};
 }
 

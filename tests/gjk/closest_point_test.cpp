@@ -435,6 +435,35 @@ TEST(culling, "cull keeps the vertices of P's face in order, and drops the other
   CHECK_EQ(1.0, state.best_sq);
 }
 
+TEST(facets, "the squared distance of P on a facet is that of the facet's line, or plane") {
+  const auto check = [](double expected, auto state) {
+    gjk::NoRecord none;
+    gjk::detail::find_closest_point(state, {}, none);
+    CHECK_EQ(expected, state.p_sq);
+  };
+  check(9.0, state_of<double, 2>({{3, -1}, {3, 2}}));
+  check(0.5, state_of<double, 2>({{0, 1}, {4, 4}, {1, 0}}));
+  check(0.0, state_of<double, 2>({{0, 1}, {-5, -5}, {1, 0}}));
+  check(0.8, state_of<double, 2>({{0, 2}, {1, 0}}));
+  check(25.0, state_of<double, 2>({{3, 4}, {6, 8}}));
+  check(4.0, state_of<double, 3>({{-1, -1, 2}, {2, -1, 2}, {-1, 2, 2}}));
+  check(2.0, state_of<double, 3>({{-1, 1, 1}, {1, 1, 1}}));
+}
+
+TEST(p_itself, "where directions come from P, its squared length is that of P") {
+  // In half P is so rounded that it is seen.
+  gjk::Options options;
+  options.direction_rule = gjk::DirectionRule::towards_origin;
+  gjk::State<Eigen::half, 2> state = state_of<Eigen::half, 2>(
+      {{Eigen::half(90.5), Eigen::half(8.5)}, {Eigen::half(-88.0), Eigen::half(-8.0)}});
+  gjk::NoRecord none;
+  gjk::detail::find_closest_point(state, options, none);
+  CHECK(gjk::dot(state.p, state.p) == state.p_sq);
+  options.direction_rule = gjk::DirectionRule::perpendicular;
+  gjk::detail::find_closest_point(state, options, none);
+  CHECK(gjk::dot(state.p, state.p) != state.p_sq);
+}
+
 TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P that came no nearer") {
   gjk::State<double, 2> state = state_of<double, 2>({{-1, -1}, {2, -1}, {-1, 2}});
   gjk::NoRecord none;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "check.hpp"
@@ -35,6 +36,26 @@ TEST(directions, "translation moves points, not directions") {
   CHECK_EQ(0.0, local[1]);
 }
 
+TEST(turned, "a pose is turned when any entry of its rotation is not that of the identity") {
+  const auto check = [](auto zero) {
+    using S = decltype(zero);
+    gjk::Pose<S, 2> pose;
+    pose.translation = Vec<S, 2>(S(3), S(4));
+    CHECK(!pose.is_turned());
+    for (int i = 0; i < 4; ++i) {
+      gjk::Pose<S, 2> turned = pose;
+      turned.rotation(i / 2, i % 2) += S(0x1p-10);
+      CHECK(turned.is_turned());
+    }
+    pose.rotation(0, 1) = -zero;
+    CHECK(!pose.is_turned());
+    pose.rotation(1, 1) = std::numeric_limits<S>::quiet_NaN();
+    CHECK(pose.is_turned());
+  };
+  check(0.0);
+  check(0.0F);
+}
+
 TEST(space, "poses turn in space, too") {
   gjk::Pose<float, 3> pose;
   pose.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -64,6 +85,25 @@ TEST(measured, "points know their box, their centre and their radius") {
   CHECK((points(edge).centre() == Vec<double, 2>(0, 0)));
   const List<double> low = {{-14, -7}, {-10, -4}};
   CHECK((points(low).centre() == Vec<double, 2>(-12, -5.5)));
+}
+
+TEST(rows, "up to eight points stand in rows, seen from their centre, the last one repeated") {
+  List<float> list = {{10, 4}, {14, 4}, {12, 7}};
+  const auto check = [](const gjk::Rows& rows, int i, double x, double y) {
+    CHECK_EQ(x, rows.x[i]);
+    CHECK_EQ(y, rows.y[i]);
+  };
+  const gjk::Points<float, 2> three = points(list);
+  CHECK(three.is_small());
+  check(three.rows(), 0, -2.0, -1.5);
+  check(three.rows(), 1, 2.0, -1.5);
+  for (int i = 2; i < 8; ++i) check(three.rows(), i, 0.0, 1.5);
+  while (list.size() < 8) list.emplace_back(10.0F, 4.0F);
+  const gjk::Points<float, 2> eight = points(list);
+  CHECK(eight.is_small());
+  check(eight.rows(), 7, -2.0, -1.5);
+  list.emplace_back(10.0F, 4.0F);
+  CHECK(!points(list).is_small());
 }
 
 TEST(measured_extremes, "radii neither overflow nor underflow where points do not") {

@@ -163,6 +163,32 @@ TEST(climb_notes, "a climb notes the vertices that it looked at, with their valu
   CHECK_NEAR(best, gjk::dot(state.d, list[state.support.pair.y]), 1e-12);
 }
 
+TEST(turned_scans,
+     "few vertices are turned into the world, of many the direction into their frame") {
+  constexpr std::uint64_t kSeed = 8;
+  families::Source random(kSeed);
+  for (int i = 0; i < 2000; ++i) {
+    const check::Context context("seed", kSeed, "shape", i);
+    std::vector<Vec<double, 2>> vertices;
+    for (int k = 0; k < 8 + i % 2; ++k) {
+      vertices.emplace_back(random.between(-1, 1), random.between(-1, 1));
+    }
+    const std::vector<Vec<double, 2>> point = {{0, 0}};
+    gjk::Query<double, 2> query{{point}, {vertices}};
+    const double angle = random.between(0, 6.3);
+    query.y.pose.rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    const auto prepared = gjk::prepare<double>(query, {});
+    const Vec<double, 2> d(random.between(-1, 1), random.between(-1, 1));
+    const auto along = gjk::detail::along_y(query, prepared, d);
+    const bool small = vertices.size() == 8;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
+                                    : gjk::dot(query.y.pose.direction_to_local(d), vertices[k]);
+      CHECK_EQ(expected, along(k));
+    }
+  }
+}
+
 TEST(convention, "Z = Y - X: a support point is y - x in the world, with both indices") {
   families::Pair<double> pair{{{1, 1}, {2, 5}}, {{7, 3}, {4, 4}, {9, 9}}};
   pair.x_pose.translation = Vec<double, 2>(10, 0);
