@@ -109,6 +109,8 @@ template <class R, class S, int D>
   const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
   const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
   const R& unit = prepared.unit;
+  // In one frame nothing is moved by it: it says where to begin, and how far Z may reach.
+  if (prepared.same_frame) return prepared.in_unit(prepared.y_centre - prepared.x_centre);
   for (int row = 0; row < D; ++row) {
     DoubleWord<R> offset = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
                            exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
@@ -120,12 +122,15 @@ template <class R, class S, int D>
   }
   return out;
 }
-/// How far from the shapes' own origins their centres lie.
+/// At least how far from the shapes' own origins their centres lie.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] R length_to_centres(const Query<S, D>& query,
-                                                 const Prepared<R, D>& prepared) {
-  return careful_length(query.x.pose.template rotated<R>(prepared.in_unit(prepared.x_centre))) +
-         careful_length(query.y.pose.template rotated<R>(prepared.in_unit(prepared.y_centre)));
+[[nodiscard]] R reach_of_centres(const Query<S, D>& query, const Prepared<R, D>& prepared) {
+  const auto reach = [&](const Pose<S, D>& pose, bool turned, const Vec<R, D>& centre) {
+    const Vec<R, D> in_unit = prepared.in_unit(centre);
+    return norm_1(turned ? pose.template rotated<R>(in_unit) : in_unit);
+  };
+  return reach(query.x.pose, prepared.x_turned, prepared.x_centre) +
+         reach(query.y.pose, prepared.y_turned, prepared.y_centre);
 }
 
 /// Fills in what is measured in the run's unit of length.
@@ -136,7 +141,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   R from_centres(0);
   if (prepared.centred) {
     prepared.offset = offset_of_centres(query, prepared);
-    from_centres = length_to_centres(query, prepared);
+    from_centres = reach_of_centres(query, prepared);
   } else {
     for (int i = 0; i < D; ++i) {
       const R x_place = ScalarTraits<R>::from(query.x.pose.translation[i]) * prepared.unit;

@@ -202,16 +202,19 @@ struct Bodies {
   Body<S> x;
   Body<S> y;
   Two offset;
+  bool same_frame;
 
   Bodies(const Query<S, 2>& query, const Prepared<double, 2>& prepared, std::array<Rows, 2>& rows)
       : x(query.x, prepared.x_turned, prepared.centred, prepared.x_centre, rows[0]),
         y(query.y, prepared.y_turned, prepared.centred, prepared.y_centre, rows[1]),
-        offset{prepared.offset[0], prepared.offset[1]} {}
+        offset{prepared.offset[0], prepared.offset[1]},
+        same_frame(prepared.same_frame) {}
 
   [[nodiscard]] VertexPair farthest(const Two& d, const Two& sign) const {
     return {x.farthest(d, -sign), y.farthest(d, sign)};
   }
   [[nodiscard]] Corner corner(VertexPair pair) const {
+    if (same_frame) return {y.vertex(pair.y) - x.vertex(pair.x), pair};
     return {(y.placed(pair.y) - x.placed(pair.x)) + offset, pair};
   }
 };
@@ -358,18 +361,20 @@ struct Asked {
   [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
-    const Two from = bodies.x.placed(x0);
-    const Two from_other = bodies.x.placed(x1);
-    const Two to = bodies.y.placed(y0);
-    const Two to_other = bodies.y.placed(y1);
+    const auto place = [&](const Body<S>& body, int i) {
+      return bodies.same_frame ? body.vertex(i) : body.placed(i);
+    };
+    const Two to = place(bodies.y, y0);
+    const Two to_other = place(bodies.y, y1);
     const Two to_x{to[0], to_other[0]};
     const Two to_y{to[1], to_other[1]};
-    const auto lengths_sq = [&](const Two& start) {
-      const Two x = (to_x - both(start[0])) + both(bodies.offset[0]);
-      const Two y = (to_y - both(start[1])) + both(bodies.offset[1]);
+    const Two offset = bodies.same_frame ? Two{0.0, 0.0} : bodies.offset;
+    const auto lengths_sq = [&](const Two& from) {
+      const Two x = (to_x - both(from[0])) + both(offset[0]);
+      const Two y = (to_y - both(from[1])) + both(offset[1]);
       return x * x + y * y;
     };
-    const Two most = larger(lengths_sq(from), lengths_sq(from_other));
+    const Two most = larger(lengths_sq(place(bodies.x, x0)), lengths_sq(place(bodies.x, x1)));
     return gjk::larger(most[0], most[1]);
   }
   [[nodiscard]] double careful_distance() const {
@@ -532,8 +537,8 @@ template <class S>
   return prepared.error == Error::none && prepared.exponent == 0 && options.start_count <= 1 &&
          options.direction_rule == DirectionRule::perpendicular &&
          options.region_order == RegionOrder::vertices_first && options.stop_on_repeated_support &&
-         options.stop_on_no_progress && options.tolerance == 0.0 && !prepared.same_frame &&
-         !query.x.vertices.is_ring() && !query.y.vertices.is_ring();
+         options.stop_on_no_progress && options.tolerance == 0.0 && !query.x.vertices.is_ring() &&
+         !query.y.vertices.is_ring();
 }
 
 }  // namespace gjk::quick
