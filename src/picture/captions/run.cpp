@@ -76,8 +76,6 @@ void cull(const Story& story, FrameText& text) {
 }
 
 void direction(const Story& story, FrameText& text) {
-  const std::string vertex = story.words.vertex(0);
-  const std::string name = story.run.point_query() ? vertex : format("({})", vertex);  // "(L−D)"
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = format("d = 0: P is {} itself.", story.q);
@@ -87,18 +85,31 @@ void direction(const Story& story, FrameText& text) {
         format("d points from P to {}: look for a vertex that lies farther that way.", story.q);
     text.detail = format("d = {} − P = {}.", story.q, story.numbers.point(story.state.d));
   } else {
-    text.caption =
-        note.sign_is_arbitrary
-            ? format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
-                     story.edge_words(), story.q)
-            : format("d is perpendicular to {} and points to {}'s side.", story.edge_words(),
-                     story.q);
-    text.detail = format(
-        "d = {} comes from the edge alone, without a division{}.",
-        story.numbers.point(story.state.d),
-        note.flipped
-            ? format("; its sign was flipped, because dot(d, {} − {}) was negative", story.q, name)
-            : "");
+    const auto vertex = [&](int i) {
+      const std::string name = story.words.vertex(i);
+      return story.run.point_query() ? name : format("({})", name);  // "(L−D)"
+    };
+    const std::string d = story.numbers.point(story.state.d);
+    const std::string edge = format("{} − {}", vertex(1), vertex(0));
+    if (note.sign_is_arbitrary) {
+      text.caption =
+          format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
+                 story.edge_words(), story.q);
+    } else {
+      text.caption =
+          format("d is perpendicular to {} and points to {}'s side.", story.edge_words(), story.q);
+    }
+    const std::string turned = format("{}, turned clockwise by a right angle", edge);
+    if (story.reaches_query()) {
+      text.detail = format("{} − P is 0, but d = {} is {}: d = 0 does not stop this run.", story.q,
+                           d, turned);
+    } else if (note.flipped) {
+      text.detail = format("{}, is {}; its dot with {} − {} is negative, so d = {}.", turned,
+                           story.numbers.point(note.normal), story.q, vertex(0), d);
+    } else {
+      text.detail =
+          format("d = {} is {}: it comes from the edge alone, without a division.", d, turned);
+    }
   }
 }
 
