@@ -137,7 +137,7 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
                                                                            {"drop", "−"},
                                                                            {"direction", "d"},
-                                                                           {"support", "w"},
+                                                                           {"support", "V"},
                                                                            {"stop?", "?"},
                                                                            {"add", "+"}}};
       const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];

@@ -281,9 +281,9 @@ TEST(Panel, PseudocodeKeepsTheValuesOfTheIterationBesideTheirLines) {
   const std::vector<std::string> texts = texts_of_frame("polygon-pseudocode", 11);
   EXPECT_EQ(after(texts, "drop vertices without weight"), "none");
   EXPECT_EQ(after(texts, "if d = 0: stop"), "no");
-  EXPECT_EQ(after(texts, "w ← support point along d"), "D");
-  EXPECT_EQ(after(texts, "if w in S or no farther: stop"), "no");
-  EXPECT_EQ(after(texts, "add w to S"), "Simplex S") << "not yet";
+  EXPECT_EQ(after(texts, "V ← support point along d"), "D");
+  EXPECT_EQ(after(texts, "if V in S or no farther: stop"), "no");
+  EXPECT_EQ(after(texts, "add V to S"), "Simplex S") << "not yet";
 }
 
 TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
@@ -315,13 +315,13 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
 
 TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
   const std::vector<std::string> texts = texts_of_frame("stop-repeated", 5);
-  EXPECT_EQ(after(texts, "Q inside S"), "2 of 3 vertices");
+  EXPECT_EQ(after(texts, "Q inside S"), "2 vertices, 3 needed");
   EXPECT_EQ(after(texts, "Q inside S", 2), "·") << "of the next test: there is no P before";
   EXPECT_EQ(after(texts, "P no nearer"), "✗");
   EXPECT_EQ(after(texts, "d = 0", 2), "✓") << "of the next test";
-  EXPECT_EQ(after(texts, "w in S"), "C is there");
-  EXPECT_EQ(after(texts, "w in S", 2), "·");
-  EXPECT_EQ(after(texts, "w no farther than S"), "·") << "nothing is compared any more";
+  EXPECT_EQ(after(texts, "support point in S"), "C is there");
+  EXPECT_EQ(after(texts, "support point in S", 2), "·");
+  EXPECT_EQ(after(texts, "support point no farther"), "·") << "nothing is compared any more";
 }
 
 TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
@@ -354,7 +354,7 @@ TEST(Captions, DoNotUseWeightsBeforeALessonHasThem) {
 
 TEST(Panel, ARoundingErrorIsNoDistance) {
   const std::vector<std::string> before = texts_of_frame("stop-edge-left", 3);
-  EXPECT_EQ(after(before, "Distance lies in"), "0, but for rounding");
+  EXPECT_EQ(after(before, "Distance lies in"), "[0.0000, 0.0000]");
   const std::vector<std::string> exact = texts_of_frame("stop-edge-left", 5);
   EXPECT_EQ(after(exact, "Distance lies in"), "[0.0000, 0.0000]");
 }
