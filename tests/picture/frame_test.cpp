@@ -169,7 +169,7 @@ TEST(Captions, TellTheRunOfThePentagon) {
   EXPECT_EQ(frames.back().text.detail.substr(0, 23), "The distance is 1.6091.") << distance;
   EXPECT_NEAR(distance, 1.6091, 5e-5);
   EXPECT_TRUE(frames[15].text.caption.starts_with("Answer: E. Q lies in the region of CD"));
-  EXPECT_EQ(frames[16].text.caption, "E is dropped: P lies on CD, so its weight is 0.");
+  EXPECT_EQ(frames[16].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
   EXPECT_EQ(frames[0].text.phase, "start");
   EXPECT_EQ(frames[16].text.phase, "cull");
   EXPECT_EQ(frames[16].text.iteration, 3);
@@ -332,6 +332,7 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   };
   EXPECT_TRUE(holds(texts_of_frame("collinear", 1), "BCD has area 0 and no weights"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B is not in the simplex: it was dropped."));
   EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 25), "In X, D lies as far as C."));
   EXPECT_TRUE(holds(texts_of_frame("direction-half", 4), "Half precision finds B"));
   EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));

@@ -51,11 +51,14 @@ void cull(const Story& story, FrameText& text) {
     std::string names;
     for (const auto& vertex : dropped)
       names += (names.empty() ? "" : " and ") + story.run.pair_name(vertex.pair);
-    text.caption = format("{} {} dropped: P lies on {}, so {} weight is 0.", names,
-                          dropped.size() == 1 ? "is" : "are",
-                          story.state.simplex.count == 1 ? story.words.face(story.state.region)
-                                                         : story.edge_name(story.state.region),
-                          dropped.size() == 1 ? "its" : "their");
+    const std::string feature = story.state.simplex.count == 1
+                                    ? story.words.face(story.state.region)
+                                    : story.edge_name(story.state.region);
+    text.caption =
+        dropped.size() == 1
+            ? format("{0} is dropped: P lies on {1}, so the weight of {0} is 0.", names, feature)
+            : format("{0} are dropped: P lies on {1}, so the weights of {0} are 0.", names,
+                     feature);
   }
   if (next == gjk::Phase::stop) {
     text.detail =
@@ -149,6 +152,25 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
                 names.size() == 1 ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
 }
 
+/// What a support point that is not in the simplex is to it.
+std::string news(const Story& story, const std::string& name) {
+  const auto& steps = story.trace.steps;
+  const auto is_it = [&](const auto& vertex) { return vertex.pair == story.state.support.pair; };
+  const bool was_dropped =
+      std::any_of(steps.begin(), steps.begin() + story.frame.step, [&](const auto& step) {
+        return std::any_of(step.record.dropped.begin(), step.record.dropped.end(), is_it);
+      });
+  const auto next = static_cast<std::size_t>(story.frame.step + 1);
+  if (was_dropped && steps[next].after.stop == gjk::StopReason::no_progress) {
+    return format(
+        "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,
+        story.edge_words());
+  }
+  return format("{} is {}. Nothing of {} lies beyond the dashed line.", name,
+                was_dropped ? "no longer in the simplex" : "not in the simplex yet",
+                story.set_name());
+}
+
 /// Why a distance of 0 is one: P is O.
 std::string zero_distance(const Story& story) {
   const gjk::Face all = story.state.simplex.all();
@@ -184,11 +206,9 @@ void support(const Story& story, FrameText& text) {
   const bool known = std::any_of(story.state.simplex.vertices.begin(),
                                  story.state.simplex.vertices.begin() + story.state.simplex.count,
                                  [&](const auto& vertex) { return vertex.pair == pair; });
-  text.detail =
-      known ? format("{} is in the simplex already: nothing of {} lies farther that way.", name,
-                     story.set_name())
-            : format("{} is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
-                     name, story.set_name());
+  text.detail = known ? format("{} is in the simplex already: nothing of {} lies farther that way.",
+                               name, story.set_name())
+                      : news(story, name);
   if (story.run.point_query()) return;
   const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
   text.detail += also_as_far(story.run.lesson.y, record.scan_y, pair.y);
@@ -209,13 +229,16 @@ void stop(const Story& story, FrameText& text) {
           story.reaches_query()
               ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
           : lower > 0.0 ? bounds
-                        : format("No line separates {} from {} yet, but P is at distance {}.",
+                        : format("No support line has separated {} from {}; P is at distance {}.",
                                  story.q, story.set_name(), story.distance());
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
-          format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.", support,
-                 story.set_name(), story.q);
+          story.reaches_query()
+              ? format("Stop: {} is in the simplex already, so nothing of {} lies farther along d.",
+                       support, story.set_name())
+              : format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
+                       support, story.set_name(), story.q);
       text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
       if (lower > 0.0) {
         text.detail +=
@@ -226,7 +249,9 @@ void stop(const Story& story, FrameText& text) {
     case gjk::StopReason::origin_inside:
       text.caption = format("Stop: {} lies inside the triangle {}.", story.q,
                             story.words.face(story.state.simplex.all()));
-      text.detail = "The distance is 0: the shapes overlap.";
+      text.detail = story.run.point_query()
+                        ? format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
+                        : "The distance is 0: the shapes overlap.";
       return;
     case gjk::StopReason::zero_direction:
       text.caption = format("Stop: d = 0, because P is {}.", story.q);
