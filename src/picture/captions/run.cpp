@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/slab.hpp"
 #include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
 
@@ -179,6 +180,15 @@ std::string zero_distance(const Story& story) {
   return format("The distance is 0: {} lies on {}.", story.q, story.edge_name(all));
 }
 
+/// What the best support line so far says of the distance, which P bounds from above.
+std::string proved(const Story& story) {
+  const Slab::Value best = widest_strip(story.run, story.frame);
+  const bool is_new = best && is_found_by(*best, story.state);
+  return format("The {} support line keeps all of {} at least {} from {}; P is at distance {}.",
+                is_new ? "dashed" : "thin", story.set_name(),
+                story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance());
+}
+
 }  // namespace
 
 void support(const Story& story, FrameText& text) {
@@ -228,7 +238,7 @@ void stop(const Story& story, FrameText& text) {
       text.detail =
           story.reaches_query()
               ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
-          : lower > 0.0 ? bounds
+          : lower > 0.0 ? proved(story)
                         : format("No support line has separated {} from {}; P is at distance {}.",
                                  story.q, story.set_name(), story.distance());
       return;
