@@ -251,9 +251,10 @@ void stop(const Story& story, FrameText& text) {
                        support, story.set_name(), story.q);
       text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
       if (lower > 0.0) {
-        text.detail +=
-            format(" The dashed line proves it: it has all of {} on one side and {} on the other.",
-                   story.set_name(), story.q);
+        text.detail += format(
+            " The dashed line proves it: it passes P at a right angle to P{}, and all of {} lies "
+            "behind.",
+            story.q, story.set_name());
       }
       return;
     case gjk::StopReason::origin_inside:
