@@ -37,11 +37,15 @@ EffectKey ShapeHull::key(const LessonRun&, const Frame& frame) { return {frame.r
 ShapeHull::Value ShapeHull::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   const PositionedRun& positioned = run.run(frame);
   const std::vector<Vector2d>& y = positioned.y_world;
-  Value value{hull_of(positioned.x_world), hull_of(y), std::numeric_limits<double>::infinity()};
+  const Vector2d& x = positioned.x_world[0];
+  Value value{hull_of(positioned.x_world), hull_of(y), Vector2d::Zero(),
+              std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < y.size(); ++i) {
-    value.outline_distance =
-        std::min(value.outline_distance,
-                 segment_distance(positioned.x_world[0], y[i], y[(i + 1) % y.size()]));
+    const Vector2d point = closest_on_segment(x, y[i], y[(i + 1) % y.size()]);
+    const double distance = (x - point).norm();
+    if (distance >= value.outline_distance) continue;
+    value.outline_point = point;
+    value.outline_distance = distance;
   }
   return value;
 }

@@ -15,7 +15,9 @@ struct ShapeHull {
   struct Value {
     Hull x;
     Hull y;
-    double outline_distance = 0.0;  ///< From the first vertex of X to Y's outline, hull or not.
+    Eigen::Vector2d outline_point =
+        Eigen::Vector2d::Zero();    ///< Of Y's outline, hull or not: closest to X's first vertex.
+    double outline_distance = 0.0;  ///< From X's first vertex to there.
   };
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);

@@ -21,4 +21,8 @@ Slab::Value widest_strip(const LessonRun& run, const Frame& frame) {
   return widest;
 }
 
+bool is_found_by(const Slab::Strip& strip, const gjk::State<double, 2>& state) {
+  return strip.support.pair == state.support.pair && strip.normal == state.d.normalized();
+}
+
 }  // namespace gjkscope

@@ -26,5 +26,7 @@ struct Slab {
 
 /// The same, for words.
 [[nodiscard]] Slab::Value widest_strip(const LessonRun& run, const Frame& frame);
+/// True when the search that led to `state` found the strip, and no earlier one.
+[[nodiscard]] bool is_found_by(const Slab::Strip& strip, const gjk::State<double, 2>& state);
 
 }  // namespace gjkscope

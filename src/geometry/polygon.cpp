@@ -121,11 +121,15 @@ Vector2d centroid(std::span<const Vector2d> points) {
   return points.empty() ? sum : Vector2d(sum / static_cast<double>(points.size()));
 }
 
-double segment_distance(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
+Vector2d closest_on_segment(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
   const Vector2d edge = b - a;
   const double length_sq = edge.squaredNorm();
   const double t = length_sq > 0.0 ? std::clamp((point - a).dot(edge) / length_sq, 0.0, 1.0) : 0.0;
-  return (point - a - t * edge).norm();
+  return a + t * edge;
+}
+
+double segment_distance(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
+  return (point - closest_on_segment(point, a, b)).norm();
 }
 
 }  // namespace gjkscope

@@ -37,6 +37,11 @@ struct HalfPlane {
 /// Mean of the points.
 [[nodiscard]] Eigen::Vector2d centroid(std::span<const Eigen::Vector2d> points);
 
+/// The point of the segment from `a` to `b` that is closest to `point`.
+[[nodiscard]] Eigen::Vector2d closest_on_segment(const Eigen::Vector2d& point,
+                                                 const Eigen::Vector2d& a,
+                                                 const Eigen::Vector2d& b);
+
 /// Distance of `point` from the segment from `a` to `b`.
 [[nodiscard]] double segment_distance(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
                                       const Eigen::Vector2d& b);

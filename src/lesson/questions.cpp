@@ -37,9 +37,8 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
     return decides && question.ask == Ask::region ? frame.step : -1;
   }
   for (int i = before.step + 1; i <= frame.step; ++i) {
-    const gjk::Step<double, 2>& step = trace.steps[i];
     const bool is_asked =
-        step.phase == phase_of(question.ask) && (!question.at || *question.at == step.iteration);
+        tells(trace, i, question.ask) && (!question.at || *question.at == trace.steps[i].iteration);
     if (is_asked && is_open(run, trace, question.ask, i)) return i;
   }
   return -1;
@@ -47,18 +46,22 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
 
 }  // namespace
 
-gjk::Phase phase_of(Ask ask) {
+bool tells(const WideTrace& trace, int step, Ask ask) {
+  const auto is = [&](std::size_t i, gjk::Phase phase) {
+    return i < trace.steps.size() && trace.steps[i].phase == phase;
+  };
+  const auto at = static_cast<std::size_t>(step);
   switch (ask) {
     case Ask::support:
-      return gjk::Phase::support;
+      return is(at, gjk::Phase::support);
     case Ask::region:
-      return gjk::Phase::closest;
+      return is(at, gjk::Phase::closest);
     case Ask::dropped:
-      return gjk::Phase::cull;
+      return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::cull);
     case Ask::stop:
-      return gjk::Phase::stop;
+      return is(at + 1, gjk::Phase::stop);
   }
-  return gjk::Phase::closest;
+  return false;
 }
 
 const gjk::State<double, 2>& state_before(const WideTrace& trace, int step) {

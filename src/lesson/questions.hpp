@@ -5,8 +5,9 @@
 
 namespace gjkscope {
 
-/// The phase whose step answers.
-[[nodiscard]] gjk::Phase phase_of(Ask ask);
+/// True for a step that tells what is asked for. P tells which vertices will be dropped, and what
+/// leads to the stop tests whether they will hold: a question asked later would hold its answer.
+[[nodiscard]] bool tells(const WideTrace& trace, int step, Ask ask);
 
 /// The state before a step.
 [[nodiscard]] const gjk::State<double, 2>& state_before(const WideTrace& trace, int step);

@@ -89,14 +89,19 @@ std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const
   std::string out;
   // An edge test also repeats that the projections lie within the edge; the area's sign is what
   // is new, unless it is the repeated part that fails.
+  if (gjk::vertex_count(test.region) == 3) return out;
+  const auto is_flat = [](const gjk::RegionTerm<double>& term) {
+    return gjk::vertex_count(term.face) == 3 && !(term.denominator > 0.0);
+  };
+  const bool has_area = std::none_of(test.terms.begin(), test.terms.end(), is_flat);
   for (const gjk::RegionTerm<double>& term : words.terms(test)) {
     if (gjk::vertex_count(test.region) == 2 && term.wants_positive && test.terms.size() > 2 &&
-        term.holds)
+        term.holds && has_area)
       continue;
-    if (gjk::vertex_count(test.region) == 3) continue;
+    if (is_flat(term)) continue;  // its condition says so
     if (!out.empty()) out += " ";
-    if (!(term.denominator > 0.0)) {  // coinciding points, a triangle of area 0
-      out += term.numerator == 0.0 && gjk::vertex_count(term.face) == 3 ? "area 0" : "0/0";
+    if (!(term.denominator > 0.0)) {  // coinciding points
+      out += "0/0";
       continue;
     }
     const double value = term.numerator / term.denominator;

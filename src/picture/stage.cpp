@@ -118,6 +118,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
              granularity == Granularity::study) {
     layers::answer(scene);
   } else {
+    if (scene.shows_difference && !calls_for(view, Slab::kName)) layers::best_support_line(scene);
     if (calls_for(view, History::kName)) layers::history(scene);
     layers::simplex(scene);
     if (scene.shows_difference) {

@@ -137,7 +137,7 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
                                                                            {"drop", "−"},
                                                                            {"direction", "d"},
-                                                                           {"support", "w"},
+                                                                           {"support", "V"},
                                                                            {"stop?", "?"},
                                                                            {"add", "+"}}};
       const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
@@ -253,8 +253,8 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     };
     place(current, tick_at(current).label, true);
     for (int k = first; k < std::min(index, last + 1); ++k) {
-      if (k != current && !place(k, tick_at(k).label, false))
-        place(k, tick_at(k).short_label, false);
+      if (k == current || tick_at(k).question) continue;  // a question's dot says enough
+      if (!place(k, tick_at(k).label, false)) place(k, tick_at(k).short_label, false);
     }
   }
   return marks;

@@ -158,7 +158,7 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   EXPECT_EQ(second.run.y_world, run.runs[0].y_world);
   ASSERT_GE(second.parting, 0);
   const Frame parting{0, second.parting, -1};
-  EXPECT_EQ(run.step(parting).iteration, 2);
+  EXPECT_EQ(run.step(parting).iteration, 1);
   EXPECT_EQ(run.pair_name(run.state(parting).support.pair), "B");
   const gjk::Step<double, 2>* beside = step_beside(second, run, parting);
   ASSERT_NE(beside, nullptr);

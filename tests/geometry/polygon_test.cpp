@@ -82,6 +82,8 @@ TEST(SegmentDistance, IsToTheNearestPointOfTheSegment) {
   EXPECT_DOUBLE_EQ(segment_distance({1, 1}, {0, 0}, {2, 0}), 1.0);
   EXPECT_DOUBLE_EQ(segment_distance({5, 4}, {0, 0}, {2, 0}), 5.0);
   EXPECT_DOUBLE_EQ(segment_distance({3, 4}, {0, 0}, {0, 0}), 5.0);
+  EXPECT_EQ(closest_on_segment({1, 1}, {0, 0}, {2, 0}), Eigen::Vector2d(1, 0));
+  EXPECT_EQ(closest_on_segment({5, 4}, {0, 0}, {2, 0}), Eigen::Vector2d(2, 0));
 }
 
 }  // namespace

@@ -89,9 +89,20 @@ TEST(Questions, OneIterationMayBeMeant) {
   const LessonRun run = ran("phase", R"(questions = [{ ask = "stop", at = 3 }])");
   const std::vector<Frame> asked = asking(run);
   ASSERT_EQ(asked.size(), 1u);
-  const gjk::Step<double, 2>& step = run.run(asked[0]).trace.steps[asked[0].answer];
-  EXPECT_EQ(step.iteration, 3);
-  EXPECT_EQ(step.after.stop, gjk::StopReason::repeated_support);
+  const auto& steps = run.run(asked[0]).trace.steps;
+  const std::size_t answer = static_cast<std::size_t>(asked[0].answer);
+  EXPECT_EQ(steps[answer].iteration, 3);
+  EXPECT_EQ(steps[answer + 1].after.stop, gjk::StopReason::repeated_support);
+}
+
+TEST(Questions, AreAskedBeforeAnyStepTellsTheAnswer) {
+  // P shows which vertices it needs, the support point whether the run goes on.
+  const LessonRun dropped = ran("phase", R"(questions = [{ ask = "dropped" }])");
+  for (const Frame& frame : asking(dropped)) EXPECT_EQ(dropped.step(frame).phase, gjk::Phase::add);
+  const LessonRun stop = ran("phase", R"(questions = [{ ask = "stop" }])");
+  const std::vector<Frame> asked = asking(stop);
+  EXPECT_EQ(asked.size(), 3u);
+  for (const Frame& frame : asked) EXPECT_EQ(stop.step(frame).phase, gjk::Phase::direction);
 }
 
 TEST(Questions, AFrameForAnIterationIsAskedForAllThatItAnswers) {

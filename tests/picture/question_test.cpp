@@ -29,7 +29,10 @@ std::vector<Asked> asked(const Lesson& lesson) {
   const std::vector<FrameText> texts = texts_of_frames(lesson);
   std::vector<Asked> out;
   for (std::size_t i = 0; i + 1 < texts.size(); ++i) {
-    if (texts[i].question) out.push_back({texts[i], texts[i + 1]});
+    if (!texts[i].question) continue;
+    const auto answer = std::find_if(texts.begin() + static_cast<std::ptrdiff_t>(i), texts.end(),
+                                     [](const FrameText& text) { return !text.question; });
+    out.push_back({texts[i], *answer});
   }
   return out;
 }
@@ -51,7 +54,20 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
   EXPECT_EQ(all[1].question.question->answer, "E");
   EXPECT_EQ(all[2].question.question->answer, "yes");
-  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. Stop: C is in the simplex"));
+  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. C and D lie equally far along d"));
+  EXPECT_TRUE(all[2].answer.detail.starts_with("C is in the simplex already"));
+}
+
+TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
+  const auto last = [](const std::string& id) {
+    return asked(asking(id, {{Ask::stop, {}}})).back();
+  };
+  const Asked contained = last("stop-contained");
+  EXPECT_EQ(contained.question.question->answer, "yes");
+  EXPECT_EQ(contained.answer.phase, "cull");
+  const Asked at_vertex = last("stop-vertex");
+  EXPECT_EQ(at_vertex.question.question->answer, "yes");
+  EXPECT_EQ(at_vertex.answer.phase, "direction");
 }
 
 TEST(QuestionFrames, OfPolygonsAskForBothVertices) {

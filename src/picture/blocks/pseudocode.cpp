@@ -61,8 +61,8 @@ Lines gjk_lines(const LessonRun& run) {
   const bool point = run.point_query();
   const bool progress = run.lesson.options.stop_on_no_progress;
   const bool repeated = run.lesson.options.stop_on_repeated_support;
-  std::string last = repeated ? "w in S" : "";
-  if (progress) last += repeated ? " or no farther" : "w no farther than S";
+  std::string last = repeated ? "V in S" : "";
+  if (progress) last += repeated ? " or no farther" : "V no farther than S";
   Lines lines = {
       {"S ← initial simplex"},
       {"loop"},
@@ -75,12 +75,12 @@ Lines gjk_lines(const LessonRun& run) {
        Phase::cull},
       {point ? "  d ← direction from P to Q" : "  d ← from P towards O", Phase::direction},
       {"  if d = 0: stop", {}, {}, false, Phase::direction},
-      {point ? "  w ← support point along d" : "  w ← support(Y,d) − support(X,−d)",
+      {point ? "  V ← support point along d" : "  V ← support(Y,d) − support(X,−d)",
        Phase::support},
   };
   if (!last.empty())
     lines.push_back({format("  if {}: stop", last), {}, {}, false, Phase::support});
-  lines.push_back({"  add w to S", Phase::add});
+  lines.push_back({"  add V to S", Phase::add});
   return lines;
 }
 
@@ -255,11 +255,11 @@ void support_listing(PanelBuilder& panel) {
              {known ? State::past : State::idle,
               {},
               known ? panel.numbers.point(panel.state.d) : std::string()});
-  write_line(panel, "w ← first vertex", {state, {}, current ? names[0] : std::string()});
+  write_line(panel, "V ← first vertex", {state, {}, current ? names[0] : std::string()});
   write_line(panel, "for each other vertex p",
              {state, {}, current ? format("{} of them", names.size() - 1) : std::string()});
-  write_line(panel, "  if dot(d, p) > dot(d, w): w ← p", {state, {}, {}});
-  write_line(panel, "return w", {state, {}, best});
+  write_line(panel, "  if dot(d, p) > dot(d, V): V ← p", {state, {}, {}});
+  write_line(panel, "return V", {state, {}, best});
 }
 
 /// Catto 2010, slide "Building the Minkowski difference". One frame a pair, then the hull.

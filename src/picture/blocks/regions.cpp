@@ -25,7 +25,10 @@ std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& 
   std::string out;
   for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
     if (!out.empty()) out += " and ";
-    out += panel.words.coordinate(term.face, term.vertex) + " ≤ 0";
+    const bool has_area = gjk::barycentric(panel.state.simplex, term.face).denominator > 0.0;
+    out += has_area || gjk::vertex_count(term.face) < 3
+               ? panel.words.coordinate(term.face, term.vertex) + " ≤ 0"
+               : "area 0";
   }
   if (size == 2) {
     for (int i = 0; i < count; ++i)

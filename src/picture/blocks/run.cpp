@@ -131,25 +131,23 @@ void bounds(PanelBuilder& panel) {
   const bool known = panel.frame.step >= 0;
   const DistanceBounds bounds = known ? panel.run.bounds(panel.frame) : DistanceBounds{};
   const double low = bounds.lower;
-  const double high = bounds.upper;
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  // An upper bound that is no more than what rounding may have done to a distance of 0.
+  // An upper bound that is no more than what rounding may have done to a distance of 0 is shown as
+  // 0.
   constexpr double kRounding = 1e-12;  // of the size of Y: far less than frames show
   double size = 0.0;
   for (const Eigen::Vector2d& vertex : positioned.y_world)
     size = std::max(size, (vertex - positioned.y_world[0]).norm());
-  const bool rounding = high > 0.0 && high < kRounding * size;
+  const double high = bounds.upper < kRounding * size ? 0.0 : bounds.upper;
   panel.write("code.current", panel.right,
-              rounding ? std::string("0, but for rounding")
-              : known  ? format("[{}, {}]", panel.numbers(low), panel.numbers(high))
-                       : "–",
+              known ? format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",
               type::kCode, Align::right);
   panel.y += 22.0;
   const double first_high = known ? positioned.bounds.front().upper : 0.0;
   panel.add("bounds.track", Box{{{panel.left, panel.y - 8.0}, {panel.right, panel.y}}, 4.0});
   if (known && first_high > 0.0) {
     const auto at = [&](double v) {
-      const double share = rounding ? 0.0 : std::min(v / first_high, 1.0);
+      const double share = std::min(v / first_high, 1.0);
       return panel.left + share * (panel.right - panel.left);
     };
     double a = at(low);

@@ -13,7 +13,6 @@ using fmt::format;
 using gjk::StopReason;
 using namespace rows;
 
-/// The tests as they stand beside the pseudocode, which calls the support point w.
 std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
   switch (reason) {
     case StopReason::origin_inside:
@@ -21,9 +20,9 @@ std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
     case StopReason::zero_direction:
       return "d = 0";
     case StopReason::repeated_support:
-      return "w in S";
+      return "support point in S";
     case StopReason::no_progress:
-      return "w no farther than S";
+      return "support point no farther";
     case StopReason::within_tolerance:
       return "bounds close enough";
     default:
@@ -36,15 +35,16 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   switch (test.reason) {
     case StopReason::origin_inside:
-      return format("{} of 3 vertices", panel.state.simplex.count);
+      return format("{} {}, 3 needed", panel.state.simplex.count,
+                    panel.state.simplex.count == 1 ? "vertex" : "vertices");
     case StopReason::zero_direction:
       return "|d| = " + number(panel.state.d.norm());
     case StopReason::repeated_support:
       return format("{} {}", panel.run.pair_name(panel.state.support.pair),
                     test.holds ? "is there" : "is new");
     case StopReason::no_progress:
-      return format("{} by {}", panel.run.pair_name(panel.state.support.pair),
-                    number(test.left - test.right));
+      return format("{} is {} farther", panel.run.pair_name(panel.state.support.pair),
+                    test.holds ? "no" : number(test.left - test.right));
     case StopReason::within_tolerance:
       return format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
     default:

@@ -78,7 +78,7 @@ class Asking {
   }
 
   void dropped() {
-    const auto& dropped = step_.record.dropped;
+    const auto& dropped = next_step().record.dropped;
     asked_.choices = {"none"};
     for (int i = 0; i < before_.simplex.count; ++i) asked_.choices.push_back(words_.vertex(i));
     // The order in which they joined would tell the oldest.
@@ -87,22 +87,28 @@ class Asking {
     asked_.answer = dropped.empty()       ? "none"
                     : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)
                                           : "two of them";
-    text_.caption = format("Question: which vertex of the {} is dropped?",
-                           gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
+    text_.caption =
+        format("Question: which vertex of the {} will P not need, so that it is dropped?",
+               gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
     text_.detail = listed(asked_.choices);
   }
 
   void stop() {
-    const bool stops = step_.after.stop != gjk::StopReason::running;
+    const bool stops = next_step().after.stop != gjk::StopReason::running;
     asked_.choices = {"no", "yes"};
     asked_.answer = stops ? "yes" : "no";
-    text_.caption = "Question: does GJK stop here, and why?";
+    text_.caption = "Question: will GJK stop in this iteration, and why?";
     text_.detail = format(
         "It stops when the support point is no news, when {} is inside, or when P gets no closer.",
         story_.q);
   }
 
  private:
+  /// Where what is asked for happens, if not in the step that tells it.
+  [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
+    return story_.trace.steps[static_cast<std::size_t>(story_.frame.answer + 1)];
+  }
+
   const Story& story_;
   FrameText& text_;
   const LessonRun& run_;

@@ -12,6 +12,15 @@ namespace {
 
 using fmt::format;
 
+/// True in lessons on the region tests. Elsewhere weights are those of P.
+bool names_coordinates(const Story& story) {
+  if (!story.run.point_query()) return false;
+  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
+  return std::any_of(blocks.begin(), blocks.end(), [](PanelBlock block) {
+    return block == PanelBlock::tests || block == PanelBlock::weights;
+  });
+}
+
 std::string region_reason(const Story& story) {
   const gjk::Face face = story.state.region;
   const gjk::Simplex<double, 2>& simplex = story.state.simplex;
@@ -60,7 +69,7 @@ std::string region_reason(const Story& story) {
       return format("{} lies on {}: {} has weight 0 in the triangle, the other two are positive.",
                     story.q, story.edge_name(face), story.words.vertex(term.vertex));
     }
-    if (story.run.point_query()) {
+    if (names_coordinates(story)) {
       const std::vector<int> ends = story.words.order(face);
       return format(
           "{0} lies in the region of {1}: beyond {1}, as {2} = {3} says, and it projects between "
@@ -69,10 +78,9 @@ std::string region_reason(const Story& story) {
           story.weight(term), story.words.vertex(ends[0]), story.words.vertex(ends[1]));
     }
     return format(
-        "{} lies in the region of {}: {} has weight {} in the triangle, and {} projects onto the "
-        "edge.",
-        story.q, story.edge_name(face), story.words.vertex(term.vertex), story.weight(term),
-        story.q);
+        "{} lies in the region of {}: it projects onto that edge from beyond, as the signed area "
+        "fraction of {}, {}, says.",
+        story.q, story.edge_name(face), story.words.vertex(term.vertex), story.weight(term));
   }
   return {};
 }

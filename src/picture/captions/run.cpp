@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/slab.hpp"
 #include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
 
@@ -51,11 +52,14 @@ void cull(const Story& story, FrameText& text) {
     std::string names;
     for (const auto& vertex : dropped)
       names += (names.empty() ? "" : " and ") + story.run.pair_name(vertex.pair);
-    text.caption = format("{} {} dropped: P lies on {}, so {} weight is 0.", names,
-                          dropped.size() == 1 ? "is" : "are",
-                          story.state.simplex.count == 1 ? story.words.face(story.state.region)
-                                                         : story.edge_name(story.state.region),
-                          dropped.size() == 1 ? "its" : "their");
+    const std::string feature = story.state.simplex.count == 1
+                                    ? story.words.face(story.state.region)
+                                    : story.edge_name(story.state.region);
+    text.caption =
+        dropped.size() == 1
+            ? format("{0} is dropped: P lies on {1}, so the weight of {0} is 0.", names, feature)
+            : format("{0} are dropped: P lies on {1}, so the weights of {0} are 0.", names,
+                     feature);
   }
   if (next == gjk::Phase::stop) {
     text.detail =
@@ -76,8 +80,6 @@ void cull(const Story& story, FrameText& text) {
 }
 
 void direction(const Story& story, FrameText& text) {
-  const std::string vertex = story.words.vertex(0);
-  const std::string name = story.run.point_query() ? vertex : format("({})", vertex);  // "(L−D)"
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = format("d = 0: P is {} itself.", story.q);
@@ -87,18 +89,31 @@ void direction(const Story& story, FrameText& text) {
         format("d points from P to {}: look for a vertex that lies farther that way.", story.q);
     text.detail = format("d = {} − P = {}.", story.q, story.numbers.point(story.state.d));
   } else {
-    text.caption =
-        note.sign_is_arbitrary
-            ? format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
-                     story.edge_words(), story.q)
-            : format("d is perpendicular to {} and points to {}'s side.", story.edge_words(),
-                     story.q);
-    text.detail = format(
-        "d = {} comes from the edge alone, without a division{}.",
-        story.numbers.point(story.state.d),
-        note.flipped
-            ? format("; its sign was flipped, because dot(d, {} − {}) was negative", story.q, name)
-            : "");
+    const auto vertex = [&](int i) {
+      const std::string name = story.words.vertex(i);
+      return story.run.point_query() ? name : format("({})", name);  // "(L−D)"
+    };
+    const std::string d = story.numbers.point(story.state.d);
+    const std::string edge = format("{} − {}", vertex(1), vertex(0));
+    if (note.sign_is_arbitrary) {
+      text.caption =
+          format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
+                 story.edge_words(), story.q);
+    } else {
+      text.caption =
+          format("d is perpendicular to {} and points to {}'s side.", story.edge_words(), story.q);
+    }
+    const std::string turned = format("{}, turned clockwise by a right angle", edge);
+    if (story.reaches_query()) {
+      text.detail = format("{} − P is 0, but d = {} is {}: d = 0 does not stop this run.", story.q,
+                           d, turned);
+    } else if (note.flipped) {
+      text.detail = format("{}, is {}; its dot with {} − {} is negative, so d = {}.", turned,
+                           story.numbers.point(note.normal), story.q, vertex(0), d);
+    } else {
+      text.detail =
+          format("d = {} is {}: it comes from the edge alone, without a division.", d, turned);
+    }
   }
 }
 
@@ -138,12 +153,40 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
                 names.size() == 1 ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
 }
 
+/// What a support point that is not in the simplex is to it.
+std::string news(const Story& story, const std::string& name) {
+  const auto& steps = story.trace.steps;
+  const auto is_it = [&](const auto& vertex) { return vertex.pair == story.state.support.pair; };
+  const bool was_dropped =
+      std::any_of(steps.begin(), steps.begin() + story.frame.step, [&](const auto& step) {
+        return std::any_of(step.record.dropped.begin(), step.record.dropped.end(), is_it);
+      });
+  const auto next = static_cast<std::size_t>(story.frame.step + 1);
+  if (was_dropped && steps[next].after.stop == gjk::StopReason::no_progress) {
+    return format(
+        "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,
+        story.edge_words());
+  }
+  return format("{} is {}. Nothing of {} lies beyond the dashed line.", name,
+                was_dropped ? "no longer in the simplex" : "not in the simplex yet",
+                story.set_name());
+}
+
 /// Why a distance of 0 is one: P is O.
 std::string zero_distance(const Story& story) {
   const gjk::Face all = story.state.simplex.all();
   if (gjk::vertex_count(all) == 1)
     return format("The distance is 0: {} is the vertex {}.", story.q, story.words.face(all));
   return format("The distance is 0: {} lies on {}.", story.q, story.edge_name(all));
+}
+
+/// What the best support line so far says of the distance, which P bounds from above.
+std::string proved(const Story& story) {
+  const Slab::Value best = widest_strip(story.run, story.frame);
+  const bool is_new = best && is_found_by(*best, story.state);
+  return format("The {} support line keeps all of {} at least {} from {}; P is at distance {}.",
+                is_new ? "dashed" : "thin", story.set_name(),
+                story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance());
 }
 
 }  // namespace
@@ -173,11 +216,9 @@ void support(const Story& story, FrameText& text) {
   const bool known = std::any_of(story.state.simplex.vertices.begin(),
                                  story.state.simplex.vertices.begin() + story.state.simplex.count,
                                  [&](const auto& vertex) { return vertex.pair == pair; });
-  text.detail =
-      known ? format("{} is in the simplex already: nothing of {} lies farther that way.", name,
-                     story.set_name())
-            : format("{} is not in the simplex yet. Nothing of {} lies beyond the dashed line.",
-                     name, story.set_name());
+  text.detail = known ? format("{} is in the simplex already: nothing of {} lies farther that way.",
+                               name, story.set_name())
+                      : news(story, name);
   if (story.run.point_query()) return;
   const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
   text.detail += also_as_far(story.run.lesson.y, record.scan_y, pair.y);
@@ -197,25 +238,31 @@ void stop(const Story& story, FrameText& text) {
       text.detail =
           story.reaches_query()
               ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
-          : lower > 0.0 ? bounds
-                        : format("No line separates {} from {} yet, but P is at distance {}.",
+          : lower > 0.0 ? proved(story)
+                        : format("No support line has separated {} from {}; P is at distance {}.",
                                  story.q, story.set_name(), story.distance());
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
-          format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.", support,
-                 story.set_name(), story.q);
+          story.reaches_query()
+              ? format("Stop: {} is in the simplex already, so nothing of {} lies farther along d.",
+                       support, story.set_name())
+              : format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
+                       support, story.set_name(), story.q);
       text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
       if (lower > 0.0) {
-        text.detail +=
-            format(" The dashed line proves it: it has all of {} on one side and {} on the other.",
-                   story.set_name(), story.q);
+        text.detail += format(
+            " The dashed line proves it: it passes P at a right angle to P{}, and all of {} lies "
+            "behind.",
+            story.q, story.set_name());
       }
       return;
     case gjk::StopReason::origin_inside:
       text.caption = format("Stop: {} lies inside the triangle {}.", story.q,
                             story.words.face(story.state.simplex.all()));
-      text.detail = "The distance is 0: the shapes overlap.";
+      text.detail = story.run.point_query()
+                        ? format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
+                        : "The distance is 0: the shapes overlap.";
       return;
     case gjk::StopReason::zero_direction:
       text.caption = format("Stop: d = 0, because P is {}.", story.q);

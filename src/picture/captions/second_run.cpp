@@ -32,6 +32,15 @@ std::string at_the_start(std::string words) {
   return words;
 }
 
+/// dot(d, V) of the vertex that a scan of Y found farthest.
+double farthest(const gjk::Step<double, 2>& step) {
+  double value = 0.0;
+  for (const auto& entry : step.record.scan_y) {
+    if (entry.index == step.after.support.pair.y) value = entry.value;
+  }
+  return value;
+}
+
 double degrees_between(const Vector2d& a, const Vector2d& b) {
   const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   return std::abs(angle) * 180.0 / std::numbers::pi;
@@ -43,7 +52,8 @@ void second_run(const Story& story, FrameText& text) {
   const SecondRun::Value& second = story.effects.get<SecondRun>(story.frame);
   const gjk::Step<double, 2>* step = step_beside(second, story.run, story.frame);
   if (!step) return;
-  const std::string first = at_the_start(arithmetic(story.run.lesson.scalar));
+  const std::string in_first = arithmetic(story.run.lesson.scalar);
+  const std::string first = at_the_start(in_first);
   const std::string other = arithmetic(*story.run.lesson.beside);
   const gjk::State<double, 2>& mine = story.state;
   const gjk::State<double, 2>& beside = step->after;
@@ -59,7 +69,15 @@ void second_run(const Story& story, FrameText& text) {
   switch (step->phase) {
     case gjk::Phase::closest: {
       const double away = (mine.p - beside.p).norm();
-      if (away == 0.0) return;
+      if (away == 0.0) {
+        if (mine.p_sq != beside.p_sq) {
+          text.detail = format(
+              "So {}. Its squared distance from {}, rounded to {}, is {}: distance {}; {} has {}.",
+              story.p_is(), story.q, in_first, story.numbers(mine.p_sq), story.distance(), other,
+              numbers(std::sqrt(beside.p_sq)));
+        }
+        return;
+      }
       text.detail =
           format("So {}, rounded: {} has P = {}, and this one lies {} away from it.", story.p_is(),
                  other, point(beside.p + story.positioned.x_world[0]), numbers(away));
@@ -73,14 +91,29 @@ void second_run(const Story& story, FrameText& text) {
           format("d = {}; {} has d = {}.", story.numbers.point(mine.d), other, point(beside.d));
       return;
     case gjk::Phase::support:
-      if (mine.support.pair == beside.support.pair) return;
+      if (mine.support.pair == beside.support.pair) {
+        const double along = farthest(story.run.step(story.frame));
+        const double along_beside = farthest(*step);
+        if (!story.run.point_query() || along == along_beside) return;
+        text.caption =
+            format("{0} lies farthest along d: dot(d, {0}) = {1}, rounded to {2}; {3} has {4}.",
+                   name, story.numbers(along), in_first, other, numbers(along_beside));
+        return;
+      }
       text.caption = format("{} finds {} farthest along its d. Along the d of {} it is {}.", first,
                             name, other, name_beside);
       text.detail = format("The wrong support point: {}° of round-off in d are enough for it.",
                            fixed(degrees, 1));
       return;
     case gjk::Phase::stop:
-      if (!story.ended() || beside.stop != gjk::StopReason::running) return;
+      if (!story.ended()) {
+        if (beside.stop == gjk::StopReason::running && mine.p_sq != beside.p_sq) {
+          text.detail = format("P is at distance {}, the root of the rounded square; {} has {}.",
+                               story.distance(), other, numbers(std::sqrt(beside.p_sq)));
+        }
+        return;
+      }
+      if (beside.stop != gjk::StopReason::running) return;
       text.caption = format("{} stops, with {} once more, and P at distance {}. {} goes on to {}.",
                             first, name, story.distance(), at_the_start(other), name_beside);
       text.detail =

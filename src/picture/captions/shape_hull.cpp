@@ -24,7 +24,7 @@ void shape_hull(const Story& story, FrameText& text) {
                          inside, story.numbers(entry->value));
   } else if (story.phase_is(gjk::Phase::stop) && story.ended()) {
     text.detail = format(
-        "The distance {} is that of the hull; the polygon's own outline is {} away. GJK has "
+        "P lies on the hull, {} away; the polygon's own outline is {} away (thin line). GJK has "
         "never taken {}.",
         story.numbers(story.trace.result.distance), story.numbers(hulls.outline_distance), inside);
   }

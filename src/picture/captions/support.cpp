@@ -107,7 +107,7 @@ void slab(const Story& story, FrameText& text) {
       text.caption =
           format("The lines through {} and {} leave no gap: this d separates nothing.", k, c);
       text.detail = format("The distance still lies between {} and {}.", low, high);
-    } else if (widest->support.pair == story.state.support.pair && widest->width == gap) {
+    } else if (is_found_by(*widest, story.state)) {
       text.caption = format(
           "{} is the last of {} along d, {} of {} along −d: the slab between, {} wide, is empty.",
           k, lesson.y.name, c, lesson.x.name, story.numbers(gap));

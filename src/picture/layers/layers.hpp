@@ -56,6 +56,8 @@ void short_test(SceneBuilder& scene);
 void wrong_point(SceneBuilder& scene);
 
 // run.cpp
+/// The support line that the lower bound comes from, where it is not that of the frame's search.
+void best_support_line(SceneBuilder& scene);
 /// Simplices and closest points of earlier iterations.
 void history(SceneBuilder& scene);
 void simplex(SceneBuilder& scene);

@@ -4,6 +4,7 @@
 
 #include "effects/history.hpp"
 #include "effects/projection.hpp"
+#include "effects/slab.hpp"
 #include "picture/layers/layers.hpp"
 
 namespace gjkscope::layers {
@@ -48,6 +49,13 @@ void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
   const Point along = direction_on_screen(d);
   const Point across = scene.map.area().size().norm() * Point(-along.y(), along.x());
   scene.line(role, through - across, through + across);
+}
+
+void best_support_line(SceneBuilder& scene) {
+  const Slab::Value best = widest_strip(scene.run, scene.frame);
+  if (!best) return;
+  if (scene.has_support() && is_found_by(*best, scene.state)) return;
+  support_line(scene, scene.at_difference(best->support.w), best->normal, "support.best");
 }
 
 void history(SceneBuilder& scene) {

@@ -30,7 +30,8 @@ void second_run(SceneBuilder& scene) {
     const Point along = direction_on_screen(state.d);
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);
-    name("d", tip, 6.0, along);
+    // A support line may pass the tip: the name stands beside the shaft.
+    name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
   }
   scene.disk("second.closest", p, kPointRadius);
   // Where both are the same point to the eye one label is enough.
