@@ -122,15 +122,15 @@ template <class R, class S, int D>
   }
   return out;
 }
-/// At least how far from the shapes' own origins their centres lie.
+/// How far from the shapes' own origins their centres lie.
 template <class R, class S, int D>
-[[nodiscard]] R reach_of_centres(const Query<S, D>& query, const Prepared<R, D>& prepared) {
-  const auto reach = [&](const Pose<S, D>& pose, bool turned, const Vec<R, D>& centre) {
+[[nodiscard]] R length_to_centres(const Query<S, D>& query, const Prepared<R, D>& prepared) {
+  const auto length_to = [&](const Pose<S, D>& pose, bool turned, const Vec<R, D>& centre) {
     const Vec<R, D> in_unit = prepared.in_unit(centre);
-    return norm_1(turned ? pose.template rotated<R>(in_unit) : in_unit);
+    return careful_length(turned ? pose.template rotated<R>(in_unit) : in_unit);
   };
-  return reach(query.x.pose, prepared.x_turned, prepared.x_centre) +
-         reach(query.y.pose, prepared.y_turned, prepared.y_centre);
+  return length_to(query.x.pose, prepared.x_turned, prepared.x_centre) +
+         length_to(query.y.pose, prepared.y_turned, prepared.y_centre);
 }
 
 /// Fills in what is measured in the run's unit of length.
@@ -141,7 +141,7 @@ void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   R from_centres(0);
   if (prepared.centred) {
     prepared.offset = offset_of_centres(query, prepared);
-    from_centres = reach_of_centres(query, prepared);
+    from_centres = length_to_centres(query, prepared);
   } else {
     for (int i = 0; i < D; ++i) {
       const R x_place = ScalarTraits<R>::from(query.x.pose.translation[i]) * prepared.unit;
