@@ -13,6 +13,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
+#include "lesson/study_times.hpp"
 #include "lesson/toml_reader.hpp"
 
 namespace gjkscope {
@@ -510,7 +511,7 @@ void LessonReader::read_study(const Table& study) {
                     fmt::format("at most {} bytes", static_cast<int>(kResultsBytes)));
     } else {
       try {
-        read.dots = parse_study_results(*text.text);
+        read.dots = timed_by_ratio(parse_study_results(*text.text));
       } catch (const std::runtime_error& error) {
         problems_.add(results.place(), fmt::format("{}: {}", file.string(), error.what()));
       }

@@ -386,8 +386,9 @@ Picture LessonPictures::picture(int index) {
       if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
     }
     // To the corner of the card: above the title, too, nothing shows.
-    page.add("view-title.box",
-             Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner});
+    page.add(
+        "view-title.box",
+        Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 1.0});
     page.write("view-title", card.min + Point(14.0, 26.0),
                default_title(run_, run_.lesson.views[i]), type::kViewTitle);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "effects/growth.hpp"
 
@@ -24,7 +25,13 @@ Plot against_vertices(const LessonRun& run, const Frame& frame) {
   return plot;
 }
 
-PlotSeries series_of(const Growth::Value& measured, PlotStyle style, std::string name,
+/// Up to the frame's n: what comes is the question. The outcome shows them all.
+std::span<const Sample> measured_by(EffectGraph& effects, const Frame& frame) {
+  const std::span<const Sample> all(effects.get<Growth>(frame));
+  return all.first(std::min(all.size(), static_cast<std::size_t>(frame.detail + 1)));
+}
+
+PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::string name,
                      double Sample::*counted) {
   PlotSeries series{style, std::move(name), {}};
   for (const Sample& sample : measured)
@@ -35,11 +42,11 @@ PlotSeries series_of(const Growth::Value& measured, PlotStyle style, std::string
 }  // namespace
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
-  const Growth::Value& measured = effects.get<Growth>(frame);
+  const std::span<const Sample> measured = measured_by(effects, frame);
   const LessonGrowth& growth = *run.lesson.growth;
   Plot plot = against_vertices(run, frame);
   double most = Growth::kLarsenMost;
-  for (const Sample& sample : measured) most = std::max(most, sample.iterations);
+  for (const Sample& sample : effects.get<Growth>(frame)) most = std::max(most, sample.iterations);
   constexpr double kStep = 4.0;  // the axis ends at a multiple
   plot.y = {0.0, kStep * std::ceil(most / kStep), false,
             fmt::format("average of {} runs", growth.runs)};
@@ -50,19 +57,18 @@ Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& fr
                  series_of(measured, PlotStyle::third,
                            fmt::format("iterations to {:g} %", 100.0 * growth.tolerance),
                            &Sample::within_tolerance)};
-  plot.series[1].name_below = true;
   return plot;
 }
 
 Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
-  const Growth::Value& measured = effects.get<Growth>(frame);
+  const std::span<const Sample> measured = measured_by(effects, frame);
   Plot plot = against_vertices(run, frame);
   const double largest = run.lesson.growth->vertices.back();
   plot.y = {1.0, power_of_ten_from(largest * largest), true, ""};
-  PlotSeries all{PlotStyle::fourth, "n · n points of Z", {}};
+  PlotSeries all{PlotStyle::fourth, "n · n differences", {}};
   for (const Sample& sample : measured)
     all.points.emplace_back(sample.vertices, 1.0 * sample.vertices * sample.vertices);
-  plot.series = {series_of(measured, PlotStyle::first, "points computed", &Sample::touched_points),
+  plot.series = {series_of(measured, PlotStyle::first, "computed by GJK", &Sample::touched_points),
                  series_of(measured, PlotStyle::second, "scanned", &Sample::scanned_vertices),
                  series_of(measured, PlotStyle::third, "climbed", &Sample::seen_vertices),
                  std::move(all)};

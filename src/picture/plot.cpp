@@ -22,7 +22,8 @@ constexpr double kSymbol = 4.0;     // half of a symbol's size
 constexpr double kHollow = 6.0;     // of one that goes around another
 constexpr double kCurrentWidth = 16.0;
 constexpr double kCurrentRadius = 11.0;
-constexpr double kNameIndent = 14.0;  // symbol before the name of its series
+constexpr double kNameIndent = 11.0;  // middle of a symbol to the name of its series
+constexpr double kNameGap = 20.0;     // from there to the next symbol
 
 constexpr std::array<std::string_view, 5> kRoles = {"plot.first", "plot.second", "plot.third",
                                                     "plot.fourth", "plot.limit"};
@@ -158,7 +159,24 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     if (!text.empty()) add(std::move(role), Text{at, std::move(text), style, align});
   };
 
-  const double top = area.min.y() + (plot.y.title.empty() ? 0.5 * kTitleRow : kTitleRow);
+  // The names of the series stand in rows above the axes: inside they would look like data.
+  struct Name {
+    const PlotSeries* series;
+    Point symbol;
+  };
+  std::vector<Name> names;
+  Point next(area.min.x() + kHollow,
+             area.min.y() + (plot.y.title.empty() ? 0.0 : kTitleRow) + 0.5 * kTitleRow);
+  for (const PlotSeries& series : plot.series) {
+    if (series.name.empty()) continue;
+    const double width = kNameIndent + fonts.width(type::kTickBold, series.name);
+    if (!names.empty() && next.x() + width > area.max.x()) {
+      next = {area.min.x() + kHollow, next.y() + kTitleRow};
+    }
+    names.push_back({&series, next});
+    next.x() += width + kNameGap;
+  }
+  const double top = names.empty() ? next.y() : next.y() + 0.75 * kTitleRow;
   const double bottom = area.max.y() - kTickRow - (plot.x.title.empty() ? 0.0 : kTitleRow);
   const std::vector<PlotTick> y_ticks =
       ticks_along(plot.y, bottom - top, kTickRoom, [](const std::string&) { return 0.0; });
@@ -243,28 +261,15 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
          at(note.at.x(), note.at.y()), kHollow, Point(-1.0, 1.0), true},
         true));
   }
-  const double space = fonts.width(type::kTickBold, " ");
-  const std::string indent(static_cast<std::size_t>(std::ceil(kNameIndent / space)), ' ');
-  for (const PlotSeries& series : plot.series) {
-    if (series.points.empty() || series.name.empty()) continue;
-    LabelRequest name{series.name, indent + series.name, role_of(series.style, ".label"),
-                      type::kTickBold};
-    for (const Eigen::Vector2d& point : series.points)
-      name.other_anchors.push_back(at(point.x(), point.y()));
-    std::reverse(name.other_anchors.begin(), name.other_anchors.end());
-    name.anchor = name.other_anchors.front();
-    name.gap = kHollow;
-    name.towards = Point(-1.0, series.name_below ? 1.0 : -1.0);
-    const Mark placed = placer.place(name, true);
-    const Text& text = std::get<Text>(placed.shape);
-    const double width = fonts.width(text.style, series.name);
-    const double full = fonts.width(text.style, text.text);
-    const Point start(text.at.x() + 0.5 * full - width, text.at.y());
-    write(placed.role, start, series.name, text.style, Align::left);
-    if (!series.has_symbols) continue;
-    add(role_of(series.style),
-        symbol(series.style,
-               start - Point(0.75 * kNameIndent, 0.5 * fonts.cap_height(text.style))));
+  for (const auto& [series, middle] : names) {
+    const Point start = middle + Point(kNameIndent, 0.5 * fonts.cap_height(type::kTickBold));
+    write(role_of(series->style, ".label"), start, series->name, type::kTickBold, Align::left);
+    if (series->has_symbols) {
+      add(role_of(series->style), symbol(series->style, middle));
+    } else {
+      const Point half(kHollow, 0.0);
+      add(role_of(series->style, ".line"), Polyline{{middle - half, middle + half}});
+    }
   }
   for (const PlotBand& band : plot.bands) {
     const Polygon box = strip(at(plot.x.low, band.low), at(plot.x.high, band.high));

@@ -36,12 +36,11 @@ enum class PlotStyle { first, second, third, fourth, limit };
 /// along the x axis first (what can be had for so much and no more).
 enum class PlotJoin { none, lines, stairs };
 
-/// Points, and a name beside the last of them.
+/// Points, and a name above the axes.
 struct PlotSeries {
   PlotStyle style = PlotStyle::first;
   std::string name;
   std::vector<Eigen::Vector2d> points;
-  bool name_below = false;  ///< Rather below its points than above.
   PlotJoin join = PlotJoin::lines;
   bool has_symbols = true;             ///< Points are to be seen, and not their line alone.
   std::vector<Subject> subjects = {};  ///< What the points stand for; empty, or one each.
@@ -71,8 +70,8 @@ struct Plot {
   std::optional<Eigen::Vector2d> current_point;  ///< Or the point.
 };
 
-/// The plot with its axes, their numbers and titles inside of `area`. Names keep off lines and
-/// symbols and off each other, and do not depend on `current`.
+/// The plot with its axes, their numbers and titles inside of `area`. Notes and names of bands keep
+/// off lines and symbols and off each other.
 [[nodiscard]] std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& area);
 
 }  // namespace gjkscope

@@ -48,7 +48,7 @@ Plot study_plot(const std::vector<StudyDot>& family) {
   Decades ns;
   Decades error;
   for (const Axis& axis : kAxes) {
-    plot.series.push_back({axis.style, std::string(axis.name), {}, false, PlotJoin::none});
+    plot.series.push_back({axis.style, std::string(axis.name), {}, PlotJoin::none});
   }
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (!family[i].error) continue;
@@ -58,7 +58,8 @@ Plot study_plot(const std::vector<StudyDot>& family) {
     series.points.push_back(place_of(family[i]));
     series.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
   }
-  PlotSeries front{PlotStyle::limit, "Pareto front", {}, true, PlotJoin::stairs, false};
+  std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
+  PlotSeries front{PlotStyle::limit, "Pareto front", {}, PlotJoin::stairs, false};
   for (const StudyDot& dot : front_of(family)) front.points.push_back(place_of(dot));
   plot.series.push_back(std::move(front));
   plot.x = ns.axis("time of a query, nanoseconds");

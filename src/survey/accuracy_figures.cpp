@@ -141,9 +141,9 @@ class Figures {
 
   /// Bounds and error against the cap on iterations.
   [[nodiscard]] std::optional<Figure> iterations(const RowList& rows) const {
-    PlotSeries width{PlotStyle::third, "width of the bounds, at most", {}, false};
-    PlotSeries worst{PlotStyle::first, "error, at most", {}, true};
-    PlotSeries middle{PlotStyle::second, "error, median", {}, true};
+    PlotSeries width{PlotStyle::third, "width of the bounds, at most", {}};
+    PlotSeries worst{PlotStyle::first, "error, at most", {}};
+    PlotSeries middle{PlotStyle::second, "error, median", {}};
     Decades decades;
     double most = 0.0;
     for (const Row* row : rows) {
@@ -187,7 +187,7 @@ class Figures {
   template <class Value>
   [[nodiscard]] PlotSeries by_gap(PlotStyle style, std::string_view arithmetic, std::string name,
                                   Value value) const {
-    PlotSeries out{style, std::move(name), {}, false};
+    PlotSeries out{style, std::move(name), {}};
     for (const Row& row : summary_.rows) {
       if (row.family != study::kAllFamilies || row.axis != "bound gap" || !is_timed(row) ||
           !row.configuration.starts_with(std::string(arithmetic) + ",") || !has_error(row)) {
@@ -254,7 +254,7 @@ class Figures {
     Plot plot;
     int most = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      PlotSeries series{kStyles[i], names[i], {}, false};
+      PlotSeries series{kStyles[i], names[i], {}};
       for (const Row& row : study_.rows) {
         if (row.vertices == 0 || !is_timed(row) || row.configuration != names[i]) continue;
         ns.hold(row.ns.median);

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "lesson/study_times.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -60,6 +62,31 @@ TEST(StudyResults, FrontGoesFromFastToAccurate) {
   ASSERT_EQ(front.size(), 2u);
   EXPECT_EQ(front[0].configuration, "fast");
   EXPECT_EQ(front[1].configuration, "slow");
+}
+
+TEST(StudyResults, TimesByRatioPutTheFrontRightThatNoiseTurned) {
+  const auto dot = [](const char* family, const char* configuration, double ns, double ratio) {
+    StudyDot out;
+    out.family = family;
+    out.configuration = configuration;
+    out.ns = ns;
+    out.ratio = ratio;
+    return out;
+  };
+  std::vector<StudyDot> measured = {dot("a", "double", 100.0, 1.0), dot("a", "loop", 105.0, 0.8),
+                                    dot("b", "alone", 7.0, 0.5)};
+  measured[0].on_front = true;
+  // "loop" was timed in slower turns than "double", but took 0.8 of its time in each of them.
+  for (int i = 0; i < 2; ++i) measured[static_cast<std::size_t>(i)].error = 1e-16;
+  const std::vector<StudyDot> dots = timed_by_ratio(measured);
+  EXPECT_EQ(dots[0].ns, 100.0);
+  EXPECT_EQ(dots[1].ns, 80.0);
+  EXPECT_EQ(dots[2].ns, 7.0) << "there is nothing that it could be compared with";
+  EXPECT_FALSE(dots[0].on_front);
+  EXPECT_TRUE(dots[1].on_front);
+  EXPECT_FALSE(dots[2].on_front);
+  EXPECT_EQ(default_of(dots, "a"), &dots[0]);
+  EXPECT_EQ(default_of(dots, "b"), nullptr);
 }
 
 TEST(StudyResults, SayWhatIsWrongAndWhere) {

@@ -149,7 +149,7 @@ TEST(Plot, ValuesBeyondAnEndAreDrawnAtIt) {
 TEST(Plot, TextsStayInTheAreaAndOffEachOther) {
   Plot plot = two_points();
   plot.bands = {{3.0, 6.0, "a band"}};
-  plot.series.push_back({PlotStyle::second, "another one", {{1.0, 1.0}, {100.0, 5.2}}, true});
+  plot.series.push_back({PlotStyle::second, "another one", {{1.0, 1.0}, {100.0, 5.2}}});
   plot.series.push_back({PlotStyle::third, "one more", {{1.0, 4.0}, {1e4, 4.5}}});
   plot.series.push_back({PlotStyle::fourth, "the last", {{1.0, 9.0}, {1e4, 4.6}}});
   std::vector<Rect> boxes;

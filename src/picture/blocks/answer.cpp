@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "effects/cold_start.hpp"
 #include "effects/touched_points.hpp"
@@ -88,7 +89,7 @@ void counters(PanelBuilder& panel) {
   panel.write("heading", panel.left, "Support calls so far", type::kHeading);
   panel.write("code.current", panel.right, std::to_string(calls), type::kCodeBold, Align::right);
   panel.y += kRow;
-  panel.write("heading", panel.left, "Points of Z computed", type::kHeading);
+  panel.write("heading", panel.left, "Differences computed", type::kHeading);
   panel.write("code.current", panel.right, format("{} of {}", touched, all), type::kCodeBold,
               Align::right);
   panel.y += kRow - 3.0;
@@ -97,26 +98,14 @@ void counters(PanelBuilder& panel) {
 }
 
 void starts(PanelBuilder& panel) {
-  struct Cost {
-    int iterations = 0;
-    int support_calls = 0;
-  };
   const int now = panel.frame.run;
-  std::vector<Cost> cold;
-  std::vector<Cost> warm;
-  Cost cold_sum;
-  Cost warm_sum;
+  std::vector<int> cold;
+  std::vector<int> warm;
   int most = 1;
   for (int i = 0; i <= now; ++i) {
-    const ColdStart::Value& afresh = panel.effects.get<ColdStart>({i, -1, -1});
-    const WideTrace& trace = panel.run.runs[static_cast<std::size_t>(i)].trace;
-    cold.push_back({afresh.iterations, afresh.support_calls});
-    warm.push_back({trace.result.iterations, support_calls(trace)});
-    cold_sum.iterations += cold.back().iterations;
-    cold_sum.support_calls += cold.back().support_calls;
-    warm_sum.iterations += warm.back().iterations;
-    warm_sum.support_calls += warm.back().support_calls;
-    most = std::max({most, cold.back().iterations, warm.back().iterations});
+    cold.push_back(panel.effects.get<ColdStart>({i, -1, -1}).iterations);
+    warm.push_back(panel.run.runs[static_cast<std::size_t>(i)].trace.result.iterations);
+    most = std::max({most, cold.back(), warm.back()});
   }
   panel.heading("Iterations at each position");
   // The scale is that of the whole motion, so that bars keep their height from frame to frame.
@@ -140,8 +129,8 @@ void starts(PanelBuilder& panel) {
     const auto bar = [&](const std::string& role, double x0, double x1, int value) {
       panel.add(role, Box{{{x0, bottom - kHeight * value / scale}, {x1, bottom}}, 0.0});
     };
-    bar("chart.cold", middle - half, middle, cold[static_cast<std::size_t>(i)].iterations);
-    bar("chart.warm", middle, middle + half, warm[static_cast<std::size_t>(i)].iterations);
+    bar("chart.cold", middle - half, middle, cold[static_cast<std::size_t>(i)]);
+    bar("chart.warm", middle, middle + half, warm[static_cast<std::size_t>(i)]);
   }
   panel.y = bottom + 30.0;
   const double cold_at = panel.right - 76.0;
@@ -161,11 +150,9 @@ void starts(PanelBuilder& panel) {
     panel.write("code.current", warm_at, std::to_string(of_warm), type::kCodeBold, Align::right);
     panel.y += kTightRow + 1.0;
   };
-  row("iterations here", cold.back().iterations, warm.back().iterations);
-  row("support calls here", cold.back().support_calls, warm.back().support_calls);
-  panel.y += 6.0;
-  row("iterations so far", cold_sum.iterations, warm_sum.iterations);
-  row("support calls so far", cold_sum.support_calls, warm_sum.support_calls);
+  row("iterations here", cold.back(), warm.back());
+  row("iterations so far", std::accumulate(cold.begin(), cold.end(), 0),
+      std::accumulate(warm.begin(), warm.end(), 0));
 }
 
 void bound_steps(PanelBuilder& panel) {

@@ -9,7 +9,7 @@ namespace gjkscope::blocks {
 
 void growth(PanelBuilder& panel) {
   constexpr double kHeight = 272.0;
-  panel.heading("Points and vertices per run, as n grows");
+  panel.heading("Differences and vertices per run, as n grows");
   const double top = panel.y - 20.0;
   const Rect area{{panel.left, top}, {panel.right, top + kHeight}};
   const Plot plot = points_plot(panel.run, panel.effects, panel.frame);
@@ -26,7 +26,7 @@ void growth_counters(PanelBuilder& panel) {
     panel.write("code.current", panel.right, value, type::kCodeBold, Align::right);
     panel.y += rows::kRow;
   };
-  row("n · n points of Z", grouped(1.0 * sample.vertices * sample.vertices));
+  row("n · n differences", grouped(1.0 * sample.vertices * sample.vertices));
   row("Computed, on average", fixed(sample.touched_points, 1));
   row("Support calls, on average", fixed(sample.support_calls, 1));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
 #include "picture/captions/story.hpp"
 
@@ -40,6 +41,18 @@ void overlap(const Story& story, FrameText& text) {
                        words.kind_and_face(simplex.all()));
 }
 
+/// Of a lesson whose other view is about ways to compute the distance.
+void two_shapes(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  text.caption =
+      story.trace.result.distance > 0.0
+          ? format("{} and {} are {} apart: {} are closest.", lesson.x.name, lesson.y.name,
+                   story.numbers(story.trace.result.distance), features(story))
+          : format("{} and {} overlap: the distance is 0.", lesson.x.name, lesson.y.name);
+  text.detail =
+      "Each mark of the chart is one way to compute such a distance. The next frames tell of some.";
+}
+
 void warm_start(const Story& story, FrameText& text) {
   const gjk::Result<double, 2>& result = story.trace.result;
   const std::string starts =
@@ -73,6 +86,23 @@ void warm_start(const Story& story, FrameText& text) {
                                                story.numbers(result.distance))
                                       : format("{} and {} overlap: O lies in Z.",
                                                story.run.lesson.x.name, story.run.lesson.y.name);
+  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
+  if (std::find(blocks.begin(), blocks.end(), PanelBlock::starts) == blocks.end()) return;
+  const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
+  const int last = static_cast<int>(story.run.runs.size()) - 1;
+  if (story.frame.run < last) {
+    if (story.frame.run > 0)
+      text.detail += format(" A cold start takes {}.", cold(story.frame.run));
+    return;
+  }
+  int cold_sum = 0;
+  int warm_sum = 0;
+  for (int i = 0; i <= last; ++i) {
+    cold_sum += cold(i);
+    warm_sum += story.run.runs[static_cast<std::size_t>(i)].trace.result.iterations;
+  }
+  text.detail += format(" All {} runs together take {} iterations, cold starts {}.", last + 1,
+                        warm_sum, cold_sum);
 }
 
 void slide(const Story& story, FrameText& text) {
@@ -117,6 +147,12 @@ std::string weighted(const Story& story, const std::vector<std::string>& names) 
   return out;
 }
 
+bool x_has_moved(const Story& story) {
+  if (story.frame.run == 0) return false;
+  const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
+  return story.positioned.x.translate != last.x.translate;
+}
+
 /// A point of one shape, from the weights of P.
 void carried_back(const Story& story, bool of_x, FrameText& text) {
   const gjk::Result<double, 2>& result = story.trace.result;
@@ -148,6 +184,7 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
 }  // namespace
 
 void answer(const Story& story, FrameText& text) {
+  if (story.run.lesson.granularity == Granularity::study) return two_shapes(story, text);
   if (story.run.lesson.warm_start) return warm_start(story, text);
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
@@ -166,7 +203,10 @@ void witness(const Story& story, FrameText& text) {
   }
   switch (story.frame.detail) {
     case kWitnessP:
-      text.caption = format("P = {} is the point of Z closest to O.", weighted(story, of_z));
+      text.caption =
+          format("{}P = {} is the point of Z closest to O.",
+                 x_has_moved(story) ? story.run.lesson.x.name + " has moved. " : std::string(),
+                 weighted(story, of_z));
       text.detail =
           "Each difference remembers its two vertices. Put the weights on those: first on Y's, "
           "then on X's.";

@@ -19,7 +19,7 @@ void pairs(const Story& story, FrameText& text) {
                y, per_x, all / per_x, all);
     text.detail =
         "Each difference is a point of the view beside it: the arrow from the vertex of X to "
-        "the vertex of Y, moved to O.";
+        "the vertex of Y, moved so that it starts at O = (0, 0).";
   } else if (story.frame.detail <= all) {
     const gjk::VertexPair pair{(story.frame.detail - 1) / per_x, (story.frame.detail - 1) % per_x};
     const Vector2d a = story.positioned.x_world[pair.x];

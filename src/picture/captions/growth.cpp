@@ -13,7 +13,7 @@ namespace {
 using fmt::format;
 using Sample = Growth::Sample;
 
-double all_points(const Sample& sample) { return 1.0 * sample.vertices * sample.vertices; }
+double all_differences(const Sample& sample) { return 1.0 * sample.vertices * sample.vertices; }
 
 std::string larsen() { return format("{} to {}", Growth::kLarsenLeast, Growth::kLarsenMost); }
 
@@ -24,17 +24,26 @@ double each_tenfold(const Sample& from, const Sample& to) {
 }
 
 void size(const Sample& sample, FrameText& text) {
-  text.caption = format(
-      "n = {}: {} iterations on average, {} at most, and {} support calls. Larsen reports {}.",
-      grouped(sample.vertices), fixed(sample.iterations, 1), sample.most_iterations,
-      fixed(sample.support_calls, 1), larsen());
-  text.detail = format("GJK computes {} of the {} points of Z. ", fixed(sample.touched_points, 1),
-                       grouped(all_points(sample))) +
-                (sample.is_climbed
-                     ? format("Climbing looks at {} vertices, scanning at {}.",
-                              grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
-                     : format("So few vertices are scanned, all in each support call: {} looks.",
-                              grouped(sample.seen_vertices)));
+  const std::string iterations = fixed(sample.iterations, 1);
+  const std::string calls = fixed(sample.support_calls, 1);
+  text.caption = format("n = {}: {} iterations on average, {} at most; {} {} that Larsen reports.",
+                        grouped(sample.vertices), iterations, sample.most_iterations,
+                        sample.iterations > Growth::kLarsenMost    ? "more than the"
+                        : sample.iterations < Growth::kLarsenLeast ? "fewer than the"
+                                                                   : "within the",
+                        larsen());
+  text.detail =
+      format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
+             grouped(all_differences(sample)),
+             calls == iterations
+                 ? ""
+                 : format(", with {} support calls: some runs end before a last search", calls));
+  text.detail +=
+      sample.is_climbed
+          ? format("Climbing from vertex to neighbour looks at {} vertices, scanning at {}.",
+                   grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
+          : format("Scanning looks at every vertex in each support call, at {} in all.",
+                   grouped(sample.seen_vertices));
 }
 
 /// The first size that takes more than Larsen's iterations; the end when there is none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/study_times.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -34,9 +35,17 @@ int digits_to_tell_apart(double a, double b) {
   return std::min(digits + 1, kAll);
 }
 
-void configuration(const StudyDot& dot, FrameText& text) {
-  text.caption = format("{}: {} a query, {} times as long as the default. ", dot.configuration,
-                        time_text(dot.ns), format("{:.2f}", dot.ratio));
+void configuration(const LessonStudy& shown, const StudyDot& dot, FrameText& text) {
+  text.caption = format("{}: {} a query", dot.configuration, time_text(dot.ns));
+  const StudyDot* base = default_of(shown.dots, shown.family);
+  if (base == &dot) {
+    text.caption += ", the default that times are compared with. ";
+  } else if (base) {
+    text.caption +=
+        format(", {:.2f} times as long as {}, the default. ", dot.ratio, base->configuration);
+  } else {
+    text.caption += ". ";
+  }
   text.caption += dot.error ? format("The error is at most {} of the scale", error_of(dot))
                             : std::string("To some pair it has no answer");
   text.caption += dot.on_front ? ": nothing is both faster and more accurate." : ".";
@@ -56,7 +65,7 @@ void configuration(const StudyDot& dot, FrameText& text) {
     text.detail += format(" Whether shapes overlap it says wrongly of {} {}.", dot.wrong,
                           dot.wrong == 1 ? "pair" : "pairs");
   if (dot.undecided > 0)
-    text.detail += format(" Of {} {} it leaves that open.", dot.undecided,
+    text.detail += format(" Of {} {} it leaves open whether they overlap.", dot.undecided,
                           dot.undecided == 1 ? "pair" : "pairs");
 }
 
@@ -79,7 +88,7 @@ void study(const Story& story, FrameText& text) {
   const LessonStudy& shown = *story.run.lesson.study;
   const auto index = static_cast<std::size_t>(story.frame.detail);
   if (index < shown.configurations.size())
-    return configuration(shown.dot(shown.configurations[index]), text);
+    return configuration(shown, shown.dot(shown.configurations[index]), text);
   outcome(of_family(shown.dots, shown.family), text);
 }
 

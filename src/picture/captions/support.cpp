@@ -43,11 +43,16 @@ void support_in_parts(const Story& story, FrameText& text) {
   const std::size_t of_x = lesson.x.vertices.size();
   const std::size_t of_y = lesson.y.vertices.size();
   const double along_y = story.state.d.dot(story.positioned.y_world[pair.y]);
+  const gjk::State<double, 2>& next =
+      story.trace.steps[static_cast<std::size_t>(story.frame.step + 1)].after;
   const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
   switch (story.frame.detail) {
     case kSupportDirection:
-      text.caption = format("d = {} leads from P to O. Which point of Z lies farthest that way?",
-                            story.numbers.point(story.state.d));
+      text.caption = format("d = {} {}. Which point of Z lies farthest that way?",
+                            story.numbers.point(story.state.d),
+                            story.run.step(story.frame).record.direction.from_normal
+                                ? "points from P towards O; its length does not matter"
+                                : "leads from P to O");
       text.detail = format(
           "dot(d, y − x) = dot(d, y) + dot(−d, x): look along d in {} and along −d in {}, each for "
           "itself.",
@@ -72,16 +77,21 @@ void support_in_parts(const Story& story, FrameText& text) {
           format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}.", name, name,
                  story.numbers(along_y), along_x < 0.0 ? "−" : "+",
                  story.numbers(std::abs(along_x)), story.numbers(story.state.support_value));
-      text.detail = format(
-          "None of the {} points of Z lies beyond its line, and {} + {} dot products found it.",
-          of_x * of_y, of_y, of_x);
+      text.detail =
+          next.stop == gjk::StopReason::repeated_support
+              ? format("{} is in the simplex already: GJK stops, at distance {}.", name,
+                       story.numbers(story.trace.result.distance))
+              : format(
+                    "None of the {} differences lies beyond its line, and {} + {} dot products "
+                    "found it.",
+                    of_x * of_y, of_y, of_x);
   }
 }
 
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x_world.size() * story.positioned.y_world.size();
-  text.detail +=
-      format(" GJK made {} of the {} points of Z.", touched_by(story.run, story.frame).size(), all);
+  text.detail += format(" GJK made {} of the {} differences of vertices.",
+                        touched_by(story.run, story.frame).size(), all);
 }
 
 void slab(const Story& story, FrameText& text) {

@@ -88,8 +88,8 @@ void way(SceneBuilder& scene, const Point& from, const Point& to) {
   if (shown(scene) < kWitnessDistance) return;
   const Point across = Point(from.y() - to.y(), to.x() - from.x());
   scene.out.moving_labels.push_back(
-      scene.label("distance", fixed(scene.positioned.trace.result.distance, 3), "distance.label",
-                  type::kSmallVertex, 0.5 * (from + to), 2.0, across));
+      scene.label("distance", Numbers(scene.run.lesson)(scene.positioned.trace.result.distance),
+                  "distance.label", type::kSmallVertex, 0.5 * (from + to), 2.0, across));
 }
 
 }  // namespace

@@ -35,8 +35,11 @@ void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, dou
   const Point along = direction_on_screen(d);
   const Point tip = from + length * along;
   scene.arrow("direction", from, tip);
-  scene.out.moving_labels.push_back(
-      scene.label("arrow:" + text, text, "direction.label", type::kVertex, tip, 6.0, along));
+  // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
+  constexpr double kNamed = 0.6;  // of the arrow
+  scene.out.moving_labels.push_back(scene.label("arrow:" + text, text, "direction.label",
+                                                type::kVertex, from + kNamed * (tip - from), 0.0,
+                                                Point(along.y(), -along.x())));
 }
 
 void search_direction(SceneBuilder& scene) {
