@@ -135,7 +135,7 @@ template <class R, int D>
 /// Weights of the vertices of a triangle around O: the areas across from them, as shares of all.
 template <class R, class N>
 [[nodiscard]] std::array<R, 3> shares_of_area(const std::array<Flat<N>, 3>& w) {
-  std::array<R, 3> weights;
+  std::array<R, 3> weights{};
   R sum(0);
   for (int i = 0; i < 3; ++i) {
     weights[i] = magnitude(rounded<R>(cross(w[(i + 1) % 3], w[(i + 2) % 3])));

@@ -197,7 +197,7 @@ class Points {
   }
 
   std::span<const Vec<S, D>> points_;
-  Rows rows_;
+  Rows rows_ = {};
   Vec<S, D> low_ = Vec<S, D>::Zero();
   Vec<S, D> high_ = Vec<S, D>::Zero();
   Vec<S, D> centre_ = Vec<S, D>::Zero();

@@ -485,7 +485,7 @@ template <class S>
 [[nodiscard, gnu::flatten]] bool distance(const Query<S, 2>& query, const Options& options,
                                           const Prepared<double, 2>& prepared,
                                           Result<double, 2>& out) {
-  std::array<Rows, 2> turned_rows;
+  std::array<Rows, 2> turned_rows;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
   const Bodies<S> bodies(query, prepared, turned_rows);
   Found found;
   if (!walk(bodies, options, found)) return false;
