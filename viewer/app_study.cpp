@@ -12,6 +12,7 @@
 #include "app.hpp"
 #include "cli/input.hpp"
 #include "lesson/load.hpp"
+#include "lesson/study_times.hpp"
 #include "study/configuration.hpp"
 
 namespace gjkscope {
@@ -79,7 +80,7 @@ void App::open_results(std::string_view json, const fs::path& file) {
   LessonStudy study;
   study.results = fs::absolute(file).string();
   try {
-    study.dots = parse_study_results(json);
+    study.dots = timed_by_ratio(parse_study_results(json));
   } catch (const std::runtime_error& error) {
     return say(fmt::format("{}: {}", file.string(), error.what()), true);
   }

@@ -28,7 +28,7 @@ Plot against_vertices(const LessonRun& run, const Frame& frame) {
 /// Up to the frame's n: what comes is the question. The outcome shows them all.
 std::span<const Sample> measured_by(EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> all(effects.get<Growth>(frame));
-  return all.first(std::min(all.size(), static_cast<std::size_t>(frame.detail + 1)));
+  return all.first(std::min(all.size(), static_cast<std::size_t>(frame.detail) + 1));
 }
 
 PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::string name,

@@ -106,7 +106,7 @@ class Asking {
  private:
   /// Where what is asked for happens, if not in the step that tells it.
   [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
-    return story_.trace.steps[static_cast<std::size_t>(story_.frame.answer + 1)];
+    return story_.trace.steps[static_cast<std::size_t>(story_.frame.answer) + 1];
   }
 
   const Story& story_;

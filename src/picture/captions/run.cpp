@@ -161,7 +161,7 @@ std::string news(const Story& story, const std::string& name) {
       std::any_of(steps.begin(), steps.begin() + story.frame.step, [&](const auto& step) {
         return std::any_of(step.record.dropped.begin(), step.record.dropped.end(), is_it);
       });
-  const auto next = static_cast<std::size_t>(story.frame.step + 1);
+  const auto next = static_cast<std::size_t>(story.frame.step) + 1;
   if (was_dropped && steps[next].after.stop == gjk::StopReason::no_progress) {
     return format(
         "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,

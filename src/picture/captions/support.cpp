@@ -44,7 +44,7 @@ void support_in_parts(const Story& story, FrameText& text) {
   const std::size_t of_y = lesson.y.vertices.size();
   const double along_y = story.state.d.dot(story.positioned.y_world[pair.y]);
   const gjk::State<double, 2>& next =
-      story.trace.steps[static_cast<std::size_t>(story.frame.step + 1)].after;
+      story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
   switch (story.frame.detail) {
     case kSupportDirection:
