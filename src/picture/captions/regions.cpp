@@ -230,9 +230,12 @@ void region_test(const Story& story, FrameText& text) {
           story.numbers.weight(weights.numerator[1] / weights.denominator),
           story.words.face(simplex.all()));
     } else {
-      text.detail =
-          "u, v on each edge and u, v, w in the triangle. Vertex regions are tested first, then "
-          "edges, then the interior.";
+      const std::string edge = story.words.face(0b011);
+      text.detail = format(
+          "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; those in the "
+          "triangle are u{3}, v{3} and w{3}. Vertices are tested first, then edges, then what is "
+          "left.",
+          edge, story.words.vertex(0), story.words.vertex(1), story.words.face(0b111));
     }
     return;
   }
