@@ -124,7 +124,7 @@ void tests(PanelBuilder& panel) {
 
 namespace {
 
-/// Where Q projects to on the line of an edge: before it, on it, or beyond it.
+/// Where Q projects to on the line of an edge: on it, or beyond one of its ends.
 void ruler(PanelBuilder& panel, int from, int to) {
   const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
   const auto face = static_cast<gjk::Face>(gjk::face_of(from) | gjk::face_of(to));
@@ -137,11 +137,13 @@ void ruler(PanelBuilder& panel, int from, int to) {
   if (simplex.count == 3) {
     const int other = 3 - from - to;
     const bool inside = gjk::barycentric(simplex, simplex.all()).numerator[other] > 0.0;
-    name += inside ? ", from inside" : ", from outside";
+    name += inside
+                ? fmt::format(", {} on {}'s side", query_name(panel.run), panel.words.vertex(other))
+                : fmt::format(", {} beyond it", query_name(panel.run));
   }
   panel.write("body", panel.left, name, type::kBody);
   panel.write("strong", panel.right,
-              share <= 0.0   ? "before " + a
+              share <= 0.0   ? "beyond " + a
               : share >= 1.0 ? "beyond " + b
                              : fmt::format("between {} and {}", a, b),
               type::kStrong, Align::right);
