@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "effects/barycentric.hpp"
 
@@ -10,7 +11,7 @@ namespace gjkscope {
 namespace {
 
 constexpr double kGravity = 9.81;  // m/s²
-constexpr double kDamping = 0.65;  // N m s: nearly at rest after one period
+constexpr double kDamping = 1.0;   // N m s: about critical, so that a beam swings back and rests
 
 double support_at(double seconds, double balance_point, const LessonTime& time) {
   constexpr double kMiddle = 0.5;
@@ -28,28 +29,59 @@ double lowest(double arm, double radius) {
   return std::max(0.0, std::asin(way / reach) - std::atan2(kAxleHeight, std::abs(arm)));
 }
 
-/// One step of the semi-implicit Euler method for I angle'' = moment - damping * angle'.
-void advance(Beam& beam, const std::array<double, 2>& masses, double step) {
-  const std::array<double, 2> arms = {-beam.support, 1.0 - beam.support};
-  double inertia = 0.0;
-  double moment = 0.0;
-  for (int i = 0; i < 2; ++i) {
-    inertia += masses[i] * (arms[i] * arms[i] + kAxleHeight * kAxleHeight);
-    moment -= masses[i] * kGravity *
-              (arms[i] * std::cos(beam.angle) + kAxleHeight * std::sin(beam.angle));
+/// What pulls on a beam.
+struct Swing {
+  std::array<double, 2> masses;
+  double balance_point;
+  const LessonTime& time;
+
+  [[nodiscard]] double support(double seconds) const {
+    return support_at(seconds, balance_point, time);
   }
-  const double before = beam.angle;
-  beam.rate += step * (moment - kDamping * beam.rate) / inertia;
-  beam.angle += step * beam.rate;
+
+  /// angle'' of I angle'' = moment - damping * angle'.
+  [[nodiscard]] double acceleration(const Beam& beam) const {
+    const std::array<double, 2> across = arms_of(beam);
+    double inertia = 0.0;
+    for (int i = 0; i < 2; ++i) {
+      const double along = i == 0 ? beam.support : 1.0 - beam.support;
+      inertia += masses[i] * (along * along + kAxleHeight * kAxleHeight);
+    }
+    const double moment = kGravity * (masses[0] * across[0] - masses[1] * across[1]);
+    return (moment - kDamping * beam.rate) / inertia;
+  }
+
+  /// The angle at which the ground stops end `i`, on a support as at a moment; none where the
+  /// support is right under the end.
+  [[nodiscard]] std::optional<double> limit(int i, double seconds) const {
+    const double arm = i - support(seconds);
+    if (arm == 0.0) return std::nullopt;
+    const double angle = lowest(arm, radius_of_mass(masses[i]));
+    return arm < 0.0 ? angle : -angle;
+  }
+};
+
+/// One step of the midpoint method.
+void advance(Beam& beam, const Swing& swing, double step) {
+  Beam middle = beam;
+  middle.seconds += 0.5 * step;
+  middle.support = swing.support(middle.seconds);
+  middle.angle += 0.5 * step * beam.rate;
+  middle.rate += 0.5 * step * swing.acceleration(beam);
+  beam.seconds += step;
+  beam.support = swing.support(beam.seconds);
+  beam.angle += step * middle.rate;
+  beam.rate += step * swing.acceleration(middle);
+  beam.on_ground = false;
   // An end on the ground stays there until it is lifted, and moves as the support slides under it.
   for (int i = 0; i < 2; ++i) {
-    const double arm = arms[i];
-    if (arm == 0.0) continue;
-    const double limit = lowest(arm, radius_of_mass(masses[i]));
-    const bool down = arm < 0.0 ? beam.angle > limit : beam.angle < -limit;
-    if (!down) continue;
-    beam.angle = arm < 0.0 ? limit : -limit;
-    beam.rate = (beam.angle - before) / step;
+    const std::optional<double> limit = swing.limit(i, beam.seconds);
+    if (!limit || (*limit > 0.0 ? beam.angle <= *limit : beam.angle >= *limit)) continue;
+    const double before = swing.limit(i, beam.seconds - 0.5 * step).value_or(*limit);
+    const double after = swing.limit(i, beam.seconds + 0.5 * step).value_or(*limit);
+    beam.angle = *limit;
+    beam.rate = (after - before) / step;
+    beam.on_ground = true;
   }
 }
 
@@ -61,19 +93,22 @@ double radius_of_mass(double mass) {
   return std::min(kRadius * std::sqrt(std::abs(mass)), kLargest);
 }
 
+std::array<double, 2> arms_of(const Beam& beam) {
+  const double sideways = kAxleHeight * std::sin(beam.angle);
+  return {beam.support * std::cos(beam.angle) - sideways,
+          (1.0 - beam.support) * std::cos(beam.angle) + sideways};
+}
+
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
-                        const LessonTime& time, double step) {
+                        const LessonTime& time, int position, double step) {
+  const Swing pulls{masses, balance_point, time};
   std::vector<Beam> moments;
   Beam beam;
-  for (int i = 0; i < time.frames; ++i) {
-    const double until = time.seconds * i / (time.frames - 1);
-    while (beam.seconds + step <= until) {
-      beam.seconds += step;
-      beam.support = support_at(beam.seconds, balance_point, time);
-      advance(beam, masses, step);
-    }
+  for (const double until : time.at(position)) {
+    while (beam.seconds + step <= until) advance(beam, pulls, step);
+    // The rest of the way is one of this moment alone: the steps are the same whoever looks.
     moments.push_back(beam);
-    moments.back().seconds = until;
+    if (until > beam.seconds) advance(moments.back(), pulls, until - beam.seconds);
   }
   return moments;
 }
@@ -86,7 +121,7 @@ Balance::Value Balance::compute(EffectGraph& graph, const LessonRun& run, const 
   if (weights.size() != 2 || !run.lesson.time) return value;
   value.weights = {weights[0], weights[1]};
   value.masses = {std::max(weights[0], 0.0), std::max(weights[1], 0.0)};
-  value.moments = swing(value.masses, weights[1], *run.lesson.time);
+  value.moments = swing(value.masses, weights[1], *run.lesson.time, frame.run);
   return value;
 }
 

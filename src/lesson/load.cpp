@@ -91,7 +91,9 @@ class LessonReader {
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
-  void read_time(const Table& time);
+  void read_time(const Table& time, Place place);
+  std::vector<std::vector<double>> read_moments(const Field& field, double last,
+                                                std::size_t positions);
   void read_growth(const Table& growth);
   void read_study(const Table& study);
   void read_steps(const Table& steps, const OtherTables& has);
@@ -142,7 +144,7 @@ Lesson LessonReader::read(const toml::table& root) {
     problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   const Field time_field = file["time"];
-  if (const auto time = reader_.table(time_field, "time")) read_time(*time);
+  if (const auto time = reader_.table(time_field, "time")) read_time(*time, time_field.place());
   const Field growth_field = file["growth"];
   if (const auto growth = reader_.table(growth_field, "growth")) read_growth(*growth);
   const Field study_field = file["study"];
@@ -443,7 +445,7 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
   return read;
 }
 
-void LessonReader::read_time(const Table& time) {
+void LessonReader::read_time(const Table& time, Place place) {
   using namespace limits;
   LessonTime read;
   read.seconds = reader_.number(time["seconds"], 0.0, kSeconds).value_or(read.seconds);
@@ -452,16 +454,55 @@ void LessonReader::read_time(const Table& time) {
                   fmt::format("number above 0, up to {}", kSeconds));
   }
   const Field frames = time["frames"];
-  read.frames = reader_.whole_number(frames, 2, kMoments).value_or(read.frames);
+  const Field moments = time["moments"];
   std::size_t positions = 1;
   if (const auto& path = lesson_.path_of_shapes)
     positions = path->frames > 0 ? path->frames : path->x.points.size();
-  if (frames && positions * read.frames > kMoments) {
-    problems_.add(frames.place(),
-                  fmt::format("{} frames at each of {} positions", read.frames, positions),
-                  fmt::format("a product of at most {}", kMoments));
+  if (frames || !moments) {
+    if (moments) problems_.add(moments.place(), "'moments' besides 'frames'", "one of the two");
+    if (!frames) problems_.add(place, "a simulation without frames", "'frames' or 'moments'");
+    read.frames = reader_.whole_number(frames, 2, kMoments).value_or(read.frames);
+    if (frames && positions * read.frames > kMoments) {
+      problems_.add(frames.place(),
+                    fmt::format("{} frames at each of {} positions", read.frames, positions),
+                    fmt::format("a product of at most {}", kMoments));
+    }
+  } else {
+    read.frames = 0;
+    read.moments = read_moments(moments, read.seconds, positions);
   }
-  lesson_.time = read;
+  lesson_.time = std::move(read);
+}
+
+std::vector<std::vector<double>> LessonReader::read_moments(const Field& field, double last,
+                                                            std::size_t positions) {
+  using namespace limits;
+  std::vector<std::vector<double>> all;
+  std::size_t count = 0;
+  for (const Field& list : reader_.entries(field, "list of seconds")) {
+    std::vector<double>& moments = all.emplace_back();
+    const std::vector<Field> entries =
+        reader_.entries(list, fmt::format("number from 0 to {:g}", last));
+    for (const Field& entry : entries) {
+      const std::optional<double> moment = reader_.number(entry, 0.0, last);
+      if (!moment) continue;
+      if (!moments.empty() && *moment <= moments.back())
+        problems_.add(entry.place(), entry.label + " does not come later", "ascending moments");
+      moments.push_back(*moment);
+    }
+    if (list.node->is_array() && entries.empty())
+      problems_.add(list.place(), list.label + " is empty", "at least one moment");
+    count += moments.size();
+  }
+  if (!field.node->is_array()) return all;
+  if (all.size() != positions) {
+    problems_.add(field.place(), fmt::format("{} lists for {} positions", all.size(), positions),
+                  "a list for each position of X");
+  }
+  if (count > kMoments)
+    problems_.add(field.place(), fmt::format("{} moments", count),
+                  fmt::format("at most {} in all", kMoments));
+  return all;
 }
 
 void LessonReader::read_growth(const Table& growth) {

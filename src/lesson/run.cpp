@@ -216,7 +216,8 @@ void add_frames(LessonRun& run, int index) {
       if (trace.steps.empty()) return;
       int first = 0;
       int count = lesson.granularity == Granularity::orders ? kOrderStages : kMapStages;
-      if (lesson.granularity == Granularity::time) count = lesson.time->frames;
+      if (lesson.granularity == Granularity::time)
+        count = static_cast<int>(lesson.time->at(index).size());
       // The maps are the same wherever X stands.
       if (lesson.granularity == Granularity::maps && index > 0) first = count - 1;
       for (int i = first; i < count; ++i) run.frames.push_back({index, 0, i});
@@ -312,7 +313,7 @@ const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
 }
 
 double LessonRun::seconds(const Frame& frame) const {
-  return lesson.time->seconds * frame.detail / (lesson.time->frames - 1);
+  return lesson.time->at(frame.run)[static_cast<std::size_t>(frame.detail)];
 }
 
 std::string LessonRun::pair_name(gjk::VertexPair pair) const {

@@ -1,6 +1,7 @@
 #include "lesson/save.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cstdint>
@@ -55,6 +56,12 @@ std::vector<std::string> names_as_texts(const std::vector<E>& values) {
 
 std::string in_brackets(const Vector2d& point) {
   return fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y()));
+}
+
+std::vector<std::string> texts_of(const std::vector<double>& numbers) {
+  std::vector<std::string> out;
+  for (const double number : numbers) out.push_back(decimal(number));
+  return out;
 }
 
 std::vector<std::string> in_brackets(const std::vector<Vector2d>& points) {
@@ -212,9 +219,7 @@ void write_steps(TomlText& out, const Lesson& lesson) {
 
 void write_motion(TomlText& out, const LessonMotion& motion) {
   if (!motion.points.empty()) out.list("points", in_brackets(motion.points));
-  std::vector<std::string> turns;
-  for (const double turn : motion.turns) turns.push_back(decimal(turn));
-  if (!turns.empty()) out.list("turns", turns);
+  if (!motion.turns.empty()) out.list("turns", texts_of(motion.turns));
 }
 
 void write_path(TomlText& out, const LessonPath& path) {
@@ -279,7 +284,11 @@ std::string lesson_toml(const Lesson& lesson) {
   if (lesson.time) {
     out.table("[time]");
     out.key("seconds", decimal(lesson.time->seconds));
-    out.key("frames", std::to_string(lesson.time->frames));
+    if (lesson.time->frames > 0) out.key("frames", std::to_string(lesson.time->frames));
+    std::vector<std::string> lists;
+    for (const std::vector<double>& moments : lesson.time->moments)
+      lists.push_back(fmt::format("[{}]", fmt::join(texts_of(moments), ", ")));
+    if (!lists.empty()) out.list("moments", lists);
   }
   if (lesson.growth) write_growth(out, *lesson.growth);
   if (lesson.study) write_study(out, *lesson.study);

@@ -103,9 +103,11 @@ std::vector<LessonKey> make_keys() {
        "degrees that Y is turned by at its corners, as many as `points`"},
 
       {"time", "seconds", fmt::format("number above 0, up to {}", kSeconds), required,
-       "time of the last frame; the first is at 0"},
-      {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), required,
+       "how long the simulation takes; with `frames` the last is at its end"},
+      {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), "`moments`",
        "moments at equal steps, for each position of X"},
+      {"time", "moments", "list of lists of ascending numbers from 0 to `seconds`", "`frames`",
+       "seconds of the frames, a list for each position of X"},
 
       {"growth", "vertices",
        fmt::format("list of 2 to {} whole numbers from 3 to {}, ascending", kSizes,

@@ -22,6 +22,7 @@ constexpr double kOverPassing = 20.0;
 constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 8.0;
+constexpr double kFarKept = 1.7;      // a pixel that a label stays farther away: moves from 24 on
 constexpr double kOtherAnchor = 8.0;  // each further one
 constexpr double kMove = 40.0;
 constexpr double kOverPassingNow = 60.0;  // more, in the one frame that the line is in
@@ -177,7 +178,12 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
       best = place;
     }
   };
-  if (moves) consider(known->second, 0.0);
+  if (moves) {
+    // What had to go far away comes back once there is room.
+    const bool comes_back = !fixed && request.other_anchors.empty();
+    const double away = comes_back ? known->second.beside.norm() - request.gap : 0.0;
+    consider(known->second, kFarKept * std::max(away, 0.0));
+  }
   const double start = request.towards.norm() > 0.0
                            ? std::atan2(request.towards.y(), request.towards.x())
                            : -0.25 * std::numbers::pi;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "effects/barycentric.hpp"
 #include "effects/sign_map.hpp"
 #include "effects/voronoi.hpp"
 
@@ -123,6 +124,9 @@ bool SceneBuilder::shows(std::string_view effect) const {
 
 bool SceneBuilder::knows_closest_point() const {
   if (!phase || phase == gjk::Phase::add) return false;
+  // Frames that measure weights along a path leave P out: it would lie on what they measure.
+  if (run.lesson.granularity == Granularity::path && calls_for(view, BarycentricParts::kName))
+    return false;
   if (run.lesson.granularity == Granularity::orders) return frame.detail > 0;
   if (run.lesson.granularity != Granularity::test) return true;
   return frame.detail == static_cast<int>(run.step(frame).record.region_tests.size()) - 1;

@@ -69,11 +69,11 @@ std::string Numbers::operator()(double value) const {
   return fixed(value, 4);
 }
 
-std::string Numbers::point(const Eigen::Vector2d& value) const {
+std::string Numbers::point(const Eigen::Vector2d& value, int decimals) const {
   if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
     return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
   }
-  return fmt::format("({}, {})", fixed(value.x(), 2), fixed(value.y(), 2));
+  return fmt::format("({}, {})", fixed(value.x(), decimals), fixed(value.y(), decimals));
 }
 
 std::string Numbers::weight(double value) const {

@@ -26,7 +26,7 @@ class Numbers {
  public:
   explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar) {}
   [[nodiscard]] std::string operator()(double value) const;
-  [[nodiscard]] std::string point(const Eigen::Vector2d& value) const;
+  [[nodiscard]] std::string point(const Eigen::Vector2d& value, int decimals = 2) const;
   /// A barycentric weight: three decimals where the scalar is not the point.
   [[nodiscard]] std::string weight(double value) const;
 

@@ -32,20 +32,24 @@ std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
                                 const std::function<bool()>& go_on) {
   const LessonRun run = run_lesson(lesson);
   EffectGraph effects(run);
-  std::vector<Balance::Value> scenes;
+  struct BeamScene {
+    int position;
+    Balance::Value balance;
+  };
+  std::vector<BeamScene> scenes;
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
     const auto frame = std::find_if(run.frames.begin(), run.frames.end(),
                                     [&](const Frame& each) { return each.run == i; });
     if (frame == run.frames.end()) continue;
-    scenes.push_back(effects.get<Balance>(*frame));
-    if (scenes.back().moments.empty()) scenes.pop_back();
+    const Balance::Value& balance = effects.get<Balance>(*frame);
+    if (!balance.moments.empty()) scenes.push_back({i, balance});
   }
   const LessonTime time = *lesson.time;
-  const auto simulate = [time](const Balance::Value& scene, double step) {
-    return swing(scene.masses, scene.weights[1], time, step);
+  const auto simulate = [time](const BeamScene& scene, double step) {
+    return swing(scene.balance.masses, scene.balance.weights[1], time, scene.position, step);
   };
   std::vector<std::vector<Beam>> reference;
-  for (const Balance::Value& scene : scenes) reference.push_back(simulate(scene, kFinestStep));
+  for (const BeamScene& scene : scenes) reference.push_back(simulate(scene, kFinestStep));
 
   std::vector<TimeStepCost> rows;
   std::vector<Contestant> contestants;
@@ -65,7 +69,7 @@ std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
     rows.push_back(std::move(row));
     contestants.push_back({[=] {
                              double sum = 0.0;
-                             for (const Balance::Value& scene : scenes) {
+                             for (const BeamScene& scene : scenes) {
                                sum += simulate(scene, step).back().angle;
                              }
                              return sum;

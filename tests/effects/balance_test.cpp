@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr LessonTime kTime{6.0, 61};
+const LessonTime kTime{6.0, 61};
 /// How far the beam hangs below its axle at the end of an arm: negative where it is higher.
 double below_axle(double arm, double angle) {
   return kAxleHeight * std::cos(angle) - arm * std::sin(angle);
@@ -72,6 +72,39 @@ TEST(Swing, NoEndSinksIntoTheGround) {
   }
 }
 
+TEST(Swing, ABeamThatSwingsBackComesToRestWithoutPassingLevel) {
+  for (const double v : {0.2, 0.25, 0.75}) {
+    const double side = v < 0.5 ? 1.0 : -1.0;
+    for (const Beam& beam : swing({1.0 - v, v}, v, kTime))
+      EXPECT_GT(side * beam.angle, -0.1 * kLevel) << "v = " << v << " at " << beam.seconds;
+  }
+}
+
+TEST(Swing, AMomentBetweenTwoStepsIsNoStepOfTheSimulation) {
+  const LessonTime between{6.0, 0, {{0.1, 1.0 / 3.0, 2.6, 6.0}}};
+  const std::vector<Beam> coarse = swing({0.8, 0.2}, 0.2, between);
+  const std::vector<Beam> fine = swing({0.8, 0.2}, 0.2, between, 0, 0x1p-14);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_NEAR(coarse[i].angle, fine[i].angle, 2e-5) << "at " << coarse[i].seconds;
+    EXPECT_DOUBLE_EQ(coarse[i].seconds, between.moments[0][i]);
+  }
+  EXPECT_EQ(coarse.back().angle, swing({0.8, 0.2}, 0.2, {6.0, 3}).back().angle);
+}
+
+TEST(Arms, AreMeasuredAcrossFromTheAxle) {
+  Beam beam;
+  beam.support = 0.2;
+  EXPECT_EQ(arms_of(beam), (std::array<double, 2>{0.2, 0.8}));
+  beam.angle = 0.5;  // A is down: both ends move towards B's side
+  const auto& [a, b] = arms_of(beam);
+  EXPECT_DOUBLE_EQ(a + b, std::cos(0.5));
+  EXPECT_DOUBLE_EQ(a, 0.2 * std::cos(0.5) - kAxleHeight * std::sin(0.5));
+  EXPECT_LT(0.8 * a, 0.2 * b) << "the beam swings back";
+  beam.angle = 0.0;
+  beam.support = 1.2;
+  EXPECT_LT(arms_of(beam)[1], 0.0) << "B is on A's side";
+}
+
 TEST(Swing, IsTheSameHoweverOftenOneLooks) {
   const std::vector<Beam> often = swing({0.7, 0.3}, 0.3, {6.0, 25});
   const std::vector<Beam> seldom = swing({0.7, 0.3}, 0.3, {6.0, 7});
@@ -86,7 +119,7 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
   EffectGraph graph(run);
   for (const Frame& frame : run.frames) {
     const Balance::Value& value = graph.get<Balance>(frame);
-    ASSERT_EQ(value.moments.size(), static_cast<std::size_t>(run.lesson.time->frames));
+    ASSERT_EQ(value.moments.size(), run.lesson.time->at(frame.run).size());
     EXPECT_DOUBLE_EQ(value.moments[frame.detail].seconds, run.seconds(frame));
     EXPECT_GE(value.masses[0], 0.0);
     EXPECT_GE(value.masses[1], 0.0);
@@ -95,6 +128,51 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
   const LessonRun still = run_lesson(testing::shipped_lesson("segment-closest"));
   EffectGraph without(still);
   EXPECT_TRUE(without.get<Balance>(still.frames[0]).moments.empty());
+}
+
+TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("segment-balance"));
+  EffectGraph graph(run);
+  int tilted = 0;
+  for (const Frame& frame : run.frames) {
+    if (frame.detail > 0) continue;
+    const Balance::Value& value = graph.get<Balance>(frame);
+    const std::vector<Beam> fine =
+        swing(value.masses, value.weights[1], *run.lesson.time, frame.run, 0x1p-16);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const auto tenths = [](double angle) {
+        return std::lround(angle * 1800.0 / 3.14159265358979);
+      };
+      EXPECT_EQ(tenths(value.moments[i].angle), tenths(fine[i].angle))
+          << "position " << frame.run + 1 << " at " << fine[i].seconds;
+      const auto thousandths = [](const Beam& beam) {
+        const auto& [a, b] = arms_of(beam);
+        return std::array<long, 2>{std::lround(1000.0 * a), std::lround(1000.0 * b)};
+      };
+      EXPECT_EQ(thousandths(value.moments[i]), thousandths(fine[i]));
+      tilted += tenths(fine[i].angle) != 0;
+    }
+  }
+  EXPECT_GE(tilted, 15);
+}
+
+TEST(Balance, EachFrameShowsAnotherBeamAndTheLastOfEachPositionOneAtRest) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("segment-balance"));
+  EffectGraph graph(run);
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    const Balance::Value& value = graph.get<Balance>(frame);
+    const Beam& beam = value.moments[static_cast<std::size_t>(frame.detail)];
+    const bool is_last = i + 1 == run.frames.size() || run.frames[i + 1].run != frame.run;
+    if (is_last) {
+      constexpr double kShown = 0.1 * kLevel;  // prints as 0.0 degrees
+      EXPECT_TRUE(beam.on_ground || std::abs(beam.angle) < kShown) << i;
+      EXPECT_LT(std::abs(beam.rate), kLevel) << i;
+    } else if (value.masses[0] != value.masses[1]) {
+      const Beam& next = value.moments[static_cast<std::size_t>(frame.detail) + 1];
+      EXPECT_GT(std::abs(next.angle - beam.angle), kLevel) << "frame " << i + 2;
+    }
+  }
 }
 
 TEST(UnitVector, GivesTheSameLengthsFromGAndFromQ) {

@@ -399,19 +399,43 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   ASSERT_TRUE(loaded.lesson->time);
   EXPECT_EQ(loaded.lesson->time->seconds, 6.0);
-  EXPECT_EQ(loaded.lesson->time->frames, 9);
+  EXPECT_EQ(loaded.lesson->time->frames, 0);
+  ASSERT_EQ(loaded.lesson->time->moments.size(), 4u);
   const LessonRun run = run_lesson(*loaded.lesson);
-  ASSERT_EQ(run.frames.size(), 9 * run.runs.size());
-  EXPECT_EQ(run.seconds(run.frames[0]), 0.0);
-  EXPECT_EQ(run.seconds(run.frames[8]), 6.0);
+  ASSERT_EQ(run.frames.size(), 2u + 9u + 9u + 9u);
+  EXPECT_EQ(run.seconds(run.frames[1]), 3.0);
+  EXPECT_EQ(run.seconds(run.frames[2]), 0.0);
+  EXPECT_EQ(run.seconds(run.frames[10]), 6.0);
+  const std::string list = "[0.0, 3.0],";
   const std::vector<std::array<std::string, 3>> refused = {
       {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},
-      {"frames = 9", "frames = 300", "300 frames at each of 4 positions"},
+      {list, "[0.0, 7.0],", "number from 0 to 6"},
+      {list, "[3.0, 3.0],", "does not come later"},
+      {list, "[],", "is empty"},
+      {list, "3.0,", "list of seconds"},
+      {list, "", "3 lists for 4 positions"},
+      {"seconds = 6.0", "seconds = 6.0\nframes = 9", "'moments' besides 'frames'"},
+      {"moments = [", "moment = [", "a simulation without frames"},
       {"start = [\"A\", \"B\"]", "start = [\"A\"]", "granularity 'time' without a segment"}};
   for (const auto& [from, to, what] : refused) {
     const std::string problems = all_of(parse(replaced(text, from, to)).problems);
-    EXPECT_NE(problems.find(what), std::string::npos) << problems;
+    EXPECT_NE(problems.find(what), std::string::npos) << what << ": " << problems;
   }
+}
+
+TEST(Load, TimeMayHaveItsMomentsAtEqualSteps) {
+  std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");
+  const std::size_t moments = text.find("moments = [");
+  const std::size_t end = text.find("\n]\n", moments) + 3;
+  text = text.substr(0, moments) + "frames = 9\n" + text.substr(end);
+  const LoadedLesson loaded = parse(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  const LessonRun run = run_lesson(*loaded.lesson);
+  ASSERT_EQ(run.frames.size(), 9 * run.runs.size());
+  EXPECT_EQ(run.seconds(run.frames[1]), 0.75);
+  EXPECT_EQ(run.seconds(run.frames[8]), 6.0);
+  const std::string problems = all_of(parse(replaced(text, "frames = 9", "frames = 300")).problems);
+  EXPECT_NE(problems.find("300 frames at each of 4 positions"), std::string::npos) << problems;
 }
 
 TEST(Load, GrowthHasAscendingNumbersOfVertices) {

@@ -369,8 +369,20 @@ Lesson any_lesson(Random& random) {
     out.y.rotate_degrees = 0.0;
     out.warm_start = one_in(random, 2);
   }
-  if (out.granularity == Granularity::time)
-    out.time = {0.5 + std::abs(any_number(random, 3000.0)), 2 + static_cast<int>(below(random, 4))};
+  if (out.granularity == Granularity::time) {
+    LessonTime& time = out.time.emplace();
+    time.seconds = 0.5 + std::abs(any_number(random, 3000.0));
+    time.frames = one_in(random, 2) ? 0 : 2 + static_cast<int>(below(random, 4));
+    const auto& path = out.path_of_shapes;
+    const std::size_t positions = !path              ? 1
+                                  : path->frames > 0 ? static_cast<std::size_t>(path->frames)
+                                                     : path->x.points.size();
+    while (time.frames == 0 && time.moments.size() < positions) {
+      std::vector<double>& moments = time.moments.emplace_back();
+      for (int i = static_cast<int>(below(random, 3)); i < 4; ++i)
+        moments.push_back(time.seconds * i / 3);
+    }
+  }
   if (out.granularity == Granularity::growth) {
     LessonGrowth& growth = out.growth.emplace();
     for (int size = 3; growth.vertices.size() < 2 || !one_in(random, 4); size *= 2)

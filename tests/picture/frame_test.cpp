@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <ostream>
 #include <set>
 
 #include "lessons.hpp"
@@ -16,6 +17,11 @@
 #include "picture/words.hpp"
 
 namespace gjkscope {
+
+void PrintTo(const Page& page, std::ostream* out) {
+  *out << page.width * page.zoom << " x " << page.height * page.zoom;
+}
+
 namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
@@ -211,18 +217,30 @@ TEST(Captions, GiveTheSameWeightsFromGAndFromQ) {
   EXPECT_NEAR(0.75 * std::hypot(4.0, 2.0), 3.3541, 5e-5);
 }
 
-TEST(Captions, TellWhichWayTheBeamTips) {
+TEST(Captions, TellWhichWayTheBeamTurnsAndByHowMuch) {
   const auto frames = frames_of("segment-balance");
   const auto caption = [&](int position, int tick) {
-    return frames[9 * position + tick].text.caption;
+    return frames[static_cast<std::size_t>(position == 0 ? tick : 2 + 9 * (position - 1) + tick)]
+        .text.caption;
   };
-  EXPECT_TRUE(caption(0, 8).ends_with("the beam is level."));
-  EXPECT_TRUE(caption(1, 2).starts_with("A is heavier, and A is down by 15.4°"));
-  EXPECT_TRUE(
-      caption(1, 8).ends_with("0.800 × 0.200 = 0.200 × 0.800: the beam comes to rest, "
-                              "level but for 0.2°."));
-  EXPECT_TRUE(caption(2, 2).starts_with("B is heavier, and B is down by 15.7°"));
-  EXPECT_TRUE(caption(3, 8).ends_with("A would need the mass −0.200. It has none: the beam tips."));
+  EXPECT_TRUE(caption(0, 1).ends_with("the beam stays level.")) << caption(0, 1);
+  // On the ground at 15.4 degrees, by the arms across from the axle, 0.15 above the beam's middle.
+  const double angle = 15.4 * 3.14159265358979 / 180.0;
+  const double turning_a = 0.8 * (0.5 * std::cos(angle) - 0.15 * std::sin(angle));
+  const double turning_b = 0.2 * (0.5 * std::cos(angle) + 0.15 * std::sin(angle));
+  EXPECT_EQ(caption(1, 2), "A is heavier, and turns the beam more, " + fixed(turning_a, 3) +
+                               " against " + fixed(turning_b, 3) +
+                               ": A is down by 15.4°, on the ground.");
+  EXPECT_TRUE(caption(1, 5).starts_with("B turns the beam more now")) << caption(1, 5);
+  EXPECT_EQ(
+      caption(1, 8),
+      "On G = uA + vB both sides turn alike, 0.800 × 0.200 = 0.200 × 0.800: the beam is level "
+      "again.");
+  EXPECT_TRUE(caption(2, 2).starts_with("B is heavier")) << caption(2, 2);
+  EXPECT_TRUE(caption(2, 5).starts_with("A turns the beam more now")) << caption(2, 5);
+  EXPECT_TRUE(caption(3, 0).ends_with("A stays empty, B gets 1.200.")) << caption(3, 0);
+  EXPECT_TRUE(caption(3, 7).ends_with("It has none: the beam tips.")) << caption(3, 7);
+  EXPECT_TRUE(caption(3, 8).ends_with("It has none: the beam has tipped.")) << caption(3, 8);
 }
 
 TEST(Captions, TellWhereTheSignsMislead) {
@@ -334,6 +352,8 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B is not in the simplex: it was dropped."));
   EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 25), "In X, D lies as far as C."));
+  EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 0), "leads from P to O"));
+  EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 4), "its length does not matter"));
   EXPECT_TRUE(holds(texts_of_frame("direction-half", 4), "Half precision finds B"));
   EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));
 }

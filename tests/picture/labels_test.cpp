@@ -49,6 +49,19 @@ TEST_F(Labels, KeepTheirPlaceFromFrameToFrameWhileItIsFree) {
   EXPECT_EQ(center(placer.place(request("a", {200.0, 150.0}, {1.0, 0.0}), false)), first);
 }
 
+TEST_F(Labels, ThatHadToGoFarAwayComeBackOnceThereIsRoom) {
+  Obstacles crowd;
+  for (double x = 150.0; x <= 250.0; x += 10.0) crowd.segments.push_back({{x, 100.0}, {x, 200.0}});
+  placer.begin_frame(crowd);
+  const Point anchor(200.0, 150.0);
+  const auto distance = [&] {
+    return (center(placer.place(request("a", anchor, {1.0, 0.0}), false)) - anchor).norm();
+  };
+  EXPECT_GT(distance(), 50.0);
+  placer.begin_frame({});
+  EXPECT_LT(distance(), 40.0);
+}
+
 TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALineOnlyWhereTheyMay) {
   Obstacles crossed;
   crossed.passing.push_back({{0.0, 150.0}, {400.0, 150.0}});

@@ -78,11 +78,62 @@ TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
   EXPECT_NE(all[0].question.detail.find("K  ·  L  ·  M  ·  N"), std::string::npos);
 }
 
-TEST(QuestionFrames, TheOrderOfTheChoicesDoesNotGiveTheRegionAway) {
-  const std::vector<Asked> all = asked(testing::shipped_lesson("triangle-ordered-test"));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].question.question->choices, (Choices{"A", "B", "C", "AB", "BC", "CA", "ABC"}));
-  EXPECT_EQ(all[0].question.question->answer, "BC");
+TEST(QuestionFrames, OfferTheRegionsNotRuledOutInAnOrderThatDoesNotGiveTheAnswerAway) {
+  Lesson lesson = testing::shipped_lesson("triangle-ordered-test");
+  struct Case {
+    Eigen::Vector2d q;
+    std::string answer;
+    Choices choices;
+  };
+  const std::vector<Case> cases = {
+      {{1.35, 1.45}, "BC", {"ABC", "BC", "CA"}},
+      {{-1.9, 0.9}, "CA", {"ABC", "CA"}},
+      {{0.0, -1.8}, "AB", {"AB", "ABC", "BC", "CA"}},
+      {{0.3, 2.4}, "C", {"AB", "ABC", "BC", "C", "CA"}},
+  };
+  for (const Case& one : cases) {
+    lesson.x.vertices = {one.q};
+    const std::vector<Asked> all = asked(lesson);
+    ASSERT_EQ(all.size(), 1u) << one.answer;
+    EXPECT_EQ(all[0].question.question->choices, one.choices) << one.answer;
+    EXPECT_EQ(all[0].question.question->answer, one.answer);
+    EXPECT_TRUE(all[0].answer.caption.starts_with("Answer: " + one.answer + "."));
+  }
+}
+
+TEST(QuestionFrames, OfARegionDrawOnlyRegionsThatAreRuledOut) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
+  EffectGraph effects(run);
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+  const auto drawn = [&](std::size_t frame) {
+    std::vector<int> regions;
+    for (const Mark& mark : frames[frame].picture.marks) {
+      const bool is_region = mark.subject.kind == Subject::Kind::region;
+      if (is_region && mark.role != "region.hidden") regions.push_back(mark.subject.x);
+    }
+    std::sort(regions.begin(), regions.end());
+    return regions;
+  };
+  const auto count = [&](std::size_t frame, const std::string& role) {
+    return std::count_if(frames[frame].picture.marks.begin(), frames[frame].picture.marks.end(),
+                         [&](const Mark& mark) { return mark.role == role; });
+  };
+  ASSERT_EQ(frames.size(), 7u);
+  EXPECT_EQ(drawn(0), std::vector<int>{});
+  EXPECT_EQ(count(0, "region.border"), 0);
+  EXPECT_EQ(drawn(1), std::vector<int>{0b001});
+  EXPECT_EQ(count(1, "region.border"), 2);
+  const std::vector<int> ruled_out = {0b001, 0b010, 0b011, 0b100};
+  for (const std::size_t frame : {4u, 5u}) {
+    EXPECT_EQ(drawn(frame), ruled_out) << frame;
+    EXPECT_EQ(count(frame, "region.label"), 4) << frame;
+    EXPECT_EQ(count(frame, "region.active"), 0) << frame;
+  }
+  ASSERT_TRUE(frames[5].text.question);
+  EXPECT_EQ(drawn(6).size(), 7u);
+  EXPECT_EQ(count(6, "region.border"), 6);
+  EXPECT_EQ(count(6, "region.active"), 1);
 }
 
 TEST(QuestionFrames, TheAnswerIsAmongTheChoices) {

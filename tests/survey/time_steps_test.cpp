@@ -47,10 +47,10 @@ TEST(TimeSteps, SmallerStepsOfABeamErrLess) {
 TEST(TimeSteps, TheStepThatLessonsShowIsTheOneThatTheyAreSimulatedWith) {
   const LessonTime time{2.0, 5};
   const std::vector<Beam> a = swing({0.25, 0.75}, 0.75, time);
-  const std::vector<Beam> b = swing({0.25, 0.75}, 0.75, time, kBeamStep);
+  const std::vector<Beam> b = swing({0.25, 0.75}, 0.75, time, 0, kBeamStep);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].angle, b[i].angle);
-  EXPECT_NE(swing({0.25, 0.75}, 0.75, time, 0x1p-6).back().angle, a.back().angle);
+  EXPECT_NE(swing({0.25, 0.75}, 0.75, time, 0, 0x1p-6).back().angle, a.back().angle);
 }
 
 TEST(TimeSteps, AMotionStandsWhereItStandsWhateverTheStep) {

@@ -69,6 +69,12 @@ void numbers_of(PanelBuilder& panel) {
   test(0b111, false, "");
 }
 
+/// A box behind one sign of the current row.
+void sign_highlight(PanelBuilder& panel, double x) {
+  const double rise = panel.fonts.cap_height(type::kCode);
+  panel.add("highlight", Box{{{x - 6.0, panel.y - rise - 4.5}, {x + 32.0, panel.y + 4.5}}, 5.0});
+}
+
 }  // namespace
 
 void signs(PanelBuilder& panel) {
@@ -89,14 +95,33 @@ void signs(PanelBuilder& panel) {
     return panel.run.lesson.granularity != Granularity::maps ||
            MapStage{panel.frame.detail} >= stage;
   };
+  // The sign that a map of one coordinate shows.
+  const auto is_shown = [&](gjk::Face face, int i) {
+    if (panel.run.lesson.granularity != Granularity::maps) return false;
+    switch (MapStage{panel.frame.detail}) {
+      case MapStage::negative_u:
+        return i == 0 && !gjk::contains(face, i);
+      case MapStage::negative_v:
+        return i == 1 && !gjk::contains(face, i);
+      case MapStage::negative_w:
+        return i == 2 && !gjk::contains(face, i);
+      default:
+        return false;
+    }
+  };
+  const bool is_interior = panel.run.lesson.granularity == Granularity::maps &&
+                           MapStage{panel.frame.detail} == MapStage::interior;
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
-    const bool current = face == positive && told(MapStage::signs);
+    const bool current = is_interior ? face == 0b111 : face == positive && told(MapStage::signs);
     if (current) panel.highlight();
-    const TextStyle style = current ? type::kCodeBold : type::kCode;
     for (int i = 0; i < 3; ++i) {
-      panel.write(current ? "code.current" : "code", panel.left + 44.0 * i,
-                  format("{} {}", "uvw"[i], gjk::contains(face, i) ? "+" : "−"), style);
+      const bool lit = current || is_shown(face, i);
+      const double x = panel.left + 44.0 * i;
+      if (lit && !current) sign_highlight(panel, x);
+      panel.write(lit ? "code.current" : "code", x,
+                  format("{} {}", "uvw"[i], gjk::contains(face, i) ? "+" : "−"),
+                  lit ? type::kCodeBold : type::kCode);
     }
     panel.write(current ? "body" : "body.muted", name_at, feature(face),
                 current ? type::kStrong : type::kBody);

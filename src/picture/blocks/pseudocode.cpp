@@ -131,7 +131,7 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
     if (line.takes) {
       if (!holds) return {State::untried};
       const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x_world[0];
-      return {State::current, {}, panel.numbers.point(p)};
+      return {State::current, {}, panel.numbers.point(p, 3)};
     }
     const bool reached = i == panel.tests_reached() && !(holds && has_takes);
     std::string value;

@@ -66,6 +66,29 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
   panel.y += kRow + 2.0;
 }
 
+namespace {
+
+/// A further row of an edge's test that holds: its weights on the edge, which must be positive.
+void between_ends(PanelBuilder& panel, const gjk::RegionTest<double>& test) {
+  std::string names;
+  std::string values;
+  for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
+    if (!term.wants_positive) continue;
+    if (!names.empty()) {
+      names += ", ";
+      values += " ";
+    }
+    names += panel.words.coordinate(term.face, term.vertex);
+    values += signed_fixed(term.numerator / term.denominator, 3);
+  }
+  panel.highlight("highlight.pass");
+  panel.write("code.current", panel.left + 78.0, names, type::kCodeBold);
+  panel.write("code.current", panel.right, values, type::kCodeBold, Align::right);
+  panel.y += kRow + 2.0;
+}
+
+}  // namespace
+
 void tests(PanelBuilder& panel) {
   // Once P is found, its tests stay, with the simplex that they were about.
   Frame asked = panel.frame;
@@ -81,6 +104,8 @@ void tests(PanelBuilder& panel) {
   const gjk::detail::RegionList order =
       gjk::detail::list_regions(before.state.simplex.count, before.run.lesson.options.region_order);
   const auto& tried = before.region_tests();
+  const bool leaves_room = before.gradual() && before.state.simplex.count == 3;
+  const double rows_end = before.y + order.count * (kRow + 2.0);
   for (int i = 0; i < order.count; ++i) {
     const bool reached = i <= before.tests_reached() && i < static_cast<int>(tried.size());
     const TestMark mark = !reached         ? TestMark::untried
@@ -89,14 +114,17 @@ void tests(PanelBuilder& panel) {
     test_row(before, mark, asks_now && reached && i == before.tests_reached(),
              before.words.face(order.conditions[i].face), condition(before, order, i),
              reached ? before.test_values(tried[i]) : "");
+    if (!leaves_room || !reached || !tried[i].holds) continue;
+    if (gjk::vertex_count(tried[i].region) == 2) between_ends(before, tried[i]);
   }
+  if (leaves_room && before.y == rows_end) before.y += kRow + 2.0;
   panel.y = before.y;
   std::move(before.marks.begin(), before.marks.end(), std::back_inserter(panel.marks));
 }
 
 namespace {
 
-/// Where Q projects to on the line of an edge: before it, on it, or beyond it.
+/// Where Q projects to on the line of an edge: on it, or beyond one of its ends.
 void ruler(PanelBuilder& panel, int from, int to) {
   const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
   const auto face = static_cast<gjk::Face>(gjk::face_of(from) | gjk::face_of(to));
@@ -109,11 +137,13 @@ void ruler(PanelBuilder& panel, int from, int to) {
   if (simplex.count == 3) {
     const int other = 3 - from - to;
     const bool inside = gjk::barycentric(simplex, simplex.all()).numerator[other] > 0.0;
-    name += inside ? ", from inside" : ", from outside";
+    name += inside
+                ? fmt::format(", {} on {}'s side", query_name(panel.run), panel.words.vertex(other))
+                : fmt::format(", {} beyond it", query_name(panel.run));
   }
   panel.write("body", panel.left, name, type::kBody);
   panel.write("strong", panel.right,
-              share <= 0.0   ? "before " + a
+              share <= 0.0   ? "beyond " + a
               : share >= 1.0 ? "beyond " + b
                              : fmt::format("between {} and {}", a, b),
               type::kStrong, Align::right);

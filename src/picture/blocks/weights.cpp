@@ -97,6 +97,14 @@ void linear_system(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const Vector2d q = positioned.x_world[0];
   constexpr double kColumn = 62.0;
+  panel.y -= 5.0;
+  for (int column = 0; column < 3; ++column) {
+    panel.write("body.muted", panel.left + 58.0 + column * kColumn,
+                panel.run.pair_name(value.simplex.vertices[column].pair), type::kTick,
+                Align::right);
+  }
+  panel.write("body.muted", panel.left + 334.0, query_name(panel.run), type::kTick, Align::right);
+  panel.y += kTightRow;
   const double top = panel.y;
   for (int row = 0; row < 3; ++row) {
     double x = panel.left + 58.0;
@@ -110,6 +118,8 @@ void linear_system(PanelBuilder& panel) {
     panel.write("code", panel.left + 252.0, row == 1 ? "=" : "", type::kCode, Align::center);
     panel.write("code", panel.left + 334.0, row < 2 ? fixed(q[row], 2) : "1", type::kCode,
                 Align::right);
+    constexpr std::array<std::string_view, 3> kRows = {"x", "y", "sum"};
+    panel.write("body.muted", panel.right, std::string(kRows[row]), type::kTick, Align::right);
     panel.y += kRow;
   }
   const auto bracket = [&](double x, double open) {
@@ -144,7 +154,7 @@ void unit_vector(PanelBuilder& panel) {
   const double of_g = panel.right - 96.0;
   panel.y -= kRow + 2.0;
   panel.write("heading", of_g, "from G", type::kHeading, Align::right);
-  panel.write("heading", panel.right, q + " for G", type::kHeading, Align::right);
+  panel.write("heading", panel.right, "from " + q, type::kHeading, Align::right);
   panel.y += kRow + 2.0;
   const auto both = [&](const std::string& text, double g, double from_q, bool weight) {
     const TextStyle style = weight ? type::kCodeBold : type::kCode;

@@ -20,8 +20,8 @@ void line(const Story& story, FrameText& text) {
   const bool on_line = g->norm() < 1e-9 * built->length;
   if (!on_line) {
     text.caption = format(
-        "G need not be found first: {0} − G is normal to n, so that dot({1} − {0}, n) is dot({1} − "
-        "G, n) = {2}.",
+        "G need not be found first: {0} − G is perpendicular to n, so that dot({1} − {0}, n) is "
+        "dot({1} − G, n) = {2}.",
         story.q, b, story.numbers(built->of_g.to_b));
     text.detail =
         format("So straight from {}: u = {} / {} = {} and v = {} / {} = {}.", story.q,
@@ -37,14 +37,15 @@ void line(const Story& story, FrameText& text) {
   } else if (v < 0.0 || u < 0.0) {
     const bool before = v < 0.0;
     text.caption = format(
-        "G lies {} {}: {} to {} points against n, so {} = {} is negative, and {} = {} is more than "
-        "1.",
-        before ? "before" : "beyond", before ? a : b, before ? "from " + a : "from G",
-        before ? "G" : b, before ? "v" : "u", weight(before ? v : u), before ? "u" : "v",
-        weight(before ? u : v));
+        "G lies beyond {}: the arrow from {} to {} points against n, so {} = {} is negative, and "
+        "{} "
+        "= {} is more than 1.",
+        before ? a : b, before ? a : "G", before ? "G" : b, before ? "v" : "u",
+        weight(before ? v : u), before ? "u" : "v", weight(before ? u : v));
   } else {
-    text.caption = format("G is {}: the whole length lies on one side, so u = {} and v = {}.",
-                          v > 0.0 ? b : a, weight(u), weight(v));
+    const bool at_b = v > 0.0;
+    text.caption = format("G is {}: from {} to {} is the whole length, so u = {} and v = {}.",
+                          at_b ? b : a, at_b ? a : "G", at_b ? "G" : b, weight(u), weight(v));
   }
   text.detail = format("u = {} / {} and v = {} / {}; u + v = 1 on the whole line.",
                        story.numbers(built->of_g.to_b), story.numbers(built->length),

@@ -67,7 +67,10 @@ void maps(const Story& story, FrameText& text) {
       return;
     case MapStage::interior:
       text.caption = "Sign map: u, v and w are all positive inside the triangle.";
-      text.detail = "Here both maps are the same. Next: where each of the three turns negative.";
+      text.detail =
+          "The lines are the edges, prolonged: on each of them one of the three is 0. Next: where "
+          "it "
+          "is negative.";
       return;
     case MapStage::negative_u:
       return negative(story, text, 0);
@@ -76,9 +79,8 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::negative_w:
       return negative(story, text, 2);
     case MapStage::signs:
-      text.caption = format(
-          "The half-planes overlap: beyond {} both v and w are negative. Signs are not exclusive.",
-          story.words.vertex(0));
+      text.caption = format("The half-planes overlap: beyond {} two are negative at once, v and w.",
+                            story.words.vertex(0));
       text.detail =
           "Three lines make seven regions again, one for each feature, but with other borders.";
       return;
@@ -96,8 +98,8 @@ void maps(const Story& story, FrameText& text) {
                            : format("At {}, {}, as if {} were closest, but {} is.", story.q,
                                     negatives(story), feature(story, face), region);
       text.detail =
-          "Marked: where the maps disagree. The signs find the region only with further tests, "
-          "in the right order.";
+          "Marked: where the maps disagree. The signs of u, v and w find the region only with "
+          "further tests.";
       return;
     }
   }
@@ -108,12 +110,12 @@ void orders(const Story& story, FrameText& text) {
   if (chains.empty()) return;
   const OrderStage stage{story.frame.detail};
   if (stage == OrderStage::numbers) {
-    text.caption = format(
-        "The coordinates of {} are numbers: the order in which they are tested is ours to choose.",
-        story.q);
+    text.caption =
+        format("The coordinates of {} come first; in which order to test them is ours to choose.",
+               story.q);
     text.detail =
-        "First with short tests: an edge only asks whether its area is negative, as wABC ≤ 0 for "
-        "AB.";
+        "A short test of an edge only asks whether its area is negative: for AB, wABC ≤ 0. Next: "
+        "vertices first.";
     return;
   }
   const RegionOrders::Chain& chain = chains[story.frame.detail - 1];
@@ -122,10 +124,11 @@ void orders(const Story& story, FrameText& text) {
   const std::string distance = story.numbers(chain.p.norm());
   const std::string taken = story.words.face(chain.region);
   if (chain.error > 0.0) {
-    text.caption =
-        format("{} first: the short test of {} is true already, and P′ is wrong by |P′ − P| = {}.",
-               chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
-               story.numbers(chain.error));
+    text.caption = format(
+        "{} first: the short test of {} is true in the shaded half-plane, and takes P′, wrong by "
+        "|P′ − P| = {}.",
+        chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
+        story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
     text.detail = format("P′ {}: it is at {} from {}, the triangle at {}. Next: whole tests.",
@@ -135,19 +138,22 @@ void orders(const Story& story, FrameText& text) {
     text.caption =
         format("Vertices first: the first true test is that of {}, and it is right.", region);
     text.detail = format("P = P′, at distance {}. {} Next: the same tests, edges first.", distance,
-                         is_edge ? "The vertices are ruled out, so that here a short test will do."
+                         is_edge ? "With the vertices ruled out, the shaded short test will do."
                                  : "The edges are never asked.");
   } else if (stage == OrderStage::edges_first_short) {
-    text.caption =
-        format("Edges first: the short test of {} is true, and here it is right.", taken);
+    text.caption = format(
+        "Edges first: the short test of {} is true in the shaded half-plane, and here it is "
+        "right.",
+        taken);
     text.detail =
         format("{} projects onto the edge itself, so that P′ is P. Next: whole tests.", story.q);
   } else {
     text.caption =
         format("Whole tests also ask for u, v > 0 on the edge: edges first, and still {}.", region);
-    text.detail =
-        format("P = P′, at distance {}. Whole tests exclude each other, so that any order will do.",
-               distance);
+    text.detail = format(
+        "P = P′, at distance {}. No two of these six are true at once: any order of them will "
+        "do. The interior is what is left.",
+        distance);
   }
 }
 

@@ -91,9 +91,22 @@ bool tells_areas(const Story& story) {
          story.shows(BarycentricParts::kName);
 }
 
+/// "QCA", "QCA and QAB": the parts whose weights have this sign.
+std::string parts_of(const Story& story, const gjk::Barycentric<double, 2>& coordinates,
+                     bool negative) {
+  std::string out;
+  for (int i = 0; i < 3; ++i) {
+    if ((coordinates.numerator[i] < 0.0) != negative) continue;
+    const gjk::Face rest = story.state.simplex.all() & ~gjk::face_of(i);
+    out += (out.empty() ? "" : " and ") + story.q + story.words.face(rest);
+  }
+  return out;
+}
+
 void areas(const Story& story, FrameText& text) {
   const gjk::Barycentric<double, 2> coordinates =
       gjk::barycentric(story.state.simplex, story.state.simplex.all());
+  const std::string whole = story.words.face(story.state.simplex.all());
   std::string negatives;
   std::string edges;
   std::string sum;
@@ -108,17 +121,24 @@ void areas(const Story& story, FrameText& text) {
     const std::string edge =
         story.words.face(static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(i)));
     negatives += format("{}{} = area({}{}) / area({}) = {}", count > 0 ? " and " : "", "uvw"[i],
-                        story.q, edge, story.words.face(story.state.simplex.all()), number);
+                        story.q, edge, whole, number);
     edges += (count > 0 ? " and " : "") + edge;
     ++count;
   }
-  text.caption = count == 0
-                     ? format("All three areas are positive: {} lies inside, and they fill {}.",
-                              story.q, story.words.face(story.state.simplex.all()))
-                     : format("{} {} negative: {} lies beyond {}.", negatives,
-                              count == 1 ? "is" : "are", story.q, edges);
-  text.detail = format("u + v + w = {} {} 1, wherever {} stands.", sum,
-                       thousandths == 1000 ? "=" : "≈", story.q);
+  sum += thousandths == 1000 ? " = 1" : " = 1, but for the digits left out";
+  if (count == 0) {
+    text.caption =
+        format("All three areas are positive: {} lies inside, and they fill {}.", story.q, whole);
+    text.detail = format("u + v + w = {}. The linear system says the same: uA + vB + wC is {}.",
+                         sum, story.q);
+    return;
+  }
+  text.caption = format("{} {} negative: {} lies beyond {}.", negatives, count == 1 ? "is" : "are",
+                        story.q, edges);
+  text.detail =
+      format("{} {} {} by just {}, which {} negative: {}.", parts_of(story, coordinates, false),
+             count == 1 ? "together exceed" : "exceeds", whole, parts_of(story, coordinates, true),
+             count == 1 ? "counts" : "count", sum);
 }
 
 /// A lesson that shows no weights is told by features: weights may be new to its reader.
@@ -126,6 +146,13 @@ bool tells_features(const Story& story) {
   const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
   return story.state.simplex.count == 3 && story.run.lesson.granularity == Granularity::path &&
          std::find(blocks.begin(), blocks.end(), PanelBlock::weights) == blocks.end();
+}
+
+/// The region of the next position; 0 after the last one.
+gjk::Face next_region(const Story& story) {
+  const auto next = static_cast<std::size_t>(story.frame.run) + 1;
+  if (next >= story.run.runs.size() || story.run.runs[next].trace.steps.empty()) return 0;
+  return story.run.runs[next].trace.steps.front().after.region;
 }
 
 void features(const Story& story, FrameText& text) {
@@ -136,23 +163,30 @@ void features(const Story& story, FrameText& text) {
       text.caption =
           format("{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
                  story.q, name);
-      text.detail = format("The vertex {} is closest, at distance {}.", name, story.distance());
-      return;
+      text.detail =
+          format("So all else of both is farther: the vertex {} is closest, at distance {}.", name,
+                 story.distance());
+      break;
     case 2: {
       const std::vector<int> ends = story.words.order(face);
       text.caption = format(
           "{0} lies in region {1}: beyond {1}, and its projection onto {1} falls between {2} and "
           "{3}.",
           story.q, name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
-      text.detail =
-          format("That projection is the closest point P, at distance {}.", story.distance());
-      return;
+      text.detail = format(
+          "That projection is the closest point P, at distance {}: the triangle lies behind {}.",
+          story.distance(), name);
+      break;
     }
     default:
       text.caption =
           format("{} lies inside {}: it is its own closest point, P = {}.", story.q, name, story.q);
       text.detail = "The distance is 0.";
   }
+  const gjk::Face next = next_region(story);
+  if (next == 0 || next == face) return;
+  text.detail += gjk::vertex_count(next) == 3 ? format(" Next, {} is inside.", story.q)
+                                              : format(" Next: region {}.", story.words.face(next));
 }
 
 /// What the sign of one coordinate says about where Q is.
@@ -178,19 +212,17 @@ void projection(const Story& story, FrameText& text) {
   const bool between = story.state.region == story.state.simplex.all();
   const bool before = story.state.region == 0b01;
   const std::string end = before ? a : b;
-  if (between) {
-    text.caption =
-        format("{} projects to G, between {} and {}: it lies in region {}{}, and P is G.", story.q,
-               a, b, a, b);
-    text.detail =
-        format("Distance {}. The borders of the band are the normals of {}{} through {} and {}.",
-               story.distance(), a, b, a, b);
-  } else {
-    text.caption = format("{} projects to G, {} {}: it lies in region {}, and P is {}.", story.q,
-                          before ? "before" : "beyond", end, end, end);
-    text.detail = format("Distance {}. The border to region {}{} is the normal of {}{} through {}.",
-                         story.distance(), a, b, a, b, end);
-  }
+  text.caption =
+      between ? format("{} projects to G, between {} and {}: it lies in region {}{}, and P is G.",
+                       story.q, a, b, a, b)
+              : format("{} projects to G, beyond {}: it lies in region {}, and P is {}.", story.q,
+                       end, end, end);
+  text.detail = format("Distance {}: every other point of {}{} is farther from G, and so from {}.",
+                       story.distance(), a, b, story.q);
+  const gjk::Face next = next_region(story);
+  if (next == 0 || next == story.state.region) return;
+  const gjk::Face passed = between ? next : story.state.region;
+  text.detail += format(" Next, G passes {}.", story.words.face(passed));
 }
 
 }  // namespace
@@ -230,9 +262,12 @@ void region_test(const Story& story, FrameText& text) {
           story.numbers.weight(weights.numerator[1] / weights.denominator),
           story.words.face(simplex.all()));
     } else {
-      text.detail =
-          "u, v on each edge and u, v, w in the triangle. Vertex regions are tested first, then "
-          "edges, then the interior.";
+      const std::string edge = story.words.face(0b011);
+      text.detail = format(
+          "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; those in the "
+          "triangle are u{3}, v{3} and w{3}. Vertices are tested first, then edges, then what is "
+          "left.",
+          edge, story.words.vertex(0), story.words.vertex(1), story.words.face(0b111));
     }
     return;
   }

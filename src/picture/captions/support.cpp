@@ -47,10 +47,12 @@ void support_in_parts(const Story& story, FrameText& text) {
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
   switch (story.frame.detail) {
-    case kSupportDirection:
+    case kSupportDirection: {
+      const gjk::Step<double, 2>& before =
+          story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
       text.caption = format("d = {} {}. Which point of Z lies farthest that way?",
                             story.numbers.point(story.state.d),
-                            story.run.step(story.frame).record.direction.from_normal
+                            before.record.direction.from_normal
                                 ? "points from P towards O; its length does not matter"
                                 : "leads from P to O");
       text.detail = format(
@@ -58,6 +60,7 @@ void support_in_parts(const Story& story, FrameText& text) {
           "itself.",
           lesson.y.name, lesson.x.name);
       return;
+    }
     case kSupportOfY:
       text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
                             lesson.y.name, k, story.numbers(along_y),

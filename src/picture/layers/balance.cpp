@@ -58,7 +58,7 @@ void balance(SceneBuilder& scene) {
               kAxleHeight * (1.0 - cosine) + arm * sine);
   };
   for (const double x : {0.0, value.weights[1], 1.0})
-    scene.add("beam.guide", Polyline{{scene.at(a + x * along), at(x, 0.0)}});
+    scene.line("beam.guide", scene.at(a + x * along), at(x, 0.0));
   constexpr double kFar = 10.0;
   const Point axle = at(beam.support, kAxleHeight);
   scene.line("beam.ground", at(-kFar, -kBeamHeight), at(kFar, -kBeamHeight));

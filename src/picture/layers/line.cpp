@@ -10,6 +10,7 @@ using namespace sizes;
 constexpr double kAngleMark = 11.0;    // side of the square that says "normal"
 constexpr double kArrowOffset = 16.0;  // of the unit vector from its segment
 constexpr double kProjectedRadius = 5.0;
+constexpr double kOwnRoom = 14.0;  // around G: the name of a vertex there would read as its own
 
 /// Upwards on the screen, normal to the line from `a` to `b`.
 Point upwards(const Point& a, const Point& b) {
@@ -38,14 +39,18 @@ void projection(SceneBuilder& scene) {
   if (height > 2.0 * kAngleMark) {
     const Point up = (q - foot) / height;
     const Point inwards = (0.5 * (a + b) - foot).dot(along) < 0.0 ? Point(-along) : along;
-    scene.add("projection.angle",
-              Polyline{{foot + kAngleMark * inwards, foot + kAngleMark * (inwards + up),
-                        foot + kAngleMark * up}});
+    const Point corner = foot + kAngleMark * (inwards + up);
+    const Point along_line = foot + kAngleMark * inwards;
+    const Point along_height = foot + kAngleMark * up;
+    scene.add("projection.angle", Polyline{{along_line, corner, along_height}});
+    scene.out.obstacles.segments.push_back({along_line, corner});
+    scene.out.obstacles.segments.push_back({corner, along_height});
   }
   if (is_p) return;
   scene.disk("projection.point", foot, kProjectedRadius);
+  scene.out.obstacles.circles.push_back({foot, kOwnRoom});
   scene.out.moving_labels.push_back(
-      scene.label("G", "G", "projection.label", type::kVertex, foot, kPointRadius, foot - q));
+      scene.label("G", "G", "projection.label", type::kVertex, foot, kOwnRoom - 2.0, foot - q));
 }
 
 void unit_vector(SceneBuilder& scene) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "effects/sign_map.hpp"
 #include "effects/voronoi.hpp"
@@ -35,6 +36,19 @@ std::string signs_of(gjk::Face positive) {
     out += fmt::format("{}{}", out.empty() ? "" : ", ", kLetters[i]);
   }
   return out + " < 0";
+}
+
+/// An area of fewer square pixels is a border to the eye: it has no name.
+constexpr double kSmallestArea = 400.0;
+
+/// The name of an area; beside it where it is too narrow.
+void add_name(SceneBuilder& scene, const std::string& id, const std::string& name,
+              const TextStyle& style, const std::vector<Point>& area) {
+  if (std::abs(signed_area(area)) < kSmallestArea) return;
+  const Point middle = centroid(area);
+  scene.out.area_labels.push_back(
+      {id, name, "region.label", style, area,
+       scene.label(id + ":outside", name, "region.label", style, middle, 0.0)});
 }
 
 /// The single coordinate whose sign a map shows, or none.
@@ -76,8 +90,7 @@ void signs(SceneBuilder& scene) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "two", "one", "none"};
     scene.area(fmt::format("sign.{}", kKinds[gjk::vertex_count(region.positive)]), points);
     if (scene.shows_map(MapStage::blended)) continue;
-    scene.out.area_labels.push_back(
-        {"sign:" + name, name, "region.label", type::kRegion, points, {}});
+    add_name(scene, "sign:" + name, name, type::kRegion, points);
   }
   if (scene.state.simplex.count != 3) return;
   for (int i = 0; i < 3; ++i) {
@@ -94,8 +107,7 @@ void map_difference(SceneBuilder& scene) {
     scene.area("map.difference", points);
     const std::string name =
         fmt::format("signs {}, closest {}", words.face(part.by_signs), words.face(part.closest));
-    scene.out.area_labels.push_back(
-        {"difference:" + name, name, "region.label", type::kSmallVertex, points, {}});
+    add_name(scene, "difference:" + name, name, type::kSmallVertex, points);
   }
 }
 

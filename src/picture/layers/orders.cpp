@@ -1,6 +1,7 @@
 #include "effects/region_orders.hpp"
 #include "geometry/polygon.hpp"
 #include "picture/layers/layers.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -35,6 +36,10 @@ void short_test(SceneBuilder& scene) {
   if (points.empty()) return;
   scene.area("wrong.area", points);
   scene.outline(points);
+  const SimplexWords words(scene.run, simplex);
+  const std::string condition = words.coordinate(simplex.all(), opposite) + " ≤ 0";
+  scene.out.area_labels.push_back(
+      {"short:" + condition, condition, "wrong.label", type::kSmallVertex, points, {}});
 }
 
 void wrong_point(SceneBuilder& scene) {
@@ -48,6 +53,9 @@ void wrong_point(SceneBuilder& scene) {
   scene.disk("wrong", p, kPointRadius);
   scene.out.moving_labels.push_back(
       scene.label("P′", "P′", "wrong.label", type::kVertex, p, kPointRadius, p - q));
+  scene.out.moving_labels.push_back(scene.label("error", Numbers(scene.run.lesson)(chain->error),
+                                                "wrong.label", type::kSmallVertex,
+                                                0.5 * (p + right), 4.0, p - q));
 }
 
 }  // namespace gjkscope::layers

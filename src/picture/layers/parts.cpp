@@ -31,12 +31,10 @@ void parts(SceneBuilder& scene) {
   constexpr std::array<std::string_view, 3> kRoles = {"area.u", "area.v", "area.w"};
   constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
   int side = 1;
-  // A negative area lies over those that are positive.
+  // A negative area lies over those that are positive, a negative length beside those.
   BarycentricParts::Value parts = scene.effects.get<BarycentricParts>(scene.frame);
-  if (scene.state.simplex.count == 3) {
-    std::stable_partition(parts.begin(), parts.end(),
-                          [](const auto& part) { return part.weight >= 0.0; });
-  }
+  std::stable_partition(parts.begin(), parts.end(),
+                        [](const auto& part) { return part.weight >= 0.0; });
   for (const BarycentricParts::Part& part : parts) {
     if (!measures_tested_edge(scene, part)) continue;
     std::vector<Point> points;
@@ -48,15 +46,24 @@ void parts(SceneBuilder& scene) {
       scene.area(role, points);
       scene.outline(points);
       // Where the area is too thin for its label: outside of the simplex, at the edge that the
-      // area stands on.
-      // A negative area lies beyond that edge, up to Q.
+      // area stands on. A negative area lies beyond that edge, up to Q: on the far side of the
+      // longer of its other edges.
       const bool beyond = part.weight < 0.0;
-      const Point foot = beyond ? points[0] : Point(0.5 * (points[1] + points[2]));
+      const Point q = points[0];
+      const Point edge = 0.5 * (points[1] + points[2]);
       const std::string id = fmt::format("part:{}{}", part.vertex, beyond ? ":beyond" : "");
-      LabelRequest outside =
-          scene.label(id + ":outside", text, "area.label", type::kSmallVertex, foot,
-                      beyond ? kPointRadius : 4.0, foot - scene.vertex_at(part.vertex));
+      LabelRequest outside = scene.label(id + ":outside", text, "area.label", type::kSmallVertex,
+                                         edge, 4.0, edge - scene.vertex_at(part.vertex));
       outside.keeps_side = true;
+      if (beyond) {
+        const bool first = (points[1] - q).norm() > (points[2] - q).norm();
+        const Point far = first ? points[1] : points[2];
+        const Point near = first ? points[2] : points[1];
+        const Point across(far.y() - q.y(), q.x() - far.x());
+        outside.towards = across.dot(near - q) < 0.0 ? across : Point(-across);
+        outside.anchor = 0.5 * (q + far);
+        outside.other_anchors = {0.25 * q + 0.75 * far, 0.75 * q + 0.25 * far, 0.5 * (q + near)};
+      }
       scene.out.area_labels.push_back(
           {id, text, "area.label", type::kSmallVertex, points, outside});
     } else {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "effects/voronoi.hpp"
@@ -26,8 +27,23 @@ RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
   return RegionFate::untried;
 }
 
-/// Each region's border once: the normals of every edge at its ends, outwards.
-void borders(SceneBuilder& scene) {
+/// Frames before the one that answers which region holds Q show those regions alone that its tests
+/// have ruled out: where the others are would be the answer.
+bool keeps_answer_back(const SceneBuilder& scene) {
+  const LessonRun& run = scene.run;
+  const Frame& frame = scene.frame;
+  if (run.lesson.granularity != Granularity::test) return false;
+  if (frame.detail >= 0 && run.step(frame).record.region_tests[frame.detail].holds) return false;
+  return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
+    return other.run == frame.run && other.question >= 0 &&
+           run.lesson.questions[static_cast<std::size_t>(other.question)].ask == Ask::region;
+  });
+}
+
+/// Each region's border once: the normals of every edge at its ends, outwards. A border is drawn
+/// where a region on one of its sides is.
+template <class IsDrawn>
+void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
   const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (int i = 0; i < simplex.count; ++i) {
@@ -40,7 +56,10 @@ void borders(SceneBuilder& scene) {
       const bool triangle = simplex.count == 3;
       if (triangle && outwards.dot(simplex.vertices[3 - i - j].w + scene.shift - a) > 0.0)
         outwards = -outwards;
-      for (const Vector2d& end : {a, b}) {
+      const auto face = static_cast<gjk::Face>(gjk::face_of(i) | gjk::face_of(j));
+      for (const int vertex : {i, j}) {
+        if (!is_drawn(face) && !is_drawn(gjk::face_of(vertex))) continue;
+        const Vector2d& end = vertex == i ? a : b;
         scene.line("region.border", scene.at(triangle ? end : Vector2d(end - reach * outwards)),
                    scene.at(end + reach * outwards));
       }
@@ -52,7 +71,11 @@ void borders(SceneBuilder& scene) {
 
 void regions(SceneBuilder& scene) {
   if (!scene.phase || !scene.tests_regions()) return;
-  if (scene.shows_map(MapStage::difference)) return borders(scene);
+  if (scene.shows_map(MapStage::difference)) return borders(scene, [](gjk::Face) { return true; });
+  const bool untried_are_drawn = !keeps_answer_back(scene);
+  const auto is_drawn = [&](gjk::Face face) {
+    return untried_are_drawn || fate_of(scene, face) != RegionFate::untried;
+  };
   const SimplexWords words(scene.run, scene.state.simplex);
   const bool gradual = scene.run.lesson.granularity == Granularity::test;
   for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
@@ -70,13 +93,15 @@ void regions(SceneBuilder& scene) {
     if (fate == RegionFate::holds && !is_map) role = "region.active";
     if (gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
+    if (!is_drawn(region.face)) role = "region.hidden";
     scene.area(std::move(role), points, {Subject::Kind::region, region.face});
+    if (!is_drawn(region.face)) continue;
     const bool interior = gjk::vertex_count(region.face) == 3;
     const std::string name = interior ? "interior" : "region " + words.face(region.face);
     scene.out.area_labels.push_back(
         {"region:" + name, name, "region.label", type::kRegion, points, {}});
   }
-  borders(scene);
+  borders(scene, is_drawn);
 }
 
 }  // namespace gjkscope::layers

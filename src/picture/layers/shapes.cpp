@@ -75,19 +75,16 @@ void shapes(SceneBuilder& scene) {
 
 void path(SceneBuilder& scene) {
   const LessonPath& path = *scene.run.lesson.path_of_shapes;
+  // Without a number of frames a path is a set of places to be in, not a way between them.
+  if (path.frames == 0) return;
   for (const auto& [motion, is_x] : {std::pair(&path.x, true), {&path.y, false}}) {
-    // Without a number of frames the path is a set of places to be in, not a way between them:
-    // marks of a point, but not of a polygon.
-    const bool is_point = (is_x ? scene.run.lesson.x : scene.run.lesson.y).vertices.size() == 1;
-    if (motion->points.empty() || (path.frames == 0 && !is_point)) continue;
+    if (motion->points.empty()) continue;
     std::vector<Point> points;
     for (const PositionedRun& run : scene.run.runs)
       points.push_back(scene.at(centroid(is_x ? run.x_world : run.y_world)));
-    if (path.frames > 0) {
-      scene.add("path", Polyline{points});
-      for (std::size_t i = 1; i < points.size(); ++i)
-        scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
-    }
+    scene.add("path", Polyline{points});
+    for (std::size_t i = 1; i < points.size(); ++i)
+      scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     for (const Point& point : points) scene.disk("path.point", point, 3.0);
   }
 }
@@ -102,8 +99,13 @@ void query_point(SceneBuilder& scene) {
       const Projection::Value& g = scene.effects.get<Projection>(scene.frame);
       if (g && (scene.at_difference(*g) - q).norm() < 1.0) name = "G = " + name;
     }
+    // Along a path, on the side where the line to P is not.
+    const bool has_way = scene.run.lesson.granularity == Granularity::path &&
+                         scene.knows_closest_point() && !scene.reaches_query();
+    const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
     scene.out.moving_labels.push_back(scene.label("Q", scene.reaches_query() ? "P = " + name : name,
-                                                  "query.label", type::kVertex, q, kPointRadius));
+                                                  "query.label", type::kVertex, q, kPointRadius,
+                                                  away));
   }
   if (scene.view.kind == ViewKind::difference) {
     const Point o = scene.at(Vector2d::Zero());
