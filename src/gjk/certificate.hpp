@@ -330,7 +330,7 @@ template <class R, class Shapes>
   const Flat<R>& a = feature.a;
   const Flat<R> edge = feature.b - a;
   const auto& [length_a, length_b] = roots(dot(a, a), dot(feature.b, feature.b));
-  const auto& [edge_length, corner_reach] = roots(dot(edge, edge), shapes.corner_reach_sq());
+  const R edge_length = ScalarTraits<R>::root(dot(edge, edge));
   const R size = on_edge ? larger(length_a, length_b) : length_a;
   const R vertex_error = prepared.vertex_error + u * size;
 
@@ -341,7 +341,7 @@ template <class R, class Shapes>
   out.lower = plane_bound(feature.plane_distance_sq, feature.plane_reach_sq, prepared);
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  const R allowed = R(15.5) * u * corner_reach;
+  const R allowed = near ? R(0) : R(R(15.5) * u * ScalarTraits<R>::root(shapes.corner_reach_sq()));
   const bool wide = allowed < magnitude(to_line) + error - out.lower;
   if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = shapes.careful_distance();

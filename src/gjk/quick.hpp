@@ -50,6 +50,14 @@ namespace gjk::quick {
 #endif
 }
 
+[[nodiscard]] inline int bits(const TwoMasks& masks) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(_mm_castsi128_pd(masks));
+#else
+  return static_cast<int>((masks[0] & 1) | (masks[1] & 2));
+#endif
+}
+
 /// As detail::scan, four vertices at a time: the first of those that lie farthest along d. Without
 /// a branch, for nobody foresees how vertices compare. Vertices may be looked at again.
 template <class VertexAt>
@@ -77,6 +85,22 @@ template <class VertexAt>
   return index;
 }
 
+/// By which of four numbers are less than which others, the first that none exceeds. Bits from the
+/// lowest: first < third, second < fourth, first < fourth, second < third, first < second,
+/// third < fourth.
+inline constexpr std::array<std::uint8_t, 64> kFirstOfMost = [] {
+  constexpr std::array<unsigned, 6> kExceeded = {0, 1, 0, 1, 0, 2};
+  std::array<std::uint8_t, 64> out{};
+  for (unsigned less = 0; less < out.size(); ++less) {
+    unsigned exceeded = 0;
+    for (unsigned bit = 0; bit < kExceeded.size(); ++bit) {
+      if ((less >> bit & 1U) != 0) exceeded |= 1U << kExceeded[bit];
+    }
+    out[less] = static_cast<std::uint8_t>(std::countr_one(exceeded));
+  }
+  return out;
+}();
+
 /// Four vertices of `rows` along d, from vertex i on.
 struct FourAlong {
   Two left;
@@ -94,11 +118,15 @@ struct FourAlong {
   const Two dx = both(d[0]);
   const Two dy = both(d[1]);
   const FourAlong four(rows, 0, dx, dy, sign);
-  Two most = four.most();
   if (count <= 4) {
-    most = larger(most, swapped(most));
-    return __builtin_ctz(four.equal_to(most));
+    // All comparisons at once, rather than the largest first and then where it is: a run waits for
+    // each of its scans.
+    const Two firsts{four.left[0], four.right[0]};
+    const Two seconds{four.left[1], four.right[1]};
+    return kFirstOfMost[bits(four.left < four.right, four.left < swapped(four.right)) |
+                        bits(firsts < seconds) << 4];
   }
+  Two most = four.most();
   const FourAlong next(rows, 4, dx, dy, sign);
   most = larger(most, next.most());
   most = larger(most, swapped(most));
@@ -154,6 +182,15 @@ struct Body {
   [[nodiscard]] Two placed(int i) const {
     if (small) return Two{rows->x[i], rows->y[i]};
     return rotated(from_centre(i));
+  }
+
+  /// Coordinate by coordinate, vertices i and j as Bodies::corner takes them.
+  [[nodiscard]] Flat<Two> places(int i, int j, bool same_frame) const {
+    if (small && !(same_frame && centred))
+      return {Two{rows->x[i], rows->x[j]}, Two{rows->y[i], rows->y[j]}};
+    const Two a = same_frame ? vertex(i) : placed(i);
+    const Two b = same_frame ? vertex(j) : placed(j);
+    return {Two{a[0], b[0]}, Two{a[1], b[1]}};
   }
 
   /// Of a direction in the world, the first vertex that lies farthest along it.
@@ -361,20 +398,15 @@ struct Asked {
   [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
-    const auto place = [&](const Body<S>& body, int i) {
-      return bodies.same_frame ? body.vertex(i) : body.placed(i);
-    };
-    const Two to = place(bodies.y, y0);
-    const Two to_other = place(bodies.y, y1);
-    const Two to_x{to[0], to_other[0]};
-    const Two to_y{to[1], to_other[1]};
+    const Flat<Two> from = bodies.x.places(x0, x1, bodies.same_frame);
+    const Flat<Two> to = bodies.y.places(y0, y1, bodies.same_frame);
     const Two offset = bodies.same_frame ? Two{0.0, 0.0} : bodies.offset;
-    const auto lengths_sq = [&](const Two& from) {
-      const Two x = (to_x - both(from[0])) + both(offset[0]);
-      const Two y = (to_y - both(from[1])) + both(offset[1]);
+    const auto lengths_sq = [&](const Flat<Two>& start) {
+      const Two x = (to.x - start.x) + both(offset[0]);
+      const Two y = (to.y - start.y) + both(offset[1]);
       return x * x + y * y;
     };
-    const Two most = larger(lengths_sq(place(bodies.x, x0)), lengths_sq(place(bodies.x, x1)));
+    const Two most = larger(lengths_sq(from), lengths_sq({swapped(from.x), swapped(from.y)}));
     return gjk::larger(most[0], most[1]);
   }
   [[nodiscard]] double careful_distance() const {

@@ -1,33 +1,20 @@
 // "distance", "trace" and single steps take bit-identical decisions and give bit-identical results:
 // recording a run cannot change it. Arguments: float|double and the number of pairs.
 
-#include <cstring>
 #include <string>
 
 #include "check.hpp"
 #include "geometry/families.hpp"
+#include "same_bits.hpp"
 
 namespace {
 
+using check::same_bits;
 using families::Family;
 using families::kFamilyCount;
 
 constexpr std::uint64_t kSeed = 20100311;
 
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-template <class S>
-bool same_bits(const gjk::SupportPoint<S, 2>& a, const gjk::SupportPoint<S, 2>& b) {
-  return same_bits(a.w, b.w) && a.pair == b.pair;
-}
-template <class S>
-bool same_bits(const gjk::Simplex<S, 2>& a, const gjk::Simplex<S, 2>& b) {
-  bool same = a.count == b.count && same_bits(a.weights, b.weights);
-  for (int i = 0; i < 3 && same; ++i) same = same_bits(a.vertices[i], b.vertices[i]);
-  return same;
-}
 template <class S>
 bool same_bits(const gjk::State<S, 2>& a, const gjk::State<S, 2>& b) {
   return a.phase == b.phase && a.previous == b.previous && a.iteration == b.iteration &&
@@ -38,15 +25,6 @@ bool same_bits(const gjk::State<S, 2>& a, const gjk::State<S, 2>& b) {
          same_bits(a.best_sq, b.best_sq) && same_bits(a.plane_distance_sq, b.plane_distance_sq) &&
          same_bits(a.plane_reach_sq, b.plane_reach_sq);
 }
-template <class S>
-bool same_bits(const gjk::Result<S, 2>& a, const gjk::Result<S, 2>& b) {
-  return a.error == b.error && a.stop == b.stop && a.verdict == b.verdict &&
-         a.settled == b.settled && a.iterations == b.iterations &&
-         same_bits(a.distance, b.distance) && same_bits(a.lower, b.lower) &&
-         same_bits(a.upper, b.upper) && same_bits(a.distance_sq, b.distance_sq) &&
-         same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.simplex, b.simplex);
-}
-
 /// Half of the pairs run with the default options, the others with mixed ones.
 gjk::Options random_options(families::Source& random, int x_count, int y_count) {
   gjk::Options options;

@@ -1,0 +1,151 @@
+// The ordinary query: what the quick way answers is what the phases answer, and it does answer.
+
+#include "gjk/quick.hpp"
+
+#include "check.hpp"
+#include "geometry/families.hpp"
+#include "same_bits.hpp"
+
+namespace {
+
+using families::Family;
+using gjk::Vec;
+
+struct Shares {
+  long ordinary = 0;
+  long answered = 0;
+};
+
+template <class S>
+void compare(const gjk::Query<S, 2>& query, const gjk::Options& options, Shares& shares) {
+  const auto prepared = gjk::prepare<double>(query, options);
+  if (!gjk::quick::is_ordinary(query, options, prepared)) return;
+  ++shares.ordinary;
+  gjk::Result<double, 2> quick;
+  if (!gjk::quick::distance(query, options, prepared, quick)) return;
+  ++shares.answered;
+  const auto end = gjk::detail::run(query, options, prepared);
+  CHECK(check::same_bits(gjk::result(end, query, options, prepared), quick));
+}
+
+/// Cold, warm, and with a cap that some runs reach.
+template <class S>
+void compare_all_families(std::uint64_t seed) {
+  families::Source random(seed);
+  for (int i = 0; i < 40 * families::kFamilyCount; ++i) {
+    const auto family = static_cast<Family>(i % families::kFamilyCount);
+    const check::Context context("seed", seed, "pair", i, "family",
+                                 families::kFamilyNames[i % families::kFamilyCount]);
+    const families::Pair<S> pair = random.pair<S>(family);
+    Shares shares;
+    compare(pair.query(), {}, shares);
+    gjk::Options warm;
+    warm.start_count = 1;
+    warm.start[0] = {random.among(0, static_cast<int>(pair.x.size()) - 1),
+                     random.among(0, static_cast<int>(pair.y.size()) - 1)};
+    compare(pair.query(), warm, shares);
+    gjk::Options short_run;
+    short_run.iteration_cap = random.among(1, 3);
+    compare(pair.query(), short_run, shares);
+  }
+}
+
+TEST(as_the_phases, "what the quick way answers, the phases do, to the last bit") {
+  compare_all_families<double>(20100312);
+  compare_all_families<float>(20100313);
+}
+
+/// How shapes of `count` vertices stand.
+enum class Stand { in_one_frame, moved, turned, turned_far_from_their_origin };
+
+Shares shares_of(int count, Stand stand) {
+  constexpr std::uint64_t kSeed = 20100314;
+  families::Source random(kSeed);
+  Shares shares;
+  for (int i = 0; i < 500; ++i) {
+    const check::Context context("seed", kSeed, "pair", i, "vertices", count);
+    families::Pair<double> pair = random.polygons(count);
+    if (stand == Stand::turned_far_from_their_origin) {
+      for (Vec<double, 2>& vertex : pair.x) vertex += Vec<double, 2>(100.0, -30.0);
+      for (Vec<double, 2>& vertex : pair.y) vertex += Vec<double, 2>(100.0, -30.0);
+    }
+    if (stand != Stand::in_one_frame) pair.y_pose.translation[0] = random.between(-0.5, 0.5);
+    if (stand >= Stand::turned) {
+      const double angle = random.between(-0.2, 0.2);
+      pair.x_pose.rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+      pair.y_pose.rotation = pair.x_pose.rotation;
+    }
+    compare(pair.query(), {}, shares);
+  }
+  return shares;
+}
+
+TEST(ordinary, "polygons go the quick way, however they stand, and come to its end") {
+  for (const int count : {1, 2, 3, 4, 5, 8, 9, 12}) {
+    for (const Stand stand :
+         {Stand::in_one_frame, Stand::moved, Stand::turned, Stand::turned_far_from_their_origin}) {
+      const check::Context context("vertices", count, "stand", static_cast<int>(stand));
+      const Shares shares = shares_of(count, stand);
+      CHECK_EQ(500L, shares.ordinary);
+      CHECK(shares.answered >= 495);
+    }
+  }
+}
+
+TEST(not_ordinary, "other rules and large rings go through the phases") {
+  const std::vector<Vec<double, 2>> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  std::vector<Vec<double, 2>> ring;
+  for (int i = 0; i < 64; ++i)
+    ring.emplace_back(3.0 + std::cos(0.098 * i - 3.1), std::sin(0.098 * i - 3.1));
+  const auto is_ordinary = [](const gjk::Query<double, 2>& query, const gjk::Options& options) {
+    return gjk::quick::is_ordinary(query, options, gjk::prepare<double>(query, options));
+  };
+  const gjk::Query<double, 2> query{{square}, {square}};
+  CHECK(is_ordinary(query, {}));
+  const auto refused = [&](const auto& change) {
+    gjk::Options options;
+    change(options);
+    return !is_ordinary(query, options);
+  };
+  CHECK(refused([](auto& o) { o.start_count = 2; }));
+  CHECK(refused([](auto& o) { o.direction_rule = gjk::DirectionRule::towards_origin; }));
+  CHECK(refused([](auto& o) { o.region_order = gjk::RegionOrder::edges_first; }));
+  CHECK(refused([](auto& o) { o.stop_on_repeated_support = false; }));
+  CHECK(refused([](auto& o) { o.stop_on_no_progress = false; }));
+  CHECK(refused([](auto& o) { o.tolerance = 0.1; }));
+  CHECK(refused([](auto& o) { o.iteration_cap = 0; }));
+  CHECK(!is_ordinary({{square}, {ring}}, {}));
+  CHECK(!is_ordinary({{ring}, {square}}, {}));
+  const std::vector<Vec<double, 2>> huge = {{1e300, 0}, {2e300, 1e300}, {1e300, 2e300}};
+  CHECK(!is_ordinary({{huge}, {square}}, {}));
+}
+
+TEST(scans, "a scan takes the first of the vertices that lie farthest, on either side") {
+  families::Source random(20100315);
+  for (int i = 0; i < 20000; ++i) {
+    const int count = random.among(1, 12);
+    const auto list = random.grid_points<double>(count, random.among(1, 3));
+    const gjk::Points<double, 2> points = list;
+    const gjk::Two d{static_cast<double>(random.among(-2, 2)),
+                     static_cast<double>(random.among(-2, 2))};
+    const bool other_way = random.with_chance(0.5);
+    const auto along = [&](int k) {
+      const double value =
+          d[0] * list[static_cast<std::size_t>(k)][0] + d[1] * list[static_cast<std::size_t>(k)][1];
+      return other_way ? -value : value;
+    };
+    int first = 0;
+    for (int k = 1; k < count; ++k) first = along(first) < along(k) ? k : first;
+    const check::Context context("list", i, "of", count);
+    if (points.is_small() && !points.is_centred()) {
+      CHECK_EQ(first, gjk::quick::farthest(count, d, gjk::quick::both(other_way ? -0.0 : 0.0),
+                                           points.rows()));
+    }
+    CHECK_EQ(first, gjk::quick::farthest(count, other_way ? -d : d, [&](int k) {
+               const Vec<double, 2>& vertex = list[static_cast<std::size_t>(k)];
+               return gjk::Two{vertex[0], vertex[1]};
+             }));
+  }
+}
+
+}  // namespace
