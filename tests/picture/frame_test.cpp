@@ -342,6 +342,30 @@ TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
   EXPECT_EQ(after(texts, "support point no farther"), "·") << "nothing is compared any more";
 }
 
+TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
+  const std::vector<std::string> drop = texts_of_frame("stop-repeated", 2);
+  EXPECT_EQ(after(drop, "Stop tests: the first that holds"), "·") << "nothing is tested yet";
+  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 3);
+  EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, 3 needed");
+  EXPECT_EQ(after(direction, "P no nearer"), "·") << "of d = 0, which is asked of the next phase";
+  const std::vector<std::string> support = texts_of_frame("stop-repeated", 4);
+  EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
+  EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";
+  // What a stop phase told stays while the support point joins.
+  const LessonRun run = run_lesson(testing::shipped_lesson("stop-contained"));
+  int adds = 0;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    if (run.frames[i].step < 0 || run.step(run.frames[i]).phase != gjk::Phase::add) continue;
+    ++adds;
+    const auto add = texts_of_frame("stop-contained", static_cast<int>(i));
+    const auto stop = texts_of_frame("stop-contained", static_cast<int>(i) - 1);
+    for (const char* test :
+         {"Q inside S", "d = 0", "support point in S", "support point no farther"})
+      EXPECT_EQ(after(add, test), after(stop, test)) << test;
+  }
+  EXPECT_EQ(adds, 1);
+}
+
 TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   const auto holds = [](const std::vector<std::string>& texts, const std::string& words) {
     return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
