@@ -376,6 +376,10 @@ TEST(Panel, TheScanMarksTheSimplexOnceItIsAskedWhetherTheWinnerIsNews) {
   EXPECT_EQ(after(rows, "B"), "2.2500");
   EXPECT_EQ(after(rows, "C"), "in the simplex");
   EXPECT_EQ(after(rows, "C", 2), "2.2500") << "no less than B";
+  const LessonRun right = run_lesson(testing::shipped_lesson("stop-edge-right"));
+  const std::vector<std::string> no_scan =
+      texts_of_frame("stop-edge-right", right.frames.size() - 1);
+  EXPECT_EQ(std::count(no_scan.begin(), no_scan.end(), "in the simplex"), 0) << "nothing was found";
 }
 
 TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {

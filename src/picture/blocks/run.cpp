@@ -39,7 +39,7 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
                                     [&](const auto& seen) { return seen.index == i; });
     const bool wins = i == best;
     // Once it is to be decided whether the winner is news: the vertices that are none.
-    const bool in_simplex = panel.run.point_query() && panel.phase() == Phase::stop &&
+    const bool in_simplex = panel.run.point_query() && panel.stop_follows_support() &&
                             simplex_has(panel.state.simplex, {0, i});
     panel.subject =
         of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
