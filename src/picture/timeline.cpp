@@ -126,7 +126,7 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       const std::string closest = result.distance > 0.0
                                       ? format("{} – {}", feature_name(run, result.simplex, true),
                                                feature_name(run, result.simplex, false))
-                                      : "overlap";
+                                      : "distance 0";
       group(closest).ticks.push_back({});
     } else if (frame.step < 0) {
       group("start").ticks.push_back({"S", "", false});

@@ -342,6 +342,82 @@ TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
   EXPECT_EQ(after(texts, "support point no farther"), "·") << "nothing is compared any more";
 }
 
+TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
+  const std::vector<std::string> drop = texts_of_frame("stop-repeated", 2);
+  EXPECT_EQ(after(drop, "Stop tests: the first that holds"), "·") << "nothing is tested yet";
+  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 3);
+  EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, 3 needed");
+  EXPECT_EQ(after(direction, "P no nearer"), "·") << "of d = 0, which is asked of the next phase";
+  const std::vector<std::string> support = texts_of_frame("stop-repeated", 4);
+  EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
+  EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";
+  // What a stop phase told stays while the support point joins.
+  const LessonRun run = run_lesson(testing::shipped_lesson("stop-contained"));
+  int adds = 0;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    if (run.frames[i].step < 0 || run.step(run.frames[i]).phase != gjk::Phase::add) continue;
+    ++adds;
+    const auto add = texts_of_frame("stop-contained", static_cast<int>(i));
+    const auto stop = texts_of_frame("stop-contained", static_cast<int>(i) - 1);
+    for (const char* test :
+         {"Q inside S", "d = 0", "support point in S", "support point no farther"})
+      EXPECT_EQ(after(add, test), after(stop, test)) << test;
+  }
+  EXPECT_EQ(adds, 1);
+}
+
+TEST(Panel, TheScanMarksTheSimplexOnceItIsAskedWhetherTheWinnerIsNews) {
+  const std::vector<std::string> found = texts_of_frame("collinear", 4);
+  EXPECT_EQ(std::count(found.begin(), found.end(), "in the simplex"), 0);
+  const std::vector<std::string> stop = texts_of_frame("collinear", 5);
+  EXPECT_EQ(std::count(stop.begin(), stop.end(), "in the simplex"), 2);
+  const auto scan = std::find(stop.begin(), stop.end(), "Support scan: dot(d, vertex)");
+  const std::vector<std::string> rows(scan, stop.end());
+  EXPECT_EQ(after(rows, "B"), "2.2500");
+  EXPECT_EQ(after(rows, "C"), "in the simplex");
+  EXPECT_EQ(after(rows, "C", 2), "2.2500") << "no less than B";
+  const LessonRun right = run_lesson(testing::shipped_lesson("stop-edge-right"));
+  const std::vector<std::string> no_scan =
+      texts_of_frame("stop-edge-right", right.frames.size() - 1);
+  EXPECT_EQ(std::count(no_scan.begin(), no_scan.end(), "in the simplex"), 0) << "nothing was found";
+}
+
+TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
+  // The weight of D, from the projection of Q onto CD.
+  const LessonRun repeated = run_lesson(testing::shipped_lesson("stop-repeated"));
+  const Eigen::Vector2d q = repeated.runs[0].x_world[0];
+  const Eigen::Vector2d c = repeated.runs[0].y_world[2];
+  const Eigen::Vector2d d = repeated.runs[0].y_world[3];
+  const double of_d = (q - c).dot(d - c) / (d - c).squaredNorm();
+  const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+  };
+  const std::vector<std::string> closest = texts_of_frame("stop-repeated", 1);
+  const std::vector<std::string> drop = texts_of_frame("stop-repeated", 2);
+  for (const double weight : {of_d, 1.0 - of_d}) {
+    EXPECT_FALSE(has(closest, fixed(weight, 3)));
+    EXPECT_TRUE(has(drop, fixed(weight, 3))) << weight;
+  }
+  EXPECT_TRUE(has(texts_of_frame("collinear", 2), "0")) << "B, which is dropped";
+
+  // Where the panel has the weights, it marks those that are kept.
+  const LessonRun pentagon = run_lesson(testing::shipped_lesson("polygon-evolution"));
+  EffectGraph of_pentagon(pentagon);
+  const auto frames = lesson_pictures(pentagon, of_pentagon, Fonts(kAssets / "fonts.toml"));
+  int drops = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Frame& frame = pentagon.frames[i];
+    if (frame.step < 0 || frame.question >= 0) continue;
+    const bool drops_vertices = pentagon.step(frame).phase == gjk::Phase::cull;
+    const auto marked =
+        std::count_if(frames[i].picture.marks.begin(), frames[i].picture.marks.end(),
+                      [](const Mark& mark) { return mark.role == "highlight.pass"; });
+    EXPECT_EQ(marked, drops_vertices ? pentagon.state(frame).simplex.count : 0) << i + 1;
+    drops += drops_vertices;
+  }
+  EXPECT_EQ(drops, 3);
+}
+
 TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   const auto holds = [](const std::vector<std::string>& texts, const std::string& words) {
     return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {

@@ -123,9 +123,40 @@ TEST(LinkedCaptions, SayWhatWasComputed) {
             "On the vertices of X the same weights give x = 0.747 B + 0.253 C.");
   const auto slide = pictures_of(run_lesson(shipped_lesson("minkowski-translate")));
   EXPECT_EQ(slide[1].text.caption,
-            "The robot moved by (1.00, 2.00), so Z slides by (−1.00, −2.00): the opposite way.");
+            "The robot moved by (0.25, 1.50), so Z slides by (−0.25, −1.50): the opposite way.");
   EXPECT_EQ(slide[6].text.caption,
-            "Both moved by (1.00, −1.00): Z and everything in it stay where they were.");
+            "Both moved by (0.50, −0.50): Z and everything in it stay where they were.");
+}
+
+TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
+  Lesson lesson = shipped_lesson("minkowski-translate");
+  const LessonRun shipped = run_lesson(lesson);
+  const PositionedRun& last = shipped.runs.back();
+  // B of the robot lies between N and R of the obstacle, and A and C lie beyond their line. All of
+  // it exactly: coordinates are multiples of 1/4.
+  const Eigen::Vector2d n = last.y_world[3];
+  const Eigen::Vector2d r = last.y_world[4];
+  const Eigen::Vector2d outwards(n.y() - r.y(), r.x() - n.x());
+  EXPECT_EQ(last.x_world[1], 0.5 * (n + r));
+  for (const Eigen::Vector2d& y : last.y_world) EXPECT_GE(outwards.dot(y - n), 0.0);
+  EXPECT_LT(outwards.dot(last.x_world[0] - n), 0.0);
+  EXPECT_LT(outwards.dot(last.x_world[2] - n), 0.0);
+  const std::string touches =
+      "The robot touches the obstacle: p lies on the boundary of the grown obstacle, O on that of "
+      "Z.";
+  EXPECT_EQ(pictures_of(shipped).back().text.caption, touches);
+
+  // A step towards the obstacle, and one away from it.
+  Eigen::Vector2d& goal = lesson.path_of_shapes->x.points.back();
+  goal += 0.125 * outwards;
+  EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption,
+            "The robot and the obstacle overlap: p lies inside the grown obstacle, O inside Z.");
+  goal -= 0.25 * outwards;
+  EXPECT_TRUE(
+      pictures_of(run_lesson(lesson)).back().text.caption.starts_with("The robot moved by"));
+  // Vertex on vertex.
+  goal = shipped.runs.back().y.translate + lesson.y.vertices[3] - lesson.x.vertices[1];
+  EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption, touches);
 }
 
 TEST(LinkedCaptions, TheSlabProvesTheDistance) {

@@ -17,6 +17,11 @@ bool weights_known(const PanelBuilder& panel) {
   return panel.phase() && *panel.phase() != Phase::add;
 }
 
+bool simplex_has(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
+  return std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
+                     [&](const auto& vertex) { return vertex.pair == pair; });
+}
+
 void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries, bool of_x,
              double x0, double x1, const std::string& title) {
   const LessonShape& shape = of_x ? panel.run.lesson.x : panel.run.lesson.y;
@@ -33,12 +38,22 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&](const auto& seen) { return seen.index == i; });
     const bool wins = i == best;
+    // Once it is to be decided whether the winner is news: the vertices that are none.
+    const bool in_simplex = panel.run.point_query() && panel.stop_follows_support() &&
+                            simplex_has(panel.state.simplex, {0, i});
     panel.subject =
         of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
-    panel.write(wins ? "support.label" : "body", x0, names[i], wins ? type::kStrong : type::kBody);
-    panel.write(wins ? "support.label" : "code", x1,
-                entry == entries.end() ? "–" : panel.numbers(entry->value),
-                wins ? type::kCodeBold : type::kCode, Align::right);
+    const bool strong = wins || in_simplex;
+    panel.write(wins         ? "support.label"
+                : in_simplex ? "simplex.label"
+                             : "body",
+                x0, names[i], strong ? type::kStrong : type::kBody);
+    if (in_simplex) panel.write("simplex.label", x0 + 24.0, "in the simplex", type::kBody);
+    panel.write(wins         ? "support.label"
+                : in_simplex ? "simplex.label"
+                             : "code",
+                x1, entry == entries.end() ? "–" : panel.numbers(entry->value),
+                strong ? type::kCodeBold : type::kCode, Align::right);
     panel.y += kTightRow;
   }
   panel.subject = {};
@@ -60,6 +75,7 @@ void simplex(PanelBuilder& panel) {
   int rows = 0;
   for (int i = 0; i < panel.state.simplex.count; ++i, ++rows) {
     panel.subject = subject_of(panel.run, panel.state.simplex.vertices[i].pair);
+    if (panel.phase() == Phase::cull) panel.highlight("highlight.pass");  // what is kept
     panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("strong", name_at, panel.words.vertex(i), type::kStrong);
     const bool has_weight = weights_known(panel);

@@ -35,8 +35,7 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   switch (test.reason) {
     case StopReason::origin_inside:
-      return format("{} {}, 3 needed", panel.state.simplex.count,
-                    panel.state.simplex.count == 1 ? "vertex" : "vertices");
+      return format("{:.0f} {}, 3 needed", test.left, test.left == 1.0 ? "vertex" : "vertices");
     case StopReason::zero_direction:
       return "|d| = " + number(panel.state.d.norm());
     case StopReason::repeated_support:
@@ -48,7 +47,7 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
     case StopReason::within_tolerance:
       return format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
     default:
-      return format("{} of {}", panel.state.iteration, panel.run.lesson.options.iteration_cap);
+      return format("{:.0f} of {:.0f}", test.right, test.left);
   }
 }
 
@@ -73,23 +72,51 @@ void row(PanelBuilder& panel, TestMark mark, const std::string& name, const std:
   panel.y += kRow + 2.0;
 }
 
+/// The stop phase that this frame's iteration comes to, or came to; -1 before the first iteration.
+int stop_step(const PanelBuilder& panel) {
+  if (panel.frame.step < 0) return -1;
+  const auto& steps = panel.run.run(panel.frame).trace.steps;
+  for (int i = panel.frame.step; i < static_cast<int>(steps.size()); ++i) {
+    if (steps[i].phase == gjk::Phase::stop) return i;
+    if (steps[i].phase == gjk::Phase::add) return i - 1;
+  }
+  return -1;
+}
+
+/// True for tests that the run had behind it in this phase: a run that goes on to a direction is
+/// not inside and came nearer, one that goes on to a scan has a direction.
+bool decided(const PanelBuilder& panel, StopReason reason, bool follows_support) {
+  switch (*panel.phase()) {
+    case gjk::Phase::closest:
+    case gjk::Phase::cull:
+      return false;
+    case gjk::Phase::direction:
+      return reason == StopReason::origin_inside;
+    case gjk::Phase::support:
+      return reason == StopReason::origin_inside || reason == StopReason::zero_direction;
+    case gjk::Phase::stop:
+    case gjk::Phase::add:
+      return reason != StopReason::no_progress || follows_support;
+  }
+  return false;
+}
+
 /// Whether P came nearer than in the iteration before, which is asked before there is a direction.
-void nearer(PanelBuilder& panel, const gjk::StopTest<double>* test) {
+void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* test) {
   const std::string name = "P no nearer";
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   std::vector<double> lengths;  // of this iteration and the one before
   for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
     if (steps[i].phase == gjk::Phase::closest) lengths.push_back(std::sqrt(steps[i].after.p_sq));
-  if (panel.phase() != gjk::Phase::stop || lengths.size() < 2)
+  if (!is_decided || lengths.size() < 2 || panel.state.stop == StopReason::origin_inside)
     return row(panel, TestMark::untried, name, "");
-  const bool holds = !panel.stop_follows_support() && test && test->tried && test->holds;
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
-  if (panel.state.stop == StopReason::origin_inside) return row(panel, TestMark::untried, name, "");
   const std::string length =
       panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|";
-  if (holds)
+  if (test && test->tried && test->holds) {
     return row(panel, TestMark::holds, name,
                format("{} = {} as before", length, number(lengths[0])));
+  }
   row(panel, TestMark::fails, name, format("{} < {}", number(lengths[0]), number(lengths[1])));
 }
 
@@ -97,28 +124,31 @@ void nearer(PanelBuilder& panel, const gjk::StopTest<double>* test) {
 
 void stop_tests(PanelBuilder& panel) {
   panel.heading("Stop tests: the first that holds");
-  static const std::vector<gjk::StopTest<double>> none;
-  const bool decided = panel.phase() == gjk::Phase::stop;
-  const auto& tests = decided ? panel.run.step(panel.frame).record.stop_tests : none;
+  const auto& steps = panel.run.run(panel.frame).trace.steps;
+  const int stop = stop_step(panel);
+  const bool follows_support = stop > 0 && steps[stop - 1].phase == gjk::Phase::support;
+  const auto tried = [&](StopReason reason) -> const gjk::StopTest<double>* {
+    if (stop < 0) return nullptr;
+    const auto& tests = steps[stop].record.stop_tests;
+    const auto test = std::find_if(tests.begin(), tests.end(),
+                                   [&](const auto& other) { return other.reason == reason; });
+    return test == tests.end() || !test->tried ? nullptr : &*test;
+  };
   constexpr std::array<StopReason, 6> kOrder = {
       StopReason::origin_inside, StopReason::zero_direction,   StopReason::repeated_support,
       StopReason::no_progress,   StopReason::within_tolerance, StopReason::iteration_cap};
-  const auto found = [&](StopReason reason) -> const gjk::StopTest<double>* {
-    const auto test = std::find_if(tests.begin(), tests.end(),
-                                   [&](const auto& other) { return other.reason == reason; });
-    return test == tests.end() ? nullptr : &*test;
-  };
   for (const StopReason reason : kOrder) {
     if (left_out(panel.run.lesson.options, reason)) continue;
-    const gjk::StopTest<double>* test = found(reason);
-    if (reason == StopReason::no_progress && !panel.stop_follows_support()) test = nullptr;
-    const TestMark mark = !test || !test->tried ? TestMark::untried
-                          : test->holds         ? TestMark::holds
-                                                : TestMark::fails;
+    const bool is_decided = stop >= 0 && decided(panel, reason, follows_support);
+    const gjk::StopTest<double>* test = is_decided ? tried(reason) : nullptr;
+    const TestMark mark = !test         ? TestMark::untried
+                          : test->holds ? TestMark::holds
+                                        : TestMark::fails;
     row(panel, mark, name_of_test(panel, reason), test ? compared(panel, *test) : "");
     if (reason == StopReason::origin_inside &&
-        !left_out(panel.run.lesson.options, StopReason::no_progress))
-      nearer(panel, found(StopReason::no_progress));
+        !left_out(panel.run.lesson.options, StopReason::no_progress)) {
+      nearer(panel, is_decided, follows_support ? nullptr : tried(StopReason::no_progress));
+    }
   }
 }
 

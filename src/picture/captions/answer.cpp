@@ -4,6 +4,7 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
+#include "geometry/polygon.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -105,33 +106,68 @@ void warm_start(const Story& story, FrameText& text) {
                         warm_sum, cold_sum);
 }
 
-void slide(const Story& story, FrameText& text) {
-  const Lesson& lesson = story.run.lesson;
-  const std::string distance = story.numbers(story.trace.result.distance);
-  text.detail = format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
-                       distance, lesson.x.name, lesson.y.name, lesson.y.name);
-  if (story.frame.run == 0) {
-    text.caption =
-        format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.", lesson.y.name,
-               lesson.x.name, lesson.y.name, lesson.y.name, lesson.x.name);
-    return;
+/// True when O lies on the boundary of Z: the shapes meet, but no point is inside of both.
+bool touching(const Story& story) {
+  if (story.trace.result.distance > 0.0) return false;
+  const MinkowskiCloud::Value& cloud = story.effects.get<MinkowskiCloud>(story.frame);
+  const MinkowskiHull::Value& hull = story.effects.get<MinkowskiHull>(story.frame);
+  // Of the size of Z: room for the rounding of y - x, which the run does without.
+  constexpr double kRounding = 1e-12;
+  const Vector2d origin = Vector2d::Zero();
+  double size = 0.0;
+  for (const int corner : hull) size = std::max(size, cloud[corner].z.norm());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector2d& a = cloud[hull[i]].z;
+    const Vector2d& b = cloud[hull[(i + 1) % hull.size()]].z;
+    if (segment_distance(origin, a, b) <= kRounding * size) return true;
   }
+  return false;
+}
+
+/// How the shapes, and with them Z, moved since the last position.
+std::string moves(const Story& story) {
+  const Lesson& lesson = story.run.lesson;
   const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
   const Vector2d x_by = story.positioned.x.translate - last.x.translate;
   const Vector2d y_by = story.positioned.y.translate - last.y.translate;
   const std::string z_by = story.numbers.point(y_by - x_by);
   if (x_by == y_by) {
-    text.caption = format("Both moved by {}: Z and everything in it stay where they were.",
-                          story.numbers.point(x_by));
-  } else if (y_by.norm() == 0.0) {
-    text.caption = format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x.name,
-                          story.numbers.point(x_by), z_by);
-  } else if (x_by.norm() == 0.0) {
-    text.caption = format("The {} moved by {}, and Z slides along by {}.", lesson.y.name,
-                          story.numbers.point(y_by), z_by);
+    return format("Both moved by {}: Z and everything in it stay where they were.",
+                  story.numbers.point(x_by));
+  }
+  if (y_by.norm() == 0.0) {
+    return format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x.name,
+                  story.numbers.point(x_by), z_by);
+  }
+  if (x_by.norm() == 0.0) {
+    return format("The {} moved by {}, and Z slides along by {}.", lesson.y.name,
+                  story.numbers.point(y_by), z_by);
+  }
+  return format("Z slides by {}: what the {} moved, less what the {} moved.", z_by, lesson.y.name,
+                lesson.x.name);
+}
+
+void slide(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const double distance = story.trace.result.distance;
+  const std::string change =
+      story.frame.run > 0
+          ? moves(story)
+          : format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.", lesson.y.name,
+                   lesson.x.name, lesson.y.name, lesson.y.name, lesson.x.name);
+  if (distance > 0.0) {
+    text.caption = change;
+    text.detail = format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
+                         story.numbers(distance), lesson.x.name, lesson.y.name, lesson.y.name);
+  } else if (touching(story)) {
+    text.caption =
+        format("The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
+               lesson.x.name, lesson.y.name, lesson.y.name);
+    text.detail = change + " All three distances are 0.";
   } else {
-    text.caption = format("Z slides by {}: what the {} moved, less what the {} moved.", z_by,
-                          lesson.y.name, lesson.x.name);
+    text.caption = format("The {} and the {} overlap: p lies inside the grown {}, O inside Z.",
+                          lesson.x.name, lesson.y.name, lesson.y.name);
+    text.detail = change + " All three distances are 0.";
   }
 }
 

@@ -63,10 +63,10 @@ void cull(const Story& story, FrameText& text) {
   }
   if (next == gjk::Phase::stop) {
     text.detail =
-        story.state.simplex.count == 3
-            ? format(
-                  "A triangle that contains {} cannot get closer: nothing is left to search for.",
-                  story.q)
+        story.state.simplex.count == 3 ? format(
+                                             "P is {0}, and nothing is closer to {0} than that: "
+                                             "nothing is left to search for.",
+                                             story.q)
         : story.reaches_query() && !dropped.empty()
             ? format("P is {} as it was before: {} brought nothing, and nothing else will.",
                      story.q, story.run.pair_name(dropped[0].pair))

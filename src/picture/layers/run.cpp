@@ -6,6 +6,7 @@
 #include "effects/projection.hpp"
 #include "effects/slab.hpp"
 #include "picture/layers/layers.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -25,6 +26,24 @@ void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& ver
     scene.disk("dropped", scene.at_difference(vertex.w), kRingRadius);
     if (!scene.run.point_query()) scene.pair_label(vertex, "dropped.label");
   }
+}
+
+/// True where no block of the panel says the weights that decide what is dropped.
+bool weights_untold(const SceneBuilder& scene) {
+  const std::vector<PanelBlock>& blocks = scene.run.lesson.panel;
+  return std::none_of(blocks.begin(), blocks.end(), [](PanelBlock block) {
+    return block == PanelBlock::simplex || block == PanelBlock::weights ||
+           block == PanelBlock::pseudocode || block == PanelBlock::two_runs;
+  });
+}
+
+/// The weight that a vertex has in P, on the side away from P.
+void weight_label(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex,
+                  const std::string& weight) {
+  const Point at = scene.at_difference(vertex.w);
+  scene.out.moving_labels.push_back(
+      scene.label("weight:" + scene.run.pair_name(vertex.pair), weight, "weight.label",
+                  type::kSmallVertex, at, kRingRadius, at - scene.at_difference(scene.state.p)));
 }
 
 }  // namespace
@@ -101,8 +120,13 @@ void simplex(SceneBuilder& scene) {
     scene.simplex_vertex(simplex.vertices[i], "simplex");
   }
   if (scene.phase == gjk::Phase::cull) {
-    for (const gjk::SupportPoint<double, 2>& dropped : scene.run.step(scene.frame).record.dropped)
-      dropped_vertex(scene, dropped);
+    const auto& dropped = scene.run.step(scene.frame).record.dropped;
+    for (const gjk::SupportPoint<double, 2>& vertex : dropped) dropped_vertex(scene, vertex);
+    if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;
+    for (const gjk::SupportPoint<double, 2>& vertex : dropped) weight_label(scene, vertex, "0");
+    const Numbers numbers(scene.run.lesson);
+    for (int i = 0; i < simplex.count; ++i)
+      weight_label(scene, simplex.vertices[i], numbers.weight(simplex.weights[i]));
   }
 }
 
