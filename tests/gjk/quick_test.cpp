@@ -55,6 +55,26 @@ TEST(as_the_phases, "what the quick way answers, the phases do, to the last bit"
   compare_all_families<float>(20100313);
 }
 
+TEST(near_an_end, "so it is where P lies nearly at an end of an edge, within what rounding hides") {
+  const std::vector<Vec<double, 2>> point = {{0, 0}};
+  const std::vector<Vec<double, 2>> triangle = {{0, 0}, {3, 0}, {1, -2}};
+  Shares shares;
+  long on_edge = 0;
+  for (int exponent = 40; exponent <= 60; ++exponent) {
+    for (const double height : {0x1p-10, 0x1p-25, 0x1p-27}) {
+      gjk::Query<double, 2> query{{point}, {triangle}};
+      query.x.pose.translation = Vec<double, 2>(std::ldexp(1.0, -exponent), height);
+      query.y.pose.rotation << 0.6, -0.8, 0.8, 0.6;
+      query.x.pose.translation = query.y.pose.rotation * query.x.pose.translation;
+      const check::Context context("2^-", exponent, "height", height);
+      compare(query, {}, shares);
+      on_edge += gjk::distance(query).simplex.count == 2 ? 1 : 0;
+    }
+  }
+  CHECK(shares.answered > 30);
+  CHECK(on_edge > 60);
+}
+
 /// How shapes of `count` vertices stand.
 enum class Stand { in_one_frame, moved, turned, turned_far_from_their_origin };
 
@@ -102,6 +122,9 @@ TEST(not_ordinary, "other rules and large rings go through the phases") {
   };
   const gjk::Query<double, 2> query{{square}, {square}};
   CHECK(is_ordinary(query, {}));
+  gjk::Options warm;
+  warm.start_count = 1;
+  CHECK(is_ordinary(query, warm));
   const auto refused = [&](const auto& change) {
     gjk::Options options;
     change(options);
