@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "claims.hpp"
 #include "cli/input.hpp"
@@ -29,6 +30,7 @@ using Eigen::Vector2d;
 // More than that only takes longer.
 constexpr std::size_t kMostBytes = 4096;
 constexpr std::size_t kMostScanned = 5000;  ///< Vertices, in all iterations of all runs.
+constexpr std::size_t kMostGrown = 2000;    ///< Vertices of random polygons.
 constexpr std::size_t kMostTold = 200;      ///< Steps.
 constexpr std::size_t kMostDrawn = 4;       ///< Frames.
 
@@ -49,6 +51,11 @@ class LessonFile {
 };
 
 bool is_cheap(const Lesson& lesson) {
+  if (lesson.growth) {
+    const std::vector<int>& sizes = lesson.growth->vertices;
+    const auto grown = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+    if (kMostGrown < grown * static_cast<std::size_t>(lesson.growth->runs)) return false;
+  }
   const gjk::Options& options = lesson.options;
   const bool all_stops = options.stop_on_repeated_support && options.stop_on_no_progress;
   const auto iterations = static_cast<std::size_t>(all_stops ? std::min(options.iteration_cap, 10)
