@@ -2,9 +2,9 @@
 // The ordinary query in the plane: the run that the phases make, kept in registers.
 //
 // The decisions are those of the phases, taken in the same order from the same operations, so the
-// answer has the same bits; tests/truth/properties_test.cpp holds `distance`, which comes this way,
-// to `trace`, which does not. Missing is what ordinary queries do not need: a run that comes to
-// such a place gives up, and the phases start over.
+// answer has the same bits; tests/gjk/quick_test.cpp holds what comes this way to the run of the
+// phases. Missing is what ordinary queries do not need: a run that comes to such a place gives up,
+// and the phases start over.
 
 #include <bit>
 
