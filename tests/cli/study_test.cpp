@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "command_line.hpp"
 
@@ -34,11 +39,24 @@ TEST(StudyCommand, SaysBeforehandThatItCannotWrite) {
 TEST(StudyCommand, InterruptedWritesWhatItHas) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
-  const std::string program = GJKSCOPE_BINARY;
-  const std::string command = "timeout --preserve-status --signal=INT 2 " + program +
-                              " study accuracy --out " + out + " >" + out + ".txt 2>" + out +
-                              ".err";
-  const int status = std::system(command.c_str());
+  const std::string command = std::string("exec ") + GJKSCOPE_BINARY + " study accuracy --out " +
+                              out + " >" + out + ".txt 2>" + out + ".err";
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(1);
+  }
+  // It tells its progress from the first measurement on.
+  const auto begin = std::chrono::steady_clock::now();
+  while (read_file(out + ".err").empty() &&
+         std::chrono::steady_clock::now() - begin < std::chrono::minutes(1)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_NE(read_file(out + ".err").find("gjkscope: interrupted; "), std::string::npos);
   const auto json = nlohmann::json::parse(read_file(out + "/accuracy.json"));
