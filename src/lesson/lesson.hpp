@@ -237,6 +237,10 @@ struct Lesson {
   Listing listing = Listing::none;
   std::vector<LessonQuestion> questions;
   Expectation expect;
+
+  [[nodiscard]] bool has_block(PanelBlock block) const {
+    return std::find(panel.begin(), panel.end(), block) != panel.end();
+  }
   friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 

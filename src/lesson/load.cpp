@@ -720,7 +720,7 @@ void LessonReader::read_panel(const Table& panel) {
   for (const Field& entry : reader_.entries(blocks, expected)) {
     const std::optional<PanelBlock> block = reader_.choice<PanelBlock>(entry, "panel block");
     if (!block) continue;
-    if (std::find(lesson_.panel.begin(), lesson_.panel.end(), *block) != lesson_.panel.end()) {
+    if (lesson_.has_block(*block)) {
       problems_.add(entry.place(), fmt::format("block '{}' is named twice", name_of(*block)),
                     "each block once");
       continue;
@@ -741,8 +741,7 @@ void LessonReader::read_panel(const Table& panel) {
   }
   const Field listing = panel["listing"];
   lesson_.listing = reader_.choice<Listing>(listing, "listing").value_or(Listing::none);
-  const bool shows_code = std::find(lesson_.panel.begin(), lesson_.panel.end(),
-                                    PanelBlock::pseudocode) != lesson_.panel.end();
+  const bool shows_code = lesson_.has_block(PanelBlock::pseudocode);
   if (shows_code && !listing) {
     problems_.add(blocks.place(), "block 'pseudocode' without a 'listing'",
                   fmt::format("listing = one of: {}", fmt::join(names_of<Listing>(), ", ")));

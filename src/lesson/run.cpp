@@ -308,6 +308,11 @@ const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
   return run(frame).trace.steps[frame.step];
 }
 
+bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
+  return std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
+                     [&](const auto& vertex) { return vertex.pair == pair; });
+}
+
 const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
 }

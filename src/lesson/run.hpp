@@ -39,7 +39,15 @@ struct PositionedRun {
   WideTrace trace;
   std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
                                        ///< those of the result.
+
+  /// True for a step right after a scan; a stop phase that is not ended the run before one.
+  [[nodiscard]] bool follows_support(int step) const {
+    return step > 0 && trace.steps[step - 1].phase == gjk::Phase::support;
+  }
 };
+
+/// True when a pair of vertices is one of those that a simplex is made of.
+[[nodiscard]] bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair);
 
 /// How often a run asked for a support point.
 [[nodiscard]] int support_calls(const WideTrace& trace);

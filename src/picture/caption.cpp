@@ -102,9 +102,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   const Story story(run, effects, frame);
   write(story, text);
   if (frame.step >= 0 && frame.question < 0) {
-    const auto& blocks = run.lesson.panel;
-    if (std::find(blocks.begin(), blocks.end(), PanelBlock::direction_rules) != blocks.end())
-      captions::direction_rules(story, text);
+    if (run.lesson.has_block(PanelBlock::direction_rules)) captions::direction_rules(story, text);
     if (story.shows(SecondRun::kName)) captions::second_run(story, text);
     if (story.shows(ShapeHull::kName)) captions::shape_hull(story, text);
   }

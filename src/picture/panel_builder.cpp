@@ -75,8 +75,7 @@ int PanelBuilder::tests_reached() const {
 }
 
 bool PanelBuilder::stop_follows_support() const {
-  return phase() == Phase::stop && frame.step > 0 &&
-         run.run(frame).trace.steps[frame.step - 1].phase == Phase::support;
+  return phase() == Phase::stop && run.run(frame).follows_support(frame.step);
 }
 
 bool PanelBuilder::knows_support() const {

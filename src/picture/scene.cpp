@@ -140,15 +140,11 @@ bool SceneBuilder::shows_whole_simplex() const {
 
 bool SceneBuilder::has_direction() const {
   return phase == gjk::Phase::direction || phase == gjk::Phase::support ||
-         (phase == gjk::Phase::stop && !stopped_early());
+         (phase == gjk::Phase::stop && positioned.follows_support(frame.step));
 }
 bool SceneBuilder::has_support() const {
-  return phase == gjk::Phase::support || (phase == gjk::Phase::stop && !stopped_early());
-}
-
-bool SceneBuilder::stopped_early() const {
-  if (frame.step < 1) return true;
-  return positioned.trace.steps[frame.step - 1].phase != gjk::Phase::support;
+  return phase == gjk::Phase::support ||
+         (phase == gjk::Phase::stop && positioned.follows_support(frame.step));
 }
 
 }  // namespace gjkscope

@@ -129,8 +129,6 @@ struct SceneBuilder {
   [[nodiscard]] bool shows_whole_simplex() const;
   [[nodiscard]] bool has_direction() const;
   [[nodiscard]] bool has_support() const;
-  /// True when the run went from cull or direction straight to the stop tests.
-  [[nodiscard]] bool stopped_early() const;
 
   const LessonRun& run;
   EffectGraph& effects;

@@ -39,6 +39,19 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
+/// A text, what takes its place, and what the problem says.
+using Edits = std::vector<std::array<std::string, 3>>;
+
+void expect_refused(const std::string& text, const Edits& edits,
+                    const std::filesystem::path& file = "lessons/two.toml") {
+  for (const auto& [from, to, what] : edits) {
+    const LoadedLesson loaded =
+        parse_lesson(replaced(text, from, to), file, testing::effects_of_views());
+    const std::string problems = all_of(loaded.problems);
+    EXPECT_NE(problems.find(what), std::string::npos) << to << "\n" << problems;
+  }
+}
+
 Edited edited(const std::string& from, const std::string& to) {
   const std::string mark = "¦";
   Edited out{replaced(testing::kFullLesson, from, to), {}};
@@ -407,7 +420,7 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   EXPECT_EQ(run.seconds(run.frames[2]), 0.0);
   EXPECT_EQ(run.seconds(run.frames[10]), 6.0);
   const std::string list = "[0.0, 3.0],";
-  const std::vector<std::array<std::string, 3>> refused = {
+  const Edits refused = {
       {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},
       {list, "[0.0, 7.0],", "number from 0 to 6"},
       {list, "[3.0, 3.0],", "does not come later"},
@@ -417,10 +430,7 @@ TEST(Load, TimeHasMomentsForEachPosition) {
       {"seconds = 6.0", "seconds = 6.0\nframes = 9", "'moments' besides 'frames'"},
       {"moments = [", "moment = [", "a simulation without frames"},
       {"start = [\"A\", \"B\"]", "start = [\"A\"]", "granularity 'time' without a segment"}};
-  for (const auto& [from, to, what] : refused) {
-    const std::string problems = all_of(parse(replaced(text, from, to)).problems);
-    EXPECT_NE(problems.find(what), std::string::npos) << what << ": " << problems;
-  }
+  expect_refused(text, refused);
 }
 
 TEST(Load, TimeMayHaveItsMomentsAtEqualSteps) {
@@ -448,7 +458,7 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
   EXPECT_EQ(loaded.lesson->growth->runs, 100);
   EXPECT_EQ(loaded.lesson->growth->seed, 1998);
   EXPECT_EQ(loaded.lesson->growth->tolerance, 0.001);
-  const std::vector<std::array<std::string, 3>> refused = {
+  const Edits refused = {
       {"[3, 10,", "[2, 10,", "entry 1 of 'vertices' is 2"},
       {"[3, 10,", "[3, 3, 10,", "3 vertices after 3; expected ascending numbers"},
       {"300000, 1000000]", "300000, 1000001]", "entry 12 of 'vertices' is 1000001"},
@@ -465,19 +475,13 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
        "'effects' in a view of growth"},
       {"show = \"growth\"", "show = \"growth\"\ncamera = { center = [0, 0], height = 1 }",
        "'camera' in a view of growth"}};
-  for (const auto& [from, to, what] : refused) {
-    const std::string problems = all_of(parse(replaced(text, from, to)).problems);
-    EXPECT_NE(problems.find(what), std::string::npos) << problems;
-  }
+  expect_refused(text, refused);
 }
 
 TEST(Load, AStudyShowsWhatItsFileHolds) {
   const std::filesystem::path file = testing::lessons_folder() / "accuracy-cost.toml";
   const std::string text = testing::file_text(file);
-  const auto parsed = [&](const std::string& changed) {
-    return parse_lesson(changed, file, testing::effects_of_views());
-  };
-  const LoadedLesson loaded = parsed(text);
+  const LoadedLesson loaded = parse_lesson(text, file, testing::effects_of_views());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const LessonStudy& study = *loaded.lesson->study;
   for (const std::string& name : study.configurations)
@@ -487,7 +491,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   EXPECT_EQ(run.frames.back().detail, static_cast<int>(study.configurations.size()));
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
-  const std::vector<std::array<std::string, 3>> refused = {
+  const Edits refused = {
       {results, "results = \"nowhere.json\"", "nowhere.json: there is no such file"},
       {results, "results = \"accuracy-cost.toml\"", "accuracy-cost.toml: not JSON"},
       {results, "", "'results'"},
@@ -497,10 +501,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
       {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'study' with a path"},
       {"show = \"study\"", "show = \"study\"\neffects = [\"history\"]",
        "'effects' in a view of study"}};
-  for (const auto& [from, to, what] : refused) {
-    const std::string problems = all_of(parsed(replaced(text, from, to)).problems);
-    EXPECT_NE(problems.find(what), std::string::npos) << to << "\n" << problems;
-  }
+  expect_refused(text, refused, file);
 }
 
 TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {

@@ -105,7 +105,7 @@ void tests(PanelBuilder& panel) {
       gjk::detail::list_regions(before.state.simplex.count, before.run.lesson.options.region_order);
   const auto& tried = before.region_tests();
   const bool leaves_room = before.gradual() && before.state.simplex.count == 3;
-  const double rows_end = before.y + order.count * (kRow + 2.0);
+  bool has_weights = false;
   for (int i = 0; i < order.count; ++i) {
     const bool reached = i <= before.tests_reached() && i < static_cast<int>(tried.size());
     const TestMark mark = !reached         ? TestMark::untried
@@ -114,10 +114,12 @@ void tests(PanelBuilder& panel) {
     test_row(before, mark, asks_now && reached && i == before.tests_reached(),
              before.words.face(order.conditions[i].face), condition(before, order, i),
              reached ? before.test_values(tried[i]) : "");
-    if (!leaves_room || !reached || !tried[i].holds) continue;
-    if (gjk::vertex_count(tried[i].region) == 2) between_ends(before, tried[i]);
+    if (!leaves_room || !reached || !tried[i].holds || gjk::vertex_count(tried[i].region) != 2)
+      continue;
+    between_ends(before, tried[i]);
+    has_weights = true;
   }
-  if (leaves_room && before.y == rows_end) before.y += kRow + 2.0;
+  if (leaves_room && !has_weights) before.y += kRow + 2.0;
   panel.y = before.y;
   std::move(before.marks.begin(), before.marks.end(), std::back_inserter(panel.marks));
 }

@@ -17,11 +17,6 @@ bool weights_known(const PanelBuilder& panel) {
   return panel.phase() && *panel.phase() != Phase::add;
 }
 
-bool simplex_has(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
-  return std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
-                     [&](const auto& vertex) { return vertex.pair == pair; });
-}
-
 void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries, bool of_x,
              double x0, double x1, const std::string& title) {
   const LessonShape& shape = of_x ? panel.run.lesson.x : panel.run.lesson.y;
@@ -40,7 +35,7 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
     const bool wins = i == best;
     // Once it is to be decided whether the winner is news: the vertices that are none.
     const bool in_simplex = panel.run.point_query() && panel.stop_follows_support() &&
-                            simplex_has(panel.state.simplex, {0, i});
+                            has_pair(panel.state.simplex, {0, i});
     panel.subject =
         of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
     const bool strong = wins || in_simplex;

@@ -126,7 +126,7 @@ void stop_tests(PanelBuilder& panel) {
   panel.heading("Stop tests: the first that holds");
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   const int stop = stop_step(panel);
-  const bool follows_support = stop > 0 && steps[stop - 1].phase == gjk::Phase::support;
+  const bool follows_support = panel.run.run(panel.frame).follows_support(stop);
   const auto tried = [&](StopReason reason) -> const gjk::StopTest<double>* {
     if (stop < 0) return nullptr;
     const auto& tests = steps[stop].record.stop_tests;

@@ -4,7 +4,6 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
-#include "geometry/polygon.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -87,8 +86,7 @@ void warm_start(const Story& story, FrameText& text) {
                                                story.numbers(result.distance))
                                       : format("{} and {} overlap: O lies in Z.",
                                                story.run.lesson.x.name, story.run.lesson.y.name);
-  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
-  if (std::find(blocks.begin(), blocks.end(), PanelBlock::starts) == blocks.end()) return;
+  if (!story.run.lesson.has_block(PanelBlock::starts)) return;
   const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
   if (story.frame.run < last) {
@@ -104,24 +102,6 @@ void warm_start(const Story& story, FrameText& text) {
   }
   text.detail += format(" All {} runs together take {} iterations, cold starts {}.", last + 1,
                         warm_sum, cold_sum);
-}
-
-/// True when O lies on the boundary of Z: the shapes meet, but no point is inside of both.
-bool touching(const Story& story) {
-  if (story.trace.result.distance > 0.0) return false;
-  const MinkowskiCloud::Value& cloud = story.effects.get<MinkowskiCloud>(story.frame);
-  const MinkowskiHull::Value& hull = story.effects.get<MinkowskiHull>(story.frame);
-  // Of the size of Z: room for the rounding of y - x, which the run does without.
-  constexpr double kRounding = 1e-12;
-  const Vector2d origin = Vector2d::Zero();
-  double size = 0.0;
-  for (const int corner : hull) size = std::max(size, cloud[corner].z.norm());
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vector2d& a = cloud[hull[i]].z;
-    const Vector2d& b = cloud[hull[(i + 1) % hull.size()]].z;
-    if (segment_distance(origin, a, b) <= kRounding * size) return true;
-  }
-  return false;
 }
 
 /// How the shapes, and with them Z, moved since the last position.
@@ -159,7 +139,7 @@ void slide(const Story& story, FrameText& text) {
     text.caption = change;
     text.detail = format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
                          story.numbers(distance), lesson.x.name, lesson.y.name, lesson.y.name);
-  } else if (touching(story)) {
+  } else if (story.trace.result.verdict == gjk::Verdict::touching) {
     text.caption =
         format("The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
                lesson.x.name, lesson.y.name, lesson.y.name);

@@ -38,8 +38,7 @@ void line(const Story& story, FrameText& text) {
     const bool before = v < 0.0;
     text.caption = format(
         "G lies beyond {}: the arrow from {} to {} points against n, so {} = {} is negative, and "
-        "{} "
-        "= {} is more than 1.",
+        "{} = {} is more than 1.",
         before ? a : b, before ? a : "G", before ? "G" : b, before ? "v" : "u",
         weight(before ? v : u), before ? "u" : "v", weight(before ? u : v));
   } else {

@@ -69,8 +69,7 @@ void maps(const Story& story, FrameText& text) {
       text.caption = "Sign map: u, v and w are all positive inside the triangle.";
       text.detail =
           "The lines are the edges, prolonged: on each of them one of the three is 0. Next: where "
-          "it "
-          "is negative.";
+          "it is negative.";
       return;
     case MapStage::negative_u:
       return negative(story, text, 0);

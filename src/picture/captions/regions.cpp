@@ -14,11 +14,9 @@ using fmt::format;
 
 /// True in lessons on the region tests. Elsewhere weights are those of P.
 bool names_coordinates(const Story& story) {
-  if (!story.run.point_query()) return false;
-  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
-  return std::any_of(blocks.begin(), blocks.end(), [](PanelBlock block) {
-    return block == PanelBlock::tests || block == PanelBlock::weights;
-  });
+  const Lesson& lesson = story.run.lesson;
+  return story.run.point_query() &&
+         (lesson.has_block(PanelBlock::tests) || lesson.has_block(PanelBlock::weights));
 }
 
 std::string region_reason(const Story& story) {
@@ -143,9 +141,9 @@ void areas(const Story& story, FrameText& text) {
 
 /// A lesson that shows no weights is told by features: weights may be new to its reader.
 bool tells_features(const Story& story) {
-  const std::vector<PanelBlock>& blocks = story.run.lesson.panel;
-  return story.state.simplex.count == 3 && story.run.lesson.granularity == Granularity::path &&
-         std::find(blocks.begin(), blocks.end(), PanelBlock::weights) == blocks.end();
+  const Lesson& lesson = story.run.lesson;
+  return story.state.simplex.count == 3 && lesson.granularity == Granularity::path &&
+         !lesson.has_block(PanelBlock::weights);
 }
 
 /// The region of the next position; 0 after the last one.

@@ -213,9 +213,7 @@ void support(const Story& story, FrameText& text) {
                name, story.run.lesson.y.vertex_names[pair.y], story.run.lesson.y.name,
                story.run.lesson.x.vertex_names[pair.x], story.run.lesson.x.name);
   }
-  const bool known = std::any_of(story.state.simplex.vertices.begin(),
-                                 story.state.simplex.vertices.begin() + story.state.simplex.count,
-                                 [&](const auto& vertex) { return vertex.pair == pair; });
+  const bool known = has_pair(story.state.simplex, pair);
   text.detail = known ? format("{} is in the simplex already: nothing of {} lies farther that way.",
                                name, story.set_name())
                       : news(story, name);

@@ -30,11 +30,9 @@ void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& ver
 
 /// True where no block of the panel says the weights that decide what is dropped.
 bool weights_untold(const SceneBuilder& scene) {
-  const std::vector<PanelBlock>& blocks = scene.run.lesson.panel;
-  return std::none_of(blocks.begin(), blocks.end(), [](PanelBlock block) {
-    return block == PanelBlock::simplex || block == PanelBlock::weights ||
-           block == PanelBlock::pseudocode || block == PanelBlock::two_runs;
-  });
+  const Lesson& lesson = scene.run.lesson;
+  return !lesson.has_block(PanelBlock::simplex) && !lesson.has_block(PanelBlock::weights) &&
+         !lesson.has_block(PanelBlock::pseudocode) && !lesson.has_block(PanelBlock::two_runs);
 }
 
 /// The weight that a vertex has in P, on the side away from P.
