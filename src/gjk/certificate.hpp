@@ -265,18 +265,18 @@ template <class R, class S, int D>
   return count_as_far<R>(static_cast<int>(along.vertices.size()), along, i, j, error);
 }
 
-/// Of four vertices of Z the squared distance from O to the farthest: those that are made of the
-/// points of X, and of Y, that lie far apart.
+/// Of two vertices of Z the squared distance from O to the farther one. They are made of the points
+/// of X, and of Y, that lie far apart; `crossed`: of the other two such pairs.
 template <class R, class S>
-[[nodiscard]] R corner_reach_sq(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
-  R most_sq(0);
-  for (const int x : query.x.vertices.far_apart()) {
-    for (const int y : query.y.vertices.far_apart()) {
-      const Vec<R, 2> w = support_point(query, prepared, {x, y}).w;
-      most_sq = std::max(most_sq, dot(w, w));
-    }
-  }
-  return most_sq;
+[[nodiscard]] R corner_reach_sq(const Query<S, 2>& query, const Prepared<R, 2>& prepared,
+                                bool crossed) {
+  const auto& [x0, x1] = query.x.vertices.far_apart();
+  const auto& [y0, y1] = query.y.vertices.far_apart();
+  const auto length_sq = [&](VertexPair pair) {
+    const Vec<R, 2> w = support_point(query, prepared, pair).w;
+    return dot(w, w);
+  };
+  return larger(length_sq({x0, crossed ? y1 : y0}), length_sq({x1, crossed ? y0 : y1}));
 }
 
 /// What bounds may have to ask of the shapes, when what the run found does not do.
@@ -288,7 +288,9 @@ struct ShapesAsked {
   VertexPair b;
   bool on_edge = false;
 
-  [[nodiscard]] R corner_reach_sq() const { return detail::corner_reach_sq(query, prepared); }
+  [[nodiscard]] R corner_reach_sq(bool crossed) const {
+    return detail::corner_reach_sq(query, prepared, crossed);
+  }
   [[nodiscard]] R careful_distance() const {
     const Flat<DoubleWord<R>> at_a = careful_vertex(query, prepared, a);
     return detail::careful_distance<R>(at_a, on_edge ? careful_vertex(query, prepared, b) : at_a,
@@ -341,8 +343,13 @@ template <class R, class Shapes>
   out.lower = plane_bound(feature.plane_distance_sq, feature.plane_reach_sq, prepared);
 
   const bool near = R(4096) * magnitude(to_line) < prepared.reach;
-  const R allowed = near ? R(0) : R(R(15.5) * u * ScalarTraits<R>::root(shapes.corner_reach_sq()));
-  const bool wide = allowed < magnitude(to_line) + error - out.lower;
+  const R width = magnitude(to_line) + error - out.lower;
+  R allowed(0);
+  for (int pass = 0; pass < 2 && !near && allowed < width; ++pass) {
+    const R reach_sq = shapes.corner_reach_sq(pass == 1);
+    allowed = larger(allowed, R(R(15.5) * u * ScalarTraits<R>::root(reach_sq)));
+  }
+  const bool wide = allowed < width;
   if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
     to_line = shapes.careful_distance();
     error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error;

@@ -337,6 +337,8 @@ template <class R, class S, int D>
 }
 
 namespace detail {
+inline constexpr Options kDefaultOptions;
+
 template <class R, class S, int D>
 [[gnu::noinline]] void run_by_phases(const Query<S, D>& query, const Options& options,
                                      const Prepared<R, D>& prepared, Result<R, D>& out) {
@@ -364,7 +366,7 @@ template <class R = Default, class S, int D>
 /// With the default options, which the compiler knows.
 template <class R = Default, class S, int D>
 [[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query) {
-  return distance<R>(query, Options());
+  return distance<R>(query, detail::kDefaultOptions);
 }
 
 /// The same run, every phase recorded.

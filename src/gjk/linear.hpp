@@ -69,6 +69,16 @@ template <class R, class S, int D>
   }
 }
 
+/// Both coordinates at once.
+template <class S>
+[[nodiscard]] Two two(const Vec<S, 2>& a) {
+  if constexpr (std::is_same_v<S, double> && alignof(Vec<S, 2>) >= alignof(Two)) {
+    return two_at(a.data());
+  } else {
+    return Two{static_cast<double>(a[0]), static_cast<double>(a[1])};
+  }
+}
+
 template <class S, int D>
 [[nodiscard]] S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
   S sum = a[0] * b[0];
@@ -96,10 +106,20 @@ template <class S, int D>
 /// As std::max and std::min, which compilers make a branch of.
 template <class S>
 [[nodiscard]] S larger(S a, S b) {
+#ifdef __SSE2__
+  if constexpr (std::is_same_v<S, double>) {
+    return _mm_cvtsd_f64(_mm_max_sd(_mm_set_sd(b), _mm_set_sd(a)));
+  }
+#endif
   return a < b ? b : a;
 }
 template <class S>
 [[nodiscard]] S smaller(S a, S b) {
+#ifdef __SSE2__
+  if constexpr (std::is_same_v<S, double>) {
+    return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(b), _mm_set_sd(a)));
+  }
+#endif
   return b < a ? b : a;
 }
 
@@ -149,6 +169,11 @@ template <class S>
 
 template <class S, int D>
 [[nodiscard]] bool is_zero(const Vec<S, D>& a) {
+#ifdef __SSE2__
+  if constexpr (D == 2 && std::is_same_v<S, double>) {
+    return _mm_movemask_pd(_mm_cmpneq_pd(two<S>(a), _mm_setzero_pd())) == 0;
+  }
+#endif
   for (int i = 0; i < D; ++i) {
     if (a[i] != S(0)) return false;
   }

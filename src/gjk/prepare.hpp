@@ -85,26 +85,22 @@ template <class S, int D>
 /// How much longer than a vector its image under `pose` can be: 1 for a rotation.
 template <class R, class S, int D>
 [[nodiscard]] R stretch(const Pose<S, D>& pose) {
-  const auto entry = [&](int row, int column) {
-    return ScalarTraits<R>::from(pose.rotation(row, column));
+  const auto column = [&](int i) -> Vec<R, D> {
+    return converted<R, S, D>(Vec<S, D>(pose.rotation.col(i)));
   };
-  R most_sq(1);
+  R longest_sq(1);
+  R skewed(0);
   for (int i = 0; i < D; ++i) {
-    R row_sq(0);
-    for (int k = 0; k < D; ++k) {
-      R product = entry(0, i) * entry(0, k);
-      for (int row = 1; row < D; ++row) product = product + R(entry(row, i) * entry(row, k));
-      row_sq = row_sq + magnitude(product);
-    }
-    most_sq = row_sq < most_sq ? most_sq : row_sq;  // lets a NaN through
+    longest_sq = larger(longest_sq, dot(column(i), column(i)));  // a NaN comes through `skewed`
+    for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
   }
-  return (R(1) + most_sq) / R(2);  // at least the root, for numbers from 1 on
+  return (R(1) + longest_sq + skewed) / R(2);  // at least the root, for numbers from 1 on
 }
 
-/// The offset where centres are not the shapes' own origins.
+/// From the centre of X to that of Y, with about twice the digits before the last rounding.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
-                                                         const Prepared<R, D>& prepared) {
+[[nodiscard]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+                                          const Prepared<R, D>& prepared) {
   Vec<R, D> out;
   const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
   const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
@@ -122,9 +118,10 @@ template <class R, class S, int D>
   }
   return out;
 }
-/// How far from the shapes' own origins their centres lie.
+/// The offset, where centres are not the shapes' own origins. Returns how far from those they lie.
 template <class R, class S, int D>
-[[nodiscard]] R length_to_centres(const Query<S, D>& query, const Prepared<R, D>& prepared) {
+[[nodiscard, gnu::noinline]] R measure_centres(const Query<S, D>& query, Prepared<R, D>& prepared) {
+  prepared.offset = offset_of_centres(query, prepared);
   const auto length_to = [&](const Pose<S, D>& pose, bool turned, const Vec<R, D>& centre) {
     const Vec<R, D> in_unit = prepared.in_unit(centre);
     return careful_length(turned ? pose.template rotated<R>(in_unit) : in_unit);
@@ -137,45 +134,40 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   const R u = ScalarTraits<R>::unit_roundoff();
-  bool is_exact = !prepared.centred;
+  bool is_exact = false;
   R from_centres(0);
   if (prepared.centred) {
-    prepared.offset = offset_of_centres(query, prepared);
-    from_centres = length_to_centres(query, prepared);
+    from_centres = measure_centres(query, prepared);
   } else {
-    for (int i = 0; i < D; ++i) {
-      const R x_place = ScalarTraits<R>::from(query.x.pose.translation[i]) * prepared.unit;
-      const R y_place = ScalarTraits<R>::from(query.y.pose.translation[i]) * prepared.unit;
-      const DoubleWord<R> offset = exact_sum(y_place, R(-x_place));
-      prepared.offset[i] = offset.hi;
-      is_exact = is_exact && offset.lo == R(0);
-    }
+    const Vec<R, D> x_place = converted<R, S, D>(query.x.pose.translation) * prepared.unit;
+    const Vec<R, D> y_place = converted<R, S, D>(query.y.pose.translation) * prepared.unit;
+    const DoubleWord<Vec<R, D>> offset = exact_sum<Vec<R, D>>(y_place, -x_place);
+    prepared.offset = offset.hi;
+    is_exact = is_zero(offset.lo);
   }
 
-  // How many roundings, times what they are relative to. In the world a vertex of Z is a single
-  // difference; else both vertices are centred and turned, subtracted, and moved by the offset. A
-  // scan compares two dot products of a direction with vertices that were centred; one or the other
-  // was turned.
-  // Turning a vector of length r rounds by at most (1 + sqrt(D)) u r.
-  const R far = length(prepared.offset);
-  R vertex_roundings = is_exact ? R(0) : far;
-  R scan_roundings(0);
   R extent(0);
+  R moved(0);  // how often a vertex rounds on its way, times how large it is
   const auto add = [&](const Shape<S, D>& shape, bool turned) {
     R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit;
-    if (turned) radius = radius * stretch<R>(shape.pose);
-    const R moved =
-        R(shape.vertices.is_centred() ? 1 : 0) + (turned ? R(D == 2 ? 2.5 : 2.8) : R(0));
+    if (turned) {
+      radius = radius * stretch<R>(shape.pose);
+      moved = moved + R(D == 2 ? 2.5 : 2.8) * radius;  // 1 + sqrt(D), of a product with a matrix
+    }
+    if (shape.vertices.is_centred()) moved = moved + radius;
     extent = extent + radius;
-    vertex_roundings = vertex_roundings + radius * (R(1) + moved);
-    scan_roundings = scan_roundings + radius * (R(2 * D) + R(2) * moved);
   };
   add(query.x, prepared.x_turned);
   add(query.y, prepared.y_turned);
+  // In the world a vertex of Z is a single difference; else both vertices are centred and turned,
+  // subtracted, and moved by the offset. A scan compares two dot products of a direction with
+  // vertices that were centred; one or the other was turned.
+  const R far = length(prepared.offset);
+  const R vertex_roundings = (is_exact ? R(0) : far) + extent + moved;
   prepared.extent = extent;
   prepared.reach = far + extent;
   prepared.vertex_error = prepared.same_frame ? R(0) : R(u * vertex_roundings);
-  prepared.scan_error = u * scan_roundings;
+  prepared.scan_error = u * (R(2 * D) * extent + R(2) * moved);
   prepared.careful_error = R(256) * u * u * (prepared.reach + from_centres);
 }
 

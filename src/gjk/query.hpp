@@ -46,8 +46,8 @@ struct Pose {
   [[nodiscard]] bool is_turned() const {
 #ifdef __SSE2__
     if constexpr (D == 2 && std::is_same_v<S, double>) {
-      const Two x = _mm_cmpneq_pd(two_at(rotation.data()), Two{1.0, 0.0});
-      const Two y = _mm_cmpneq_pd(two_at(rotation.data() + 2), Two{0.0, 1.0});
+      const Two x = _mm_cmpneq_pd(two<S>(rotation.col(0)), Two{1.0, 0.0});
+      const Two y = _mm_cmpneq_pd(two<S>(rotation.col(1)), Two{0.0, 1.0});
       return _mm_movemask_pd(_mm_or_pd(x, y)) != 0;
     }
 #endif
@@ -173,7 +173,7 @@ class Points {
   }
 
   /// All turns go the same way beyond rounding, and the edges go round once.
-  [[nodiscard]] bool is_strictly_convex_ring() const {
+  [[nodiscard, gnu::noinline]] bool is_strictly_convex_ring() const {
     const std::size_t count = points_.size();
     int turns = 0;
     int crossings = 0;

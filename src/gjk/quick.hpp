@@ -5,6 +5,9 @@
 // answer has the same bits; tests/gjk/quick_test.cpp holds what comes this way to the run of the
 // phases. Missing is what ordinary queries do not need: a run that comes to such a place gives up,
 // and the phases start over.
+//
+// What is read as a whole is written as a whole: a read that needs several writes waits until all
+// of them have left the processor, and everything after it waits, too.
 
 #include <bit>
 
@@ -22,6 +25,8 @@ namespace gjk::quick {
   return a < b ? b : a;
 #endif
 }
+[[nodiscard]] inline Two smaller(const Two& a, const Two& b) { return -larger(-a, -b); }
+[[nodiscard]] inline Two magnitudes(const Two& a) { return larger(a, -a); }
 /// Zeros with the sign of a.
 [[nodiscard]] inline Two sign_of(double a) { return both(std::copysign(0.0, a)); }
 /// a, turned round where `sign`, made of zeros, has one.
@@ -31,6 +36,12 @@ namespace gjk::quick {
 [[nodiscard]] inline double dot(const Two& a, const Two& b) {
   const Two products = a * b;
   return products[0] + products[1];
+}
+/// dot(a, b) and dot(c, d).
+[[nodiscard]] inline Two dots(const Two& a, const Two& b, const Two& c, const Two& d) {
+  const Two ab = a * b;
+  const Two cd = c * d;
+  return __builtin_shufflevector(ab, cd, 0, 2) + __builtin_shufflevector(ab, cd, 1, 3);
 }
 [[nodiscard]] inline double cross(const Two& a, const Two& b) {
   const Two products = a * swapped(b);
@@ -47,14 +58,6 @@ namespace gjk::quick {
       _mm_shuffle_ps(_mm_castsi128_ps(first), _mm_castsi128_ps(second), _MM_SHUFFLE(2, 0, 2, 0)));
 #else
   return static_cast<int>((first[0] & 1) | (first[1] & 2) | (second[0] & 4) | (second[1] & 8));
-#endif
-}
-
-[[nodiscard]] inline int bits(const TwoMasks& masks) {
-#ifdef __SSE2__
-  return _mm_movemask_pd(_mm_castsi128_pd(masks));
-#else
-  return static_cast<int>((masks[0] & 1) | (masks[1] & 2));
 #endif
 }
 
@@ -85,174 +88,207 @@ template <class VertexAt>
   return index;
 }
 
-/// By which of four numbers are less than which others, the first that none exceeds. Bits from the
-/// lowest: first < third, second < fourth, first < fourth, second < third, first < second,
-/// third < fourth.
-inline constexpr std::array<std::uint8_t, 64> kFirstOfMost = [] {
-  constexpr std::array<unsigned, 6> kExceeded = {0, 1, 0, 1, 0, 2};
-  std::array<std::uint8_t, 64> out{};
-  for (unsigned less = 0; less < out.size(); ++less) {
-    unsigned exceeded = 0;
-    for (unsigned bit = 0; bit < kExceeded.size(); ++bit) {
-      if ((less >> bit & 1U) != 0) exceeded |= 1U << kExceeded[bit];
-    }
-    out[less] = static_cast<std::uint8_t>(std::countr_one(exceeded));
-  }
-  return out;
-}();
-
-/// Four vertices of `rows` along d, from vertex i on.
-struct FourAlong {
-  Two left;
-  Two right;
-  FourAlong(const Rows& rows, int i, const Two& dx, const Two& dy, const Two& sign)
-      : left(with_sign(dx * two_at(rows.x + i) + dy * two_at(rows.y + i), sign)),
-        right(with_sign(dx * two_at(rows.x + i + 2) + dy * two_at(rows.y + i + 2), sign)) {}
-  [[nodiscard]] Two most() const { return larger(left, right); }
-  [[nodiscard]] int equal_to(const Two& value) const { return bits(left == value, right == value); }
-  [[nodiscard]] int less_than(const Two& value) const { return bits(left < value, right < value); }
-};
-
-/// The same, where the vertices stand in rows.
-[[nodiscard]] inline int farthest(int count, const Two& d, const Two& sign, const Rows& rows) {
-  const Two dx = both(d[0]);
-  const Two dy = both(d[1]);
-  const FourAlong four(rows, 0, dx, dy, sign);
-  if (count <= 4) {
-    // All comparisons at once, rather than the largest first and then where it is: a run waits for
-    // each of its scans.
-    const Two firsts{four.left[0], four.right[0]};
-    const Two seconds{four.left[1], four.right[1]};
-    return kFirstOfMost[bits(four.left < four.right, four.left < swapped(four.right)) |
-                        bits(firsts < seconds) << 4];
-  }
-  Two most = four.most();
-  const FourAlong next(rows, 4, dx, dy, sign);
-  most = larger(most, next.most());
-  most = larger(most, swapped(most));
-  return __builtin_ctz(four.equal_to(most) | next.equal_to(most) << 4);
+/// A VertexPair as one number.
+using Pair = std::uint64_t;
+[[nodiscard]] inline Pair pair_of(VertexPair indices) {
+  return std::uint64_t{static_cast<std::uint32_t>(indices.x)} |
+         std::uint64_t{static_cast<std::uint32_t>(indices.y)} << 32U;
+}
+[[nodiscard]] inline VertexPair indices(Pair pair) {
+  return {static_cast<int>(pair & 0xffffffffU), static_cast<int>(pair >> 32U)};
 }
 
-/// A shape, its vertices seen from its centre.
+/// A vertex of the simplex.
+struct Corner {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
+  Two w;
+  Pair pair;
+};
+
+/// Vectors of a shape's frame, as its pose turns them.
 template <class S>
-struct Body {
-  const Points<S, 2>& points;
-  Two column[2];  ///< Of the rotation.
-  Two centre;
-  int count;
+struct Turn {
+  Two column[2];
   bool turned;
-  bool centred;
-  bool small;
-  const Rows* rows;  ///< Of a small shape, as its pose turns them.
 
-  Body(const Shape<S, 2>& shape, bool is_turned, bool is_centred, const Vec<double, 2>& middle,
-       Rows& turned_rows)
-      : points(shape.vertices),
-        column{two(shape.pose.rotation.col(0)), two(shape.pose.rotation.col(1))},
-        centre{middle[0], middle[1]},
-        count(static_cast<int>(shape.vertices.size())),
-        turned(is_turned),
-        centred(is_centred),
-        small(points.is_small()),
-        rows(&points.rows()) {
-    if (!small || !turned) return;
-    rows = &turned_rows;
-    for (int i = 0; i < (count <= 4 ? 4 : Rows::kCount); i += 2) {
-      const Two x_row = two_at(points.rows().x + i);
-      const Two y_row = two_at(points.rows().y + i);
-      const auto turn = [&](double* to, int axis) {
-        const Two turned_row = both(column[0][axis]) * x_row + both(column[1][axis]) * y_row;
-        to[i] = turned_row[0];
-        to[i + 1] = turned_row[1];
-      };
-      turn(turned_rows.x, 0);
-      turn(turned_rows.y, 1);
-    }
-  }
+  Turn(const Pose<S, 2>& pose, bool is_turned)
+      : column{two<S>(pose.rotation.col(0)), two<S>(pose.rotation.col(1))}, turned(is_turned) {}
 
-  [[nodiscard]] static Two two(const Vec<S, 2>& a) {
-    return Two{static_cast<double>(a[0]), static_cast<double>(a[1])};
-  }
-  [[nodiscard]] Two vertex(int i) const { return two(points[i]); }
-  [[nodiscard]] Two from_centre(int i) const { return centred ? vertex(i) - centre : vertex(i); }
-  [[nodiscard]] Two rotated(const Two& a) const {
+  [[nodiscard]] Two operator()(const Two& a) const {
     if (!turned) return a;
     return column[0] * both(a[0]) + column[1] * both(a[1]);
   }
-  [[nodiscard]] Two placed(int i) const {
-    if (small) return Two{rows->x[i], rows->y[i]};
-    return rotated(from_centre(i));
+  /// Two vectors, coordinate by coordinate.
+  [[nodiscard]] Flat<Two> operator()(const Flat<Two>& a) const {
+    if (!turned) return a;
+    return {both(column[0][0]) * a.x + both(column[1][0]) * a.y,
+            both(column[0][1]) * a.x + both(column[1][1]) * a.y};
   }
-
-  /// Coordinate by coordinate, vertices i and j as Bodies::corner takes them.
-  [[nodiscard]] Flat<Two> places(int i, int j, bool same_frame) const {
-    if (small && !(same_frame && centred))
-      return {Two{rows->x[i], rows->x[j]}, Two{rows->y[i], rows->y[j]}};
-    const Two a = same_frame ? vertex(i) : placed(i);
-    const Two b = same_frame ? vertex(j) : placed(j);
-    return {Two{a[0], b[0]}, Two{a[1], b[1]}};
-  }
-
-  /// Of a direction in the world, the first vertex that lies farthest along it.
-  [[nodiscard]] int farthest(const Two& d, const Two& sign) const {
-    if (small) return quick::farthest(count, d, sign, *rows);
-    return quick::farthest(count, with_sign(to_local(d), sign),
-                           [&](int i) { return from_centre(i); });
-  }
-  /// As detail::count_as_far; 3 stands for more, too.
-  [[nodiscard]] int count_as_far(const Two& d, int i, int j, double error) const {
-    if (!small) {
-      const Two local = to_local(d);
-      return detail::count_as_far<double>(
-          count, [&](int k) { return dot(local, from_centre(k)); }, i, j, error);
-    }
-    const Two nearer = both(std::min(dot(d, placed(i)), dot(d, placed(j))) - error);
-    const Two dx = both(d[0]);
-    const Two dy = both(d[1]);
-    int less = FourAlong(*rows, 0, dx, dy, both(0.0)).less_than(nearer);
-    if (count > 4) less |= FourAlong(*rows, 4, dx, dy, both(0.0)).less_than(nearer) << 4;
-    const unsigned all = (1U << count) - 1U;
-    const unsigned first = all & ~static_cast<unsigned>(less);
-    const unsigned second = first & (first - 1U);
-    const unsigned third = second & (second - 1U);
-    return static_cast<int>(first != 0) + static_cast<int>(second != 0) +
-           static_cast<int>(third != 0);
-  }
-
- private:
-  [[nodiscard]] Two to_local(const Two& d) const {
+  /// What a direction in the world looks like to the shape.
+  [[nodiscard]] Two back(const Two& d) const {
     if (!turned) return d;
     return Two{column[0][0], column[1][0]} * both(d[0]) +
            Two{column[0][1], column[1][1]} * both(d[1]);
   }
 };
 
-/// A vertex of the simplex.
-struct Corner {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
-  Two w;
-  VertexPair pair;
+/// Two small shapes. Their vertices, placed, stand coordinate by coordinate: those of X in the
+/// first place, those of Y in the second, so that one scan goes through both.
+template <class S>
+struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
+  const Query<S, 2>& query;
+  Two offset;
+  bool same_frame;
+  int count;  ///< Of the rows: 4 or all.
+  Two x[Rows::kCount];
+  Two y[Rows::kCount];
+
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): as above
+  SmallShapes(const Query<S, 2>& asked, const Prepared<double, 2>& prepared)
+      : query(asked), offset(two(prepared.offset)), same_frame(prepared.same_frame) {
+    const Points<S, 2>& from = query.x.vertices;
+    const Points<S, 2>& to = query.y.vertices;
+    count = std::max(from.size(), to.size()) <= 4 ? 4 : Rows::kCount;
+    const Turn<S> turn_x(query.x.pose, prepared.x_turned);
+    const Turn<S> turn_y(query.y.pose, prepared.y_turned);
+    const auto two_of = [](const Rows& rows, int i) {
+      return Flat<Two>{two_at(rows.x + i), two_at(rows.y + i)};
+    };
+    for (int i = 0; i < count; i += 2) {
+      const Flat<Two> of_x = turn_x(two_of(from.rows(), i));
+      const Flat<Two> of_y = turn_y(two_of(to.rows(), i));
+      x[i] = __builtin_shufflevector(of_x.x, of_y.x, 0, 2);
+      x[i + 1] = __builtin_shufflevector(of_x.x, of_y.x, 1, 3);
+      y[i] = __builtin_shufflevector(of_x.y, of_y.y, 0, 2);
+      y[i + 1] = __builtin_shufflevector(of_x.y, of_y.y, 1, 3);
+    }
+  }
+
+  [[nodiscard]] Corner corner(Pair pair) const {
+    const auto [i, j] = indices(pair);
+    if (same_frame) return {two(query.y.vertices[j]) - two(query.x.vertices[i]), pair};
+    return {(Two{x[j][1], y[j][1]} - Two{x[i][0], y[i][0]}) + offset, pair};
+  }
+
+  /// How far vertices lie: of X along -d, of Y along d, where the direction is d with `sign`.
+  struct Along {
+    Two dx;
+    Two dy;
+    Two signs;
+    Along(const Two& d, const Two& sign)
+        : dx(both(d[0])), dy(both(d[1])), signs(with_sign(sign, Two{-0.0, 0.0})) {}
+    [[nodiscard]] Two operator()(const Two& at_x, const Two& at_y) const {
+      return with_sign(dx * at_x + dy * at_y, signs);
+    }
+  };
+
+  /// As detail::farthest_pair, without a branch.
+  [[nodiscard]] Pair farthest(const Two& d, const Two& sign) const {
+    struct Leader {
+      Two value;
+      TwoMasks index;
+    };
+    const Along along(d, sign);
+    const auto first_of = [](const Leader& a, const Leader& b) {
+      return Leader{larger(a.value, b.value),
+                    a.index ^ ((a.index ^ b.index) & (a.value < b.value))};
+    };
+    const auto of_four = [&](int i) {
+      const auto vertex = [&](int k) { return Leader{along(x[k], y[k]), TwoMasks{k, k}}; };
+      return first_of(first_of(vertex(i), vertex(i + 1)), first_of(vertex(i + 2), vertex(i + 3)));
+    };
+    Leader first = of_four(0);
+    if (count > 4) first = first_of(first, of_four(4));
+#ifdef __SSE2__
+    return static_cast<Pair>(_mm_cvtsi128_si64(
+        _mm_shuffle_epi32(std::bit_cast<__m128i>(first.index), _MM_SHUFFLE(3, 1, 2, 0))));
+#else
+    return pair_of({static_cast<int>(first.index[0]), static_cast<int>(first.index[1])});
+#endif
+  }
+
+  /// As detail::count_as_far, for both shapes: the product; 3 of a shape stand for more, too.
+  [[nodiscard]] int count_as_far(const Two& d, VertexPair a, VertexPair b, double error) const {
+    const Along along(d, both(0.0));
+    const auto at = [&](VertexPair pair) {
+      return along(Two{x[pair.x][0], x[pair.y][1]}, Two{y[pair.x][0], y[pair.y][1]});
+    };
+    const Two nearer = smaller(at(a), at(b)) - both(error);
+    unsigned less = 0;
+    for (int i = 0; i < count; i += 2) {
+      less |= static_cast<unsigned>(
+                  bits(along(x[i], y[i]) < nearer, along(x[i + 1], y[i + 1]) < nearer))
+              << 2U * static_cast<unsigned>(i);
+    }
+    const auto count_of = [&](unsigned places, const Points<S, 2>& vertices) {
+      const unsigned first = places & ~less & ((1U << 2U * vertices.size()) - 1U);
+      const unsigned second = first & (first - 1U);
+      const unsigned third = second & (second - 1U);
+      return static_cast<int>(first != 0) + static_cast<int>(second != 0) +
+             static_cast<int>(third != 0);
+    };
+    return count_of(0x5555U, query.x.vertices) * count_of(0xaaaaU, query.y.vertices);
+  }
 };
 
-/// Both, and the offset between their centres.
+/// Two shapes of any size.
 template <class S>
-struct Bodies {
-  Body<S> x;
-  Body<S> y;
+struct AnyShapes {
+  struct Body {
+    const Points<S, 2>& points;
+    Turn<S> turn;
+    Two centre;
+    bool centred;
+    int count;
+
+    Body(const Shape<S, 2>& shape, bool turned, const Vec<double, 2>& middle, bool is_centred)
+        : points(shape.vertices),
+          turn(shape.pose, turned),
+          centre(two(middle)),
+          centred(is_centred),
+          count(static_cast<int>(shape.vertices.size())) {}
+
+    [[nodiscard]] Two vertex(int i) const { return two(points[i]); }
+    [[nodiscard]] Two from_centre(int i) const { return centred ? vertex(i) - centre : vertex(i); }
+    [[nodiscard]] Two placed(int i) const { return turn(from_centre(i)); }
+
+    /// Of a direction in the world, the first vertex that lies farthest along it.
+    [[nodiscard]] int farthest(const Two& d) const {
+      if (points.is_small()) {
+        return quick::farthest(count, d, [&](int i) { return placed(i); });
+      }
+      return quick::farthest(count, turn.back(d), [&](int i) { return from_centre(i); });
+    }
+    [[nodiscard]] int count_as_far(const Two& d, int i, int j, double error) const {
+      const Two to = points.is_small() ? d : turn.back(d);
+      const auto along = [&](int k) {
+        return dot(to, points.is_small() ? placed(k) : from_centre(k));
+      };
+      return detail::count_as_far<double>(count, along, i, j, error);
+    }
+  };
+
+  Body x;
+  Body y;
   Two offset;
   bool same_frame;
 
-  Bodies(const Query<S, 2>& query, const Prepared<double, 2>& prepared, std::array<Rows, 2>& rows)
-      : x(query.x, prepared.x_turned, prepared.centred, prepared.x_centre, rows[0]),
-        y(query.y, prepared.y_turned, prepared.centred, prepared.y_centre, rows[1]),
-        offset{prepared.offset[0], prepared.offset[1]},
+  AnyShapes(const Query<S, 2>& query, const Prepared<double, 2>& prepared)
+      : x(query.x, prepared.x_turned, prepared.x_centre, prepared.centred),
+        y(query.y, prepared.y_turned, prepared.y_centre, prepared.centred),
+        offset(two(prepared.offset)),
         same_frame(prepared.same_frame) {}
 
-  [[nodiscard]] VertexPair farthest(const Two& d, const Two& sign) const {
-    return {x.farthest(d, -sign), y.farthest(d, sign)};
+  [[nodiscard]] Corner corner(Pair pair) const {
+    const auto [i, j] = indices(pair);
+    if (same_frame) return {y.vertex(j) - x.vertex(i), pair};
+    return {(y.placed(j) - x.placed(i)) + offset, pair};
   }
-  [[nodiscard]] Corner corner(VertexPair pair) const {
-    if (same_frame) return {y.vertex(pair.y) - x.vertex(pair.x), pair};
-    return {(y.placed(pair.y) - x.placed(pair.x)) + offset, pair};
+  [[nodiscard]] Pair farthest(const Two& d, const Two& sign) const {
+    const Two along = with_sign(d, sign);
+    return pair_of({x.farthest(-along), y.farthest(along)});
+  }
+  [[nodiscard]] int count_as_far(const Two& d, VertexPair a, VertexPair b, double error) const {
+    return x.count_as_far(-d, a.x, b.x, error) * y.count_as_far(d, a.y, b.y, error);
   }
 };
 
@@ -260,6 +296,7 @@ struct Bodies {
 struct Found {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
   Corner corners[3];
   double weights[3];
+  double least_area;  ///< Of the triangles that O makes with two vertices, doubled.
   int count;
   double plane_sq;  ///< See State.
   double plane_reach_sq;
@@ -269,12 +306,12 @@ struct Found {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take ti
 
 /// The phases in their order, from the simplex of the first start. False where rounding leaves
 /// something to be decided that ordinary queries do not come to.
-template <class S>
-[[nodiscard, gnu::flatten]] inline bool walk(const Bodies<S>& bodies, const Options& options,
+template <class Shapes>
+[[nodiscard, gnu::flatten]] inline bool walk(const Shapes& shapes, const Options& options,
                                              Found& found) {
-  const VertexPair first =
-      options.start_count == 0 ? bodies.farthest(bodies.offset, both(-0.0)) : options.start[0];
-  Corner a = bodies.corner(first);
+  const Pair first = options.start_count == 0 ? shapes.farthest(shapes.offset, both(-0.0))
+                                              : pair_of(options.start[0]);
+  Corner a = shapes.corner(first);
   Corner b = a;
   bool on_edge = false;  // else P is a
   Two weights{1.0, 0.0};
@@ -317,7 +354,7 @@ template <class S>
     best_sq = p_sq;
 
     // Support and stop. A vertex that is in the simplex already need not be put together again.
-    const VertexPair pair = bodies.farthest(d, side);
+    const Pair pair = shapes.farthest(d, side);
     d = with_sign(d, side);
     const auto note_plane = [&](const Two& w) {
       const double value = dot(d, w);
@@ -334,7 +371,7 @@ template <class S>
       note_plane(is_b ? b.w : a.w);
       return end(StopReason::repeated_support);
     }
-    const Corner c = bodies.corner(pair);
+    const Corner c = shapes.corner(pair);
     const double value = note_plane(c.w);
     const double along_a = dot(d, a.w);
     const double along_b = dot(d, b.w);
@@ -379,8 +416,10 @@ template <class S>
       weights = Two{of_a, of_b} / both(sum);
       ++iteration;
       static_cast<void>(end(StopReason::origin_inside));
-      found.corners[2] = c;
+      found.corners[2].w = c.w;
+      found.corners[2].pair = c.pair;
       found.weights[2] = of_c / sum;
+      found.least_area = gjk::smaller(gjk::smaller(of_a, of_b), of_c);
       found.count = 3;
       return 0.0 < of_a && 0.0 < of_b;
     }
@@ -388,40 +427,32 @@ template <class S>
 }
 
 /// What detail::bounds_outside asks.
-template <class S>
+template <class S, class Shapes>
 struct Asked {
   const Found& simplex;
-  const Bodies<S>& bodies;
+  const Shapes& shapes;
   const Query<S, 2>& query;
   const Prepared<double, 2>& prepared;
 
-  [[nodiscard]] double corner_reach_sq() const {
+  [[nodiscard]] double corner_reach_sq(bool crossed) const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
-    const Flat<Two> from = bodies.x.places(x0, x1, bodies.same_frame);
-    const Flat<Two> to = bodies.y.places(y0, y1, bodies.same_frame);
-    const Two offset = bodies.same_frame ? Two{0.0, 0.0} : bodies.offset;
-    const auto lengths_sq = [&](const Flat<Two>& start) {
-      const Two x = (to.x - start.x) + both(offset[0]);
-      const Two y = (to.y - start.y) + both(offset[1]);
-      return x * x + y * y;
-    };
-    const Two most = larger(lengths_sq(from), lengths_sq({swapped(from.x), swapped(from.y)}));
-    return gjk::larger(most[0], most[1]);
+    const Two a = shapes.corner(pair_of({x0, crossed ? y1 : y0})).w;
+    const Two b = shapes.corner(pair_of({x1, crossed ? y0 : y1})).w;
+    const Two both_sq = dots(a, a, b, b);
+    return gjk::larger(both_sq[0], both_sq[1]);
   }
   [[nodiscard]] double careful_distance() const {
-    return careful_distance_of(query, prepared, simplex.corners[0].pair, simplex.corners[1].pair,
-                               simplex.count == 2);
+    return careful_distance_of(query, prepared, indices(simplex.corners[0].pair),
+                               indices(simplex.corners[1].pair), simplex.count == 2);
   }
   [[nodiscard]] bool is_certainly_farthest(const Flat<double>& direction, double angle) const {
     const Two d{direction.x, direction.y};
     const bool on_edge = simplex.count == 2;
-    const VertexPair first = simplex.corners[0].pair;
-    const VertexPair last = on_edge ? simplex.corners[1].pair : first;
+    const VertexPair first = indices(simplex.corners[0].pair);
+    const VertexPair last = on_edge ? indices(simplex.corners[1].pair) : first;
     const double error = length(direction) * prepared.scan_error_within(angle);
-    return bodies.x.count_as_far(-d, first.x, last.x, error) *
-               bodies.y.count_as_far(d, first.y, last.y, error) ==
-           (on_edge ? 2 : 1);
+    return shapes.count_as_far(d, first, last, error) == (on_edge ? 2 : 1);
   }
 
  private:
@@ -437,18 +468,16 @@ struct Asked {
                                                                const Prepared<double, 2>& prepared,
                                                                VertexPair pair) {
     detail::CarefulSum<Two, double> sum;
-    const auto pair_of = [](const Vec<S, 2>& a, double sign) {
-      return Two{sign * static_cast<double>(a[0]), sign * static_cast<double>(a[1])};
-    };
+    const auto signed_two = [](const Vec<S, 2>& a, double sign) { return both(sign) * two(a); };
     const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, double sign) {
-      const Two local = pair_of(shape.vertices[vertex], sign);
+      const Two local = signed_two(shape.vertices[vertex], sign);
       if (!turned) return sum.add(local);
       for (int k = 0; k < 2; ++k) {
-        sum.add_product(pair_of(shape.pose.rotation.col(k), 1.0), Two{local[k], local[k]});
+        sum.add_product(two<S>(shape.pose.rotation.col(k)), Two{local[k], local[k]});
       }
     };
-    sum.add(pair_of(query.y.pose.translation, 1.0));
-    sum.add(pair_of(query.x.pose.translation, -1.0));
+    sum.add(two(query.y.pose.translation));
+    sum.add(signed_two(query.x.pose.translation, -1.0));
     add(query.y, pair.y, prepared.y_turned, 1.0);
     add(query.x, pair.x, prepared.x_turned, -1.0);
     const DoubleWord<Two> out = sum.normalised();
@@ -459,28 +488,28 @@ struct Asked {
 /// As detail::surely_inside, and what the phases ask of a triangle and its weights.
 [[nodiscard]] inline bool is_surely_inside(const Found& simplex,
                                            const Prepared<double, 2>& prepared) {
-  const Flat<double> a = flat(simplex.corners[0].w);
-  const Flat<double> b = flat(simplex.corners[1].w);
-  const Flat<double> c = flat(simplex.corners[2].w);
-  const auto& [weight_a, weight_b, weight_c] = simplex.weights;
-  const auto norm_max = [](const Flat<double>& v) {
-    return std::max(std::abs(v.x), std::abs(v.y));
-  };
-  const double size = std::max(std::max(norm_max(a), norm_max(b)), norm_max(c));
-  const double error = detail::volume_error(size, prepared);
-  const double least =
-      std::min(std::min(std::abs(cross(b, c)), std::abs(cross(a, c))), std::abs(cross(a, b)));
-  const Flat<double> p{weight_a * a.x + weight_b * b.x + weight_c * c.x,
-                       weight_a * a.y + weight_b * b.y + weight_c * c.y};
-  return error < least && !(2.0 * ScalarTraits<double>::unit_roundoff() * size < norm_max(p));
+  const auto norm_max = [](const Two& v) { return larger(v, swapped(v))[0]; };
+  Two most{0.0, 0.0};
+  Two p{0.0, 0.0};
+  for (int i = 0; i < 3; ++i) {
+    const Two& w = simplex.corners[i].w;
+    most = larger(most, magnitudes(w));
+    const Two part = both(simplex.weights[i]) * w;
+    p = i == 0 ? part : p + part;
+  }
+  const double size = norm_max(most);
+  return detail::volume_error(size, prepared) < simplex.least_area &&
+         !(2.0 * ScalarTraits<double>::unit_roundoff() * size < norm_max(magnitudes(p)));
 }
 
 /// As detail::set_witness_points: put together from the vertex of the largest weight.
 template <class S>
-[[nodiscard]] Two witness(const Found& simplex, const Body<S>& body, const Pose<S, 2>& pose,
+[[nodiscard]] Two witness(const Found& simplex, const Shape<S, 2>& shape, bool turned,
                           const Prepared<double, 2>& prepared, int VertexPair::*index) {
   const auto& weights = simplex.weights;
-  const auto vertex = [&](int i) { return body.vertex(simplex.corners[i].pair.*index); };
+  const auto vertex = [&](int i) {
+    return two(shape.vertices[indices(simplex.corners[i].pair).*index]);
+  };
   Two from = vertex(0);
   Two beyond{0.0, 0.0};
   if (simplex.count == 2) {
@@ -504,23 +533,24 @@ template <class S>
       start_at(0, 1, 2);
     }
   }
-  if (body.turned && body.centred) {
-    const Vec<double, 2> place = detail::careful_place<double>(
-        pose, Vec<double, 2>(from[0], from[1]), Vec<double, 2>(beyond[0], beyond[1]), prepared);
+  if (turned && prepared.centred) {
+    const Vec<double, 2> place =
+        detail::careful_place<double>(shape.pose, Vec<double, 2>(from[0], from[1]),
+                                      Vec<double, 2>(beyond[0], beyond[1]), prepared);
     return Two{place[0], place[1]};
   }
-  return body.rotated(from + beyond) + Body<S>::two(pose.translation);
+  return Turn<S>(shape.pose, turned)(from + beyond) + two(shape.pose.translation);
 }
 
 /// Fills in the answer. False when it is not proved, or came from a place that is not ordinary.
-template <class S>
-[[nodiscard, gnu::flatten]] bool distance(const Query<S, 2>& query, const Options& options,
-                                          const Prepared<double, 2>& prepared,
-                                          Result<double, 2>& out) {
-  std::array<Rows, 2> turned_rows;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
-  const Bodies<S> bodies(query, prepared, turned_rows);
-  Found found;
-  if (!walk(bodies, options, found)) return false;
+template <class Shapes, class S>
+[[nodiscard, gnu::flatten]] inline bool distance_between(const Query<S, 2>& query,
+                                                         const Options& options,
+                                                         const Prepared<double, 2>& prepared,
+                                                         Result<double, 2>& out) {
+  const Shapes shapes(query, prepared);
+  Found found;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
+  if (!walk(shapes, options, found)) return false;
   const Found& simplex = found;
   if (simplex.count == 3) {
     if (!is_surely_inside(simplex, prepared)) return false;
@@ -532,10 +562,10 @@ template <class S>
     const auto& [a, b, c] = simplex.corners;
     const detail::Feature<double> feature{
         flat(a.w),          flat(b.w),
-        simplex.count == 2, std::min(simplex.weights[0], simplex.weights[1]),
+        simplex.count == 2, gjk::smaller(simplex.weights[0], simplex.weights[1]),
         found.plane_sq,     found.plane_reach_sq};
-    const detail::Bounds<double> bounds =
-        detail::bounds_outside(feature, prepared, Asked<S>{simplex, bodies, query, prepared});
+    const detail::Bounds<double> bounds = detail::bounds_outside(
+        feature, prepared, Asked<S, Shapes>{simplex, shapes, query, prepared});
     if (!(0.0 < bounds.lower) || !bounds.tight) return false;
     out.verdict = Verdict::separated;
     out.distance = bounds.distance;
@@ -549,16 +579,32 @@ template <class S>
   for (int i = 0; i < simplex.count; ++i) {
     out.simplex.vertices[i].w[0] = simplex.corners[i].w[0];
     out.simplex.vertices[i].w[1] = simplex.corners[i].w[1];
-    out.simplex.vertices[i].pair = simplex.corners[i].pair;
+    out.simplex.vertices[i].pair = indices(simplex.corners[i].pair);
     out.simplex.weights[i] = simplex.weights[i];
   }
-  const Two x = witness(simplex, bodies.x, query.x.pose, prepared, &VertexPair::x);
-  const Two y = witness(simplex, bodies.y, query.y.pose, prepared, &VertexPair::y);
+  const Two x = witness(simplex, query.x, prepared.x_turned, prepared, &VertexPair::x);
+  const Two y = witness(simplex, query.y, prepared.y_turned, prepared, &VertexPair::y);
   out.x[0] = x[0];
   out.x[1] = x[1];
   out.y[0] = y[0];
   out.y[1] = y[1];
   return true;
+}
+
+template <class S>
+[[nodiscard, gnu::noinline]] bool distance_of_large(const Query<S, 2>& query,
+                                                    const Options& options,
+                                                    const Prepared<double, 2>& prepared,
+                                                    Result<double, 2>& out) {
+  return distance_between<AnyShapes<S>>(query, options, prepared, out);
+}
+template <class S>
+[[nodiscard, gnu::flatten]] inline bool distance(const Query<S, 2>& query, const Options& options,
+                                                 const Prepared<double, 2>& prepared,
+                                                 Result<double, 2>& out) {
+  if (query.x.vertices.is_small() && query.y.vertices.is_small())
+    return distance_between<SmallShapes<S>>(query, options, prepared, out);
+  return distance_of_large(query, options, prepared, out);
 }
 
 /// True when the query may go this way: the default rules, and no shape so large that climbing

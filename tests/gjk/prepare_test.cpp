@@ -187,8 +187,9 @@ Ratios measure(Family family, int pairs) {
     const long double reach = static_cast<long double>(ready.reach) / largest;
     found.reach_low = std::min(found.reach_low, reach);
     found.reach_high = std::max(found.reach_high, reach);
-    const auto corner =
-        std::sqrt(static_cast<long double>(gjk::detail::corner_reach_sq(narrow.query(), ready)));
+    const auto corner = std::sqrt(static_cast<long double>(
+        std::max(gjk::detail::corner_reach_sq(narrow.query(), ready, false),
+                 gjk::detail::corner_reach_sq(narrow.query(), ready, true))));
     found.corner_low = std::min(found.corner_low, corner / largest);
     found.corner_high = std::max(found.corner_high, corner / largest);
     ++found.pairs;

@@ -148,26 +148,34 @@ TEST(scans, "a scan takes the first of the vertices that lie farthest, on either
   for (int i = 0; i < 20000; ++i) {
     const int count = random.among(1, 12);
     const auto list = random.grid_points<double>(count, random.among(1, 3));
-    const gjk::Points<double, 2> points = list;
+    const auto other = random.grid_points<double>(random.among(1, 12), random.among(1, 3));
     const gjk::Two d{static_cast<double>(random.among(-2, 2)),
                      static_cast<double>(random.among(-2, 2))};
-    const bool other_way = random.with_chance(0.5);
-    const auto along = [&](int k) {
-      const double value =
-          d[0] * list[static_cast<std::size_t>(k)][0] + d[1] * list[static_cast<std::size_t>(k)][1];
-      return other_way ? -value : value;
+    const auto first_along = [](const std::vector<Vec<double, 2>>& vertices, const gjk::Two& to) {
+      int first = 0;
+      for (int k = 1; k < static_cast<int>(vertices.size()); ++k) {
+        const auto along = [&](int j) {
+          const Vec<double, 2>& vertex = vertices[static_cast<std::size_t>(j)];
+          return to[0] * vertex[0] + to[1] * vertex[1];
+        };
+        first = along(first) < along(k) ? k : first;
+      }
+      return first;
     };
-    int first = 0;
-    for (int k = 1; k < count; ++k) first = along(first) < along(k) ? k : first;
     const check::Context context("list", i, "of", count);
-    if (points.is_small() && !points.is_centred()) {
-      CHECK_EQ(first, gjk::quick::farthest(count, d, gjk::quick::both(other_way ? -0.0 : 0.0),
-                                           points.rows()));
-    }
-    CHECK_EQ(first, gjk::quick::farthest(count, other_way ? -d : d, [&](int k) {
-               const Vec<double, 2>& vertex = list[static_cast<std::size_t>(k)];
-               return gjk::Two{vertex[0], vertex[1]};
+    CHECK_EQ(first_along(list, d), gjk::quick::farthest(count, d, [&](int k) {
+               return gjk::two(list[static_cast<std::size_t>(k)]);
              }));
+    const gjk::Query<double, 2> query{{list}, {other}};
+    const auto prepared = gjk::prepare<double>(query, {});
+    if (!query.x.vertices.is_small() || !query.y.vertices.is_small() || prepared.centred) continue;
+    const bool other_way = random.with_chance(0.5);
+    const gjk::Two along = other_way ? -d : d;
+    const gjk::VertexPair farthest =
+        gjk::quick::indices(gjk::quick::SmallShapes<double>(query, prepared)
+                                .farthest(d, gjk::quick::both(other_way ? -0.0 : 0.0)));
+    CHECK_EQ(first_along(list, -along), farthest.x);
+    CHECK_EQ(first_along(other, along), farthest.y);
   }
 }
 
