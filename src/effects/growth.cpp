@@ -71,7 +71,7 @@ gjk::Pose<double, 2> random_pose(Random& random) {
   const Vector2d turn = on_circle(random.uniform(0.0, 4.0));
   const Vector2d bearing = on_circle(random.uniform(0.0, 4.0));
   gjk::Pose<double, 2> pose;
-  pose.rotation << turn.x(), -turn.y(), turn.y(), turn.x();
+  pose.rotation = Eigen::Matrix2d{{turn.x(), -turn.y()}, {turn.y(), turn.x()}};
   pose.translation = random.uniform(kNear, 2.0 * kNear) * bearing;
   return pose;
 }

@@ -82,20 +82,21 @@ template <class S>
 }
 
 /// The pair in another scalar.
+/// Not inlined: of two conversions there and back, GCC 12 leaves the rounding out.
 template <class To, class From>
-[[nodiscard]] Pair<To> converted(const Pair<From>& pair) {
+[[nodiscard, gnu::noinline]] Pair<To> converted(const Pair<From>& pair) {
   Pair<To> out;
   const auto convert = [](const Vec<From, 2>& v) {
     return Vec<To, 2>(static_cast<To>(v[0]), static_cast<To>(v[1]));
   };
   for (const Vec<From, 2>& vertex : pair.x) out.x.push_back(convert(vertex));
   for (const Vec<From, 2>& vertex : pair.y) out.y.push_back(convert(vertex));
-  for (int i = 0; i < 2; ++i) {
-    out.x_pose.rotation.col(i) = convert(pair.x_pose.rotation.col(i));
-    out.y_pose.rotation.col(i) = convert(pair.y_pose.rotation.col(i));
-  }
-  out.x_pose.translation = convert(pair.x_pose.translation);
-  out.y_pose.translation = convert(pair.y_pose.translation);
+  const auto convert_pose = [](const gjk::Pose<From, 2>& pose) {
+    return gjk::Pose<To, 2>{pose.rotation.matrix().template cast<To>(),
+                            pose.translation.template cast<To>()};
+  };
+  out.x_pose = convert_pose(pair.x_pose);
+  out.y_pose = convert_pose(pair.y_pose);
   return out;
 }
 
@@ -386,7 +387,7 @@ class Source {
         const Point far = direction() * away;
         for (gjk::Pose<double, 2>* pose : {&out.x_pose, &out.y_pose}) {
           const Point turn = direction();
-          pose->rotation << turn[0], -turn[1], turn[1], turn[0];
+          pose->rotation = Eigen::Matrix2d{{turn[0], -turn[1]}, {turn[1], turn[0]}};
           pose->translation = in_square(1.5) + far;
         }
         break;

@@ -126,7 +126,7 @@ class Batch {
       group.x_translation[i].lane[lane] = x.translation[i];
       group.y_translation[i].lane[lane] = y.translation[i];
     }
-    group.x_turned = group.x_turned || x.rotation != Eigen::Matrix2f::Identity();
+    group.x_turned = group.x_turned || x.rotation.turns();
     group.reach.lane[lane] =
         (packed.x_radius[lane] * stretch(x) + packed.y_radius[lane] * stretch(y)) * 1.000001f;
   }
@@ -223,8 +223,8 @@ class Batch {
   /// How much the pose can enlarge the largest coordinate; NaN when it is not finite.
   [[nodiscard]] static float stretch(const Pose<float, 2>& pose) {
     if (!detail::is_finite(pose)) return std::numeric_limits<float>::quiet_NaN();
-    return std::max(norm_1<float, 2>(pose.rotation.row(0).transpose()),
-                    norm_1<float, 2>(pose.rotation.row(1).transpose()));
+    return std::max(norm_1<float, 2>(pose.rotation.matrix().row(0).transpose()),
+                    norm_1<float, 2>(pose.rotation.matrix().row(1).transpose()));
   }
 
   [[nodiscard]] BatchResult scalar_answer(const Packed& packed, int lane) const {
@@ -241,7 +241,9 @@ class Batch {
     };
     const auto pose = [&](const auto& rotation, const auto& translation) {
       Pose<float, 2> out;
-      for (int i = 0; i < 4; ++i) out.rotation(i / 2, i % 2) = rotation[i].lane[lane];
+      Eigen::Matrix2f matrix;
+      for (int i = 0; i < 4; ++i) matrix(i / 2, i % 2) = rotation[i].lane[lane];
+      out.rotation = matrix;
       for (int i = 0; i < 2; ++i) out.translation[i] = translation[i].lane[lane];
       return out;
     };

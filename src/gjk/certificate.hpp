@@ -54,6 +54,7 @@ template <class R>
 template <class R, class Number = R>
 class CarefulSum {
  public:
+  explicit CarefulSum(const R& first) : sum_{first, R{}} {}
   void add(const R& a) {
     const DoubleWord<R> next = exact_sum(sum_.hi, a);
     sum_ = {next.hi, R(sum_.lo + next.lo)};
@@ -80,21 +81,18 @@ template <class R, class S>
     return R(ScalarTraits<R>::from(value) * prepared.unit);
   };
   const auto coordinate = [&](int row) {
-    CarefulSum<R> sum;
-    const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, const R& sign) {
+    CarefulSum<R> sum(in_unit(query.y.pose.translation[row]));
+    const auto add = [&](const Shape<S, 2>& shape, int vertex, const R& sign) {
       const Vec<S, 2>& local = shape.vertices[vertex];
-      if (!turned) return sum.add(sign * in_unit(local[row]));
+      if (!shape.pose.rotation.turns()) return sum.add(sign * in_unit(local[row]));
       for (int k = 0; k < 2; ++k) {
         sum.add_product(ScalarTraits<R>::from(shape.pose.rotation(row, k)),
                         sign * in_unit(local[k]));
       }
     };
-    if (!prepared.same_frame) {
-      sum.add(in_unit(query.y.pose.translation[row]));
-      sum.add(-in_unit(query.x.pose.translation[row]));
-    }
-    add(query.y, pair.y, prepared.y_turned, R(1));
-    add(query.x, pair.x, prepared.x_turned, R(-1));
+    sum.add(-in_unit(query.x.pose.translation[row]));
+    add(query.y, pair.y, R(1));
+    add(query.x, pair.x, R(-1));
     return sum.normalised();
   };
   return {coordinate(0), coordinate(1)};
@@ -103,6 +101,22 @@ template <class R, class S>
 /// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
 /// the determinant, three times in the length, the quotient, and the bound.
 inline constexpr int kCarefulRoundings = 6;
+
+/// cross(a, b), rounded.
+template <class R>
+[[nodiscard]] R rounded_cross(const Flat<Expansion>& a, const Flat<Expansion>& b) {
+  return rounded<R>(cross(a, b));
+}
+/// The same within some 10 u^2 |a| |b| before the last rounding.
+template <class R>
+[[nodiscard]] R rounded_cross(const Flat<DoubleWord<R>>& a, const Flat<DoubleWord<R>>& b) {
+  const DoubleWord<R> left = exact_product(a.x.hi, b.y.hi);
+  const DoubleWord<R> right = exact_product(a.y.hi, b.x.hi);
+  const R left_rest = left.lo + R(R(a.x.hi * b.y.lo) + R(a.x.lo * b.y.hi));
+  const R right_rest = right.lo + R(R(a.y.hi * b.x.lo) + R(a.y.lo * b.x.hi));
+  const DoubleWord<R> difference = exact_sum(left.hi, R(-right.hi));
+  return difference.hi + R(difference.lo + R(left_rest - right_rest));
+}
 
 /// Distance of O from a vertex of Z, or from the line through an edge, in the run's unit: nothing
 /// rounds before the last few operations when N is exact, and little when it is a DoubleWord.
@@ -114,7 +128,7 @@ template <class R, class N>
   };
   if (!on_edge) return length_of(a);
   const Flat<N> edge = b - a;
-  return R(rounded<R>(cross(a, edge)) / length_of(edge));
+  return R(rounded_cross<R>(a, edge) / length_of(edge));
 }
 
 /// The largest coordinate of the simplex.
@@ -138,7 +152,7 @@ template <class R, class N>
   std::array<R, 3> weights{};
   R sum(0);
   for (int i = 0; i < 3; ++i) {
-    weights[i] = magnitude(rounded<R>(cross(w[(i + 1) % 3], w[(i + 2) % 3])));
+    weights[i] = magnitude(rounded_cross<R>(w[(i + 1) % 3], w[(i + 2) % 3]));
     sum = sum + weights[i];
   }
   for (R& weight : weights) weight = weight / sum;
@@ -162,18 +176,17 @@ void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
 /// for shapes that lie far from their own origin, where a rotation rounds by more than Z is large.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
-                                                     const Vec<R, D>& beyond,
-                                                     const Prepared<R, D>& prepared) {
+                                                     const Vec<R, D>& beyond, int exponent) {
+  const R unit = ScalarTraits<R>::scaled(R(1), -exponent);
   Vec<R, D> world;
   for (int row = 0; row < D; ++row) {
-    CarefulSum<R> sum;
-    sum.add(ScalarTraits<R>::from(pose.translation[row]) * prepared.unit);
+    CarefulSum<R> sum(ScalarTraits<R>::from(pose.translation[row]) * unit);
     for (int k = 0; k < D; ++k) {
       const R entry = ScalarTraits<R>::from(pose.rotation(row, k));
-      sum.add_product(entry, R(from[k] * prepared.unit));
-      sum.add_product(entry, R(beyond[k] * prepared.unit));
+      sum.add_product(entry, R(from[k] * unit));
+      sum.add_product(entry, R(beyond[k] * unit));
     }
-    world[row] = ScalarTraits<R>::scaled(sum.normalised().hi, prepared.exponent);
+    world[row] = ScalarTraits<R>::scaled(sum.normalised().hi, exponent);
   }
   return world;
 }
@@ -185,14 +198,11 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
                         const Prepared<R, D>& prepared) {
   using W = RunScalar<Default, R>;
   const Simplex<R, D>& simplex = out.simplex;
-  R sum = simplex.weights[0];
   int base = 0;
   for (int i = 1; i < simplex.count; ++i) {
-    sum = sum + simplex.weights[i];
     if (simplex.weights[base] < simplex.weights[i]) base = i;
   }
-  const auto set = [&](Vec<R, D>& point, const Shape<S, D>& shape, int VertexPair::*index,
-                       bool turned) {
+  const auto set = [&](Vec<R, D>& point, const Shape<S, D>& shape, int VertexPair::*index) {
     const auto vertex = [&](int i) -> decltype(auto) {
       return converted<W, S, D>(shape.vertices[simplex.vertices[i].pair.*index]);
     };
@@ -200,22 +210,22 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
     Vec<W, D> beyond = Vec<W, D>::Zero();
     for (int i = 0; i < simplex.count; ++i) {
       if (i == base) continue;
-      const W weight = ScalarTraits<W>::from(R(simplex.weights[i] / sum));
+      const W weight = ScalarTraits<W>::from(simplex.weights[i]);
       beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
     }
     if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
-      if (turned && prepared.centred) {
-        point = careful_place<R>(shape.pose, from, beyond, prepared);
+      if (shape.pose.rotation.turns() && prepared.centred) {
+        point = careful_place<R>(shape.pose, from, beyond, prepared.exponent);
         return;
       }
     }
     const Vec<W, D> local = from + beyond;
-    Vec<W, D> world = turned ? shape.pose.template rotated<W>(local) : local;
-    world = world + converted<W, S, D>(shape.pose.translation);
+    Vec<W, D> world =
+        shape.pose.template rotated<W>(local) + converted<W, S, D>(shape.pose.translation);
     for (int i = 0; i < D; ++i) point[i] = static_cast<R>(world[i]);
   };
-  set(out.x, query.x, &VertexPair::x, prepared.x_turned);
-  set(out.y, query.y, &VertexPair::y, prepared.y_turned);
+  set(out.x, query.x, &VertexPair::x);
+  set(out.y, query.y, &VertexPair::y);
 }
 
 /// What rounding can do to a determinant of D vertices with no coordinate larger than `size`: when
@@ -265,18 +275,18 @@ template <class R, class S, int D>
   return count_as_far<R>(static_cast<int>(along.vertices.size()), along, i, j, error);
 }
 
-/// Of two vertices of Z the squared distance from O to the farther one. They are made of the points
-/// of X, and of Y, that lie far apart; `crossed`: of the other two such pairs.
+/// The squared distance from O to the farthest of four vertices of Z: those that are made of the
+/// points of X, and of Y, that lie far apart.
 template <class R, class S>
-[[nodiscard]] R corner_reach_sq(const Query<S, 2>& query, const Prepared<R, 2>& prepared,
-                                bool crossed) {
+[[nodiscard]] R corner_reach_sq(const Query<S, 2>& query, const Prepared<R, 2>& prepared) {
   const auto& [x0, x1] = query.x.vertices.far_apart();
   const auto& [y0, y1] = query.y.vertices.far_apart();
   const auto length_sq = [&](VertexPair pair) {
     const Vec<R, 2> w = support_point(query, prepared, pair).w;
     return dot(w, w);
   };
-  return larger(length_sq({x0, crossed ? y1 : y0}), length_sq({x1, crossed ? y0 : y1}));
+  return larger(larger(length_sq({x0, y0}), length_sq({x1, y1})),
+                larger(length_sq({x0, y1}), length_sq({x1, y0})));
 }
 
 /// What bounds may have to ask of the shapes, when what the run found does not do.
@@ -288,9 +298,7 @@ struct ShapesAsked {
   VertexPair b;
   bool on_edge = false;
 
-  [[nodiscard]] R corner_reach_sq(bool crossed) const {
-    return detail::corner_reach_sq(query, prepared, crossed);
-  }
+  [[nodiscard]] R corner_reach_sq() const { return detail::corner_reach_sq(query, prepared); }
   [[nodiscard]] R careful_distance() const {
     const Flat<DoubleWord<R>> at_a = careful_vertex(query, prepared, a);
     return detail::careful_distance<R>(at_a, on_edge ? careful_vertex(query, prepared, b) : at_a,
@@ -319,6 +327,23 @@ struct Feature {
   R plane_reach_sq;
 };
 
+/// So near to O that distances are computed anew, with about twice the digits.
+template <class R>
+[[nodiscard]] bool is_near(const R& distance, const Prepared<R, 2>& prepared) {
+  return R(4096) * distance < prepared.reach;
+}
+
+/// How wide bounds may be when some vertex of Z lies as far from O as `reach`.
+template <class R>
+[[nodiscard]] R allowed_width(const R& reach) {
+  return R(15.5) * ScalarTraits<R>::unit_roundoff() * reach;
+}
+/// When it is one of the four corners.
+template <class R, class Shapes>
+[[nodiscard]] R allowed_by_corners(const Shapes& shapes) {
+  return allowed_width(R(ScalarTraits<R>::root(shapes.corner_reach_sq())));
+}
+
 /// Bounds from P, when it is a vertex of Z or lies between two, and from the best support plane.
 ///
 /// Far from O the numbers of the run do. The nearer P is, the more of its distance is the rounding
@@ -342,17 +367,18 @@ template <class R, class Shapes>
   if (on_edge) error = error + u * (size + R(3) * smaller(length_a, length_b));
   out.lower = plane_bound(feature.plane_distance_sq, feature.plane_reach_sq, prepared);
 
-  const bool near = R(4096) * magnitude(to_line) < prepared.reach;
+  const bool near = is_near(magnitude(to_line), prepared);
   const R width = magnitude(to_line) + error - out.lower;
-  R allowed(0);
-  for (int pass = 0; pass < 2 && !near && allowed < width; ++pass) {
-    const R reach_sq = shapes.corner_reach_sq(pass == 1);
-    allowed = larger(allowed, R(R(15.5) * u * ScalarTraits<R>::root(reach_sq)));
+  R allowed = allowed_width(larger(prepared.least_reach, size));
+  bool wide = false;
+  if (!near && allowed < width) [[unlikely]] {
+    allowed = larger(allowed, allowed_by_corners<R>(shapes));
+    wide = allowed < width;
   }
-  const bool wide = allowed < width;
-  if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach)) {
+  if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach))
+      [[unlikely]] {
     to_line = shapes.careful_distance();
-    error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error;
+    error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error();
   }
   out.distance = magnitude(to_line);
   out.upper = out.distance + error;
@@ -364,9 +390,9 @@ template <class R, class Shapes>
       out.upper = length(Flat<R>{out.upper, smaller(beyond, edge_length)});
     }
   }
-  if (near || wide) {
-    const Flat<R> normal{edge.y, -edge.x};
-    const Flat<R> d = !on_edge ? -a : R(0) < to_line ? -normal : normal;
+  if (near || wide) [[unlikely]] {
+    const R side = sign_of(to_line);
+    const Flat<R> d = on_edge ? Flat<R>{-side * edge.y, side * edge.x} : -a;
     if (shapes.is_certainly_farthest(d, angle)) {
       out.lower = larger(R(out.distance - error), R(0));
     }
@@ -396,9 +422,13 @@ template <class R, class S, int D>
                              std::min(simplex.weights[0], simplex.weights[1]),
                              state.plane_distance_sq,
                              state.plane_reach_sq};
-    return bounds_outside(feature, prepared,
-                          ShapesAsked<R, S>{query, prepared, simplex.vertices[0].pair,
-                                            simplex.vertices[1].pair, on_edge});
+    const ShapesAsked<R, S> shapes{query, prepared, simplex.vertices[0].pair,
+                                   simplex.vertices[1].pair, on_edge};
+    out = bounds_outside(feature, prepared, shapes);
+    if (!out.tight && !is_near(out.distance, prepared)) {
+      out.tight = out.upper - out.lower <= allowed_by_corners<R>(shapes);
+    }
+    return out;
   } else {
     out.lower = plane_bound(state.plane_distance_sq, state.plane_reach_sq, prepared);
     out.distance = std::max(out.lower, ScalarTraits<R>::root(state.best_sq));

@@ -25,19 +25,22 @@ template <class R>
   return {sum, R(a - from_a) + R(b - from_b)};
 }
 
-/// a * b, exactly (Dekker 1971, with Veltkamp's splitting of each factor into halves). R: a number,
-/// or several side by side.
+/// Halves of a number, each of half its digits (Veltkamp 1968). R: a number, or several side by
+/// side.
 template <class R, class Number = R>
-[[nodiscard]] DoubleWord<R> exact_product(const R& a, const R& b) {
+[[nodiscard]] DoubleWord<R> halves(const R& whole) {
   constexpr int kHalf = (std::numeric_limits<Number>::digits + 1) / 2;
   const Number splitter = Number(static_cast<double>(1ull << kHalf)) + Number(1);
-  const auto split = [&](const R& whole) {
-    const R big = splitter * whole;
-    const R hi = big - R(big - whole);
-    return DoubleWord<R>{hi, whole - hi};
-  };
-  const DoubleWord<R> x = split(a);
-  const DoubleWord<R> y = split(b);
+  const R big = splitter * whole;
+  const R hi = big - R(big - whole);
+  return {hi, whole - hi};
+}
+
+/// a * b, exactly (Dekker 1971).
+template <class R, class Number = R>
+[[nodiscard]] DoubleWord<R> exact_product(const R& a, const R& b) {
+  const DoubleWord<R> x = halves<R, Number>(a);
+  const DoubleWord<R> y = halves<R, Number>(b);
   const R product = a * b;
   const R error = R(R(R(x.hi * y.hi) - product) + R(x.hi * y.lo) + R(x.lo * y.hi)) + R(x.lo * y.lo);
   return {product, error};

@@ -11,9 +11,9 @@
 //     stop       decide whether the answer is found
 //     add        add the support point to S
 //
-// `step` runs one phase, `distance` all of them, `trace` all of them while keeping every state. All
-// three call the same functions, which decide from the state alone: recording cannot change a
-// decision.
+// `step` runs one phase, `distance` all of them, `trace` all of them while keeping every state, by
+// the same functions, which decide from the state alone: recording cannot change a decision. Where
+// it can, `distance` goes the way of quick.hpp, to the same bits.
 
 #include "gjk/certificate.hpp"
 #include "gjk/closest_point.hpp"
@@ -214,8 +214,6 @@ template <class R, class S>
         std::clamp(prepared.exponent + Traits::exponent(prepared.reach), -kLimit, kLimit);
   }
   if (!has_exact_products(query, prepared.same_frame, exact.exponent)) return;
-  exact.x_turned = prepared.x_turned;
-  exact.y_turned = prepared.y_turned;
   exact.same_frame = prepared.same_frame;
   exact.offset = exact.in_unit(converted<Expansion, S, 2>(query.y.pose.translation)) -
                  exact.in_unit(converted<Expansion, S, 2>(query.x.pose.translation));
@@ -341,7 +339,8 @@ inline constexpr Options kDefaultOptions;
 
 template <class R, class S, int D>
 [[gnu::noinline]] void run_by_phases(const Query<S, D>& query, const Options& options,
-                                     const Prepared<R, D>& prepared, Result<R, D>& out) {
+                                     Result<R, D>& out) {
+  const Prepared<R, D> prepared = prepare<R>(query, options);
   out = result(run_inline(query, options, prepared), query, options, prepared);
 }
 }  // namespace detail
@@ -351,15 +350,11 @@ template <class R, class S, int D>
 template <class R = Default, class S, int D>
 [[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                                 const Options& options) {
-  const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
   Result<RunScalar<R, S>, D> out;
   if constexpr (D == 2 && std::is_same_v<RunScalar<R, S>, double>) {
-    if (quick::is_ordinary(query, options, prepared) &&
-        quick::distance(query, options, prepared, out)) {
-      return out;
-    }
+    if (quick::distance(query, options, out)) return out;
   }
-  detail::run_by_phases(query, options, prepared, out);
+  detail::run_by_phases(query, options, out);
   return out;
 }
 

@@ -95,6 +95,16 @@ template <class S>
   }
 }
 
+/// 1 with the sign of a.
+template <class S>
+[[nodiscard]] S sign_of(const S& a) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::copysign(S(1), a);
+  } else {
+    return a < S(0) ? S(-1) : S(1);
+  }
+}
+
 /// Sum of the coordinates' magnitudes.
 template <class S, int D>
 [[nodiscard]] S norm_1(const Vec<S, D>& a) {
@@ -127,10 +137,7 @@ template <class S>
 template <class S, int D>
 [[nodiscard]] S norm_max(const Vec<S, D>& a) {
   S largest(0);
-  for (int i = 0; i < D; ++i) {
-    const S size = magnitude(S(a[i]));
-    if (largest < size) largest = size;
-  }
+  for (int i = 0; i < D; ++i) largest = larger(largest, magnitude(S(a[i])));
   return largest;
 }
 

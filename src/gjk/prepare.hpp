@@ -19,8 +19,6 @@ struct Prepared {
 
   Error error = Error::none;
 
-  bool x_turned = false;  ///< The pose of X has a rotation.
-  bool y_turned = false;
   bool same_frame = false;  ///< One pose moves both, unturned: differences of vertices round once.
   /// Some centre (Points::centre) is not its shape's own origin.
   bool centred = false;
@@ -28,6 +26,7 @@ struct Prepared {
   Vec<R, D> y_centre = Vec<R, D>::Zero();
   /// From the centre of X to that of Y, in the world, in the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
+  R offset_error = R(0);
 
   /// A vector in the run's unit.
   [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
@@ -44,18 +43,40 @@ struct Prepared {
   }
 
   /// In the run's unit: no two points of Z are farther apart than twice `extent`, none is farther
-  /// from O than `reach`.
+  /// from O than `reach`; some point is as far as `least_reach`, but for rounding.
   R extent = R(0);
   R reach = R(0);
-  /// Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
-  /// against exact answers. 0 for exact scalars.
-  R vertex_error = R(0);   ///< To a vertex w of Z, apart from u |w|.
-  R scan_error = R(0);     ///< To the choice of a support point: how much farther along d / |d| the
-                           ///< true one may lie.
-  R careful_error = R(0);  ///< To a length computed with about twice the digits.
-  /// As `scan_error`, along a direction that is in doubt by `angle`, too.
+  R least_reach = R(0);
+  /// How often a vertex of X and one of Y round on their way into the world, times how large they
+  /// are.
+  R moved = R(0);
+  R from_origins = R(0);  ///< `reach`, and how far the centres lie from the shapes' own origins.
+  /// A scan turns vertices into the world, not directions into frames.
+  bool turns_vertices = false;
+
+  // Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
+  // against exact answers. 0 for exact scalars.
+
+  R vertex_error = R(0);  ///< To a vertex w of Z, apart from u |w|.
+  /// To the choice of a support point along a direction that is in doubt by `angle`: how much
+  /// farther along d / |d| the true one may lie. A scan compares two dot products of vertices that
+  /// were centred; one or the other was turned.
   [[nodiscard]] R scan_error_within(const R& angle) const {
-    return scan_error + R(2) * angle * extent;
+    const R u = ScalarTraits<R>::unit_roundoff();
+    return u * (R(2 * D) * extent + R(2) * moved) + R(2) * angle * extent;
+  }
+  /// To the distance of a support plane, apart from that of its terms: by its support point, and by
+  /// the choice of it. Where a scan turns vertices, it has seen that point where it is placed, and
+  /// only the others may lie farther.
+  [[nodiscard]] R plane_error() const {
+    const R u = ScalarTraits<R>::unit_roundoff();
+    const R dots = u * (R(2 * D) * extent);
+    return turns_vertices ? R(vertex_error + dots) : R(vertex_error + (dots + u * (R(2) * moved)));
+  }
+  /// To a length computed with about twice the digits.
+  [[nodiscard]] R careful_error() const {
+    const R u = ScalarTraits<R>::unit_roundoff();
+    return R(256) * u * u * from_origins;
   }
   /// To |P|: the vertices of a simplex, and what is computed of them.
   [[nodiscard]] R simplex_error() const {
@@ -82,31 +103,40 @@ template <class S, int D>
                      });
 }
 
-/// How much longer than a vector its image under `pose` can be: 1 for a rotation.
+/// True of a trait of X or Y.
+template <class S, int D>
+[[nodiscard]] bool has_trait(const Query<S, D>& query, unsigned traits) {
+  return ((query.x.vertices.traits() | query.y.vertices.traits()) & traits) != 0;
+}
+
+/// The unit and the frames of a run.
 template <class R, class S, int D>
-[[nodiscard]] R stretch(const Pose<S, D>& pose) {
-  const auto column = [&](int i) -> Vec<R, D> {
-    return converted<R, S, D>(Vec<S, D>(pose.rotation.col(i)));
-  };
-  R longest_sq(1);
-  R skewed(0);
-  for (int i = 0; i < D; ++i) {
-    longest_sq = larger(longest_sq, dot(column(i), column(i)));  // a NaN comes through `skewed`
-    for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
+[[nodiscard]] Prepared<R, D> frames(const Query<S, D>& query, int exponent) {
+  Prepared<R, D> prepared;
+  prepared.exponent = exponent;
+  if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
+                        query.x.pose.translation == query.y.pose.translation;
+  if constexpr (!ScalarTraits<R>::kExact) {
+    prepared.centred = has_trait(query, Points<S, D>::kCentred);
+    if (prepared.centred) {
+      prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
+      prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
+    }
   }
-  return (R(1) + longest_sq + skewed) / R(2);  // at least the root, for numbers from 1 on
+  return prepared;
 }
 
 /// From the centre of X to that of Y, with about twice the digits before the last rounding.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
-                                          const Prepared<R, D>& prepared) {
-  Vec<R, D> out;
-  const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
-  const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query, int exponent) {
+  const Prepared<R, D> prepared = frames<R>(query, exponent);
   const R& unit = prepared.unit;
   // In one frame nothing is moved by it: it says where to begin, and how far Z may reach.
   if (prepared.same_frame) return prepared.in_unit(prepared.y_centre - prepared.x_centre);
+  Vec<R, D> out;
+  const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
+  const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
   for (int row = 0; row < D; ++row) {
     DoubleWord<R> offset = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
                            exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
@@ -118,57 +148,73 @@ template <class R, class S, int D>
   }
   return out;
 }
-/// The offset, where centres are not the shapes' own origins. Returns how far from those they lie.
+/// How far the centres lie from the shapes' own origins.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] R measure_centres(const Query<S, D>& query, Prepared<R, D>& prepared) {
-  prepared.offset = offset_of_centres(query, prepared);
-  const auto length_to = [&](const Pose<S, D>& pose, bool turned, const Vec<R, D>& centre) {
-    const Vec<R, D> in_unit = prepared.in_unit(centre);
-    return careful_length(turned ? pose.template rotated<R>(in_unit) : in_unit);
+[[nodiscard, gnu::noinline]] R distance_of_centres(const Query<S, D>& query, int exponent) {
+  const Prepared<R, D> prepared = frames<R>(query, exponent);
+  const auto length_to = [&](const Pose<S, D>& pose, const Vec<R, D>& centre) {
+    return careful_length(pose.template rotated<R>(prepared.in_unit(centre)));
   };
-  return length_to(query.x.pose, prepared.x_turned, prepared.x_centre) +
-         length_to(query.y.pose, prepared.y_turned, prepared.y_centre);
+  return length_to(query.x.pose, prepared.x_centre) + length_to(query.y.pose, prepared.y_centre);
 }
 
-/// Fills in what is measured in the run's unit of length.
+/// Where the shapes stand, in the run's unit of length, 2^exponent. What rounding can do is left to
+/// `measure`.
 template <class R, class S, int D>
-void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
-  const R u = ScalarTraits<R>::unit_roundoff();
-  bool is_exact = false;
-  R from_centres(0);
+[[nodiscard]] Prepared<R, D> placed(const Query<S, D>& query, int exponent) {
+  Prepared<R, D> prepared = frames<R>(query, exponent);
   if (prepared.centred) {
-    from_centres = measure_centres(query, prepared);
+    prepared.offset = offset_of_centres<R>(query, exponent);
+    prepared.offset_error = ScalarTraits<R>::unit_roundoff() * length(prepared.offset);
   } else {
     const Vec<R, D> x_place = converted<R, S, D>(query.x.pose.translation) * prepared.unit;
     const Vec<R, D> y_place = converted<R, S, D>(query.y.pose.translation) * prepared.unit;
     const DoubleWord<Vec<R, D>> offset = exact_sum<Vec<R, D>>(y_place, -x_place);
     prepared.offset = offset.hi;
-    is_exact = is_zero(offset.lo);
+    prepared.offset_error = norm_1(offset.lo);
   }
+  return prepared;
+}
 
+/// Fills in what bounds of rounding are made of.
+template <class R, class S, int D>
+void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
   R extent(0);
-  R moved(0);  // how often a vertex rounds on its way, times how large it is
-  const auto add = [&](const Shape<S, D>& shape, bool turned) {
-    R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit;
-    if (turned) {
-      radius = radius * stretch<R>(shape.pose);
-      moved = moved + R(D == 2 ? 2.5 : 2.8) * radius;  // 1 + sqrt(D), of a product with a matrix
-    }
-    if (shape.vertices.is_centred()) moved = moved + radius;
+  R moved(0);
+  R to_means(0);
+  const auto add = [&](const Shape<S, D>& shape) {
+    const R stretch = ScalarTraits<R>::from(shape.pose.rotation.stretch());
+    const R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit * stretch;
+    // 1 + sqrt(D), of a product with a matrix
+    if (shape.pose.rotation.turns()) moved = moved + R(D == 2 ? 2.5 : 2.8) * radius;
+    if (prepared.centred && shape.vertices.is_centred()) moved = moved + radius;
     extent = extent + radius;
+    to_means = to_means + ScalarTraits<R>::from(shape.vertices.to_mean()) * prepared.unit * stretch;
   };
-  add(query.x, prepared.x_turned);
-  add(query.y, prepared.y_turned);
-  // In the world a vertex of Z is a single difference; else both vertices are centred and turned,
-  // subtracted, and moved by the offset. A scan compares two dot products of a direction with
-  // vertices that were centred; one or the other was turned.
+  add(query.x);
+  add(query.y);
   const R far = length(prepared.offset);
-  const R vertex_roundings = (is_exact ? R(0) : far) + extent + moved;
   prepared.extent = extent;
+  prepared.moved = moved;
   prepared.reach = far + extent;
-  prepared.vertex_error = prepared.same_frame ? R(0) : R(u * vertex_roundings);
-  prepared.scan_error = u * (R(2 * D) * extent + R(2) * moved);
-  prepared.careful_error = R(256) * u * u * (prepared.reach + from_centres);
+  prepared.least_reach = far - to_means;
+  prepared.from_origins = prepared.reach;
+  if (prepared.centred) {
+    prepared.from_origins = prepared.reach + distance_of_centres<R>(query, prepared.exponent);
+  }
+  // In one frame a vertex of Z is a single difference of what was given, not of what scans saw;
+  // else both vertices are centred and turned, subtracted, and moved by the offset.
+  prepared.turns_vertices = !prepared.same_frame && !has_trait(query, Points<S, D>::kLarge);
+  if (!prepared.same_frame) {
+    prepared.vertex_error =
+        prepared.offset_error + ScalarTraits<R>::unit_roundoff() * (extent + moved);
+  }
+}
+template <class R, class S, int D>
+[[nodiscard]] Prepared<R, D> measured(const Query<S, D>& query, int exponent) {
+  Prepared<R, D> prepared = placed<R>(query, exponent);
+  measure(query, prepared);
+  return prepared;
 }
 
 /// e with all coordinates of a shape, in its frame and in the world, below 2^(e + D).
@@ -189,61 +235,46 @@ template <class R, class S, int D>
 /// Measures again, in a unit of length in which squares of coordinates neither overflow nor
 /// underflow.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Error measure_in_good_unit(const Query<S, D>& query,
-                                                        Prepared<R, D>& prepared) {
+[[nodiscard, gnu::noinline]] Prepared<R, D> measured_in_good_unit(const Query<S, D>& query) {
   using Traits = ScalarTraits<R>;
-  if (!is_finite(query.x.pose)) return Error::x_not_finite;
-  if (!is_finite(query.y.pose)) return Error::y_not_finite;
-  // Squares in `measure` may have gone out of range: first a unit in which they do not.
-  constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
-  const auto take_unit = [&](int exponent) {
-    prepared.exponent = std::clamp(exponent, -kLimit, kLimit);
-    prepared.unit = Traits::scaled(R(1), -prepared.exponent);
-    measure(query, prepared);
+  const auto refused = [](Error error) {
+    Prepared<R, D> prepared;
+    prepared.error = error;
+    return prepared;
   };
-  take_unit(std::max(coordinate_exponent<R>(query.x), coordinate_exponent<R>(query.y)));
-  if (prepared.reach == R(0)) return Error::none;
+  if (!is_finite(query.x.pose)) return refused(Error::x_not_finite);
+  if (!is_finite(query.y.pose)) return refused(Error::y_not_finite);
+  // Squares may have gone out of range: first a unit in which they do not.
+  constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
+  const auto in_unit = [&](int exponent) {
+    return measured<R>(query, std::clamp(exponent, -kLimit, kLimit));
+  };
+  Prepared<R, D> prepared =
+      in_unit(std::max(coordinate_exponent<R>(query.x), coordinate_exponent<R>(query.y)));
+  if (prepared.reach == R(0)) return prepared;
   if (Traits::is_finite(prepared.reach)) {
-    take_unit(prepared.exponent + Traits::exponent(prepared.reach));
+    prepared = in_unit(prepared.exponent + Traits::exponent(prepared.reach));
   }
-  if (!Traits::is_finite(prepared.reach)) return Error::overflow;
-  return Traits::is_in_range(prepared.reach) ? Error::none : Error::underflow;
+  if (!Traits::is_finite(prepared.reach)) return refused(Error::overflow);
+  return Traits::is_in_range(prepared.reach) ? prepared : refused(Error::underflow);
 }
 
-/// Returns the first thing found wrong.
-template <class R, class S, int D>
-[[nodiscard]] Error check_and_measure(const Query<S, D>& query, const Options& options,
-                                      Prepared<R, D>& prepared) {
-  if (query.x.vertices.empty()) return Error::x_has_no_vertices;
-  if (query.y.vertices.empty()) return Error::y_has_no_vertices;
-  if (!query.x.vertices.is_finite()) return Error::x_not_finite;
-  if (!query.y.vertices.is_finite()) return Error::y_not_finite;
-  prepared.x_turned = query.x.pose.is_turned();
-  prepared.y_turned = query.y.pose.is_turned();
-  prepared.same_frame = !prepared.x_turned && !prepared.y_turned &&
-                        query.x.pose.translation == query.y.pose.translation;
-  if constexpr (ScalarTraits<R>::kExact) {
-    prepared.offset =
-        converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
-  } else {
-    prepared.centred = query.x.vertices.is_centred() || query.y.vertices.is_centred();
-    if (prepared.centred) {
-      prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
-      prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
-    }
-    measure(query, prepared);
-    if (!ScalarTraits<R>::is_in_range(prepared.reach)) {
-      const Error error = measure_in_good_unit(query, prepared);
-      if (error != Error::none) return error;
-    }
+/// The first thing wrong with what needs no measuring.
+template <class S, int D>
+[[nodiscard]] Error first_wrong(const Query<S, D>& query, const Options& options) {
+  if (has_trait(query, Points<S, D>::kUnusable)) {
+    if (query.x.vertices.empty()) return Error::x_has_no_vertices;
+    if (query.y.vertices.empty()) return Error::y_has_no_vertices;
+    return query.x.vertices.is_finite() ? Error::y_not_finite : Error::x_not_finite;
   }
-  if (options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0))
-    return Error::bad_options;
-  if (bad_start(options, static_cast<int>(query.x.vertices.size()),
-                static_cast<int>(query.y.vertices.size()), D)) {
-    return Error::bad_start;
-  }
-  return Error::none;
+  const bool bad_options =
+      options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0);
+  const bool wrong = bad_options || bad_start(options, static_cast<int>(query.x.vertices.size()),
+                                              static_cast<int>(query.y.vertices.size()), D);
+  if (!wrong) return Error::none;
+  if (!is_finite(query.x.pose)) return Error::x_not_finite;
+  if (!is_finite(query.y.pose)) return Error::y_not_finite;
+  return bad_options ? Error::bad_options : Error::bad_start;
 }
 
 }  // namespace detail
@@ -252,7 +283,18 @@ template <class R, class S, int D>
 template <class R, class S, int D>
 [[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
   Prepared<R, D> prepared;
-  prepared.error = detail::check_and_measure(query, options, prepared);
+  prepared.error = detail::first_wrong(query, options);
+  if (prepared.error != Error::none) return prepared;
+  if constexpr (ScalarTraits<R>::kExact) {
+    prepared = detail::frames<R>(query, 0);
+    prepared.offset =
+        converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
+  } else {
+    prepared = detail::measured<R>(query, 0);
+    if (!ScalarTraits<R>::is_in_range(prepared.reach)) {
+      return detail::measured_in_good_unit<R>(query);
+    }
+  }
   return prepared;
 }
 

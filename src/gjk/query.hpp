@@ -7,21 +7,95 @@
 #include <span>
 #include <type_traits>
 
+#include "gjk/error_free.hpp"
 #include "gjk/linear.hpp"
 
 namespace gjk {
 
-/// Where a shape stands: world = rotation * local + translation. `rotation` is taken as it is
-/// given: one that rounding, or intent, left short of orthonormal stretches the shape, and the
-/// answer is that of the stretched shape.
+namespace detail {
+/// At most half of its digits are used by each coordinate: products of two such numbers are exact.
+template <class S, int D>
+[[nodiscard]] bool has_few_digits(const Vec<S, D>& a) {
+#ifdef __SSE2__
+  if constexpr (D == 2 && std::is_same_v<S, double>) {
+    const Two all = two<S>(a);
+    return _mm_movemask_pd(_mm_cmpneq_pd(halves<Two, S>(all).hi, all)) == 0;
+  }
+#endif
+  for (int i = 0; i < D; ++i) {
+    if (halves(S(a[i])).hi != a[i]) return false;
+  }
+  return true;
+}
+}  // namespace detail
+
+/// How a shape is turned: any matrix. One that rounding, or intent, left short of orthonormal
+/// stretches the shape, and the answer is that of the stretched shape. Measured once, when it is
+/// set, so that queries need not look at it again.
+template <class S, int D>
+class Rotation {
+ public:
+  using Matrix = Eigen::Matrix<S, D, D>;
+  /// What sizes are measured in.
+  using Size = RunScalar<Default, S>;
+
+  Rotation() = default;
+  /// From a matrix, or an expression of Eigen's that makes one.
+  template <class Derived>
+  // NOLINTNEXTLINE(google-explicit-constructor): a matrix stands for what it does.
+  Rotation(const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {
+    for (int i = 0; i < D; ++i) {
+      const bool is_unit = is_zero(Vec<S, D>(col(i) - Matrix::Identity().col(i)));
+      turns_ = turns_ || !is_unit;
+    }
+    if constexpr (!ScalarTraits<S>::kExact) {
+      if (turns_) measure();
+    }
+  }
+
+  [[nodiscard]] const Matrix& matrix() const { return matrix_; }
+  [[nodiscard]] const S& operator()(int row, int column) const { return matrix_(row, column); }
+  [[nodiscard]] auto col(int i) const { return matrix_.col(i); }
+
+  /// It is not the identity.
+  [[nodiscard]] bool turns() const { return turns_; }
+  /// How much longer than a vector its image can be: 1 for a rotation; a NaN or an infinity where
+  /// an entry is one. Not of exact scalars.
+  [[nodiscard]] const Size& stretch() const { return stretch_; }
+  /// Products with coordinates of few digits are exact.
+  [[nodiscard]] bool has_few_digits() const { return few_digits_; }
+
+ private:
+  void measure() {
+    for (int i = 0; i < D; ++i) few_digits_ = few_digits_ && detail::has_few_digits<S, D>(col(i));
+    const auto column = [&](int i) -> Vec<Size, D> {
+      return converted<Size, S, D>(Vec<S, D>(col(i)));
+    };
+    Size longest_sq(1);
+    Size skewed(0);
+    for (int i = 0; i < D; ++i) {
+      longest_sq = larger(longest_sq, dot(column(i), column(i)));  // a NaN comes through `skewed`
+      for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
+    }
+    stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // at least the root
+  }
+
+  Matrix matrix_ = Matrix::Identity();
+  Size stretch_ = Size(1);
+  bool turns_ = false;
+  bool few_digits_ = true;
+};
+
+/// Where a shape stands: world = rotation * local + translation.
 template <class S, int D>
 struct Pose {
-  Eigen::Matrix<S, D, D> rotation = Eigen::Matrix<S, D, D>::Identity();
+  Rotation<S, D> rotation;
   Vec<S, D> translation = Vec<S, D>::Zero();
 
   /// rotation * local, computed in R.
   template <class R = S>
   [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
+    if (!rotation.turns()) return local;
     Vec<R, D> world;
     for (int row = 0; row < D; ++row) {
       world[row] = ScalarTraits<R>::from(rotation(row, 0)) * local[0];
@@ -34,6 +108,7 @@ struct Pose {
   /// rotation^T * world: what a direction looks like to the shape.
   template <class R = S>
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
+    if (!rotation.turns()) return world;
     Vec<R, D> local;
     for (int column = 0; column < D; ++column) {
       local[column] = ScalarTraits<R>::from(rotation(0, column)) * world[0];
@@ -42,22 +117,6 @@ struct Pose {
       }
     }
     return local;
-  }
-  [[nodiscard]] bool is_turned() const {
-#ifdef __SSE2__
-    if constexpr (D == 2 && std::is_same_v<S, double>) {
-      const Two x = _mm_cmpneq_pd(two<S>(rotation.col(0)), Two{1.0, 0.0});
-      const Two y = _mm_cmpneq_pd(two<S>(rotation.col(1)), Two{0.0, 1.0});
-      return _mm_movemask_pd(_mm_or_pd(x, y)) != 0;
-    }
-#endif
-    bool turned = false;
-    for (int row = 0; row < D; ++row) {
-      for (int column = 0; column < D; ++column) {
-        turned |= rotation(row, column) != S(row == column ? 1 : 0);
-      }
-    }
-    return turned;
   }
 };
 
@@ -83,9 +142,12 @@ class Points {
            std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
       Points(const Range& points)
       : points_(points) {
+    if constexpr (!ScalarTraits<S>::kExact) measure();
+    note(kUnusable, empty() || !finite_);
+    note(kMoreThanFour, size() > 4);
+    note(kLarge, size() > Rows::kCount);
     if constexpr (!ScalarTraits<S>::kExact) {
-      measure();
-      ring_ = D == 2 && points_.size() >= kRingFrom && is_strictly_convex_ring();
+      note(kRing, D == 2 && size() >= kRingFrom && is_strictly_convex_ring());
     }
   }
   // NOLINTEND(google-explicit-constructor)
@@ -105,33 +167,53 @@ class Points {
   /// around neither, so that rounding follows their size and not their place.
   [[nodiscard]] const Vec<S, D>& centre() const { return centre_; }
   /// It is not their own origin.
-  [[nodiscard]] bool is_centred() const { return centred_; }
+  [[nodiscard]] bool is_centred() const { return has(kCentred); }
   /// Distance from `centre` to the farthest point, up to a rounding or two; no denormal is too
   /// small.
   [[nodiscard]] const S& radius() const { return radius_; }
+  /// Distance from `centre` to the mean of the points, which lies in their hull; as exact.
+  [[nodiscard]] const S& to_mean() const { return to_mean_; }
   /// Indices of two points that lie far apart: at least as far as the longest side of the box.
   [[nodiscard]] const std::array<int, 2>& far_apart() const { return far_apart_; }
   /// The points are the corners of a convex polygon, in order, none on the line through its
   /// neighbours. Looked for in the plane, from kRingFrom points on.
-  [[nodiscard]] bool is_ring() const { return ring_; }
+  [[nodiscard]] bool is_ring() const { return has(kRing); }
 
   static constexpr std::size_t kRingFrom = 32;
 
   /// So few that scans turn all of them into the world, rather than a direction into their frame.
-  [[nodiscard]] bool is_small() const { return size() <= Rows::kCount; }
+  [[nodiscard]] bool is_small() const { return !has(kLarge); }
   /// Of a small shape in the plane whose runs are in double: the points, seen from their centre.
   [[nodiscard]] const Rows& rows() const { return rows_; }
 
+  /// What a query has to know before it begins, as bits, so that those of two shapes can be asked
+  /// at once.
+  static constexpr std::uint8_t kUnusable = 1;  ///< No points, or not all of them finite.
+  static constexpr std::uint8_t kCentred = 2;
+  static constexpr std::uint8_t kMoreThanFour = 4;
+  static constexpr std::uint8_t kLarge = 8;  ///< Not small.
+  static constexpr std::uint8_t kRing = 16;
+  static constexpr std::uint8_t kManyDigits = 32;  ///< Products with a rotation round.
+  [[nodiscard]] unsigned traits() const { return traits_; }
+
  private:
+  [[nodiscard]] bool has(unsigned trait) const { return (traits_ & trait) != 0; }
+  void note(unsigned trait, bool holds) {
+    traits_ = static_cast<std::uint8_t>(holds ? traits_ | trait : traits_ & ~trait);
+  }
+
   void measure() {
     if (points_.empty()) return;
     low_ = points_[0];
     high_ = points_[0];
+    bool few_digits = true;
     for (const Vec<S, D>& point : points_) {
       finite_ = finite_ && gjk::is_finite(point);
+      few_digits = few_digits && detail::has_few_digits(point);
       low_ = low_.cwiseMin(point);
       high_ = high_.cwiseMax(point);
     }
+    note(kManyDigits, !few_digits);
     int longest = 0;
     (high_ / S(2) - low_ / S(2)).maxCoeff(&longest);
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
@@ -139,8 +221,8 @@ class Points {
       if (points_[i][longest] == high_[longest]) far_apart_[1] = i;
     }
     const Vec<S, D> middle = low_ / S(2) + high_ / S(2);
-    centred_ = norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle);
-    if (centred_) centre_ = middle;
+    note(kCentred, norm_max(Vec<S, D>(high_ - middle)) < norm_max(middle));
+    if (is_centred()) centre_ = middle;
     if constexpr (D == 2 && std::is_same_v<RunScalar<Default, S>, double>) fill_rows();
     const S size =
         std::max(norm_max(Vec<S, D>(high_ - centre_)), norm_max(Vec<S, D>(low_ - centre_)));
@@ -148,27 +230,37 @@ class Points {
     // In a unit of length in which no square overflows, and none that matters underflows.
     const int exponent = ScalarTraits<S>::exponent(size);
     S radius_sq(0);
+    Vec<S, D> sum = Vec<S, D>::Zero();
     for (const Vec<S, D>& point : points_) {
-      Vec<S, D> scaled;
-      for (int i = 0; i < D; ++i) {
-        scaled[i] = ScalarTraits<S>::scaled(S(point[i] - centre_[i]), -exponent);
-      }
+      const Vec<S, D> scaled = from_centre(point, exponent);
       radius_sq = std::max(radius_sq, dot(scaled, scaled));
+      sum = sum + scaled;
     }
-    const S radius = ScalarTraits<S>::root(radius_sq);
-    radius_ = ScalarTraits<S>::scaled(radius, exponent);
-    const bool below = ScalarTraits<S>::scaled(radius_, -exponent) < radius;
-    if (below) radius_ = radius_ + std::numeric_limits<S>::denorm_min();
+    const auto length = [&](const S& scaled) {
+      const S out = ScalarTraits<S>::scaled(scaled, exponent);
+      const bool below = ScalarTraits<S>::scaled(out, -exponent) < scaled;
+      return below ? S(out + std::numeric_limits<S>::denorm_min()) : out;
+    };
+    radius_ = length(ScalarTraits<S>::root(radius_sq));
+    to_mean_ = length(ScalarTraits<S>::root(dot(sum, sum)) / static_cast<S>(points_.size()));
+  }
+
+  [[nodiscard]] Vec<S, D> from_centre(const Vec<S, D>& point, int exponent) const {
+    Vec<S, D> out;
+    for (int i = 0; i < D; ++i) {
+      out[i] = ScalarTraits<S>::scaled(S(point[i] - centre_[i]), -exponent);
+    }
+    return out;
   }
 
   void fill_rows() {
-    const auto from_centre = [&](const Vec<S, D>& point, int axis) {
+    const auto placed = [&](const Vec<S, D>& point, int axis) {
       return static_cast<double>(point[axis]) - static_cast<double>(centre_[axis]);
     };
-    for (std::size_t i = 0; is_small() && i < Rows::kCount; ++i) {
+    for (std::size_t i = 0; size() <= Rows::kCount && i < Rows::kCount; ++i) {
       const Vec<S, D>& point = points_[std::min(i, size() - 1)];
-      rows_.x[i] = from_centre(point, 0);
-      rows_.y[i] = from_centre(point, 1);
+      rows_.x[i] = placed(point, 0);
+      rows_.y[i] = placed(point, 1);
     }
   }
 
@@ -202,10 +294,10 @@ class Points {
   Vec<S, D> high_ = Vec<S, D>::Zero();
   Vec<S, D> centre_ = Vec<S, D>::Zero();
   S radius_ = S(0);
+  S to_mean_ = S(0);
   std::array<int, 2> far_apart_ = {};
-  bool centred_ = false;
   bool finite_ = true;
-  bool ring_ = false;
+  std::uint8_t traits_ = kUnusable;
 };
 
 /// The convex hull of some points: a point, a segment, a polygon, a point set. Order and repetition

@@ -25,10 +25,18 @@ namespace gjk::quick {
   return a < b ? b : a;
 #endif
 }
-[[nodiscard]] inline Two smaller(const Two& a, const Two& b) { return -larger(-a, -b); }
-[[nodiscard]] inline Two magnitudes(const Two& a) { return larger(a, -a); }
+[[nodiscard]] inline Two smaller(const Two& a, const Two& b) {
+#ifdef __SSE2__
+  return _mm_min_pd(b, a);
+#else
+  return b < a ? b : a;
+#endif
+}
+[[nodiscard]] inline Two magnitudes(const Two& a) {
+  return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) & ~std::bit_cast<TwoMasks>(both(-0.0)));
+}
 /// Zeros with the sign of a.
-[[nodiscard]] inline Two sign_of(double a) { return both(std::copysign(0.0, a)); }
+[[nodiscard]] inline Two signed_zeros(double a) { return both(std::copysign(0.0, a)); }
 /// a, turned round where `sign`, made of zeros, has one.
 [[nodiscard]] inline Two with_sign(const Two& a, const Two& sign) {
   return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) ^ std::bit_cast<TwoMasks>(sign));
@@ -74,7 +82,9 @@ template <class VertexAt>
     const Two right = along(vertex(k), vertex(l));
     const Two most_of = larger(left, right);
     most = most_of[0] < most_of[1] ? most_of[1] : most_of[0];
-    return i + __builtin_ctz(bits(left == both(most), right == both(most)));
+    // No bit is set when coordinates overflowed to NaNs: any vertex does for what is given up.
+    return i +
+           __builtin_ctz(8U | static_cast<unsigned>(bits(left == both(most), right == both(most))));
   };
   const int last = count - 1;
   int index = first_of(0, std::min(1, last), std::min(2, last), std::min(3, last));
@@ -85,7 +95,7 @@ template <class VertexAt>
     index = detail::chosen(before < most, offered, index);
     most = before < most ? most : before;
   }
-  return index;
+  return std::min(index, last);
 }
 
 /// A VertexPair as one number.
@@ -94,8 +104,10 @@ using Pair = std::uint64_t;
   return std::uint64_t{static_cast<std::uint32_t>(indices.x)} |
          std::uint64_t{static_cast<std::uint32_t>(indices.y)} << 32U;
 }
+[[nodiscard]] inline std::size_t index_x(Pair pair) { return pair & 0xffffffffU; }
+[[nodiscard]] inline std::size_t index_y(Pair pair) { return pair >> 32U; }
 [[nodiscard]] inline VertexPair indices(Pair pair) {
-  return {static_cast<int>(pair & 0xffffffffU), static_cast<int>(pair >> 32U)};
+  return {static_cast<int>(index_x(pair)), static_cast<int>(index_y(pair))};
 }
 
 /// A vertex of the simplex.
@@ -110,8 +122,8 @@ struct Turn {
   Two column[2];
   bool turned;
 
-  Turn(const Pose<S, 2>& pose, bool is_turned)
-      : column{two<S>(pose.rotation.col(0)), two<S>(pose.rotation.col(1))}, turned(is_turned) {}
+  explicit Turn(const Rotation<S, 2>& rotation)
+      : column{two<S>(rotation.col(0)), two<S>(rotation.col(1))}, turned(rotation.turns()) {}
 
   [[nodiscard]] Two operator()(const Two& a) const {
     if (!turned) return a;
@@ -138,7 +150,7 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   const Query<S, 2>& query;
   Two offset;
   bool same_frame;
-  int count;  ///< Of the rows: 4 or all.
+  bool many;  ///< More than 4 rows count.
   Two x[Rows::kCount];
   Two y[Rows::kCount];
 
@@ -147,13 +159,13 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
       : query(asked), offset(two(prepared.offset)), same_frame(prepared.same_frame) {
     const Points<S, 2>& from = query.x.vertices;
     const Points<S, 2>& to = query.y.vertices;
-    count = std::max(from.size(), to.size()) <= 4 ? 4 : Rows::kCount;
-    const Turn<S> turn_x(query.x.pose, prepared.x_turned);
-    const Turn<S> turn_y(query.y.pose, prepared.y_turned);
+    many = detail::has_trait(query, Points<S, 2>::kMoreThanFour);
+    const Turn<S> turn_x(query.x.pose.rotation);
+    const Turn<S> turn_y(query.y.pose.rotation);
     const auto two_of = [](const Rows& rows, int i) {
       return Flat<Two>{two_at(rows.x + i), two_at(rows.y + i)};
     };
-    for (int i = 0; i < count; i += 2) {
+    for (int i = 0; i < (many ? Rows::kCount : 4); i += 2) {
       const Flat<Two> of_x = turn_x(two_of(from.rows(), i));
       const Flat<Two> of_y = turn_y(two_of(to.rows(), i));
       x[i] = __builtin_shufflevector(of_x.x, of_y.x, 0, 2);
@@ -163,70 +175,114 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
     }
   }
 
-  [[nodiscard]] Corner corner(Pair pair) const {
-    const auto [i, j] = indices(pair);
-    if (same_frame) return {two(query.y.vertices[j]) - two(query.x.vertices[i]), pair};
-    return {(Two{x[j][1], y[j][1]} - Two{x[i][0], y[i][0]}) + offset, pair};
+  /// The vertex of Z from vertex i of X and vertex j of Y.
+  [[nodiscard]] Two vertex(std::size_t i, std::size_t j) const {
+    if (same_frame) return two(query.y.vertices[j]) - two(query.x.vertices[i]);
+    return (Two{x[j][1], y[j][1]} - Two{x[i][0], y[i][0]}) + offset;
   }
 
-  /// How far vertices lie: of X along -d, of Y along d, where the direction is d with `sign`.
+  /// How far vertices lie: of X along -d, of Y along d.
   struct Along {
     Two dx;
     Two dy;
-    Two signs;
-    Along(const Two& d, const Two& sign)
-        : dx(both(d[0])), dy(both(d[1])), signs(with_sign(sign, Two{-0.0, 0.0})) {}
+    explicit Along(const Two& d)
+        : dx(with_sign(both(d[0]), kForX)), dy(with_sign(both(d[1]), kForX)) {}
     [[nodiscard]] Two operator()(const Two& at_x, const Two& at_y) const {
-      return with_sign(dx * at_x + dy * at_y, signs);
+      return dx * at_x + dy * at_y;
     }
+    static constexpr Two kForX = {-0.0, 0.0};
   };
 
-  /// As detail::farthest_pair, without a branch.
-  [[nodiscard]] Pair farthest(const Two& d, const Two& sign) const {
-    struct Leader {
-      Two value;
-      TwoMasks index;
-    };
-    const Along along(d, sign);
-    const auto first_of = [](const Leader& a, const Leader& b) {
-      return Leader{larger(a.value, b.value),
-                    a.index ^ ((a.index ^ b.index) & (a.value < b.value))};
-    };
-    const auto of_four = [&](int i) {
-      const auto vertex = [&](int k) { return Leader{along(x[k], y[k]), TwoMasks{k, k}}; };
-      return first_of(first_of(vertex(i), vertex(i + 1)), first_of(vertex(i + 2), vertex(i + 3)));
-    };
-    Leader first = of_four(0);
-    if (count > 4) first = first_of(first, of_four(4));
-#ifdef __SSE2__
-    return static_cast<Pair>(_mm_cvtsi128_si64(
-        _mm_shuffle_epi32(std::bit_cast<__m128i>(first.index), _MM_SHUFFLE(3, 1, 2, 0))));
-#else
-    return pair_of({static_cast<int>(first.index[0]), static_cast<int>(first.index[1])});
-#endif
+  /// As detail::farthest_pair, without a branch: along -d.
+  [[nodiscard]] Pair farthest_pair_against(const Two& d) const {
+    const Along along(-d);
+    return farthest_pair_of([&](int i) { return along(x[i], y[i]); });
+  }
+  /// The support point along d, turned round by `sign`.
+  [[nodiscard]] Corner support(const Two& d, const Two& sign) const {
+    const Along along(d);
+    return support_of([&](int i) { return with_sign(along(x[i], y[i]), sign); });
+  }
+  /// The support point along -d.
+  [[nodiscard]] Corner support_against(const Two& d) const {
+    const Along along(-d);
+    return support_of([&](int i) { return along(x[i], y[i]); });
   }
 
-  /// As detail::count_as_far, for both shapes: the product; 3 of a shape stand for more, too.
-  [[nodiscard]] int count_as_far(const Two& d, VertexPair a, VertexPair b, double error) const {
-    const Along along(d, both(0.0));
+  /// True when certainly no vertex of Z but a and b, which may be one, lies as far along d.
+  [[nodiscard]] bool are_alone(const Two& d, VertexPair a, VertexPair b, double error) const {
+    const Along along(d);
     const auto at = [&](VertexPair pair) {
       return along(Two{x[pair.x][0], x[pair.y][1]}, Two{y[pair.x][0], y[pair.y][1]});
     };
     const Two nearer = smaller(at(a), at(b)) - both(error);
-    unsigned less = 0;
-    for (int i = 0; i < count; i += 2) {
+    unsigned less = 0;  // two bits for each row: of X and of Y
+    for (int i = 0; i < (many ? Rows::kCount : 4); i += 2) {
       less |= static_cast<unsigned>(
                   bits(along(x[i], y[i]) < nearer, along(x[i + 1], y[i + 1]) < nearer))
               << 2U * static_cast<unsigned>(i);
     }
-    const auto count_of = [&](unsigned places, const Points<S, 2>& vertices) {
-      const unsigned first = places & ~less & ((1U << 2U * vertices.size()) - 1U);
-      const unsigned second = first & (first - 1U);
-      const unsigned third = second & (second - 1U);
-      return static_cast<int>(first != 0) + static_cast<int>(second != 0) +
-             static_cast<int>(third != 0);
+    const auto all_of = [](const Points<S, 2>& vertices) {
+      return (1U << 2U * static_cast<unsigned>(vertices.size())) - 1U;
     };
-    return count_of(0x5555U, query.x.vertices) * count_of(0xaaaaU, query.y.vertices);
+    const auto bit = [](int row) { return 1U << 2U * static_cast<unsigned>(row); };
+    const unsigned of_x = ~less & all_of(query.x.vertices) & 0x5555U;
+    const unsigned of_y = ~less & all_of(query.y.vertices) & 0xaaaaU;
+    const unsigned others = (of_x ^ (bit(a.x) | bit(b.x))) | (of_y ^ ((bit(a.y) | bit(b.y)) << 1U));
+    // One comparison, for nobody foresees of which shape an edge is.
+    return (others | (static_cast<unsigned>(a.x != b.x) & static_cast<unsigned>(a.y != b.y))) == 0;
+  }
+
+ private:
+  /// Of X and of Y the row that lies farthest so far, and where it is: to look it up from its index
+  /// takes longer.
+  struct Leader {
+    Two value;
+    TwoMasks index;
+    Two x;
+    Two y;
+  };
+  [[nodiscard]] static Leader first_of(const Leader& a, const Leader& b) {
+    const TwoMasks second = a.value < b.value;
+    return {larger(a.value, b.value), second ? b.index : a.index, second ? b.x : a.x,
+            second ? b.y : a.y};
+  }
+  /// Of rows i to i + 3.
+  template <class Along>
+  [[nodiscard]] Leader leader_of_four(int i, const Along& along) const {
+    const auto of_two = [&](int k) {
+      const Two a = along(k);
+      const Two b = along(k + 1);
+      const TwoMasks second = a < b;
+      return Leader{larger(a, b), TwoMasks{k, k} - second, second ? x[k + 1] : x[k],
+                    second ? y[k + 1] : y[k]};
+    };
+    return first_of(of_two(i), of_two(i + 2));
+  }
+  template <class Along>
+  [[nodiscard]] Pair farthest_pair_of(const Along& along) const {
+    Leader first = leader_of_four(0, along);
+    if (many) first = first_of(first, leader_of_four(4, along));
+    return pair_of(first);
+  }
+  template <class Along>
+  [[nodiscard]] Corner support_of(const Along& along) const {
+    if (many || same_frame) {
+      const Pair pair = farthest_pair_of(along);
+      return {vertex(index_x(pair), index_y(pair)), pair};
+    }
+    const Leader first = leader_of_four(0, along);
+    const Two of_x = __builtin_shufflevector(first.x, first.y, 0, 2);
+    const Two of_y = __builtin_shufflevector(first.x, first.y, 1, 3);
+    return {(of_y - of_x) + offset, pair_of(first)};
+  }
+  [[nodiscard]] static Pair pair_of(const Leader& leader) {
+#ifdef __SSE2__
+    return static_cast<Pair>(_mm_cvtsi128_si64(
+        _mm_shuffle_epi32(std::bit_cast<__m128i>(leader.index), _MM_SHUFFLE(3, 1, 2, 0))));
+#else
+    return quick::pair_of({static_cast<int>(leader.index[0]), static_cast<int>(leader.index[1])});
+#endif
   }
 };
 
@@ -240,9 +296,9 @@ struct AnyShapes {
     bool centred;
     int count;
 
-    Body(const Shape<S, 2>& shape, bool turned, const Vec<double, 2>& middle, bool is_centred)
+    Body(const Shape<S, 2>& shape, const Vec<double, 2>& middle, bool is_centred)
         : points(shape.vertices),
-          turn(shape.pose, turned),
+          turn(shape.pose.rotation),
           centre(two(middle)),
           centred(is_centred),
           count(static_cast<int>(shape.vertices.size())) {}
@@ -273,350 +329,420 @@ struct AnyShapes {
   bool same_frame;
 
   AnyShapes(const Query<S, 2>& query, const Prepared<double, 2>& prepared)
-      : x(query.x, prepared.x_turned, prepared.x_centre, prepared.centred),
-        y(query.y, prepared.y_turned, prepared.y_centre, prepared.centred),
+      : x(query.x, prepared.x_centre, prepared.centred),
+        y(query.y, prepared.y_centre, prepared.centred),
         offset(two(prepared.offset)),
         same_frame(prepared.same_frame) {}
 
-  [[nodiscard]] Corner corner(Pair pair) const {
-    const auto [i, j] = indices(pair);
-    if (same_frame) return {y.vertex(j) - x.vertex(i), pair};
-    return {(y.placed(j) - x.placed(i)) + offset, pair};
+  [[nodiscard]] Two vertex(std::size_t i, std::size_t j) const {
+    if (same_frame) return y.vertex(j) - x.vertex(i);
+    return (y.placed(j) - x.placed(i)) + offset;
   }
-  [[nodiscard]] Pair farthest(const Two& d, const Two& sign) const {
-    const Two along = with_sign(d, sign);
-    return pair_of({x.farthest(-along), y.farthest(along)});
+  [[nodiscard]] Pair farthest_pair_against(const Two& d) const {
+    return pair_of({x.farthest(d), y.farthest(-d)});
   }
-  [[nodiscard]] int count_as_far(const Two& d, VertexPair a, VertexPair b, double error) const {
-    return x.count_as_far(-d, a.x, b.x, error) * y.count_as_far(d, a.y, b.y, error);
+  [[nodiscard]] Corner support(const Two& d, const Two& sign) const {
+    return support_against(with_sign(-d, sign));
+  }
+  [[nodiscard]] Corner support_against(const Two& d) const {
+    const Pair pair = farthest_pair_against(d);
+    return {vertex(index_x(pair), index_y(pair)), pair};
+  }
+  [[nodiscard]] bool are_alone(const Two& d, VertexPair a, VertexPair b, double error) const {
+    return x.count_as_far(-d, a.x, b.x, error) * y.count_as_far(d, a.y, b.y, error) ==
+           (a == b ? 1 : 2);
+  }
+};
+
+/// The best support plane so far; see State.
+struct Plane {
+  double distance_sq = 0.0;
+  double reach_sq = 0.0;
+
+  /// The plane through w.
+  void note(double offered_sq, const Two& w) {
+    if (!(distance_sq < offered_sq)) return;
+    distance_sq = offered_sq;
+    reach_sq = dot(w, w);
+  }
+  /// The same, along d, where dot(d, w) is `value`.
+  void note(double value, double d_sq, const Two& w) {
+    const double below = value < 0.0 ? value : 0.0;
+    note(below * (below / d_sq), w);
   }
 };
 
 /// Where a run ended: at a vertex, between two, or in a triangle.
-struct Found {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
-  Corner corners[3];
-  double weights[3];
-  double least_area;  ///< Of the triangles that O makes with two vertices, doubled.
-  int count;
-  double plane_sq;  ///< See State.
-  double plane_reach_sq;
-  int iterations;
-  StopReason stop;
+template <int N>
+struct Found {
+  std::array<Corner, N> corners;
+  std::array<double, N> weights;
+  Plane plane;
+  int iterations = 0;
+  StopReason stop = StopReason::running;
+  double least_area = 0.0;  ///< Of the triangles that O makes with two vertices, doubled.
+
+  [[nodiscard]] VertexPair pair(int i) const { return indices(corners[i].pair); }
 };
 
-/// The phases in their order, from the simplex of the first start. False where rounding leaves
-/// something to be decided that ordinary queries do not come to.
+/// The vertex where the walk begins.
 template <class Shapes>
-[[nodiscard, gnu::flatten]] inline bool walk(const Shapes& shapes, const Options& options,
-                                             Found& found) {
-  const Pair first = options.start_count == 0 ? shapes.farthest(shapes.offset, both(-0.0))
-                                              : pair_of(options.start[0]);
-  Corner a = shapes.corner(first);
+[[nodiscard]] inline Corner start(const Shapes& shapes, const Options& options) {
+  if (options.start_count == 0) return shapes.support_against(shapes.offset);
+  const VertexPair& pair = options.start[0];
+  return {shapes.vertex(pair.x, pair.y), pair_of(pair)};
+}
+
+/// The phases in their order, from vertex `a`: `answer` of where they end, or false where rounding
+/// leaves something to be decided that ordinary queries do not come to.
+template <class Shapes, class Answer>
+[[nodiscard, gnu::flatten]] inline bool walk(const Shapes& shapes, const Options& options, Corner a,
+                                             const Answer& answer) {
   Corner b = a;
+  Corner c = a;
   bool on_edge = false;  // else P is a
-  Two weights{1.0, 0.0};
-  double plane_sq = 0.0;
-  double plane_reach_sq = 0.0;
+  bool inside = false;
+  double of_a = 0.0;  // areas of triangles that O makes with the other two vertices, doubled
+  double of_b = 0.0;
+  double of_c = 0.0;
   double best_sq = std::numeric_limits<double>::infinity();
+  Plane plane;
+  StopReason stop = StopReason::repeated_support;
   int iteration = 1;
-  const auto end = [&](StopReason reason) {
-    if (on_edge && reason != StopReason::origin_inside) {
-      const Two edge = b.w - a.w;
-      weights = Two{dot(b.w, edge), -dot(a.w, edge)} / both(dot(edge, edge));
-    }
-    found.corners[0] = a;
-    found.corners[1] = b;
-    found.weights[0] = weights[0];
-    found.weights[1] = weights[1];
-    found.count = on_edge ? 2 : 1;
-    found.plane_sq = plane_sq;
-    found.plane_reach_sq = plane_reach_sq;
-    found.iterations = iteration;
-    found.stop = reason;
-    return true;
+  const auto comes_nearer = [&](double p_sq) {
+    const bool nearer = 0.0 < p_sq && p_sq < best_sq;
+    best_sq = p_sq;
+    return nearer;
   };
   for (;; ++iteration) {
-    // Direction, before its sign: d or -d. P is on the line of an edge, so p_sq is the square of
-    // the line's distance.
-    Two d = a.w;
-    Two side = both(-0.0);
-    double d_sq = dot(d, d);
-    double p_sq = d_sq;
-    if (on_edge) {
-      const Two edge = b.w - a.w;
-      const double a_cross_b = cross(a.w, b.w);
-      d = perpendicular(edge);
-      side = sign_of(0.0 - dot(d, a.w));
-      d_sq = dot(edge, edge);
-      p_sq = a_cross_b * (a_cross_b / d_sq);
-    }
-    if (!(0.0 < p_sq && p_sq < best_sq)) return false;
-    best_sq = p_sq;
-
-    // Support and stop. A vertex that is in the simplex already need not be put together again.
-    const Pair pair = shapes.farthest(d, side);
-    d = with_sign(d, side);
-    const auto note_plane = [&](const Two& w) {
-      const double value = dot(d, w);
-      const double below = value < 0.0 ? value : 0.0;
-      const double distance_sq = below * (below / d_sq);
-      if (plane_sq < distance_sq) {
-        plane_sq = distance_sq;
-        plane_reach_sq = dot(w, w);
-      }
-      return value;
-    };
-    const bool is_b = pair == b.pair;
-    if (is_b || pair == a.pair) {
-      note_plane(is_b ? b.w : a.w);
-      return end(StopReason::repeated_support);
-    }
-    const Corner c = shapes.corner(pair);
-    const double value = note_plane(c.w);
-    const double along_a = dot(d, a.w);
-    const double along_b = dot(d, b.w);
-    if (!((along_a < along_b ? along_b : along_a) < value)) return end(StopReason::no_progress);
-    if (options.iteration_cap <= iteration) return false;
-
-    // Closest and cull.
-    const Two ac = c.w - a.w;
-    const bool a_in_ac = 0.0 < dot(c.w, ac);
-    const bool c_in_ac = 0.0 < -dot(a.w, ac);
     if (!on_edge) {
-      on_edge = a_in_ac && c_in_ac;
-      if (!a_in_ac) a = c;
+      // d = -a, so a lies -d_sq along it.
+      const double d_sq = dot(a.w, a.w);
+      if (!comes_nearer(d_sq)) [[unlikely]]
+        return false;
+      const Pair pair = shapes.farthest_pair_against(a.w);
+      if (pair == a.pair) {
+        plane.note(d_sq, a.w);
+        break;
+      }
+      c = {shapes.vertex(index_x(pair), index_y(pair)), pair};
+      const double value = -dot(a.w, c.w);
+      plane.note(value, d_sq, c.w);
+      if (!(-d_sq < value)) {
+        stop = StopReason::no_progress;
+        break;
+      }
+      if (options.iteration_cap <= iteration) [[unlikely]]
+        return false;
+      const Two ac = c.w - a.w;
+      const Two in_ac = dots(c.w, ac, -a.w, ac);
+      on_edge = 0.0 < in_ac[0] && 0.0 < in_ac[1];
+      if (!(0.0 < in_ac[0])) a = c;
       b = c;
-      if (!on_edge) b = a;
       continue;
     }
+    // The direction before its sign: d or -d. P is on the line of the edge, so p_sq is the square
+    // of the line's distance.
+    const Two edge = b.w - a.w;
+    const double a_cross_b = cross(a.w, b.w);
+    Two d = perpendicular(edge);
+    const Two side = signed_zeros(0.0 - dot(d, a.w));
+    const double d_sq = dot(edge, edge);
+    if (!comes_nearer(a_cross_b * (a_cross_b / d_sq))) [[unlikely]]
+      return false;
+    c = shapes.support(d, side);
+    d = with_sign(d, side);
+    const double value = dot(d, c.w);
+    plane.note(value, d_sq, c.w);
+    if (c.pair == b.pair || c.pair == a.pair) break;
+    const Two along = dots(d, a.w, d, b.w);
+    if (!(along[0] < value && along[1] < value)) {
+      stop = StopReason::no_progress;
+      break;
+    }
+    if (options.iteration_cap <= iteration) [[unlikely]]
+      return false;
     // O is in the region of neither a nor b: they were kept by the cull before.
+    const Two ac = c.w - a.w;
     const Two bc = c.w - b.w;
-    const bool b_in_bc = 0.0 < dot(c.w, bc);
-    const bool c_in_bc = 0.0 < -dot(b.w, bc);
-    const double volume = cross(b.w - a.w, ac);
-    if (volume == 0.0) return false;
-    const double sign = std::copysign(1.0, volume);
-    const double of_a = sign * cross(b.w, c.w);
-    const double of_b = sign * -cross(a.w, c.w);
-    const double of_c = sign * cross(a.w, b.w);
-    if (!a_in_ac && !b_in_bc) {
+    const Two in_ac = dots(c.w, ac, -a.w, ac);
+    const Two in_bc = dots(c.w, bc, -b.w, bc);
+    const double volume = cross(edge, ac);
+    if (volume == 0.0) [[unlikely]]
+      return false;
+    const double sign = gjk::sign_of(volume);
+    of_a = sign * cross(b.w, c.w);
+    of_b = sign * -cross(a.w, c.w);
+    of_c = sign * a_cross_b;
+    if (!(0.0 < in_ac[0]) && !(0.0 < in_bc[0])) {
       a = c;
-      b = c;
       on_edge = false;
-      weights = Two{1.0, 0.0};
     } else if (!(0.0 < of_c)) {
       continue;
-    } else if (b_in_bc && c_in_bc && !(0.0 < of_a)) {
+    } else if (0.0 < in_bc[0] && 0.0 < in_bc[1] && !(0.0 < of_a)) {
       a = b;
       b = c;
-    } else if (a_in_ac && c_in_ac && !(0.0 < of_b)) {
+    } else if (0.0 < in_ac[0] && 0.0 < in_ac[1] && !(0.0 < of_b)) {
       b = c;
+    } else if (0.0 < of_a && 0.0 < of_b) {
+      inside = true;
+      break;
     } else {
-      const double sum = of_a + of_b + of_c;
-      weights = Two{of_a, of_b} / both(sum);
-      ++iteration;
-      static_cast<void>(end(StopReason::origin_inside));
-      found.corners[2].w = c.w;
-      found.corners[2].pair = c.pair;
-      found.weights[2] = of_c / sum;
-      found.least_area = gjk::smaller(gjk::smaller(of_a, of_b), of_c);
-      found.count = 3;
-      return 0.0 < of_a && 0.0 < of_b;
+      return false;
     }
   }
+  if (inside) {
+    const double sum = of_a + of_b + of_c;
+    return answer(Found<3>{{a, b, c},
+                           {of_a / sum, of_b / sum, of_c / sum},
+                           plane,
+                           iteration + 1,
+                           StopReason::origin_inside,
+                           gjk::smaller(gjk::smaller(of_a, of_b), of_c)});
+  }
+  if (!on_edge) return answer(Found<1>{{a}, {1.0}, plane, iteration, stop});
+  const Two edge = b.w - a.w;
+  const Two weights = dots(b.w, edge, -a.w, edge) / both(dot(edge, edge));
+  return answer(Found<2>{{a, b}, {weights[0], weights[1]}, plane, iteration, stop});
 }
 
 /// What detail::bounds_outside asks.
-template <class S, class Shapes>
+template <class S, class Shapes, int N>
 struct Asked {
-  const Found& simplex;
+  const Found<N>& simplex;
   const Shapes& shapes;
   const Query<S, 2>& query;
   const Prepared<double, 2>& prepared;
 
-  [[nodiscard]] double corner_reach_sq(bool crossed) const {
+  [[nodiscard]] double corner_reach_sq() const {
     const auto& [x0, x1] = query.x.vertices.far_apart();
     const auto& [y0, y1] = query.y.vertices.far_apart();
-    const Two a = shapes.corner(pair_of({x0, crossed ? y1 : y0})).w;
-    const Two b = shapes.corner(pair_of({x1, crossed ? y0 : y1})).w;
-    const Two both_sq = dots(a, a, b, b);
-    return gjk::larger(both_sq[0], both_sq[1]);
+    const auto reach_sq = [&](int i, int j) {
+      const Two w = shapes.vertex(i, j);
+      return dot(w, w);
+    };
+    return gjk::larger(gjk::larger(reach_sq(x0, y0), reach_sq(x1, y1)),
+                       gjk::larger(reach_sq(x0, y1), reach_sq(x1, y0)));
   }
   [[nodiscard]] double careful_distance() const {
-    return careful_distance_of(query, prepared, indices(simplex.corners[0].pair),
-                               indices(simplex.corners[1].pair), simplex.count == 2);
+    return careful_distance_of(query, simplex.pair(0), simplex.pair(N - 1), N == 2);
   }
   [[nodiscard]] bool is_certainly_farthest(const Flat<double>& direction, double angle) const {
     const Two d{direction.x, direction.y};
-    const bool on_edge = simplex.count == 2;
-    const VertexPair first = indices(simplex.corners[0].pair);
-    const VertexPair last = on_edge ? indices(simplex.corners[1].pair) : first;
     const double error = length(direction) * prepared.scan_error_within(angle);
-    return shapes.count_as_far(d, first, last, error) == (on_edge ? 2 : 1);
+    return shapes.are_alone(d, simplex.pair(0), simplex.pair(N - 1), error);
   }
 
  private:
   [[nodiscard, gnu::noinline, gnu::flatten]] static double careful_distance_of(
-      const Query<S, 2>& query, const Prepared<double, 2>& prepared, VertexPair a, VertexPair b,
-      bool on_edge) {
-    const Flat<DoubleWord<double>> at_a = careful_vertex(query, prepared, a);
-    return detail::careful_distance<double>(
-        at_a, on_edge ? careful_vertex(query, prepared, b) : at_a, on_edge);
+      const Query<S, 2>& query, VertexPair a, VertexPair b, bool on_edge) {
+    const bool few_digits = have_few_digits(query);
+    const auto careful_vertex = [&](VertexPair pair) {
+      return few_digits ? careful_vertex_of<true>(query, pair)
+                        : careful_vertex_of<false>(query, pair);
+    };
+    const auto length_of = [](const DoubleWord<Two>& v) {
+      return careful_length(Vec<double, 2>(v.hi[0], v.hi[1]));
+    };
+    const DoubleWord<Two> at_a = careful_vertex(a);
+    if (!on_edge) return length_of(at_a);
+    const DoubleWord<Two> edge = careful_vertex(b) - at_a;
+    return rounded_cross(at_a, edge) / length_of(edge);
   }
-  /// As detail::careful_vertex, both coordinates at once.
-  [[nodiscard]] static Flat<DoubleWord<double>> careful_vertex(const Query<S, 2>& query,
-                                                               const Prepared<double, 2>& prepared,
-                                                               VertexPair pair) {
-    detail::CarefulSum<Two, double> sum;
+  /// As detail::rounded_cross, both products at once.
+  [[nodiscard]] static double rounded_cross(const DoubleWord<Two>& a, const DoubleWord<Two>& b) {
+    const DoubleWord<Two> product = exact_product<Two, double>(a.hi, swapped(b.hi));
+    const Two rest = product.lo + (a.hi * swapped(b.lo) + a.lo * swapped(b.hi));
+    const DoubleWord<double> difference = exact_sum<double>(product.hi[0], -product.hi[1]);
+    return difference.hi + (difference.lo + (rest[0] - rest[1]));
+  }
+  /// As detail::careful_vertex, both coordinates at once. kFewDigits: products need no care.
+  template <bool kFewDigits>
+  [[nodiscard]] static DoubleWord<Two> careful_vertex_of(const Query<S, 2>& query,
+                                                         VertexPair pair) {
+    detail::CarefulSum<Two, double> sum(two(query.y.pose.translation));
     const auto signed_two = [](const Vec<S, 2>& a, double sign) { return both(sign) * two(a); };
-    const auto add = [&](const Shape<S, 2>& shape, int vertex, bool turned, double sign) {
+    const auto add = [&](const Shape<S, 2>& shape, int vertex, double sign) {
       const Two local = signed_two(shape.vertices[vertex], sign);
-      if (!turned) return sum.add(local);
+      if (!shape.pose.rotation.turns()) return sum.add(local);
       for (int k = 0; k < 2; ++k) {
-        sum.add_product(two<S>(shape.pose.rotation.col(k)), Two{local[k], local[k]});
+        const Two column = two<S>(shape.pose.rotation.col(k));
+        if constexpr (kFewDigits) {
+          sum.add(column * both(local[k]));
+        } else {
+          sum.add_product(column, both(local[k]));
+        }
       }
     };
-    sum.add(two(query.y.pose.translation));
     sum.add(signed_two(query.x.pose.translation, -1.0));
-    add(query.y, pair.y, prepared.y_turned, 1.0);
-    add(query.x, pair.x, prepared.x_turned, -1.0);
-    const DoubleWord<Two> out = sum.normalised();
-    return {{out.hi[0], out.lo[0]}, {out.hi[1], out.lo[1]}};
+    add(query.y, pair.y, 1.0);
+    add(query.x, pair.x, -1.0);
+    return sum.normalised();
+  }
+  [[nodiscard]] static bool have_few_digits(const Query<S, 2>& query) {
+    return std::is_same_v<S, float> ||
+           (!detail::has_trait(query, Points<S, 2>::kManyDigits) &&
+            query.x.pose.rotation.has_few_digits() && query.y.pose.rotation.has_few_digits());
   }
 };
 
 /// As detail::surely_inside, and what the phases ask of a triangle and its weights.
-[[nodiscard]] inline bool is_surely_inside(const Found& simplex,
+[[nodiscard]] inline bool is_surely_inside(const Found<3>& simplex,
                                            const Prepared<double, 2>& prepared) {
   const auto norm_max = [](const Two& v) { return larger(v, swapped(v))[0]; };
-  Two most{0.0, 0.0};
-  Two p{0.0, 0.0};
-  for (int i = 0; i < 3; ++i) {
-    const Two& w = simplex.corners[i].w;
-    most = larger(most, magnitudes(w));
-    const Two part = both(simplex.weights[i]) * w;
-    p = i == 0 ? part : p + part;
-  }
-  const double size = norm_max(most);
+  const auto& [a, b, c] = simplex.corners;
+  const auto& weights = simplex.weights;
+  const double size = norm_max(larger(larger(magnitudes(a.w), magnitudes(b.w)), magnitudes(c.w)));
+  const Two p = (both(weights[0]) * a.w + both(weights[1]) * b.w) + both(weights[2]) * c.w;
   return detail::volume_error(size, prepared) < simplex.least_area &&
          !(2.0 * ScalarTraits<double>::unit_roundoff() * size < norm_max(magnitudes(p)));
 }
 
-/// As detail::set_witness_points: put together from the vertex of the largest weight.
-template <class S>
-[[nodiscard]] Two witness(const Found& simplex, const Shape<S, 2>& shape, bool turned,
-                          const Prepared<double, 2>& prepared, int VertexPair::*index) {
-  const auto& weights = simplex.weights;
-  const auto vertex = [&](int i) {
-    return two(shape.vertices[indices(simplex.corners[i].pair).*index]);
-  };
-  Two from = vertex(0);
-  Two beyond{0.0, 0.0};
-  if (simplex.count == 2) {
-    const Two b = vertex(1);
-    const bool from_b = weights[0] < weights[1];
-    const double weight = (from_b ? weights[0] : weights[1]) / (weights[0] + weights[1]);
-    beyond = (from_b ? from - b : b - from) * both(weight);
-    if (from_b) from = b;
-  } else if (simplex.count == 3) {
-    const double sum = weights[0] + weights[1] + weights[2];
-    const auto start_at = [&](int base, int p, int q) {
-      from = vertex(base);
-      beyond =
-          (vertex(p) - from) * both(weights[p] / sum) + (vertex(q) - from) * both(weights[q] / sum);
+/// How witness points are put together, as detail::set_witness_points does: from the vertices of
+/// the largest weight, and shares of the ways to the others.
+template <int N>
+struct Mixture {
+  std::array<Pair, N> pairs;  ///< That of the largest weight first.
+  std::array<double, N> shares;
+
+  explicit Mixture(const Found<N>& found) {
+    const auto& weights = found.weights;
+    const auto& corners = found.corners;
+    const auto start_at = [&](auto... order) {
+      int k = 0;
+      ((pairs[k] = corners[order].pair, shares[k] = weights[order], ++k), ...);
     };
-    if (std::max(weights[0], weights[1]) < weights[2]) {
-      start_at(2, 0, 1);
-    } else if (weights[0] < weights[1]) {
-      start_at(1, 0, 2);
+    if constexpr (N == 1) {
+      pairs[0] = corners[0].pair;
+    } else if constexpr (N == 2) {
+      const Pair swap = (corners[0].pair ^ corners[1].pair) & -Pair{weights[0] < weights[1]};
+      pairs[0] = corners[0].pair ^ swap;
+      pairs[1] = corners[1].pair ^ swap;
+      shares[1] = gjk::smaller(weights[0], weights[1]);
     } else {
-      start_at(0, 1, 2);
+      if (std::max(weights[0], weights[1]) < weights[2]) {
+        start_at(2, 0, 1);
+      } else if (weights[0] < weights[1]) {
+        start_at(1, 0, 2);
+      } else {
+        start_at(0, 1, 2);
+      }
     }
   }
-  if (turned && prepared.centred) {
+};
+
+/// Of the vertices that `index` picks from a pair.
+template <class S, int N, class Index>
+[[nodiscard]] Two witness(const Mixture<N>& mixture, const Shape<S, 2>& shape,
+                          const Prepared<double, 2>& prepared, const Index& index) {
+  const auto vertex = [&](int i) { return two(shape.vertices[index(mixture.pairs[i])]); };
+  const Two from = vertex(0);
+  Two beyond{0.0, 0.0};
+  for (int i = 1; i < N; ++i) {
+    const Two part = (vertex(i) - from) * both(mixture.shares[i]);
+    beyond = i == 1 ? part : beyond + part;
+  }
+  if (shape.pose.rotation.turns() && prepared.centred) {
     const Vec<double, 2> place =
         detail::careful_place<double>(shape.pose, Vec<double, 2>(from[0], from[1]),
-                                      Vec<double, 2>(beyond[0], beyond[1]), prepared);
+                                      Vec<double, 2>(beyond[0], beyond[1]), prepared.exponent);
     return Two{place[0], place[1]};
   }
-  return Turn<S>(shape.pose, turned)(from + beyond) + two(shape.pose.translation);
+  const Two local = N == 1 ? from : from + beyond;
+  return Turn<S>(shape.pose.rotation)(local) + two(shape.pose.translation);
 }
 
 /// Fills in the answer. False when it is not proved, or came from a place that is not ordinary.
 template <class Shapes, class S>
 [[nodiscard, gnu::flatten]] inline bool distance_between(const Query<S, 2>& query,
                                                          const Options& options,
-                                                         const Prepared<double, 2>& prepared,
                                                          Result<double, 2>& out) {
+  Prepared<double, 2> prepared = detail::placed<double>(query, 0);
   const Shapes shapes(query, prepared);
-  Found found;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
-  if (!walk(shapes, options, found)) return false;
-  const Found& simplex = found;
-  if (simplex.count == 3) {
-    if (!is_surely_inside(simplex, prepared)) return false;
-    out.verdict = Verdict::overlapping;
-    out.distance = 0.0;
-    out.lower = 0.0;
-    out.upper = 0.0;
-  } else {
-    const auto& [a, b, c] = simplex.corners;
-    const detail::Feature<double> feature{
-        flat(a.w),          flat(b.w),
-        simplex.count == 2, gjk::smaller(simplex.weights[0], simplex.weights[1]),
-        found.plane_sq,     found.plane_reach_sq};
-    const detail::Bounds<double> bounds = detail::bounds_outside(
-        feature, prepared, Asked<S, Shapes>{simplex, shapes, query, prepared});
-    if (!(0.0 < bounds.lower) || !bounds.tight) return false;
-    out.verdict = Verdict::separated;
-    out.distance = bounds.distance;
-    out.lower = bounds.lower;
-    out.upper = bounds.upper;
-    out.distance_sq = bounds.distance * bounds.distance;
-  }
-  out.stop = found.stop;
-  out.iterations = found.iterations;
-  out.simplex.count = simplex.count;
-  for (int i = 0; i < simplex.count; ++i) {
-    out.simplex.vertices[i].w[0] = simplex.corners[i].w[0];
-    out.simplex.vertices[i].w[1] = simplex.corners[i].w[1];
-    out.simplex.vertices[i].pair = indices(simplex.corners[i].pair);
-    out.simplex.weights[i] = simplex.weights[i];
-  }
-  const Two x = witness(simplex, query.x, prepared.x_turned, prepared, &VertexPair::x);
-  const Two y = witness(simplex, query.y, prepared.y_turned, prepared, &VertexPair::y);
-  out.x[0] = x[0];
-  out.x[1] = x[1];
-  out.y[0] = y[0];
-  out.y[1] = y[1];
-  return true;
+  const Corner first = start(shapes, options);
+  // Measured here, while the processor waits for the first vertex.
+  detail::measure(query, prepared);
+  if (!ScalarTraits<double>::is_in_range(prepared.reach)) [[unlikely]]
+    return false;
+
+  const auto fill = [&]<int N>(const Found<N>& found) {
+    out.stop = found.stop;
+    out.iterations = found.iterations;
+    out.simplex.count = N;
+    const auto keep = [&](int i) {
+      out.simplex.vertices[i].w[0] = found.corners[i].w[0];
+      out.simplex.vertices[i].w[1] = found.corners[i].w[1];
+      out.simplex.vertices[i].pair = found.pair(i);
+      out.simplex.weights[i] = found.weights[i];
+    };
+    keep(0);  // One by one: a loop would keep `found` in memory.
+    if constexpr (N > 1) keep(1);
+    if constexpr (N > 2) keep(2);
+    const Mixture<N> mixture(found);
+    const Two x = witness(mixture, query.x, prepared, index_x);
+    const Two y = witness(mixture, query.y, prepared, index_y);
+    out.x[0] = x[0];
+    out.x[1] = x[1];
+    out.y[0] = y[0];
+    out.y[1] = y[1];
+    return true;
+  };
+  const auto answer = [&]<int N>(const Found<N>& found) {
+    if constexpr (N == 3) {
+      if (!is_surely_inside(found, prepared)) [[unlikely]]
+        return false;
+      out.verdict = Verdict::overlapping;
+      out.distance = 0.0;
+      out.lower = 0.0;
+      out.upper = 0.0;
+    } else {
+      const detail::Feature<double> feature{flat(found.corners[0].w),
+                                            flat(found.corners[N - 1].w),
+                                            N == 2,
+                                            gjk::smaller(found.weights[0], found.weights[N - 1]),
+                                            found.plane.distance_sq,
+                                            found.plane.reach_sq};
+      const detail::Bounds<double> bounds = detail::bounds_outside(
+          feature, prepared, Asked<S, Shapes, N>{found, shapes, query, prepared});
+      if (!(0.0 < bounds.lower) || !bounds.tight) [[unlikely]]
+        return false;
+      out.verdict = Verdict::separated;
+      out.distance = bounds.distance;
+      out.lower = bounds.lower;
+      out.upper = bounds.upper;
+      out.distance_sq = bounds.distance * bounds.distance;
+    }
+    return fill(found);
+  };
+  return walk(shapes, options, first, answer);
 }
 
 template <class S>
 [[nodiscard, gnu::noinline]] bool distance_of_large(const Query<S, 2>& query,
                                                     const Options& options,
-                                                    const Prepared<double, 2>& prepared,
                                                     Result<double, 2>& out) {
-  return distance_between<AnyShapes<S>>(query, options, prepared, out);
-}
-template <class S>
-[[nodiscard, gnu::flatten]] inline bool distance(const Query<S, 2>& query, const Options& options,
-                                                 const Prepared<double, 2>& prepared,
-                                                 Result<double, 2>& out) {
-  if (query.x.vertices.is_small() && query.y.vertices.is_small())
-    return distance_between<SmallShapes<S>>(query, options, prepared, out);
-  return distance_of_large(query, options, prepared, out);
+  return distance_between<AnyShapes<S>>(query, options, out);
 }
 
-/// True when the query may go this way: the default rules, and no shape so large that climbing
-/// beats scanning.
+/// True when the query may go this way: nothing wrong with it, the default rules, and no shape so
+/// large that climbing beats scanning.
 template <class S>
-[[nodiscard]] bool is_ordinary(const Query<S, 2>& query, const Options& options,
-                               const Prepared<double, 2>& prepared) {
-  return prepared.error == Error::none && prepared.exponent == 0 && options.start_count <= 1 &&
+[[nodiscard]] bool is_ordinary(const Query<S, 2>& query, const Options& options) {
+  return detail::first_wrong(query, options) == Error::none &&
+         !detail::has_trait(query, Points<S, 2>::kRing) && options.start_count <= 1 &&
          options.direction_rule == DirectionRule::perpendicular &&
          options.region_order == RegionOrder::vertices_first && options.stop_on_repeated_support &&
-         options.stop_on_no_progress && options.tolerance == 0.0 && !query.x.vertices.is_ring() &&
-         !query.y.vertices.is_ring();
+         options.stop_on_no_progress && options.tolerance == 0.0;
+}
+
+/// Fills in the answer of an ordinary query; else false.
+template <class S>
+[[nodiscard, gnu::flatten]] inline bool distance(const Query<S, 2>& query, const Options& options,
+                                                 Result<double, 2>& out) {
+  if (!is_ordinary(query, options)) [[unlikely]]
+    return false;
+  if (detail::has_trait(query, Points<S, 2>::kLarge)) return distance_of_large(query, options, out);
+  return distance_between<SmallShapes<S>>(query, options, out);
 }
 
 }  // namespace gjk::quick

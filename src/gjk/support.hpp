@@ -10,14 +10,18 @@
 namespace gjk {
 namespace detail {
 
-/// A vertex as its shape's pose turns it, seen from the shape's centre, in the run's unit.
+/// A vertex in its shape's own frame, seen from the shape's centre, in the run's unit.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+                                    const Vec<R, D>& centre, std::size_t i) {
+  const auto& vertex = converted<R, S, D>(shape.vertices[i]);
+  return prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - centre) : Vec<R, D>(vertex));
+}
+/// The same as its shape's pose turns it.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> placed(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
-                               bool turned, const Vec<R, D>& centre, std::size_t i) {
-  const auto& vertex = converted<R, S, D>(shape.vertices[i]);
-  const Vec<R, D> local =
-      prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - centre) : Vec<R, D>(vertex));
-  return turned ? shape.pose.template rotated<R>(local) : local;
+                               const Vec<R, D>& centre, std::size_t i) {
+  return shape.pose.template rotated<R>(from_centre(shape, prepared, centre, i));
 }
 
 /// The vertices of a shape along a direction: dot(d, vertex - centre). Those of a small shape are
@@ -32,17 +36,18 @@ struct Along {
   bool turns_vertices;
   Vec<R, D> d;
 
-  Along(const Shape<S, D>& query_shape, const Prepared<R, D>& query_prepared, bool turned,
+  Along(const Shape<S, D>& query_shape, const Prepared<R, D>& query_prepared,
         const Vec<R, D>& shape_centre, const Vec<R, D>& world)
       : shape(query_shape),
         vertices(shape.vertices),
         prepared(query_prepared),
         centre(shape_centre),
-        turns_vertices(turned && !ScalarTraits<R>::kExact && vertices.is_small()),
-        d(turned && !turns_vertices ? shape.pose.template direction_to_local<R>(world) : world) {}
+        turns_vertices(!ScalarTraits<R>::kExact && vertices.is_small()),
+        d(turns_vertices ? world : shape.pose.template direction_to_local<R>(world)) {}
 
   [[nodiscard]] R operator()(std::size_t i) const {
-    return dot<R, D>(d, placed(shape, prepared, turns_vertices, centre, i));
+    return dot<R, D>(d, turns_vertices ? placed(shape, prepared, centre, i)
+                                       : from_centre(shape, prepared, centre, i));
   }
 };
 
@@ -50,12 +55,12 @@ struct Along {
 template <class R, class S, int D>
 [[nodiscard]] Along<R, S, D> along_x(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                      const Vec<R, D>& d) {
-  return {query.x, prepared, prepared.x_turned, prepared.x_centre, -d};
+  return {query.x, prepared, prepared.x_centre, -d};
 }
 template <class R, class S, int D>
 [[nodiscard]] Along<R, S, D> along_y(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                      const Vec<R, D>& d) {
-  return {query.y, prepared, prepared.y_turned, prepared.y_centre, d};
+  return {query.y, prepared, prepared.y_centre, d};
 }
 
 /// `yes` or `no`, without a branch: nobody foresees how vertices compare.
@@ -176,10 +181,8 @@ template <class R, class S, int D>
     const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
     return {prepared.in_unit(y) - prepared.in_unit(x), pair};
   }
-  const Vec<R, D> placed_x =
-      detail::placed(query.x, prepared, prepared.x_turned, prepared.x_centre, pair.x);
-  const Vec<R, D> placed_y =
-      detail::placed(query.y, prepared, prepared.y_turned, prepared.y_centre, pair.y);
+  const Vec<R, D> placed_x = detail::placed(query.x, prepared, prepared.x_centre, pair.x);
+  const Vec<R, D> placed_y = detail::placed(query.y, prepared, prepared.y_centre, pair.y);
   return {Vec<R, D>(placed_y - placed_x) + prepared.offset, pair};
 }
 
@@ -190,7 +193,7 @@ namespace detail {
 template <class R, int D>
 [[nodiscard]] R plane_error(const Flat<R>& distance_and_reach, const Prepared<R, D>& prepared) {
   const auto& [distance, reach] = distance_and_reach;
-  return prepared.vertex_error + prepared.scan_error +
+  return prepared.plane_error() +
          ScalarTraits<R>::unit_roundoff() * (R(D + 1) * reach + R(4) * distance);
 }
 /// The lower bound of the distance that a support plane proves.

@@ -33,7 +33,7 @@ gjk::Pose<S, 2> pose_of(const Placement& placement) {
     const double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
     const S c(std::cos(angle));
     const S s(std::sin(angle));
-    pose.rotation << c, S(-s), s, c;
+    pose.rotation = Eigen::Matrix<S, 2, 2>{{c, S(-s)}, {s, c}};
   }
   return pose;
 }

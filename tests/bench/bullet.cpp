@@ -29,7 +29,7 @@ std::unique_ptr<btConvexHullShape> flat(const std::vector<Point>& shape) {
 }
 
 btTransform in_space(const gjk::Pose<double, 2>& pose) {
-  const auto r = pose.rotation.cast<btScalar>().eval();
+  const auto r = pose.rotation.matrix().cast<btScalar>().eval();
   const auto t = pose.translation.cast<btScalar>().eval();
   const btMatrix3x3 turn(r(0, 0), r(0, 1), 0, r(1, 0), r(1, 1), 0, 0, 0, 1);
   return btTransform(turn, btVector3(t[0], t[1], 0));

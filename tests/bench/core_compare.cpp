@@ -46,6 +46,8 @@ struct Rival {
 std::vector<Rival> own_variants() {
   return {{core_float_in_double()},
           {core_float()},
+          {core_many_digits()},
+          {core_setting_rotations()},
           {.library = core_uncertified(), .mean = 1.10},
           {.library = core_stepping(), .mean = 1.02}};
 }

@@ -32,7 +32,7 @@ Convex flat(const std::vector<Point>& shape) {
 
 fcl::Transform3d in_space(const gjk::Pose<double, 2>& pose) {
   fcl::Transform3d out = fcl::Transform3d::Identity();
-  out.linear().topLeftCorner<2, 2>() = pose.rotation;
+  out.linear().topLeftCorner<2, 2>() = pose.rotation.matrix();
   out.translation().head<2>() = pose.translation;
   return out;
 }

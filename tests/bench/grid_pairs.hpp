@@ -64,7 +64,11 @@ class PairSource {
  private:
   static constexpr double kTurn = 6.283185307179586;
 
-  [[nodiscard]] static double to_float(double value) { return static_cast<float>(value); }
+  /// Through memory, for GCC 12 leaves the rounding out where two of these stand side by side.
+  [[nodiscard]] static double to_float(double value) {
+    volatile float rounded = static_cast<float>(value);
+    return rounded;
+  }
 
   [[nodiscard]] std::vector<Point> polygon(int count) {
     std::vector<Point> vertices;
@@ -81,7 +85,7 @@ class PairSource {
     const double c = to_float(std::cos(angle));
     const double s = to_float(std::sin(angle));
     gjk::Pose<double, 2> pose;
-    pose.rotation << c, -s, s, c;
+    pose.rotation = Eigen::Matrix2d{{c, -s}, {s, c}};
     return pose;
   }
 

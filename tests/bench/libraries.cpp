@@ -41,6 +41,26 @@ Contestant prepare_all(std::span<const Pair> pairs) {
   return prepare_with<S>(pairs, [](const auto& query) { return gjk::distance<R>(query); });
 }
 
+/// The same pairs, as good as: no product of their coordinates is exact.
+Contestant prepare_many_digits(std::span<const Pair> pairs) {
+  std::vector<Pair> longer(pairs.begin(), pairs.end());
+  for (Pair& pair : longer) {
+    for (std::vector<Point>* shape : {&pair.x, &pair.y}) {
+      for (Point& point : *shape) point *= 1.0 + 0x1p-30;
+    }
+  }
+  return prepare_all<double, double>(longer);
+}
+
+Contestant prepare_setting_rotations(std::span<const Pair> pairs) {
+  return prepare_with<double>(pairs, [](gjk::Query<double, 2>& query) {
+    for (gjk::Shape<double, 2>* shape : {&query.x, &query.y}) {
+      shape->pose.rotation = shape->pose.rotation.matrix();
+    }
+    return gjk::distance(query);
+  });
+}
+
 Contestant prepare_uncertified(std::span<const Pair> pairs) {
   gjk::Options options;
   options.certify = false;
@@ -71,7 +91,7 @@ Library core_double() {
 }
 
 Library core_float_in_double() {
-  return {.name = "gjkscope, floats",
+  return {.name = "floats",
           .how = "gjk::distance of floats: computes in double",
           .in_double = true,
           .prepare = prepare_all<float, gjk::Default>};
@@ -83,15 +103,29 @@ Library core_float() {
           .prepare = prepare_all<float, float>};
 }
 
+Library core_many_digits() {
+  return {.name = "many digits",
+          .how = "gjk::distance, coordinates of all digits",
+          .in_double = true,
+          .prepare = prepare_many_digits};
+}
+
+Library core_setting_rotations() {
+  return {.name = "rotations set",
+          .how = "gjk::distance, both rotations set anew",
+          .in_double = true,
+          .prepare = prepare_setting_rotations};
+}
+
 Library core_uncertified() {
-  return {.name = "gjkscope, no proof",
+  return {.name = "no proof",
           .how = "gjk::distance, certify off",
           .in_double = true,
           .prepare = prepare_uncertified};
 }
 
 Library core_stepping() {
-  return {.name = "gjkscope, stepping",
+  return {.name = "stepping",
           .how = "gjk::step until it stops, nothing recorded",
           .in_double = true,
           .prepare = prepare_stepping};

@@ -1,34 +1,15 @@
 #include "command_line.hpp"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <stdexcept>
 
 namespace gjkscope::test {
 
 namespace fs = std::filesystem;
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "gjkscope-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code none;
-  fs::remove_all(path_, none);
-}
-
-std::string TemporaryFolder::file(const std::string& name, const std::string& text) const {
-  const fs::path file = path_ / name;
-  std::ofstream(file, std::ios::binary) << text;
-  return file.string();
-}
 
 std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

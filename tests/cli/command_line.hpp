@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.hpp"
+
 namespace gjkscope::test {
 
 struct Ran {
@@ -17,21 +19,6 @@ struct Ran {
 /// goes to `output` when that is given.
 [[nodiscard]] Ran run_program(const std::string& arguments, const std::string& input = "",
                               const std::string& output = "");
-
-/// A folder that goes away with the value.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  /// Writes a file into it and gives its path.
-  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);

@@ -33,11 +33,14 @@ ExactQuery exact(const families::Pair<S>& pair) {
   for (int i = 0; i < 2; ++i) {
     out.x_pose.translation[i] = Rational(pair.x_pose.translation[i]);
     out.y_pose.translation[i] = Rational(pair.y_pose.translation[i]);
-    for (int k = 0; k < 2; ++k) {
-      out.x_pose.rotation(i, k) = Rational(pair.x_pose.rotation(i, k));
-      out.y_pose.rotation(i, k) = Rational(pair.y_pose.rotation(i, k));
-    }
   }
+  const auto exact_rotation = [](const auto& rotation) {
+    Eigen::Matrix<Rational, 2, 2> matrix;
+    for (int i = 0; i < 4; ++i) matrix(i / 2, i % 2) = Rational(rotation(i / 2, i % 2));
+    return matrix;
+  };
+  out.x_pose.rotation = exact_rotation(pair.x_pose.rotation);
+  out.y_pose.rotation = exact_rotation(pair.y_pose.rotation);
   return out;
 }
 

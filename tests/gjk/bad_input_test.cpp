@@ -67,7 +67,9 @@ void check_not_finite() {
       moved.x_pose.translation[coordinate] = poison;
       check_refused(Error::x_not_finite, moved);
       Case<S> turned;
-      turned.y_pose.rotation(1, coordinate) = poison;
+      Eigen::Matrix<S, 2, 2> poisoned = Eigen::Matrix<S, 2, 2>::Identity();
+      poisoned(1, coordinate) = poison;
+      turned.y_pose.rotation = poisoned;
       check_refused(Error::y_not_finite, turned);
     }
   }
@@ -144,7 +146,7 @@ TEST(overflow_pose, "a pose that overflows is refused; a huge common translation
   check_accepted(common);
   Case<float> rotation;
   rotation.x[0] = Vec<float, 2>(1e9f, 1e9f);
-  rotation.x_pose.rotation *= 1e30f;
+  rotation.x_pose.rotation = Eigen::Matrix2f::Identity() * 1e30f;
   check_refused(Error::overflow, rotation);
 }
 

@@ -29,7 +29,7 @@ std::vector<Vec<double, 2>> widened(const std::vector<Vec<float, 2>>& vertices) 
   return out;
 }
 gjk::Pose<double, 2> widened(const gjk::Pose<float, 2>& pose) {
-  return {pose.rotation.cast<double>(), pose.translation.cast<double>()};
+  return {pose.rotation.matrix().cast<double>(), pose.translation.cast<double>()};
 }
 gjk::Result<double, 2> scalar(const Pair<float>& pair) {
   const auto x = widened(pair.x);
@@ -180,7 +180,7 @@ TEST(mixed, "points, polygons of any size and refused queries share a batch") {
         pair.x.back()[1] = kNaN;
         break;
       case 6:
-        pair.y_pose.rotation(1, 0) = kInfinity;
+        pair.y_pose.rotation = Eigen::Matrix2f{{1, 0}, {kInfinity, 1}};
         break;
       case 7:
         pair.x_pose.translation[0] = kNaN;

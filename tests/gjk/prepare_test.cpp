@@ -44,7 +44,7 @@ TEST(errors, "each fault has its name, and the first one is named") {
   options.tolerance = -0x1p-1000;
   CHECK_EQ(Error::bad_options, prepared<double>(good, options).error);
   Pair<double> bad = good;
-  bad.y_pose.rotation(0, 1) = kNaN;
+  bad.y_pose.rotation = Eigen::Matrix2d{{1, kNaN}, {0, 1}};
   CHECK_EQ(Error::y_not_finite, prepared<double>(bad, options).error);
   bad.x_pose.translation[1] = kNaN;
   CHECK_EQ(Error::x_not_finite, prepared<double>(bad, options).error);
@@ -121,7 +121,7 @@ TEST(overflow, "what no unit of length can hold is refused by name") {
   constexpr double kMost = std::numeric_limits<double>::max();
   Pair<double> pair = points_apart(kMost);
   CHECK_EQ(Error::none, prepared<double>(pair).error);
-  pair.x_pose.rotation *= kMost;
+  pair.x_pose.rotation = Eigen::Matrix2d::Identity() * kMost;
   pair.x[0] = {kMost, 0};
   CHECK_EQ(Error::overflow, prepared<double>(pair).error);
 }
@@ -138,7 +138,7 @@ TEST(centres, "shapes around their own origin keep it, others are measured from 
   CHECK(!prepared<double>(moved).same_frame);
   CHECK((prepared<double>(moved).offset == Vec<double, 2>(1, 2)));
   moved = pair;
-  moved.y_pose.rotation << 0, -1, 1, 0;
+  moved.y_pose.rotation = Eigen::Matrix2d{{0, -1}, {1, 0}};
   CHECK(!prepared<double>(moved).same_frame);
   CHECK((prepared<double>(moved).offset == Vec<double, 2>(-7, 1)));
 }
@@ -147,8 +147,8 @@ using Wide = Vec<long double, 2>;
 Wide widened(const Vec<double, 2>& a) { return a.cast<long double>(); }
 /// y - x in the world. What both translations share cancels first.
 Wide difference(const Pair<double>& pair, std::size_t x, std::size_t y) {
-  const Wide x_turned = pair.x_pose.rotation.cast<long double>() * widened(pair.x[x]);
-  const Wide y_turned = pair.y_pose.rotation.cast<long double>() * widened(pair.y[y]);
+  const Wide x_turned = pair.x_pose.rotation.matrix().cast<long double>() * widened(pair.x[x]);
+  const Wide y_turned = pair.y_pose.rotation.matrix().cast<long double>() * widened(pair.y[y]);
   return (y_turned - x_turned) +
          (widened(pair.y_pose.translation) - widened(pair.x_pose.translation));
 }
@@ -157,6 +157,7 @@ Wide difference(const Pair<double>& pair, std::size_t x, std::size_t y) {
 struct Ratios {
   long double reach_low = 1e9L;
   long double reach_high = 0;
+  long double least_high = 0;
   long double corner_low = 1;
   long double corner_high = 0;
   long double vertex = 0;
@@ -190,9 +191,10 @@ Ratios measure(Family family, int pairs) {
     const long double reach = static_cast<long double>(ready.reach) / largest;
     found.reach_low = std::min(found.reach_low, reach);
     found.reach_high = std::max(found.reach_high, reach);
-    const auto corner = std::sqrt(static_cast<long double>(
-        std::max(gjk::detail::corner_reach_sq(narrow.query(), ready, false),
-                 gjk::detail::corner_reach_sq(narrow.query(), ready, true))));
+    found.least_high =
+        std::max(found.least_high, static_cast<long double>(ready.least_reach) / largest);
+    const auto corner =
+        std::sqrt(static_cast<long double>(gjk::detail::corner_reach_sq(narrow.query(), ready)));
     found.corner_low = std::min(found.corner_low, corner / largest);
     found.corner_high = std::max(found.corner_high, corner / largest);
     ++found.pairs;
@@ -201,13 +203,16 @@ Ratios measure(Family family, int pairs) {
 }
 
 TEST(reach,
-     "no point of Z lies beyond reach; of four corners one lies at least a fifth as far as any") {
+     "some vertex of Z is as far as least_reach, none lies beyond reach; of four corners one lies "
+     "at "
+     "least a fifth as far as any") {
   for (int i = 0; i < kFamilyCount; ++i) {
     const auto family = static_cast<Family>(i);
     const check::Context context("seed", kSeed, kFamilyNames[i]);
     const Ratios found = measure<double, double>(family, 500);
     CHECK(found.reach_low >= 1 - 0x1p-50L);
     CHECK(found.reach_high <= 3);
+    CHECK(found.least_high <= 1 + 0x1p-50L);
     CHECK(found.corner_low >= 0.2L);
     CHECK(found.corner_high <= 1 + 0x1p-50L);
     CHECK(found.pairs > 400);
@@ -238,9 +243,7 @@ void measure_stretches() {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> entry(-1, 1);
   const auto stretch = [](const Eigen::Matrix<double, D, D>& rotation) {
-    gjk::Pose<double, D> pose;
-    pose.rotation = rotation;
-    return gjk::detail::stretch<double>(pose);
+    return gjk::Rotation<double, D>(rotation).stretch();
   };
   for (int i = 0; i < 1000; ++i) {
     const check::Context context("seed", kSeed, "dimension", D, "pose", i);

@@ -3,6 +3,7 @@
 #include "gjk/query.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -15,7 +16,7 @@ using gjk::Vec;
 
 gjk::Pose<double, 2> quarter_turn() {
   gjk::Pose<double, 2> pose;
-  pose.rotation << 0, -1, 1, 0;
+  pose.rotation = Eigen::Matrix2d{{0, -1}, {1, 0}};
   pose.translation = Vec<double, 2>(10, 20);
   return pose;
 }
@@ -36,29 +37,54 @@ TEST(directions, "translation moves points, not directions") {
   CHECK_EQ(0.0, local[1]);
 }
 
-TEST(turned, "a pose is turned when any entry of its rotation is not that of the identity") {
+TEST(turned, "a rotation turns when any entry is not that of the identity") {
   const auto check = [](auto zero) {
     using S = decltype(zero);
-    gjk::Pose<S, 2> pose;
-    pose.translation = Vec<S, 2>(S(3), S(4));
-    CHECK(!pose.is_turned());
+    using Matrix = Eigen::Matrix<S, 2, 2>;
+    CHECK(!gjk::Rotation<S, 2>().turns());
+    Matrix matrix = Matrix::Identity();
+    CHECK(!gjk::Rotation<S, 2>(matrix).turns());
     for (int i = 0; i < 4; ++i) {
-      gjk::Pose<S, 2> turned = pose;
-      turned.rotation(i / 2, i % 2) += S(0x1p-10);
-      CHECK(turned.is_turned());
+      Matrix turned = matrix;
+      turned(i / 2, i % 2) += S(0x1p-10);
+      CHECK(gjk::Rotation<S, 2>(turned).turns());
+      CHECK((gjk::Rotation<S, 2>(turned).matrix() == turned));
     }
-    pose.rotation(0, 1) = -zero;
-    CHECK(!pose.is_turned());
-    pose.rotation(1, 1) = std::numeric_limits<S>::quiet_NaN();
-    CHECK(pose.is_turned());
+    matrix(0, 1) = -zero;
+    CHECK(!gjk::Rotation<S, 2>(matrix).turns());
+    matrix(1, 1) = std::numeric_limits<S>::quiet_NaN();
+    CHECK(gjk::Rotation<S, 2>(matrix).turns());
   };
   check(0.0);
   check(0.0F);
 }
 
+TEST(digits,
+     "products of a rotation and a point are exact where no number has more than 26 digits") {
+  const auto few = [](double entry, double coordinate) {
+    const gjk::Rotation<double, 2> rotation(Eigen::Matrix2d{{1, 0}, {entry, 1}});
+    const std::vector<Vec<double, 2>> list = {{1, 2}, {0, coordinate}};
+    const bool exact = std::fma(entry, coordinate, -(entry * coordinate)) == 0.0;
+    const unsigned traits = gjk::Points<double, 2>(list).traits();
+    const bool few_digits = (traits & gjk::Points<double, 2>::kManyDigits) == 0;
+    CHECK(exact || !(few_digits && rotation.has_few_digits()));
+    return std::array{rotation.has_few_digits(), few_digits};
+  };
+  CHECK((few(1, 1) == std::array{true, true}));
+  CHECK((few(0.1F, -0.3F) == std::array{true, true}));
+  const double most = 1 + 0x1p-25;  // 26 digits
+  const double more = 1 + 0x1p-27;
+  CHECK((few(most, -0x1p-300 * most) == std::array{true, true}));
+  CHECK((few(more, most) == std::array{false, true}));
+  CHECK((few(-most, more) == std::array{true, false}));
+  CHECK((few(more, more) == std::array{false, false}));
+  CHECK((few(0.1, 0.3) == std::array{false, false}));
+  CHECK(gjk::Rotation<float, 2>().has_few_digits());
+}
+
 TEST(space, "poses turn in space, too") {
   gjk::Pose<float, 3> pose;
-  pose.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  pose.rotation = Eigen::Matrix3f{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
   const Vec<float, 3> turned = pose.rotated(Vec<float, 3>(1, 2, 3));
   CHECK_EQ(-2.0f, turned[0]);
   CHECK_EQ(1.0f, turned[1]);
@@ -70,6 +96,17 @@ using List = std::vector<Vec<S, 2>>;
 template <class S>
 gjk::Points<S, 2> points(const List<S>& list) {
   return {list};
+}
+
+/// `count` points on a circle around (x, y), counter-clockwise.
+template <class S>
+List<S> circle(int count, double x = 0, double y = 0) {
+  List<S> out;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + 0.25) / count;
+    out.emplace_back(static_cast<S>(x + std::cos(angle)), static_cast<S>(y + std::sin(angle)));
+  }
+  return out;
 }
 
 TEST(measured, "points know their box, their centre and their radius") {
@@ -85,6 +122,34 @@ TEST(measured, "points know their box, their centre and their radius") {
   CHECK((points(edge).centre() == Vec<double, 2>(0, 0)));
   const List<double> low = {{-14, -7}, {-10, -4}};
   CHECK((points(low).centre() == Vec<double, 2>(-12, -5.5)));
+}
+
+TEST(means, "points know how far their mean lies from their centre") {
+  CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean());
+  CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean());
+  CHECK_EQ(0.5, points<double>({{10, 4}, {14, 4}, {12, 7}}).to_mean());  // centre (12, 5.5)
+  CHECK_EQ(0x1p-1040, points<double>({{0, 0}, {0x1p-1039, 0}}).to_mean());
+  CHECK_EQ(0x1p1021,
+           points<double>({{-0x1p1022, 0}, {0x1p1023, 0}, {0x1p1022, 0}, {0, 0}}).to_mean());
+}
+
+TEST(traits, "what a query asks before it begins is noted, one by one") {
+  using Traits = gjk::Points<double, 2>;
+  const List<double> triangle = {{-1, -1}, {3, -1}, {0, 2}};
+  CHECK_EQ(0U, points(triangle).traits());
+  CHECK_EQ(unsigned{Traits::kUnusable}, Traits().traits());
+  CHECK_EQ(unsigned{Traits::kUnusable}, points<double>({}).traits() & Traits::kUnusable);
+  CHECK_EQ(unsigned{Traits::kUnusable},
+           points<double>({{0, std::nan("")}}).traits() & Traits::kUnusable);
+  CHECK_EQ(unsigned{Traits::kCentred}, points<double>({{10, 4}, {14, 4}, {12, 7}}).traits());
+  CHECK_EQ(0U, points(List<double>(4, {1, 0})).traits() & Traits::kMoreThanFour);
+  CHECK_EQ(unsigned{Traits::kMoreThanFour},
+           points<double>({{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}}).traits());
+  const unsigned large = Traits::kMoreThanFour | Traits::kLarge;
+  CHECK_EQ(0U, points(List<double>(8, {1, 0})).traits() & Traits::kLarge);
+  CHECK_EQ(large, points(List<double>(9, {1, 0})).traits() & large);
+  CHECK_EQ(0U, points(List<double>(40, {1, 0})).traits() & Traits::kRing);
+  CHECK_EQ(unsigned{Traits::kRing}, points(circle<double>(40)).traits() & Traits::kRing);
 }
 
 TEST(rows, "up to eight points stand in rows, seen from their centre, the last one repeated") {
@@ -119,17 +184,6 @@ TEST(measured_extremes, "radii neither overflow nor underflow where points do no
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     CHECK(!points<double>({{0, 0}, {0, bad}, {1, 1}}).is_finite());
   }
-}
-
-/// `count` points on a circle around (x, y), counter-clockwise.
-template <class S>
-List<S> circle(int count, double x = 0, double y = 0) {
-  List<S> out;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 6.283185307179586 * (i + 0.25) / count;
-    out.emplace_back(static_cast<S>(x + std::cos(angle)), static_cast<S>(y + std::sin(angle)));
-  }
-  return out;
 }
 
 TEST(rings, "convex polygons of 32 and more corners are rings, in either sense, from any corner") {

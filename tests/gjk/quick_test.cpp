@@ -18,12 +18,12 @@ struct Shares {
 
 template <class S>
 void compare(const gjk::Query<S, 2>& query, const gjk::Options& options, Shares& shares) {
-  const auto prepared = gjk::prepare<double>(query, options);
-  if (!gjk::quick::is_ordinary(query, options, prepared)) return;
+  if (!gjk::quick::is_ordinary(query, options)) return;
   ++shares.ordinary;
   gjk::Result<double, 2> quick;
-  if (!gjk::quick::distance(query, options, prepared, quick)) return;
+  if (!gjk::quick::distance(query, options, quick)) return;
   ++shares.answered;
+  const auto prepared = gjk::prepare<double>(query, options);
   const auto end = gjk::detail::run(query, options, prepared);
   CHECK(check::same_bits(gjk::result(end, query, options, prepared), quick));
 }
@@ -64,8 +64,8 @@ TEST(near_an_end, "so it is where P lies nearly at an end of an edge, within wha
     for (const double height : {0x1p-10, 0x1p-25, 0x1p-27}) {
       gjk::Query<double, 2> query{{point}, {triangle}};
       query.x.pose.translation = Vec<double, 2>(std::ldexp(1.0, -exponent), height);
-      query.y.pose.rotation << 0.6, -0.8, 0.8, 0.6;
-      query.x.pose.translation = query.y.pose.rotation * query.x.pose.translation;
+      query.y.pose.rotation = Eigen::Matrix2d{{0.6, -0.8}, {0.8, 0.6}};
+      query.x.pose.translation = query.y.pose.rotated(query.x.pose.translation);
       const check::Context context("2^-", exponent, "height", height);
       compare(query, {}, shares);
       on_edge += gjk::distance(query).simplex.count == 2 ? 1 : 0;
@@ -92,7 +92,8 @@ Shares shares_of(int count, Stand stand) {
     if (stand != Stand::in_one_frame) pair.y_pose.translation[0] = random.between(-0.5, 0.5);
     if (stand >= Stand::turned) {
       const double angle = random.between(-0.2, 0.2);
-      pair.x_pose.rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+      pair.x_pose.rotation =
+          Eigen::Matrix2d{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
       pair.y_pose.rotation = pair.x_pose.rotation;
     }
     compare(pair.query(), {}, shares);
@@ -117,9 +118,7 @@ TEST(not_ordinary, "other rules and large rings go through the phases") {
   std::vector<Vec<double, 2>> ring;
   for (int i = 0; i < 64; ++i)
     ring.emplace_back(3.0 + std::cos(0.098 * i - 3.1), std::sin(0.098 * i - 3.1));
-  const auto is_ordinary = [](const gjk::Query<double, 2>& query, const gjk::Options& options) {
-    return gjk::quick::is_ordinary(query, options, gjk::prepare<double>(query, options));
-  };
+  const auto is_ordinary = gjk::quick::is_ordinary<double>;
   const gjk::Query<double, 2> query{{square}, {square}};
   CHECK(is_ordinary(query, {}));
   gjk::Options warm;
@@ -140,7 +139,18 @@ TEST(not_ordinary, "other rules and large rings go through the phases") {
   CHECK(!is_ordinary({{square}, {ring}}, {}));
   CHECK(!is_ordinary({{ring}, {square}}, {}));
   const std::vector<Vec<double, 2>> huge = {{1e300, 0}, {2e300, 1e300}, {1e300, 2e300}};
-  CHECK(!is_ordinary({{huge}, {square}}, {}));
+  gjk::Result<double, 2> out;
+  CHECK(!gjk::quick::distance<double>({{huge}, {square}}, {}, out));
+  for (const double bad : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    for (const std::size_t count : {2U, 9U}) {
+      const std::vector<Vec<double, 2>> some(ring.begin(), ring.begin() + static_cast<long>(count));
+      const std::vector<Vec<double, 2>> many(ring.begin(), ring.begin() + 9);
+      gjk::Query<double, 2> poisoned{{many}, {some}};
+      poisoned.y.pose.rotation = Eigen::Matrix2d{{bad, bad}, {-bad, bad}};
+      poisoned.x.pose.translation = {bad, -bad};
+      CHECK(!gjk::quick::distance(poisoned, {}, out));
+    }
+  }
 }
 
 TEST(scans, "a scan takes the first of the vertices that lie farthest, on either side") {
@@ -166,17 +176,59 @@ TEST(scans, "a scan takes the first of the vertices that lie farthest, on either
     CHECK_EQ(first_along(list, d), gjk::quick::farthest(count, d, [&](int k) {
                return gjk::two(list[static_cast<std::size_t>(k)]);
              }));
-    const gjk::Query<double, 2> query{{list}, {other}};
+    gjk::Query<double, 2> query{{list}, {other}};
+    if (i % 2 == 0) query.y.pose.translation[0] = 0.25;
     const auto prepared = gjk::prepare<double>(query, {});
     if (!query.x.vertices.is_small() || !query.y.vertices.is_small() || prepared.centred) continue;
     const bool other_way = random.with_chance(0.5);
     const gjk::Two along = other_way ? -d : d;
-    const gjk::VertexPair farthest =
-        gjk::quick::indices(gjk::quick::SmallShapes<double>(query, prepared)
-                                .farthest(d, gjk::quick::both(other_way ? -0.0 : 0.0)));
-    CHECK_EQ(first_along(list, -along), farthest.x);
-    CHECK_EQ(first_along(other, along), farthest.y);
+    const gjk::VertexPair farthest{first_along(list, -along), first_along(other, along)};
+    const gjk::quick::SmallShapes<double> shapes(query, prepared);
+    CHECK((farthest == gjk::quick::indices(shapes.farthest_pair_against(-along))));
+    const auto check = [&](const gjk::quick::Corner& found) {
+      CHECK((farthest == gjk::quick::indices(found.pair)));
+      const auto expected = gjk::support_point(query, prepared, farthest);
+      CHECK((expected.w == Vec<double, 2>(found.w[0], found.w[1])));
+    };
+    check(shapes.support_against(-along));
+    check(shapes.support(d, gjk::quick::both(other_way ? -0.0 : 0.0)));
   }
+}
+
+TEST(alone, "it knows as the phases do when no vertex but the simplex's can lie as far") {
+  families::Source random(20100316);
+  long known = 0;
+  long not_known = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto list = random.grid_points<double>(random.among(1, 8), random.among(1, 3));
+    const auto other = random.grid_points<double>(random.among(1, 8), random.among(1, 3));
+    gjk::Query<double, 2> query{{list}, {other}};
+    query.y.pose.translation[0] = 0.25;
+    const auto prepared = gjk::prepare<double>(query, {});
+    const Vec<double, 2> d(random.among(-2, 2), random.among(-2, 2));
+    const auto any_pair = [&] {
+      return gjk::VertexPair{random.among(0, static_cast<int>(list.size()) - 1),
+                             random.among(0, static_cast<int>(other.size()) - 1)};
+    };
+    const gjk::VertexPair a = gjk::detail::farthest_pair(query, prepared, d);
+    gjk::VertexPair b = any_pair();
+    if (random.with_chance(0.3)) b.x = a.x;
+    if (random.with_chance(0.3)) b.y = a.y;
+    const bool on_edge = !(a == b);
+    const double angle = random.with_chance(0.5) ? 0.0 : 0.2;
+    const bool expected = gjk::detail::ShapesAsked<double, double>{query, prepared, a, b, on_edge}
+                              .is_certainly_farthest(gjk::flat(d), angle);
+    const double error = gjk::length(d) * prepared.scan_error_within(angle);
+    const gjk::Two along = gjk::two(d);
+    const check::Context context("pair", i);
+    CHECK_EQ(expected,
+             gjk::quick::SmallShapes<double>(query, prepared).are_alone(along, a, b, error));
+    CHECK_EQ(expected,
+             gjk::quick::AnyShapes<double>(query, prepared).are_alone(along, a, b, error));
+    ++(expected ? known : not_known);
+  }
+  CHECK(known > 500);
+  CHECK(not_known > 5000);
 }
 
 }  // namespace

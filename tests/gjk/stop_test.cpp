@@ -270,8 +270,10 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   prepared.vertex_error = 0x1p-4f;  // half of it in the upper bound, all of it in the plane
   CHECK_NEAR(1.0f + 0x1.8p-4f, wanted(prepared), 20 * kU);
   prepared = {};
-  prepared.scan_error = 0x1p-4f;
+  prepared.moved = 0x1p-4f / (2 * kU);
   CHECK_NEAR(1.0f + 0x1p-4f, wanted(prepared), 20 * kU);
+  prepared.turns_vertices = true;  // scans have seen the vertices where they are placed
+  CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);
   prepared = {};
   prepared.reach = 0x1p20f;
   CHECK_NEAR(1.0f + 8 * kU * 0x1p20f, wanted(prepared), 20 * kU);

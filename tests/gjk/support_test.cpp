@@ -176,7 +176,8 @@ TEST(turned_scans,
     const std::vector<Vec<double, 2>> point = {{0, 0}};
     gjk::Query<double, 2> query{{point}, {vertices}};
     const double angle = random.between(0, 6.3);
-    query.y.pose.rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    query.y.pose.rotation =
+        Eigen::Matrix2d{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
     const auto prepared = gjk::prepare<double>(query, {});
     const Vec<double, 2> d(random.between(-1, 1), random.between(-1, 1));
     const auto along = gjk::detail::along_y(query, prepared, d);

@@ -2,16 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "paint/imgui_painter.hpp"
 #include "sample_picture.hpp"
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -29,10 +28,8 @@ constexpr Color kFill{0, 160, 80, 255};
 
 /// Plain styles in colours that occur nowhere else.
 Theme test_theme() {
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("gjkscope-paint-" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "test.toml") << R"(
+  const test::TemporaryFolder folder;
+  static_cast<void>(folder.file("test.toml", R"(
 [roles]
 "background" = { fill = "#FFFFFF" }
 "fill" = { fill = "#00A050" }
@@ -44,8 +41,8 @@ Theme test_theme() {
 "hairline" = { stroke = "#0A14C8", width = 1 }
 "text" = { fill = "#0A14C8" }
 "nothing" = {}
-)";
-  return Theme::load(folder, "test");
+)"));
+  return Theme::load(folder.path(), "test");
 }
 
 constexpr int kWidth = 160;

@@ -1,13 +1,14 @@
 #include "picture/theme.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -169,12 +170,10 @@ Color over(const Color& top, const Color& bottom) {
 class ThemeFile : public testing::Test {
  protected:
   std::string error_of(const std::string& text) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
-                                         ("gjkscope-themes-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "mine.toml") << text;
+    const test::TemporaryFolder folder;
+    static_cast<void>(folder.file("mine.toml", text));
     try {
-      static_cast<void>(Theme::load(folder, "mine"));
+      static_cast<void>(Theme::load(folder.path(), "mine"));
       return "no error";
     } catch (const std::runtime_error& error) {
       return error.what();

@@ -1,11 +1,11 @@
 #include "picture/type.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -19,16 +19,11 @@ const Fonts& fonts() {
   return all;
 }
 
-std::filesystem::path temporary(const std::string& name, const std::string& text) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / (std::to_string(::getpid()) + name);
-  std::ofstream(path) << text;
-  return path;
-}
-
-std::string error_of(const std::filesystem::path& config) {
+/// Of a configuration.
+std::string error_of(const std::string& name, const std::string& text) {
+  const test::TemporaryFolder folder;
   try {
-    const Fonts loaded(config);
+    const Fonts loaded(folder.file(name, text));
     return "no error";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -93,22 +88,21 @@ TEST(Fonts, WhatIsMissingIsAsWideAsItsReplacement) {
 }
 
 TEST(Fonts, AMissingFileNamesWhatWasTriedAndThePackage) {
-  const std::string error = error_of(temporary("missing.toml",
-                                               "[regular]\n"
-                                               "files = [\"/nowhere/A.otf\", \"/nowhere/B.ttf\"]\n"
-                                               "fallback = [\"/nowhere/C.ttf\"]\n"
-                                               "packages = [\"fonts-somewhere\"]\n"));
+  const std::string error = error_of("missing.toml",
+                                     "[regular]\n"
+                                     "files = [\"/nowhere/A.otf\", \"/nowhere/B.ttf\"]\n"
+                                     "fallback = [\"/nowhere/C.ttf\"]\n"
+                                     "packages = [\"fonts-somewhere\"]\n");
   EXPECT_NE(error.find("/nowhere/A.otf: cannot be read"), std::string::npos) << error;
   EXPECT_NE(error.find("/nowhere/B.ttf: cannot be read"), std::string::npos) << error;
   EXPECT_NE(error.find("apt-get install fonts-somewhere"), std::string::npos) << error;
 }
 
 TEST(Fonts, AMalformedConfigurationIsALocatedError) {
-  EXPECT_NE(error_of(temporary("broken.toml", "[regular\n")).find("broken.toml:1:"),
-            std::string::npos);
-  EXPECT_NE(error_of(temporary("shape.toml", "[regular]\npackages = [\"p\"]\nfiles = 3\n"))
-                .find("shape.toml:3:"),
-            std::string::npos);
+  EXPECT_NE(error_of("broken.toml", "[regular\n").find("broken.toml:1:"), std::string::npos);
+  EXPECT_NE(
+      error_of("shape.toml", "[regular]\npackages = [\"p\"]\nfiles = 3\n").find("shape.toml:3:"),
+      std::string::npos);
 }
 
 TEST(CodePoints, DecodesOneToFourBytes) {

@@ -156,7 +156,7 @@ RC_GTEST_PROP(Property, QuartersOfATurnDoNotMatter, ()) {
   const auto quarter = [](const Vector2d& p) { return Vector2d(-p[1], p[0]); };
   check_alike(pair, changed(pair, quarter));
   Pair<double> posed = changed(pair, quarter);
-  posed.x_pose.rotation << 0, 1, -1, 0;
+  posed.x_pose.rotation = Eigen::Matrix2d{{0, 1}, {-1, 0}};
   posed.y_pose.rotation = posed.x_pose.rotation;
   check_alike(pair, posed);
 }
@@ -205,7 +205,7 @@ RC_GTEST_PROP(Property, WitnessesOfShapesFarFromTheirOwnOriginsLieInThem, ()) {
     gjk::Pose<double, 2> pose;
     const double c = (1 - half * half) / (1 + half * half);
     const double s = 2 * half / (1 + half * half);
-    pose.rotation << c, -s, s, c;
+    pose.rotation = Eigen::Matrix2d{{c, -s}, {s, c}};
     pose.translation = 0x1p-4 * point(Digits::some) - pose.rotated(points[0]);
     return pose;
   };

@@ -141,7 +141,7 @@ std::string json_of(const gjk::Pose<double, 2>& pose) {
 }
 std::string json_of(const Pair<double>& pair, const std::string& name) {
   std::string poses;
-  if (!pair.x_pose.rotation.isIdentity(0) || !pair.y_pose.rotation.isIdentity(0)) {
+  if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns()) {
     poses = fmt::format(R"(,"a_pose":{},"b_pose":{})", json_of(pair.x_pose), json_of(pair.y_pose));
   }
   return fmt::format(R"({{"name":"{}","dimension":2,"a":{},"b":{}{}}})", name, json_of(pair.x),
