@@ -29,9 +29,7 @@ Ran run_viewer(const TemporaryFolder& folder, const std::string& arguments, bool
   const std::string environment =
       "env -u DISPLAY -u WAYLAND_DISPLAY ASAN_OPTIONS=detect_leaks=0 XDG_STATE_HOME=" +
       folder.path().string() + " ";
-  // One at a time: two that look for a free display at once can find the same.
-  const std::string lock = std::string("flock ") + GJKSCOPE_VIEWER + " ";
-  const std::string on = display ? lock + "xvfb-run -a -s '-screen 0 1280x800x24' " : "";
+  const std::string on = display ? GJKSCOPE_ON_DISPLAY " " : "";
   // A window that should not have opened would wait for ever.
   const std::string command = environment + "timeout 300 " + on + GJKSCOPE_VIEWER + " " +
                               arguments + " >/dev/null 2>" + err;
