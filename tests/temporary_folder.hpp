@@ -26,7 +26,7 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   /// Writes a file into it and gives its path.
-  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const {
+  std::string file(const std::string& name, const std::string& text) const {
     const std::filesystem::path file = path_ / name;
     std::ofstream(file, std::ios::binary) << text;
     return file.string();

@@ -82,7 +82,8 @@ template <class S>
 }
 
 /// The pair in another scalar.
-/// Not inlined: of two conversions there and back, GCC 12 leaves the rounding out.
+/// Not inlined: where two conversions there and back stand side by side, GCC 12 leaves the rounding
+/// out.
 template <class To, class From>
 [[nodiscard, gnu::noinline]] Pair<To> converted(const Pair<From>& pair) {
   Pair<To> out;
@@ -98,6 +99,11 @@ template <class To, class From>
   out.x_pose = convert_pose(pair.x_pose);
   out.y_pose = convert_pose(pair.y_pose);
   return out;
+}
+
+/// The pair with the floats that lie nearest to its numbers.
+[[nodiscard]] inline Pair<double> rounded_to_floats(const Pair<double>& pair) {
+  return converted<double>(converted<float>(pair));
 }
 
 /// Largest distance between a vertex of X and one of Y.
@@ -162,7 +168,7 @@ class Source {
     if (with_chance(0.5)) made = swapped(made);
     const std::array<std::size_t, 2> places = {bits_() % 64, bits_() % 64};
     made = rotated(std::move(made), places[0], places[1]);
-    if (floats) made = converted<double>(converted<float>(made));
+    if (floats) made = rounded_to_floats(made);
     if constexpr (std::is_same_v<S, double>) {
       return made;
     } else {

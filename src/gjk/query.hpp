@@ -16,16 +16,9 @@ namespace detail {
 /// At most half of its digits are used by each coordinate: products of two such numbers are exact.
 template <class S, int D>
 [[nodiscard]] bool has_few_digits(const Vec<S, D>& a) {
-#ifdef __SSE2__
-  if constexpr (D == 2 && std::is_same_v<S, double>) {
-    const Two all = two<S>(a);
-    return _mm_movemask_pd(_mm_cmpneq_pd(halves<Two, S>(all).hi, all)) == 0;
-  }
-#endif
-  for (int i = 0; i < D; ++i) {
-    if (halves(S(a[i])).hi != a[i]) return false;
-  }
-  return true;
+  Vec<S, D> rest;
+  for (int i = 0; i < D; ++i) rest[i] = halves(S(a[i])).lo;
+  return is_zero(rest);
 }
 }  // namespace detail
 
@@ -142,10 +135,10 @@ class Points {
            std::is_convertible_v<const Range&, std::span<const Vec<S, D>>>)
       Points(const Range& points)
       : points_(points) {
-    if constexpr (!ScalarTraits<S>::kExact) measure();
-    note(kUnusable, empty() || !finite_);
     note(kMoreThanFour, size() > 4);
     note(kLarge, size() > Rows::kCount);
+    if constexpr (!ScalarTraits<S>::kExact) measure();
+    note(kUnusable, empty() || !finite_);
     if constexpr (!ScalarTraits<S>::kExact) {
       note(kRing, D == 2 && size() >= kRingFrom && is_strictly_convex_ring());
     }
@@ -257,7 +250,7 @@ class Points {
     const auto placed = [&](const Vec<S, D>& point, int axis) {
       return static_cast<double>(point[axis]) - static_cast<double>(centre_[axis]);
     };
-    for (std::size_t i = 0; size() <= Rows::kCount && i < Rows::kCount; ++i) {
+    for (std::size_t i = 0; is_small() && i < Rows::kCount; ++i) {
       const Vec<S, D>& point = points_[std::min(i, size() - 1)];
       rows_.x[i] = placed(point, 0);
       rows_.y[i] = placed(point, 1);

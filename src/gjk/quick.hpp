@@ -115,6 +115,10 @@ struct Corner {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take t
   Two w;
   Pair pair;
 };
+template <class Shapes>
+[[nodiscard]] inline Corner corner(const Shapes& shapes, Pair pair) {
+  return {shapes.vertex(index_x(pair), index_y(pair)), pair};
+}
 
 /// Vectors of a shape's frame, as its pose turns them.
 template <class S>
@@ -267,10 +271,7 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   }
   template <class Along>
   [[nodiscard]] Corner support_of(const Along& along) const {
-    if (many || same_frame) {
-      const Pair pair = farthest_pair_of(along);
-      return {vertex(index_x(pair), index_y(pair)), pair};
-    }
+    if (many || same_frame) return corner(*this, farthest_pair_of(along));
     const Leader first = leader_of_four(0, along);
     const Two of_x = __builtin_shufflevector(first.x, first.y, 0, 2);
     const Two of_y = __builtin_shufflevector(first.x, first.y, 1, 3);
@@ -345,8 +346,7 @@ struct AnyShapes {
     return support_against(with_sign(-d, sign));
   }
   [[nodiscard]] Corner support_against(const Two& d) const {
-    const Pair pair = farthest_pair_against(d);
-    return {vertex(index_x(pair), index_y(pair)), pair};
+    return corner(*this, farthest_pair_against(d));
   }
   [[nodiscard]] bool are_alone(const Two& d, VertexPair a, VertexPair b, double error) const {
     return x.count_as_far(-d, a.x, b.x, error) * y.count_as_far(d, a.y, b.y, error) ==
@@ -389,8 +389,7 @@ struct Found {
 template <class Shapes>
 [[nodiscard]] inline Corner start(const Shapes& shapes, const Options& options) {
   if (options.start_count == 0) return shapes.support_against(shapes.offset);
-  const VertexPair& pair = options.start[0];
-  return {shapes.vertex(pair.x, pair.y), pair_of(pair)};
+  return corner(shapes, pair_of(options.start[0]));
 }
 
 /// The phases in their order, from vertex `a`: `answer` of where they end, or false where rounding
@@ -425,7 +424,7 @@ template <class Shapes, class Answer>
         plane.note(d_sq, a.w);
         break;
       }
-      c = {shapes.vertex(index_x(pair), index_y(pair)), pair};
+      c = corner(shapes, pair);
       const double value = -dot(a.w, c.w);
       plane.note(value, d_sq, c.w);
       if (!(-d_sq < value)) {

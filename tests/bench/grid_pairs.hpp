@@ -39,15 +39,15 @@ class PairSource {
       const double bearing = between(0.0, kTurn);
       const Point away(std::cos(bearing), std::sin(bearing));
       if (spacing.gap < 0.0) {
-        move_to(out, away * -spacing.gap);
+        out = placed(out, away * -spacing.gap);
         if (gjk::distance(out.query()).distance == 0.0) return out;
         continue;
       }
-      move_to(out, away * 5.0);
+      out = placed(out, away * 5.0);
       // Along the shortest connection nothing else comes in between.
       const gjk::Result<double, 2> apart = gjk::distance(out.query());
       const Point connection = apart.y - apart.x;
-      move_to(out, away * 5.0 - connection * (1.0 - spacing.gap / apart.distance));
+      out = placed(out, away * 5.0 - connection * (1.0 - spacing.gap / apart.distance));
       // Rounded to float, the gap has changed a little.
       if (std::abs(gjk::distance(out.query()).distance - spacing.gap) < 0.2 * spacing.gap)
         return out;
@@ -64,33 +64,29 @@ class PairSource {
  private:
   static constexpr double kTurn = 6.283185307179586;
 
-  /// Through memory, for GCC 12 leaves the rounding out where two of these stand side by side.
-  [[nodiscard]] static double to_float(double value) {
-    volatile float rounded = static_cast<float>(value);
-    return rounded;
-  }
-
   [[nodiscard]] std::vector<Point> polygon(int count) {
     std::vector<Point> vertices;
     const double begin = between(0.0, kTurn);
     const double width = between(0.6, 1.0);
     for (int i = 0; i < count; ++i) {
       const double angle = begin + kTurn * (i + between(-0.25, 0.25)) / count;
-      vertices.emplace_back(to_float(std::cos(angle)), to_float(width * std::sin(angle)));
+      vertices.emplace_back(std::cos(angle), width * std::sin(angle));
     }
     return vertices;
   }
 
   [[nodiscard]] static gjk::Pose<double, 2> turned(double angle) {
-    const double c = to_float(std::cos(angle));
-    const double s = to_float(std::sin(angle));
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
     gjk::Pose<double, 2> pose;
     pose.rotation = Eigen::Matrix2d{{c, -s}, {s, c}};
     return pose;
   }
 
-  static void move_to(Pair& pair, const Point& place) {
-    pair.y_pose.translation = Point(to_float(place[0]), to_float(place[1]));
+  /// With the origin of Y at `place`, all numbers rounded to floats.
+  [[nodiscard]] static Pair placed(Pair pair, const Point& place) {
+    pair.y_pose.translation = place;
+    return families::rounded_to_floats(pair);
   }
 
   std::mt19937_64 bits_;

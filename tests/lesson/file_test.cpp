@@ -13,6 +13,7 @@
 #include <string>
 
 #include "lesson_texts.hpp"
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -22,12 +23,6 @@ using testing::file_text;
 
 class WriteWhole : public ::testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Name and bytes of every file of the folder.
   [[nodiscard]] std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> files;
@@ -36,8 +31,8 @@ class WriteWhole : public ::testing::Test {
     return files;
   }
 
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ("gjkscope-file-" + std::to_string(::getpid()));
+  test::TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 using Files = std::map<std::string, std::string>;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -706,25 +706,14 @@ TEST(Load, LongLinesAreReadUpToTheLimitOfAFile) {
 
 // --- files and folders --------------------------------------------------------------------------
 
-/// A folder for one test, empty at first and removed at the end.
 class LessonFolder : public ::testing::Test {
  protected:
-  LessonFolder()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("gjkscope-lesson-test-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~LessonFolder() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
-  std::filesystem::path folder_;
+  test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(LessonFolder, FilesAreLoadedUnderTheirName) {
-  const auto file = write("my-lesson.toml", testing::kFullLesson);
+  const std::filesystem::path file = temporary_.file("my-lesson.toml", testing::kFullLesson);
   const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   EXPECT_EQ(loaded.lesson->id, "my-lesson");
@@ -747,12 +736,12 @@ TEST_F(LessonFolder, LessonsComeInTeachingOrderBrokenOnesLast) {
     return replaced(replaced(testing::kFullLesson, "chapter = 4", "chapter = " + chapter),
                     "order = 3", "order = " + order);
   };
-  write("a.toml", numbered("2", "1"));
-  write("b.toml", numbered("1", "2"));
-  write("c.toml", numbered("1", "1"));
-  write("d.toml", "broken");
-  write("e.toml", numbered("1", "1"));
-  write("README.md", "no lesson");
+  temporary_.file("a.toml", numbered("2", "1"));
+  temporary_.file("b.toml", numbered("1", "2"));
+  temporary_.file("c.toml", numbered("1", "1"));
+  temporary_.file("d.toml", "broken");
+  temporary_.file("e.toml", numbered("1", "1"));
+  temporary_.file("README.md", "no lesson");
   std::string ids;
   const std::vector<LoadedLesson> lessons = load_lessons(folder_, testing::effects_of_views());
   for (const LoadedLesson& loaded : lessons) ids += loaded.lesson ? loaded.lesson->id : "-";
@@ -769,7 +758,7 @@ TEST_F(LessonFolder, AFolderThatIsNotThereIsAProblem) {
 }
 
 TEST_F(LessonFolder, PlacesOfKeys) {
-  const auto file = write("a.toml", testing::kFullLesson);
+  const std::filesystem::path file = temporary_.file("a.toml", testing::kFullLesson);
   const struct {
     const char* key;
     Place place;
@@ -795,7 +784,7 @@ TEST_F(LessonFolder, PlacesOfKeys) {
 }
 
 TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
-  const auto file = write("a.toml", testing::kFullLesson);
+  const std::filesystem::path file = temporary_.file("a.toml", testing::kFullLesson);
   const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
   ASSERT_TRUE(loaded.lesson);
   std::string listed;

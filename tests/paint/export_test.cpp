@@ -18,6 +18,7 @@
 #include "effects/registry.hpp"
 #include "lesson/html.hpp"
 #include "lesson/load.hpp"
+#include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
@@ -50,14 +51,6 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
 
 class Export : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) /
-              ("gjkscope-" + std::to_string(::getpid()) + "-" + test->name());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Small frames: the tests are about files.
   ExportOptions options(const std::string& name = "out") const {
     ExportOptions options;
@@ -77,7 +70,8 @@ class Export : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(Export, WritesNumberedFramesAndASidecarThatDescribesThem) {
@@ -209,7 +203,6 @@ TEST_F(Export, AFullDiskIsAnErrorThatNamesTheFileAndLeavesNoPart) {
 }
 
 TEST_F(Export, AFolderThatCannotBeMadeIsAnErrorThatNamesIt) {
-  fs::create_directories(folder_);
   std::ofstream(folder_ / "file") << "in the way";
   ExportOptions blocked = options();
   blocked.out_dir = folder_ / "file";
