@@ -30,7 +30,6 @@ struct Prepared {
 
   /// A vector in the run's unit.
   [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
-    if (exponent == 0) return a;
     Vec<R, D> out;
     for (int i = 0; i < D; ++i) {
       if constexpr (ScalarTraits<R>::kExact) {

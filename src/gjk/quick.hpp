@@ -155,8 +155,8 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   Two offset;
   bool same_frame;
   bool many;  ///< More than 4 rows count.
-  Two x[Rows::kCount];
-  Two y[Rows::kCount];
+  std::array<Two, Rows::kCount> x;
+  std::array<Two, Rows::kCount> y;
 
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): as above
   SmallShapes(const Query<S, 2>& asked, const Prepared<double, 2>& prepared)

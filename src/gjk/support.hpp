@@ -46,8 +46,8 @@ struct Along {
         d(turns_vertices ? world : shape.pose.template direction_to_local<R>(world)) {}
 
   [[nodiscard]] R operator()(std::size_t i) const {
-    return dot<R, D>(d, turns_vertices ? placed(shape, prepared, centre, i)
-                                       : from_centre(shape, prepared, centre, i));
+    const Vec<R, D> local = from_centre(shape, prepared, centre, i);
+    return turns_vertices ? dot(d, shape.pose.template rotated<R>(local)) : dot(d, local);
   }
 };
 

@@ -153,6 +153,30 @@ TEST(not_ordinary, "other rules and large rings go through the phases") {
   }
 }
 
+TEST(grid, "where the run does not round it gives up nothing that bounds can prove") {
+  families::Source random(20100317);
+  long apart = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("pair", i);
+    const int extent = random.among(1, 3);
+    const auto list = random.grid_points<double>(random.among(1, 10), extent);
+    const auto other = random.grid_points<double>(random.among(1, 10), extent);
+    gjk::Query<double, 2> query{{list}, {other}};
+    query.y.pose.translation = Vec<double, 2>(random.among(0, 2 * extent), random.among(0, extent));
+    gjk::Options from;
+    from.start_count = 1;
+    from.start[0] = {random.among(0, static_cast<int>(list.size()) - 1),
+                     random.among(0, static_cast<int>(other.size()) - 1)};
+    Shares shares;
+    compare(query, from, shares);
+    const gjk::Result<double, 2> result = gjk::distance(query, from);
+    if (result.verdict != gjk::Verdict::separated || result.settled) continue;
+    CHECK_EQ(1L, shares.answered);
+    ++apart;
+  }
+  CHECK(apart > 5000);
+}
+
 TEST(scans, "a scan takes the first of the vertices that lie farthest, on either side") {
   families::Source random(20100315);
   for (int i = 0; i < 20000; ++i) {
