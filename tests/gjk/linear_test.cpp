@@ -22,6 +22,14 @@ TEST(dot_order, "dot sums in index order, each product rounded: no fused multipl
   CHECK_EQ(1.0f, gjk::dot(Vec<float, 3>(1e8f, -1e8f, 1.0f), Vec<float, 3>(1, 1, 1)));
 }
 
+TEST(signs, "1 or -1 with the sign of a number; a zero that knows no sign counts as positive") {
+  CHECK_EQ(-1, gjk::sign_of(-3));
+  CHECK_EQ(1, gjk::sign_of(0));
+  CHECK_EQ(1, gjk::sign_of(3));
+  CHECK_EQ(-1.0, gjk::sign_of(-0.0));
+  CHECK_EQ(1.0, gjk::sign_of(0.5));
+}
+
 TEST(norms, "norm_1 sums magnitudes, norm_max takes the largest") {
   CHECK_EQ(7.0, gjk::norm_1(Vec<double, 2>(3, -4)));
   CHECK_EQ(4.0, gjk::norm_max(Vec<double, 2>(3, -4)));

@@ -3,9 +3,6 @@
 
 #include "gjk/prepare.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <random>
-
 #include "check.hpp"
 #include "geometry/families.hpp"
 #include "gjk/support.hpp"
@@ -217,55 +214,6 @@ TEST(reach,
     CHECK(found.corner_high <= 1 + 0x1p-50L);
     CHECK(found.pairs > 400);
   }
-}
-
-/// A turn about each axis, by random angles.
-template <int D>
-Eigen::Matrix<double, D, D> random_turn(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> angle(0, 6);
-  Eigen::Matrix<double, D, D> out = Eigen::Matrix<double, D, D>::Identity();
-  for (int i = 0; i < D; ++i) {
-    for (int k = 0; k < i; ++k) {
-      const double a = angle(random);
-      Eigen::Matrix<double, D, D> turn = Eigen::Matrix<double, D, D>::Identity();
-      turn(i, i) = turn(k, k) = std::cos(a);
-      turn(i, k) = std::sin(a);
-      turn(k, i) = -turn(i, k);
-      out = turn * out;
-    }
-  }
-  return out;
-}
-
-/// Turns, turns that lengthen one axis after another, and what is neither.
-template <int D>
-void measure_stretches() {
-  std::mt19937_64 random(kSeed);
-  std::uniform_real_distribution<double> entry(-1, 1);
-  const auto stretch = [](const Eigen::Matrix<double, D, D>& rotation) {
-    return gjk::Rotation<double, D>(rotation).stretch();
-  };
-  for (int i = 0; i < 1000; ++i) {
-    const check::Context context("seed", kSeed, "dimension", D, "pose", i);
-    const Eigen::Matrix<double, D, D> turn = random_turn<D>(random);
-    CHECK(1 <= stretch(turn) && stretch(turn) <= 1 + 0x1p-49);
-    Vec<double, D> lengths = Vec<double, D>::Ones();
-    lengths[i % D] = 1.5;
-    const Eigen::Matrix<double, D, D> longer = turn * lengths.asDiagonal();
-    CHECK(1.5 <= stretch(longer) && stretch(longer) <= 1.625 + 0x1p-49);
-    const Eigen::Matrix<double, D, D> any =
-        Eigen::Matrix<double, D, D>::NullaryExpr([&] { return entry(random); });
-    CHECK(any.operatorNorm() * (1 - 0x1p-40) <= stretch(any));
-  }
-  // All columns alike: skewed as far as can be.
-  Eigen::Matrix<double, D, D> flat = Eigen::Matrix<double, D, D>::Zero();
-  flat.row(0).setOnes();
-  CHECK(std::sqrt(double{D}) <= stretch(flat));
-}
-
-TEST(stretch, "no vector is longer under a pose than it says, and it says 1 of a rotation") {
-  measure_stretches<2>();
-  measure_stretches<3>();
 }
 
 TEST(vertices, "vertices of Z err by less than their bound, but not by much less") {

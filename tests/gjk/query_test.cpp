@@ -2,10 +2,12 @@
 
 #include "gjk/query.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "check.hpp"
@@ -57,6 +59,56 @@ TEST(turned, "a rotation turns when any entry is not that of the identity") {
   };
   check(0.0);
   check(0.0F);
+}
+
+/// A turn about each axis, by random angles.
+template <int D>
+Eigen::Matrix<double, D, D> random_turn(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> angle(0, 6);
+  Eigen::Matrix<double, D, D> out = Eigen::Matrix<double, D, D>::Identity();
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < i; ++k) {
+      const double a = angle(random);
+      Eigen::Matrix<double, D, D> turn = Eigen::Matrix<double, D, D>::Identity();
+      turn(i, i) = turn(k, k) = std::cos(a);
+      turn(i, k) = std::sin(a);
+      turn(k, i) = -turn(i, k);
+      out = turn * out;
+    }
+  }
+  return out;
+}
+
+/// Turns, turns that lengthen one axis after another, and what is neither.
+template <int D>
+void measure_stretches() {
+  constexpr std::uint64_t kSeed = 20100318;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  const auto stretch = [](const Eigen::Matrix<double, D, D>& rotation) {
+    return gjk::Rotation<double, D>(rotation).stretch();
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const check::Context context("seed", kSeed, "dimension", D, "pose", i);
+    const Eigen::Matrix<double, D, D> turn = random_turn<D>(random);
+    CHECK(1 <= stretch(turn) && stretch(turn) <= 1 + 0x1p-49);
+    Vec<double, D> lengths = Vec<double, D>::Ones();
+    lengths[i % D] = 1.5;
+    const Eigen::Matrix<double, D, D> longer = turn * lengths.asDiagonal();
+    CHECK(1.5 <= stretch(longer) && stretch(longer) <= 1.625 + 0x1p-49);
+    const Eigen::Matrix<double, D, D> any =
+        Eigen::Matrix<double, D, D>::NullaryExpr([&] { return entry(random); });
+    CHECK(any.operatorNorm() * (1 - 0x1p-40) <= stretch(any));
+  }
+  // All columns alike: skewed as far as can be.
+  Eigen::Matrix<double, D, D> flat = Eigen::Matrix<double, D, D>::Zero();
+  flat.row(0).setOnes();
+  CHECK(std::sqrt(double{D}) <= stretch(flat));
+}
+
+TEST(stretch, "no vector is longer under a pose than it says, and it says 1 of a rotation") {
+  measure_stretches<2>();
+  measure_stretches<3>();
 }
 
 TEST(digits,
@@ -179,6 +231,14 @@ TEST(measured_extremes, "radii neither overflow nor underflow where points do no
     CHECK_EQ(std::ldexp(5.0, k), points(shape).radius());
     CHECK(points(shape).is_finite());
   }
+  // Where radii are denormal they are rounded up: sqrt(2), sqrt(8) and 5 of the smallest numbers.
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  const auto radius_of = [](double x, double y) {
+    return points<double>({{x, y}, {-x, -y}}).radius();
+  };
+  CHECK_EQ(2 * kLeast, radius_of(kLeast, kLeast));
+  CHECK_EQ(3 * kLeast, radius_of(2 * kLeast, 2 * kLeast));
+  CHECK_EQ(5 * kLeast, radius_of(3 * kLeast, 4 * kLeast));
   CHECK_EQ(0.0, points<double>({{0, 0}, {0, 0}}).radius());
   CHECK_EQ(0.0, points<double>({{7, 7}}).radius());
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
