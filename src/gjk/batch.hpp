@@ -1,16 +1,17 @@
 #pragma once
 // Many queries of float shapes in the plane at once.
 //
-// Eight pairs share the registers of AVX2 and walk through GJK in lockstep, a lane for each pair.
-// The run has two parts:
+// Eight pairs share a register of AVX2 and walk through GJK in lockstep, a lane for each pair; two
+// such registers take turns, so that one computes while the other waits. The run has two parts:
 //
 //   1. GJK in float: all shapes relative to their own centres, so that a common offset costs no
 //      digits; regions by signs, directions without division, as in the scalar code. All lanes go
 //      as many rounds as shapes of their size need.
 //   2. The segment that a lane ended with, in double. Vertices are floats, so differences and
-//      products of them are exact or nearly so. One support call gives the plane that bounds the
-//      distance from below, the segment bounds it from above. Where both agree to half an ulp of
-//      a float, that is the answer; else GJK goes on, in double.
+//      products of them are exact or nearly so. The segment bounds the distance from above, its
+//      support plane from below, provided that no other vertex comes near that plane. Where float
+//      is not enough to see that, GJK goes on in double, until both bounds agree to half an ulp of
+//      a float.
 //
 // What the lanes cannot prove (touching shapes, gaps below 1e-7 of the scale), or may not even try
 // (more than kMaxLaneVertices vertices, scales that float cannot square, bad input), is handed to
@@ -21,8 +22,8 @@
 //   - lower <= exact distance <= upper; where the lanes gave them, they are the two floats next to
 //     `distance`, or all three are 0.
 //
-// AVX2 is looked for at run time. Without it, or on other compilers than GCC and clang for x86,
-// `gjk::distance` answers all pairs.
+// AVX2 and FMA are looked for at run time. Without them, or on other compilers than GCC and clang
+// for x86, `gjk::distance` answers all pairs.
 
 #include <algorithm>
 #include <cassert>
@@ -39,7 +40,7 @@ namespace gjk {
 inline constexpr int kMaxLaneVertices = 16;
 
 enum class Instructions : std::uint8_t {
-  best,   ///< AVX2 where the machine has it.
+  best,   ///< AVX2 and FMA where the machine has them.
   plain,  ///< `gjk::distance` for each pair.
 };
 
@@ -88,6 +89,7 @@ class Batch {
     detail::BatchGroup& group = packed.group;
     const int lane = group.pair_count++;
     if (group.pair_count == detail::kLaneCount) open = -1;
+    if (lane == 0) group.pairs.fill(pair);
     group.pairs[lane] = pair;
     places_.push_back({index, lane});
     packed.x_sizes[lane] = static_cast<std::uint8_t>(query.x.vertices.size());
@@ -204,7 +206,7 @@ class Batch {
 
   /// Returns the largest coordinate relative to the centre.
   float pack(const Points<float, 2>& vertices, int lane, int room, std::size_t first,
-             std::array<detail::Eight, 2>& centre) {
+             std::array<detail::PerLane, 2>& centre) {
     float radius = 0.0f;
     for (int axis = 0; axis < 2; ++axis) {
       const float middle = centre_of(vertices, axis);
@@ -275,7 +277,7 @@ class Batch {
   }
 
   std::vector<Packed> groups_;
-  std::vector<detail::Eight> vertices_;
+  std::vector<detail::PerLane> vertices_;
   std::vector<Odd> odd_;
   std::vector<Place> places_;
   /// The group of each pair of classes that has lanes left, or -1.

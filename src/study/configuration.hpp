@@ -18,7 +18,7 @@ enum class Arithmetic : std::uint8_t {
   half,
   single,
   single_in_double,  ///< Coordinates are floats, the run computes in double.
-  batch,             ///< Coordinates are floats; eight pairs in lockstep (gjk/batch.hpp).
+  batch,             ///< Coordinates are floats; pairs in lockstep (gjk/batch.hpp).
   double_,
   long_double,  ///< This and the next compute in more digits than coordinates have.
   quad,
