@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "geometry/families.hpp"
+#include "gjk/expansion.hpp"
 #include "gjk/support.hpp"
 
 namespace {
@@ -138,6 +139,71 @@ TEST(centres, "shapes around their own origin keep it, others are measured from 
   moved.y_pose.rotation = Eigen::Matrix2d{{0, -1}, {1, 0}};
   CHECK(!prepared<double>(moved).same_frame);
   CHECK((prepared<double>(moved).offset == Vec<double, 2>(-7, 1)));
+}
+
+TEST(exact, "for exact scalars Y stands from X as its translation does") {
+  using gjk::Expansion;
+  gjk::Query<Expansion, 2> query;
+  const std::vector<Vec<Expansion, 2>> origin = {{Expansion(0.0), Expansion(0.0)}};
+  query.x = {origin, {}};
+  query.y = {origin, {}};
+  query.x.pose.translation = {Expansion(1.0), Expansion(5.0)};
+  query.y.pose.translation = {Expansion(4.0), Expansion(3.0)};
+  const gjk::Prepared<Expansion, 2> found = gjk::prepare<Expansion>(query, {});
+  CHECK(found.offset[0] == Expansion(3.0));
+  CHECK(found.offset[1] == Expansion(-2.0));
+}
+
+constexpr double kRoundoff = 0x1p-53;
+const Eigen::Matrix2d kQuarterTurn{{0, -1}, {1, 0}};
+
+// Shapes for which every term of a bound is known exactly: the radii are 1 and 5, the centres 8
+// apart, and a point of Y may round 2.5 times its radius.
+TEST(rounding, "bounds of rounding add up to what the analysis of each operation says") {
+  Pair<double> pair{{{-1, 0}, {1, 0}}, {{3, 4}, {-3, -4}}};
+  pair.y_pose = {kQuarterTurn, {8, 0}};
+  const gjk::Prepared<double, 2> found = prepared<double>(pair);
+  constexpr double kExtent = 1 + 5;
+  constexpr double kMoved = 2.5 * 5;
+  constexpr double kReach = 8 + kExtent;
+  constexpr double kVertex = kRoundoff * (kExtent + kMoved);
+  CHECK_EQ(kReach, found.from_origins);
+  CHECK_EQ(kVertex, found.vertex_error);
+  // Of the vertices that a scan compares each is a dot product, and was placed before.
+  constexpr double kScan = kRoundoff * (4 * kExtent + 2 * kMoved);
+  CHECK_EQ(kScan, found.scan_error_within(0.0));
+  CHECK_EQ(kScan + 2 * 0x1p-50 * kExtent, found.scan_error_within(0x1p-50));
+  // A small shape's vertex is seen where it is placed.
+  CHECK_EQ(kVertex + kRoundoff * 4 * kExtent, found.plane_error());
+  CHECK_EQ(256 * kRoundoff * kRoundoff * kReach, found.careful_error());
+  CHECK_EQ(kVertex + 16 * kRoundoff * kReach, found.simplex_error());
+
+  for (int i = 0; i < 9; ++i) pair.x.push_back(pair.x[0]);
+  CHECK_EQ(kVertex + kScan, prepared<double>(pair).plane_error());
+}
+
+TEST(far_from_origins, "what is measured from a middle rounds with its distance from the origin") {
+  Pair<double> pair{{{100, 0}, {102, 0}}, {{0, 50}, {0, 54}}};
+  pair.y_pose = {kQuarterTurn, {0, 0}};
+  const gjk::Prepared<double, 2> found = prepared<double>(pair);
+  CHECK((found.offset == Vec<double, 2>(-52 - 101, 0)));
+  CHECK_EQ(153.0 + 3.0, found.reach);
+  CHECK_EQ(found.reach + (101.0 + 52.0), found.from_origins);
+  CHECK_EQ(kRoundoff * 153.0, found.offset_error);
+  CHECK_EQ(found.offset_error + kRoundoff * (3.0 + (1.0 + 2.0 + 2.5 * 2.0)), found.vertex_error);
+}
+
+TEST(in_space, "in space a product with a matrix rounds a little more") {
+  using Point = Vec<double, 3>;
+  const std::vector<Point> x = {{-1, 0, 0}, {1, 0, 0}};
+  const std::vector<Point> y = {{0, 3, 4}, {0, -3, -4}};
+  gjk::Query<double, 3> query{{x, {}}, {y, {}}};
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = kQuarterTurn;
+  query.y.pose = {turn, {8, 0, 0}};
+  const gjk::Prepared<double, 3> found = gjk::prepare<double>(query, {});
+  CHECK_EQ(2.8 * 5, found.moved);
+  CHECK_EQ(kRoundoff * (6 * 6.0 + 2 * found.moved), found.scan_error_within(0.0));
 }
 
 using Wide = Vec<long double, 2>;
