@@ -216,19 +216,12 @@ template <class R, class S, int D>
   return prepared;
 }
 
-/// e with all coordinates of a shape, in its frame and in the world, below 2^(e + D).
+/// e with all numbers that place a shape below 2^(e + 1).
 template <class R, class S, int D>
 [[nodiscard]] int coordinate_exponent(const Shape<S, D>& shape) {
-  using Traits = ScalarTraits<R>;
-  const auto exponent = [](const S& size) {
-    return S(0) < size ? Traits::exponent(Traits::from(size))
-                       : std::numeric_limits<R>::min_exponent;
-  };
   const S local = std::max(norm_max(shape.vertices.low()), norm_max(shape.vertices.high()));
-  S turn(1);
-  for (int i = 0; i < D; ++i)
-    turn = std::max(turn, norm_max(Vec<S, D>(shape.pose.rotation.col(i))));
-  return std::max(exponent(local) + exponent(turn), exponent(norm_max(shape.pose.translation)));
+  const S largest = std::max(local, norm_max(shape.pose.translation));
+  return ScalarTraits<R>::exponent(ScalarTraits<R>::from(largest));
 }
 
 /// Measures again, in a unit of length in which squares of coordinates neither overflow nor

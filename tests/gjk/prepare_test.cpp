@@ -119,6 +119,8 @@ TEST(overflow, "what no unit of length can hold is refused by name") {
   constexpr double kMost = std::numeric_limits<double>::max();
   Pair<double> pair = points_apart(kMost);
   CHECK_EQ(Error::none, prepared<double>(pair).error);
+  pair.y.push_back({0, 0});
+  CHECK_EQ(Error::none, prepared<double>(pair).error);
   pair.x_pose.rotation = Eigen::Matrix2d::Identity() * kMost;
   pair.x[0] = {kMost, 0};
   CHECK_EQ(Error::overflow, prepared<double>(pair).error);

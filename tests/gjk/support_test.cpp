@@ -36,6 +36,16 @@ TEST(scan_first, "the scan takes the first vertex with the largest dot product")
   }
 }
 
+TEST(ties, "of vertices that lie equally far the scan takes the first, wherever they stand") {
+  for (int count = 1; count <= 7; ++count) {
+    for (int far = 1; far < 1 << count; ++far) {
+      const check::Context context("vertices", count, "far ones, as bits", far);
+      const auto along = [&](int i) { return static_cast<double>((far >> i) & 1); };
+      CHECK_EQ(__builtin_ctz(static_cast<unsigned>(far)), gjk::detail::scan<double>(count, along));
+    }
+  }
+}
+
 /// `count` corners of an ellipse, `flatness` times as high as wide, turned and moved.
 template <class S>
 std::vector<Vec<S, 2>> ellipse(families::Source& random, int count, double flatness) {
@@ -264,6 +274,34 @@ TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; n
   state.support_value = -1;
   gjk::detail::note_support_plane(state);
   CHECK_EQ(0.0, state.plane_distance_sq);
+}
+
+TEST(plane_through_origin, "a support plane through O is seen, and no other") {
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    const std::vector<Vec<double, 2>> point = {{0, 0}};
+    const std::vector<Vec<double, 2>> other = {{x, 5}};
+    const gjk::Query<double, 2> query{{point}, {other}};
+    gjk::State<double, 2> state;
+    state.d = Vec<double, 2>(-1, 0);
+    gjk::NoRecord record;
+    gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
+    CHECK_EQ(x == 0.0, state.touches_plane);
+  }
+}
+
+TEST(plane_rounding, "a plane proves its distance but for what rounding may have added") {
+  constexpr double kRoundoff = 0x1p-53;
+  gjk::Prepared<double, 2> prepared;
+  prepared.vertex_error = 8 * kRoundoff;
+  prepared.turns_vertices = true;
+  // dot(d, w) rounds with |w|, its sum and the division with the distance.
+  constexpr double kError = (8 + 3 * 5 + 4 * 3) * kRoundoff;
+  CHECK_EQ(kError, gjk::detail::plane_error<double>({3.0, 5.0}, prepared));
+  CHECK_EQ(3.0 - kError, gjk::detail::plane_bound(9.0, 25.0, prepared));
+  CHECK_EQ(0.0, gjk::detail::plane_bound(kRoundoff * kRoundoff, 25.0, prepared));
+  gjk::Prepared<double, 3> in_space;
+  in_space.turns_vertices = true;
+  CHECK_EQ((4 * 5 + 4 * 3) * kRoundoff, gjk::detail::plane_error<double>({3.0, 5.0}, in_space));
 }
 
 }  // namespace
