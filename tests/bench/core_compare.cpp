@@ -52,7 +52,7 @@ std::vector<Rival> own_variants() {
           {.library = core_stepping(), .mean = 1.02}};
 }
 
-std::vector<Rival> peers(Report& report) {
+std::vector<Rival> peers([[maybe_unused]] Report& report) {
   std::vector<Rival> out;
 #ifdef GJKSCOPE_BOX2D_2
   out.push_back({.library = box2d_2(), .mean = 0.80});
