@@ -35,8 +35,11 @@ namespace gjk::quick {
 [[nodiscard]] inline Two magnitudes(const Two& a) {
   return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) & ~std::bit_cast<TwoMasks>(both(-0.0)));
 }
-/// Zeros with the sign of a.
-[[nodiscard]] inline Two signed_zeros(double a) { return both(std::copysign(0.0, a)); }
+/// Zeros with the sign of cross(a, b).
+[[nodiscard]] inline Two signed_zeros_of_cross(const Two& a, const Two& b) {
+  const Two crossed = both(a[0]) * both(b[1]) - both(a[1]) * both(b[0]);
+  return std::bit_cast<Two>(std::bit_cast<TwoMasks>(crossed) & std::bit_cast<TwoMasks>(both(-0.0)));
+}
 /// a, turned round where `sign`, made of zeros, has one.
 [[nodiscard]] inline Two with_sign(const Two& a, const Two& sign) {
   return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) ^ std::bit_cast<TwoMasks>(sign));
@@ -147,31 +150,28 @@ struct Turn {
   }
 };
 
-/// Two small shapes. Their vertices, placed, stand coordinate by coordinate: those of X in the
-/// first place, those of Y in the second, so that one scan goes through both.
-template <class S>
+/// Two small shapes, of at most kRows vertices each. Their vertices, placed, stand coordinate by
+/// coordinate: those of X, turned round O, in the first place, those of Y in the second. So a
+/// vertex of Z is a sum, and one scan goes through both shapes.
+template <class S, int kRows>
 struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros take time
   const Query<S, 2>& query;
   Two offset;
   bool same_frame;
-  bool many;  ///< More than 4 rows count.
-  std::array<Two, Rows::kCount> x;
-  std::array<Two, Rows::kCount> y;
+  std::array<Two, kRows> x;
+  std::array<Two, kRows> y;
 
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): as above
   SmallShapes(const Query<S, 2>& asked, const Prepared<double, 2>& prepared)
       : query(asked), offset(two(prepared.offset)), same_frame(prepared.same_frame) {
-    const Points<S, 2>& from = query.x.vertices;
-    const Points<S, 2>& to = query.y.vertices;
-    many = detail::has_trait(query, Points<S, 2>::kMoreThanFour);
     const Turn<S> turn_x(query.x.pose.rotation);
     const Turn<S> turn_y(query.y.pose.rotation);
-    const auto two_of = [](const Rows& rows, int i) {
-      return Flat<Two>{two_at(rows.x + i), two_at(rows.y + i)};
+    const auto two_of = [](const Points<S, 2>& vertices, int i) {
+      return Flat<Two>{two_at(vertices.rows().x + i), two_at(vertices.rows().y + i)};
     };
-    for (int i = 0; i < (many ? Rows::kCount : 4); i += 2) {
-      const Flat<Two> of_x = turn_x(two_of(from.rows(), i));
-      const Flat<Two> of_y = turn_y(two_of(to.rows(), i));
+    for (int i = 0; i < kRows; i += 2) {
+      const Flat<Two> of_x = -turn_x(two_of(query.x.vertices, i));
+      const Flat<Two> of_y = turn_y(two_of(query.y.vertices, i));
       x[i] = __builtin_shufflevector(of_x.x, of_y.x, 0, 2);
       x[i + 1] = __builtin_shufflevector(of_x.x, of_y.x, 1, 3);
       y[i] = __builtin_shufflevector(of_x.y, of_y.y, 0, 2);
@@ -182,35 +182,45 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   /// The vertex of Z from vertex i of X and vertex j of Y.
   [[nodiscard]] Two vertex(std::size_t i, std::size_t j) const {
     if (same_frame) return two(query.y.vertices[j]) - two(query.x.vertices[i]);
-    return (Two{x[j][1], y[j][1]} - Two{x[i][0], y[i][0]}) + offset;
+    return (Two{x[j][1], y[j][1]} + Two{x[i][0], y[i][0]}) + offset;
   }
 
-  /// How far vertices lie: of X along -d, of Y along d.
-  struct Along {
-    Two dx;
-    Two dy;
-    explicit Along(const Two& d)
-        : dx(with_sign(both(d[0]), kForX)), dy(with_sign(both(d[1]), kForX)) {}
-    [[nodiscard]] Two operator()(const Two& at_x, const Two& at_y) const {
-      return dx * at_x + dy * at_y;
-    }
-    static constexpr Two kForX = {-0.0, 0.0};
+  /// Of X and of Y, which row a scan chose: by index, and for few rows by how they compared, which
+  /// leads to the row sooner.
+  struct Choice {
+    Pair pair;
+    TwoMasks second;  ///< Of the first two rows.
+    TwoMasks fourth;  ///< Of the next two.
+    TwoMasks later;   ///< Of the next two, not of the first two.
   };
-
-  /// As detail::farthest_pair, without a branch: along -d.
-  [[nodiscard]] Pair farthest_pair_against(const Two& d) const {
-    const Along along(-d);
-    return farthest_pair_of([&](int i) { return along(x[i], y[i]); });
+  [[nodiscard]] Two vertex(const Choice& choice) const {
+    if (kRows > 4 || same_frame) return vertex(index_x(choice.pair), index_y(choice.pair));
+    const auto chosen = [&](const std::array<Two, kRows>& rows) {
+      const Two of_first = choice.second ? rows[1] : rows[0];
+      const Two of_next = choice.fourth ? rows[3] : rows[2];
+      return choice.later ? of_next : of_first;
+    };
+    const Two at_x = chosen(x);
+    const Two at_y = chosen(y);
+    return (__builtin_shufflevector(at_x, at_y, 1, 3) + __builtin_shufflevector(at_x, at_y, 0, 2)) +
+           offset;
   }
-  /// The support point along d, turned round by `sign`.
-  [[nodiscard]] Corner support(const Two& d, const Two& sign) const {
-    const Along along(d);
-    return support_of([&](int i) { return with_sign(along(x[i], y[i]), sign); });
+  /// As detail::farthest_pair, without a branch: along -d.
+  [[nodiscard]] Choice farthest_against(const Two& d) const {
+    return lowest([along = Along(d), this](int i) { return along(x[i], y[i]); });
   }
   /// The support point along -d.
   [[nodiscard]] Corner support_against(const Two& d) const {
-    const Along along(-d);
-    return support_of([&](int i) { return along(x[i], y[i]); });
+    const Choice choice = farthest_against(d);
+    return {vertex(choice), choice.pair};
+  }
+  /// The support point along perpendicular(edge), turned round by `sign`, which is known only when
+  /// the scan has begun.
+  [[nodiscard]] Corner support_across(const Two& edge, const Two& sign) const {
+    const Two ex = both(edge[0]);
+    const Two ey = both(edge[1]);
+    const Choice choice = lowest([&](int i) { return with_sign(ex * y[i] - ey * x[i], sign); });
+    return {vertex(choice), choice.pair};
   }
 
   /// True when certainly no vertex of Z but a and b, which may be one, lies as far along d.
@@ -221,7 +231,7 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
     };
     const Two nearer = smaller(at(a), at(b)) - both(error);
     unsigned less = 0;  // two bits for each row: of X and of Y
-    for (int i = 0; i < (many ? Rows::kCount : 4); i += 2) {
+    for (int i = 0; i < kRows; i += 2) {
       less |= static_cast<unsigned>(
                   bits(along(x[i], y[i]) < nearer, along(x[i + 1], y[i + 1]) < nearer))
               << 2U * static_cast<unsigned>(i);
@@ -238,51 +248,49 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   }
 
  private:
-  /// Of X and of Y the row that lies farthest so far, and where it is: to look it up from its index
-  /// takes longer.
-  struct Leader {
+  /// How far vertices lie: of X along -d, of Y along d.
+  struct Along {
+    Two dx;
+    Two dy;
+    explicit Along(const Two& d) : dx(both(d[0])), dy(both(d[1])) {}
+    [[nodiscard]] Two operator()(const Two& at_x, const Two& at_y) const {
+      return dx * at_x + dy * at_y;
+    }
+  };
+  /// Of some rows the one with the least value, and the first of equals.
+  struct Lowest {
     Two value;
     TwoMasks index;
-    Two x;
-    Two y;
   };
-  [[nodiscard]] static Leader first_of(const Leader& a, const Leader& b) {
-    const TwoMasks second = a.value < b.value;
-    return {larger(a.value, b.value), second ? b.index : a.index, second ? b.x : a.x,
-            second ? b.y : a.y};
+  [[nodiscard]] static Lowest lower(const Lowest& a, const Lowest& b) {
+    return {smaller(a.value, b.value), b.value < a.value ? b.index : a.index};
   }
-  /// Of rows i to i + 3.
-  template <class Along>
-  [[nodiscard]] Leader leader_of_four(int i, const Along& along) const {
-    const auto of_two = [&](int k) {
-      const Two a = along(k);
-      const Two b = along(k + 1);
-      const TwoMasks second = a < b;
-      return Leader{larger(a, b), TwoMasks{k, k} - second, second ? x[k + 1] : x[k],
-                    second ? y[k + 1] : y[k]};
+  template <class Value>
+  [[nodiscard]] static Choice lowest(const Value& value) {
+    Choice choice;
+    const auto of_two = [&](int i, TwoMasks& second) {
+      const Two a = value(i);
+      const Two b = value(i + 1);
+      second = b < a;
+      return Lowest{smaller(a, b), TwoMasks{i, i} - second};
     };
-    return first_of(of_two(i), of_two(i + 2));
+    const Lowest first = of_two(0, choice.second);
+    const Lowest next = of_two(2, choice.fourth);
+    choice.later = next.value < first.value;
+    Lowest of_all = lower(first, next);
+    if constexpr (kRows == Rows::kCount) {
+      TwoMasks not_kept;
+      of_all = lower(of_all, lower(of_two(4, not_kept), of_two(6, not_kept)));
+    }
+    choice.pair = pair_of(of_all.index);
+    return choice;
   }
-  template <class Along>
-  [[nodiscard]] Pair farthest_pair_of(const Along& along) const {
-    Leader first = leader_of_four(0, along);
-    if (many) first = first_of(first, leader_of_four(4, along));
-    return pair_of(first);
-  }
-  template <class Along>
-  [[nodiscard]] Corner support_of(const Along& along) const {
-    if (many || same_frame) return corner(*this, farthest_pair_of(along));
-    const Leader first = leader_of_four(0, along);
-    const Two of_x = __builtin_shufflevector(first.x, first.y, 0, 2);
-    const Two of_y = __builtin_shufflevector(first.x, first.y, 1, 3);
-    return {(of_y - of_x) + offset, pair_of(first)};
-  }
-  [[nodiscard]] static Pair pair_of(const Leader& leader) {
+  [[nodiscard]] static Pair pair_of(const TwoMasks& index) {
 #ifdef __SSE2__
     return static_cast<Pair>(_mm_cvtsi128_si64(
-        _mm_shuffle_epi32(std::bit_cast<__m128i>(leader.index), _MM_SHUFFLE(3, 1, 2, 0))));
+        _mm_shuffle_epi32(std::bit_cast<__m128i>(index), _MM_SHUFFLE(3, 1, 2, 0))));
 #else
-    return quick::pair_of({static_cast<int>(leader.index[0]), static_cast<int>(leader.index[1])});
+    return quick::pair_of({static_cast<int>(index[0]), static_cast<int>(index[1])});
 #endif
   }
 };
@@ -339,14 +347,21 @@ struct AnyShapes {
     if (same_frame) return y.vertex(j) - x.vertex(i);
     return (y.placed(j) - x.placed(i)) + offset;
   }
-  [[nodiscard]] Pair farthest_pair_against(const Two& d) const {
-    return pair_of({x.farthest(d), y.farthest(-d)});
+  /// As those of SmallShapes.
+  struct Choice {
+    Pair pair;
+  };
+  [[nodiscard]] Two vertex(const Choice& choice) const {
+    return vertex(index_x(choice.pair), index_y(choice.pair));
   }
-  [[nodiscard]] Corner support(const Two& d, const Two& sign) const {
-    return support_against(with_sign(-d, sign));
+  [[nodiscard]] Choice farthest_against(const Two& d) const {
+    return {pair_of({x.farthest(d), y.farthest(-d)})};
   }
   [[nodiscard]] Corner support_against(const Two& d) const {
-    return corner(*this, farthest_pair_against(d));
+    return corner(*this, farthest_against(d).pair);
+  }
+  [[nodiscard]] Corner support_across(const Two& edge, const Two& sign) const {
+    return support_against(with_sign(-perpendicular(edge), sign));
   }
   [[nodiscard]] bool are_alone(const Two& d, VertexPair a, VertexPair b, double error) const {
     return x.count_as_far(-d, a.x, b.x, error) * y.count_as_far(d, a.y, b.y, error) ==
@@ -367,8 +382,8 @@ struct Plane {
   }
   /// The same, along d, where dot(d, w) is `value`.
   void note(double value, double d_sq, const Two& w) {
-    const double below = value < 0.0 ? value : 0.0;
-    note(below * (below / d_sq), w);
+    const double above = 0.0 < value ? value : 0.0;
+    note(above * (above / d_sq), w);
   }
 };
 
@@ -415,19 +430,18 @@ template <class Shapes, class Answer>
   };
   for (;; ++iteration) {
     if (!on_edge) {
-      // d = -a, so a lies -d_sq along it.
       const double d_sq = dot(a.w, a.w);
       if (!comes_nearer(d_sq)) [[unlikely]]
         return false;
-      const Pair pair = shapes.farthest_pair_against(a.w);
-      if (pair == a.pair) {
+      const auto farthest = shapes.farthest_against(a.w);
+      if (farthest.pair == a.pair) {
         plane.note(d_sq, a.w);
         break;
       }
-      c = corner(shapes, pair);
-      const double value = -dot(a.w, c.w);
+      c = {shapes.vertex(farthest), farthest.pair};
+      const double value = dot(a.w, c.w);
       plane.note(value, d_sq, c.w);
-      if (!(-d_sq < value)) {
+      if (!(value < d_sq)) {
         stop = StopReason::no_progress;
         break;
       }
@@ -440,22 +454,20 @@ template <class Shapes, class Answer>
       b = c;
       continue;
     }
-    // The direction before its sign: d or -d. P is on the line of the edge, so p_sq is the square
-    // of the line's distance.
     const Two edge = b.w - a.w;
     const double a_cross_b = cross(a.w, b.w);
-    Two d = perpendicular(edge);
-    const Two side = signed_zeros(0.0 - dot(d, a.w));
     const double d_sq = dot(edge, edge);
+    // P is on the line of the edge, so p_sq is the square of the line's distance.
     if (!comes_nearer(a_cross_b * (a_cross_b / d_sq))) [[unlikely]]
       return false;
-    c = shapes.support(d, side);
-    d = with_sign(d, side);
-    const double value = dot(d, c.w);
+    const Two side = signed_zeros_of_cross(edge, a.w);
+    c = shapes.support_across(edge, side);
+    const Two away = with_sign(-perpendicular(edge), side);
+    const double value = dot(away, c.w);
     plane.note(value, d_sq, c.w);
     if (c.pair == b.pair || c.pair == a.pair) break;
-    const Two along = dots(d, a.w, d, b.w);
-    if (!(along[0] < value && along[1] < value)) {
+    const Two before = dots(away, a.w, away, b.w);
+    if (!(value < before[0] && value < before[1])) {
       stop = StopReason::no_progress;
       break;
     }
@@ -741,7 +753,10 @@ template <class S>
   if (!is_ordinary(query, options)) [[unlikely]]
     return false;
   if (detail::has_trait(query, Points<S, 2>::kLarge)) return distance_of_large(query, options, out);
-  return distance_between<SmallShapes<S>>(query, options, out);
+  if (detail::has_trait(query, Points<S, 2>::kMoreThanFour)) {
+    return distance_between<SmallShapes<S, Rows::kCount>>(query, options, out);
+  }
+  return distance_between<SmallShapes<S, 4>>(query, options, out);
 }
 
 }  // namespace gjk::quick

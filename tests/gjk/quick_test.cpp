@@ -177,6 +177,18 @@ TEST(grid, "where the run does not round it gives up nothing that bounds can pro
   CHECK(apart > 5000);
 }
 
+/// Calls `check` with the shapes of every kind that has room for them.
+template <class Check>
+void with_each_kind_of_shapes(const gjk::Query<double, 2>& query,
+                              const gjk::Prepared<double, 2>& prepared, const Check& check) {
+  constexpr int kRows = gjk::Rows::kCount;
+  if (!gjk::detail::has_trait(query, gjk::Points<double, 2>::kMoreThanFour)) {
+    check(gjk::quick::SmallShapes<double, 4>(query, prepared));
+  }
+  check(gjk::quick::SmallShapes<double, kRows>(query, prepared));
+  check(gjk::quick::AnyShapes<double>(query, prepared));
+}
+
 TEST(scans, "a scan takes the first of the vertices that lie farthest, on either side") {
   families::Source random(20100315);
   for (int i = 0; i < 20000; ++i) {
@@ -207,15 +219,22 @@ TEST(scans, "a scan takes the first of the vertices that lie farthest, on either
     const bool other_way = random.with_chance(0.5);
     const gjk::Two along = other_way ? -d : d;
     const gjk::VertexPair farthest{first_along(list, -along), first_along(other, along)};
-    const gjk::quick::SmallShapes<double> shapes(query, prepared);
-    CHECK((farthest == gjk::quick::indices(shapes.farthest_pair_against(-along))));
-    const auto check = [&](const gjk::quick::Corner& found) {
-      CHECK((farthest == gjk::quick::indices(found.pair)));
-      const auto expected = gjk::support_point(query, prepared, farthest);
-      CHECK((expected.w == Vec<double, 2>(found.w[0], found.w[1])));
+    const auto expected = gjk::support_point(query, prepared, farthest);
+    const auto check = [&](const auto& shapes) {
+      const auto check_found = [&](const gjk::Two& w, gjk::quick::Pair pair) {
+        CHECK((farthest == gjk::quick::indices(pair)));
+        CHECK((expected.w == Vec<double, 2>(w[0], w[1])));
+      };
+      const auto choice = shapes.farthest_against(-along);
+      check_found(shapes.vertex(choice), choice.pair);
+      const gjk::quick::Corner found = shapes.support_against(-along);
+      check_found(found.w, found.pair);
+      const gjk::Two edge{-d[1], d[0]};
+      const gjk::quick::Corner across =
+          shapes.support_across(edge, gjk::quick::both(other_way ? -0.0 : 0.0));
+      check_found(across.w, across.pair);
     };
-    check(shapes.support_against(-along));
-    check(shapes.support(d, gjk::quick::both(other_way ? -0.0 : 0.0)));
+    with_each_kind_of_shapes(query, prepared, check);
   }
 }
 
@@ -245,10 +264,9 @@ TEST(alone, "it knows as the phases do when no vertex but the simplex's can lie 
     const double error = gjk::length(d) * prepared.scan_error_within(angle);
     const gjk::Two along = gjk::two(d);
     const check::Context context("pair", i);
-    CHECK_EQ(expected,
-             gjk::quick::SmallShapes<double>(query, prepared).are_alone(along, a, b, error));
-    CHECK_EQ(expected,
-             gjk::quick::AnyShapes<double>(query, prepared).are_alone(along, a, b, error));
+    with_each_kind_of_shapes(query, prepared, [&](const auto& shapes) {
+      CHECK_EQ(expected, shapes.are_alone(along, a, b, error));
+    });
     ++(expected ? known : not_known);
   }
   CHECK(known > 500);
