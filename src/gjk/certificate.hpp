@@ -390,7 +390,7 @@ template <class R, class Shapes>
       out.upper = length(Flat<R>{out.upper, smaller(beyond, edge_length)});
     }
   }
-  if (near || wide) [[unlikely]] {
+  if (near || wide) {
     const R side = sign_of(to_line);
     const Flat<R> d = on_edge ? Flat<R>{-side * edge.y, side * edge.x} : -a;
     if (shapes.is_certainly_farthest(d, angle)) {

@@ -412,109 +412,103 @@ template <class Shapes>
 template <class Shapes, class Answer>
 [[nodiscard, gnu::flatten]] inline bool walk(const Shapes& shapes, const Options& options, Corner a,
                                              const Answer& answer) {
-  Corner b = a;
-  Corner c = a;
-  bool on_edge = false;  // else P is a
-  bool inside = false;
-  double of_a = 0.0;  // areas of triangles that O makes with the other two vertices, doubled
-  double of_b = 0.0;
-  double of_c = 0.0;
   double best_sq = std::numeric_limits<double>::infinity();
-  Plane plane;
-  StopReason stop = StopReason::repeated_support;
-  int iteration = 1;
   const auto comes_nearer = [&](double p_sq) {
     const bool nearer = 0.0 < p_sq && p_sq < best_sq;
     best_sq = p_sq;
     return nearer;
   };
-  for (;; ++iteration) {
-    if (!on_edge) {
-      const double d_sq = dot(a.w, a.w);
-      if (!comes_nearer(d_sq)) [[unlikely]]
+  Plane plane;
+  int iteration = 1;
+  const auto at_vertex = [&](StopReason stop) {
+    return answer(Found<1>{{a}, {1.0}, plane, iteration, stop});
+  };
+  for (;; ++iteration) {  // P is a.
+    const double a_sq = dot(a.w, a.w);
+    if (!comes_nearer(a_sq)) [[unlikely]]
+      return false;
+    const auto farthest = shapes.farthest_against(a.w);
+    if (farthest.pair == a.pair) {
+      plane.note(a_sq, a.w);
+      return at_vertex(StopReason::repeated_support);
+    }
+    Corner b = {shapes.vertex(farthest), farthest.pair};
+    const double along_a = dot(a.w, b.w);
+    plane.note(along_a, a_sq, b.w);
+    if (!(along_a < a_sq)) return at_vertex(StopReason::no_progress);
+    if (options.iteration_cap <= iteration) [[unlikely]]
+      return false;
+    const Two ab = b.w - a.w;
+    const Two in_ab = dots(b.w, ab, -a.w, ab);
+    if (!(0.0 < in_ab[0])) {
+      a = b;
+      continue;
+    }
+    if (!(0.0 < in_ab[1])) [[unlikely]]
+      return false;
+    for (++iteration;; ++iteration) {  // P is between a and b.
+      const Two edge = b.w - a.w;
+      const double a_cross_b = cross(a.w, b.w);
+      const double d_sq = dot(edge, edge);
+      // P is on the line of the edge, so p_sq is the square of the line's distance.
+      if (!comes_nearer(a_cross_b * (a_cross_b / d_sq))) [[unlikely]]
         return false;
-      const auto farthest = shapes.farthest_against(a.w);
-      if (farthest.pair == a.pair) {
-        plane.note(d_sq, a.w);
-        break;
-      }
-      c = {shapes.vertex(farthest), farthest.pair};
-      const double value = dot(a.w, c.w);
+      const Two side = signed_zeros_of_cross(edge, a.w);
+      const Corner c = shapes.support_across(edge, side);
+      const Two away = with_sign(-perpendicular(edge), side);
+      const double value = dot(away, c.w);
       plane.note(value, d_sq, c.w);
-      if (!(value < d_sq)) {
-        stop = StopReason::no_progress;
-        break;
+      const bool repeated = c.pair == b.pair || c.pair == a.pair;
+      const auto comes_no_nearer = [&] {
+        const Two before = dots(away, a.w, away, b.w);
+        return !(value < before[0] && value < before[1]);
+      };
+      if (repeated || comes_no_nearer()) {
+        const Two weights = dots(b.w, edge, -a.w, edge) / both(d_sq);
+        return answer(Found<2>{{a, b},
+                               {weights[0], weights[1]},
+                               plane,
+                               iteration,
+                               repeated ? StopReason::repeated_support : StopReason::no_progress});
       }
       if (options.iteration_cap <= iteration) [[unlikely]]
         return false;
+      // O is in the region of neither a nor b: they were kept by the cull before.
       const Two ac = c.w - a.w;
+      const Two bc = c.w - b.w;
       const Two in_ac = dots(c.w, ac, -a.w, ac);
-      on_edge = 0.0 < in_ac[0] && 0.0 < in_ac[1];
-      if (!(0.0 < in_ac[0])) a = c;
-      b = c;
-      continue;
-    }
-    const Two edge = b.w - a.w;
-    const double a_cross_b = cross(a.w, b.w);
-    const double d_sq = dot(edge, edge);
-    // P is on the line of the edge, so p_sq is the square of the line's distance.
-    if (!comes_nearer(a_cross_b * (a_cross_b / d_sq))) [[unlikely]]
-      return false;
-    const Two side = signed_zeros_of_cross(edge, a.w);
-    c = shapes.support_across(edge, side);
-    const Two away = with_sign(-perpendicular(edge), side);
-    const double value = dot(away, c.w);
-    plane.note(value, d_sq, c.w);
-    if (c.pair == b.pair || c.pair == a.pair) break;
-    const Two before = dots(away, a.w, away, b.w);
-    if (!(value < before[0] && value < before[1])) {
-      stop = StopReason::no_progress;
-      break;
-    }
-    if (options.iteration_cap <= iteration) [[unlikely]]
-      return false;
-    // O is in the region of neither a nor b: they were kept by the cull before.
-    const Two ac = c.w - a.w;
-    const Two bc = c.w - b.w;
-    const Two in_ac = dots(c.w, ac, -a.w, ac);
-    const Two in_bc = dots(c.w, bc, -b.w, bc);
-    const double volume = cross(edge, ac);
-    if (volume == 0.0) [[unlikely]]
-      return false;
-    const double sign = gjk::sign_of(volume);
-    of_a = sign * cross(b.w, c.w);
-    of_b = sign * -cross(a.w, c.w);
-    of_c = sign * a_cross_b;
-    if (!(0.0 < in_ac[0]) && !(0.0 < in_bc[0])) {
-      a = c;
-      on_edge = false;
-    } else if (!(0.0 < of_c)) {
-      continue;
-    } else if (0.0 < in_bc[0] && 0.0 < in_bc[1] && !(0.0 < of_a)) {
-      a = b;
-      b = c;
-    } else if (0.0 < in_ac[0] && 0.0 < in_ac[1] && !(0.0 < of_b)) {
-      b = c;
-    } else if (0.0 < of_a && 0.0 < of_b) {
-      inside = true;
-      break;
-    } else {
-      return false;
+      const Two in_bc = dots(c.w, bc, -b.w, bc);
+      const double volume = cross(edge, ac);
+      if (volume == 0.0) [[unlikely]]
+        return false;
+      const double sign = gjk::sign_of(volume);
+      // Areas of triangles that O makes with the other two vertices, doubled.
+      const double of_a = sign * cross(b.w, c.w);
+      const double of_b = sign * -cross(a.w, c.w);
+      const double of_c = sign * a_cross_b;
+      if (!(0.0 < in_ac[0]) && !(0.0 < in_bc[0])) {
+        a = c;
+        break;
+      }
+      if (!(0.0 < of_c)) continue;
+      if (0.0 < in_bc[0] && 0.0 < in_bc[1] && !(0.0 < of_a)) {
+        a = b;
+        b = c;
+      } else if (0.0 < in_ac[0] && 0.0 < in_ac[1] && !(0.0 < of_b)) {
+        b = c;
+      } else if (0.0 < of_a && 0.0 < of_b) {
+        const double sum = of_a + of_b + of_c;
+        return answer(Found<3>{{a, b, c},
+                               {of_a / sum, of_b / sum, of_c / sum},
+                               plane,
+                               iteration + 1,
+                               StopReason::origin_inside,
+                               gjk::smaller(gjk::smaller(of_a, of_b), of_c)});
+      } else {
+        return false;
+      }
     }
   }
-  if (inside) {
-    const double sum = of_a + of_b + of_c;
-    return answer(Found<3>{{a, b, c},
-                           {of_a / sum, of_b / sum, of_c / sum},
-                           plane,
-                           iteration + 1,
-                           StopReason::origin_inside,
-                           gjk::smaller(gjk::smaller(of_a, of_b), of_c)});
-  }
-  if (!on_edge) return answer(Found<1>{{a}, {1.0}, plane, iteration, stop});
-  const Two edge = b.w - a.w;
-  const Two weights = dots(b.w, edge, -a.w, edge) / both(dot(edge, edge));
-  return answer(Found<2>{{a, b}, {weights[0], weights[1]}, plane, iteration, stop});
 }
 
 /// What detail::bounds_outside asks.
