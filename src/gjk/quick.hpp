@@ -267,7 +267,7 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
   }
   template <class Value>
   [[nodiscard]] static Choice lowest(const Value& value) {
-    Choice choice;
+    Choice choice;  // NOLINT(cppcoreguidelines-pro-type-member-init): all of it follows
     const auto of_two = [&](int i, TwoMasks& second) {
       const Two a = value(i);
       const Two b = value(i + 1);
