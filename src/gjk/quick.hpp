@@ -35,7 +35,7 @@ namespace gjk::quick {
 [[nodiscard]] inline Two magnitudes(const Two& a) {
   return std::bit_cast<Two>(std::bit_cast<TwoMasks>(a) & ~std::bit_cast<TwoMasks>(both(-0.0)));
 }
-/// Zeros with the sign of cross(a, b).
+/// Zeros with the sign of cross(a, b), which comes to both places at once and so sooner than that.
 [[nodiscard]] inline Two signed_zeros_of_cross(const Two& a, const Two& b) {
   const Two crossed = both(a[0]) * both(b[1]) - both(a[1]) * both(b[0]);
   return std::bit_cast<Two>(std::bit_cast<TwoMasks>(crossed) & std::bit_cast<TwoMasks>(both(-0.0)));
@@ -193,8 +193,8 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
     TwoMasks fourth;  ///< Of the next two.
     TwoMasks later;   ///< Of the next two, not of the first two.
   };
-  [[nodiscard]] Two vertex(const Choice& choice) const {
-    if (kRows > 4 || same_frame) return vertex(index_x(choice.pair), index_y(choice.pair));
+  [[nodiscard]] Corner corner(const Choice& choice) const {
+    if (kRows == Rows::kCount || same_frame) return quick::corner(*this, choice.pair);
     const auto chosen = [&](const std::array<Two, kRows>& rows) {
       const Two of_first = choice.second ? rows[1] : rows[0];
       const Two of_next = choice.fourth ? rows[3] : rows[2];
@@ -202,25 +202,22 @@ struct SmallShapes {  // NOLINT(cppcoreguidelines-pro-type-member-init): zeros t
     };
     const Two at_x = chosen(x);
     const Two at_y = chosen(y);
-    return (__builtin_shufflevector(at_x, at_y, 1, 3) + __builtin_shufflevector(at_x, at_y, 0, 2)) +
-           offset;
+    const Two of_x = __builtin_shufflevector(at_x, at_y, 0, 2);
+    const Two of_y = __builtin_shufflevector(at_x, at_y, 1, 3);
+    return {(of_y + of_x) + offset, choice.pair};
   }
   /// As detail::farthest_pair, without a branch: along -d.
   [[nodiscard]] Choice farthest_against(const Two& d) const {
     return lowest([along = Along(d), this](int i) { return along(x[i], y[i]); });
   }
   /// The support point along -d.
-  [[nodiscard]] Corner support_against(const Two& d) const {
-    const Choice choice = farthest_against(d);
-    return {vertex(choice), choice.pair};
-  }
+  [[nodiscard]] Corner support_against(const Two& d) const { return corner(farthest_against(d)); }
   /// The support point along perpendicular(edge), turned round by `sign`, which is known only when
   /// the scan has begun.
   [[nodiscard]] Corner support_across(const Two& edge, const Two& sign) const {
     const Two ex = both(edge[0]);
     const Two ey = both(edge[1]);
-    const Choice choice = lowest([&](int i) { return with_sign(ex * y[i] - ey * x[i], sign); });
-    return {vertex(choice), choice.pair};
+    return corner(lowest([&](int i) { return with_sign(ex * y[i] - ey * x[i], sign); }));
   }
 
   /// True when certainly no vertex of Z but a and b, which may be one, lies as far along d.
@@ -351,15 +348,13 @@ struct AnyShapes {
   struct Choice {
     Pair pair;
   };
-  [[nodiscard]] Two vertex(const Choice& choice) const {
-    return vertex(index_x(choice.pair), index_y(choice.pair));
+  [[nodiscard]] Corner corner(const Choice& choice) const {
+    return quick::corner(*this, choice.pair);
   }
   [[nodiscard]] Choice farthest_against(const Two& d) const {
     return {pair_of({x.farthest(d), y.farthest(-d)})};
   }
-  [[nodiscard]] Corner support_against(const Two& d) const {
-    return corner(*this, farthest_against(d).pair);
-  }
+  [[nodiscard]] Corner support_against(const Two& d) const { return corner(farthest_against(d)); }
   [[nodiscard]] Corner support_across(const Two& edge, const Two& sign) const {
     return support_against(with_sign(-perpendicular(edge), sign));
   }
@@ -380,7 +375,7 @@ struct Plane {
     distance_sq = offered_sq;
     reach_sq = dot(w, w);
   }
-  /// The same, along d, where dot(d, w) is `value`.
+  /// The same, where dot(away, w) is `value`: `away` leads away from O, d_sq is dot(away, away).
   void note(double value, double d_sq, const Two& w) {
     const double above = 0.0 < value ? value : 0.0;
     note(above * (above / d_sq), w);
@@ -432,7 +427,7 @@ template <class Shapes, class Answer>
       plane.note(a_sq, a.w);
       return at_vertex(StopReason::repeated_support);
     }
-    Corner b = {shapes.vertex(farthest), farthest.pair};
+    Corner b = shapes.corner(farthest);
     const double along_a = dot(a.w, b.w);
     plane.note(along_a, a_sq, b.w);
     if (!(along_a < a_sq)) return at_vertex(StopReason::no_progress);
@@ -459,11 +454,11 @@ template <class Shapes, class Answer>
       const double value = dot(away, c.w);
       plane.note(value, d_sq, c.w);
       const bool repeated = c.pair == b.pair || c.pair == a.pair;
-      const auto comes_no_nearer = [&] {
+      const auto is_no_farther = [&] {
         const Two before = dots(away, a.w, away, b.w);
         return !(value < before[0] && value < before[1]);
       };
-      if (repeated || comes_no_nearer()) {
+      if (repeated || is_no_farther()) {
         const Two weights = dots(b.w, edge, -a.w, edge) / both(d_sq);
         return answer(Found<2>{{a, b},
                                {weights[0], weights[1]},

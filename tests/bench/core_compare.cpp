@@ -164,7 +164,7 @@ void run(std::size_t pairs, std::size_t repetitions, const std::string& document
 
 int main(int argc, char** argv) {
   CLI::App app("Times the core beside Box2D");
-  std::size_t pairs = 2048;  // too many for the branch predictor to learn
+  std::size_t pairs = 2048;  // more than a branch predictor learns by heart
   std::size_t repetitions = 101;
   std::string document;
   app.add_option("--pairs", pairs, "pairs a cell")->check(CLI::PositiveNumber);

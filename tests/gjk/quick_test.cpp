@@ -221,18 +221,14 @@ TEST(scans, "a scan takes the first of the vertices that lie farthest, on either
     const gjk::VertexPair farthest{first_along(list, -along), first_along(other, along)};
     const auto expected = gjk::support_point(query, prepared, farthest);
     const auto check = [&](const auto& shapes) {
-      const auto check_found = [&](const gjk::Two& w, gjk::quick::Pair pair) {
-        CHECK((farthest == gjk::quick::indices(pair)));
-        CHECK((expected.w == Vec<double, 2>(w[0], w[1])));
+      const auto check_found = [&](const gjk::quick::Corner& found) {
+        CHECK((farthest == gjk::quick::indices(found.pair)));
+        CHECK((expected.w == Vec<double, 2>(found.w[0], found.w[1])));
       };
-      const auto choice = shapes.farthest_against(-along);
-      check_found(shapes.vertex(choice), choice.pair);
-      const gjk::quick::Corner found = shapes.support_against(-along);
-      check_found(found.w, found.pair);
+      CHECK((farthest == gjk::quick::indices(shapes.farthest_against(-along).pair)));
+      check_found(shapes.support_against(-along));
       const gjk::Two edge{-d[1], d[0]};
-      const gjk::quick::Corner across =
-          shapes.support_across(edge, gjk::quick::both(other_way ? -0.0 : 0.0));
-      check_found(across.w, across.pair);
+      check_found(shapes.support_across(edge, gjk::quick::both(other_way ? -0.0 : 0.0)));
     };
     with_each_kind_of_shapes(query, prepared, check);
   }
