@@ -14,7 +14,7 @@
 //      a float.
 //
 // What the lanes cannot prove (touching shapes, gaps below 1e-7 of the scale), or may not even try
-// (more than kMaxLaneVertices vertices, scales that float cannot square, bad input), is handed to
+// (more than kMaxLaneVertices vertices, coordinates that may overflow, bad input), is handed to
 // `gjk::distance`. So a batch answers every query as the scalar code does:
 //
 //   - the verdict is that of `gjk::distance`, and where the lanes gave it, it is proved;
@@ -89,7 +89,10 @@ class Batch {
     detail::BatchGroup& group = packed.group;
     const int lane = group.pair_count++;
     if (group.pair_count == detail::kLaneCount) open = -1;
-    if (lane == 0) group.pairs.fill(pair);
+    if (lane == 0) {
+      group.pairs.fill(pair);
+      group.reach.lane.fill(std::numeric_limits<float>::quiet_NaN());
+    }
     group.pairs[lane] = pair;
     places_.push_back({index, lane});
     packed.x_sizes[lane] = static_cast<std::uint8_t>(query.x.vertices.size());
@@ -130,7 +133,8 @@ class Batch {
     }
     group.x_turned = group.x_turned || x.rotation.turns();
     group.reach.lane[lane] =
-        (packed.x_radius[lane] * stretch(x) + packed.y_radius[lane] * stretch(y)) * 1.000001f;
+        (packed.x_radius[lane] * stretch(x) + packed.y_radius[lane] * stretch(y)) * 1.000001f +
+        8 * std::numeric_limits<float>::denorm_min();
   }
 
   /// The answers, by index of the pair. `results` has room for `size()` of them. Returns how many

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "gjk/gjk.hpp"
 
@@ -66,19 +67,31 @@ struct BatchGroup {
   std::size_t first_y = 0;
 };
 
-/// What in the float run may be rounding, along d: kFloatNoise u scale |d|_1.
-inline constexpr float kFloatNoise = 16.0f;
-/// Areas of the float run that may be rounding: kFloatAreaNoise u scale^2.
-inline constexpr float kFloatAreaNoise = 64.0f;
-/// The same in double: a difference w = y - x errs by 4 roundings ...
-inline constexpr double kLengthNoise = 24.0;
-inline constexpr double kAreaNoise = 64.0;
+// What may be rounding, u being the unit roundoff of float or double. All that enters a lane is
+// bounded by its scale (`Half`). A coordinate of a vertex of Z errs by 5 u scale: the offset is
+// rounded, and then comes a difference or, where X is turned, two, and two sums.
+
+/// Along d, in float: d is rounded, turned and multiplied, which makes 5 u reach |d|_1 for each of
+/// two vertices of a shape, and one of them is moved by what this allows.
+inline constexpr float kFloatNoise = 12.0f;
+/// Twice the area of a triangle with O: u scale^2 times 20 for its vertices, 4 for their difference
+/// and 2 for the products.
+inline constexpr float kAreaNoise = 28.0f;
+/// Along d, in double: u scale |d| times 8.5 for a support plane and twice 9.5 for the height of a
+/// segment, so that also what is proved by their being close is close enough.
+inline constexpr double kLengthNoise = 28.0;
 /// What the bounds may lie apart, relative to the distance: 2^-25, half an ulp of a float.
 inline constexpr double kWidth = 0x1p-25;
-inline constexpr float kLeastGap = 0x1p-23f;
-/// Scales whose squares, times the unit roundoff, float can hold.
-inline constexpr float kLeastScale = 0x1p-32f;
-inline constexpr float kLargestScale = 0x1p60f;
+/// Distances, relative to the scale, whose error in double, 11 u scale, is less than that.
+inline constexpr float kLeastGap = 12.0f * 0x1p-28f;
+/// How far apart, relative to the scale, a lane's witness points may be where shapes overlap.
+inline constexpr float kTear = 0x1p-23f;
+/// Scales whose squares float can hold, those of small areas times the unit roundoff. Beyond, all
+/// is done in double.
+inline constexpr float kLeastScale = 0x1p-62f;
+inline constexpr float kLargestScale = 0x1p62f;
+/// Above, the difference of two coordinates may not be a float.
+inline constexpr float kLargestAnswer = 0x1p126f;
 inline constexpr int kDoubleCap = 6;
 
 #if GJKSCOPE_HAS_LANES
@@ -508,12 +521,14 @@ GJKSCOPE_LANES Plane<F> combine(F u, Plane<F> a, F v, Plane<F> b, F w, Plane<F> 
   return {times_plus(u, a.x, times_plus(v, b.x, w * c.x)),
           times_plus(u, a.y, times_plus(v, b.y, w * c.y))};
 }
-/// Lanes where the triangle ABC holds O beyond rounding (`area_noise`), and is not so thin that
-/// rounding tears the witness points apart (`length_noise`). There, A and B become the witness.
+/// Lanes where the triangle ABC holds O beyond rounding, for the unit roundoff of F, and is not so
+/// thin that rounding tears the witness points apart. There, A and B become the witness.
 template <class F>
-GJKSCOPE_LANES F overlap(F inside, F area_noise, F length_noise, const Regions<F>& found,
-                         Point<F>& a, Point<F>& b, const Point<F>& c) {
+GJKSCOPE_LANES F overlap(F inside, F unit_roundoff, F scale, const Regions<F>& found, Point<F>& a,
+                         Point<F>& b, const Point<F>& c) {
   const F zero = fill(0.0f, F{});
+  const F area_noise = fill(kAreaNoise, F{}) * unit_roundoff * scale * scale;
+  const F tear = fill(kTear, F{}) * scale;
   const F turn_c = cross(a.w, b.w);
   const F unit = fill(1.0f, F{}) / (found.turn_a + found.turn_b + turn_c);
   const F u = found.turn_b * unit;
@@ -521,8 +536,8 @@ GJKSCOPE_LANES F overlap(F inside, F area_noise, F length_noise, const Regions<F
   const F w = turn_c * unit;
   const Plane<F> torn = combine(u, a.w, v, b.w, w, c.w);
   const F sure = inside & (area_noise < found.turn_a) & (area_noise < found.turn_b) &
-                 (area_noise < turn_c) & (max(torn.x, zero - torn.x) < length_noise) &
-                 (max(torn.y, zero - torn.y) < length_noise);
+                 (area_noise < turn_c) & (max(torn.x, zero - torn.x) < tear) &
+                 (max(torn.y, zero - torn.y) < tear);
   a.x = select(sure, combine(u, a.x, v, b.x, w, c.x), a.x);
   a.y = select(sure, combine(u, a.y, v, b.y, w, c.y), a.y);
   b.x = select(sure, a.x, b.x);
@@ -572,8 +587,9 @@ GJKSCOPE_LANES Floats proven_by_count(const Frame<Floats>& frame, const Foot& fo
   const Plane<Floats> away = narrow(foot.away);
   const Plane<Floats> away_x = seen_from_x<L>(frame, away);
   const Plane<Floats> away_y = turned_back(frame.y_turn, away);
-  const Floats noise =
-      reach * fill(kFloatNoise * 0x1p-24f, Floats{}) * (magnitude(away.x) + magnitude(away.y));
+  const Floats noise = times_plus(reach * fill(kFloatNoise * 0x1p-24f, Floats{}),
+                                  magnitude(away.x) + magnitude(away.y),
+                                  fill(std::numeric_limits<float>::min(), Floats{}));
   const Floats x_level = dot(away_x, a.x) - noise;
   const Floats y_level = dot(away_y, a.y) + noise;
   __m256i rest = _mm256_add_epi32(_mm256_set1_epi32(3), _mm256_castps_si256(vertex.v));
@@ -719,7 +735,8 @@ GJKSCOPE_LANES void write(const BatchGroup& group, const Frame<Floats>& frame, i
 struct Half {
   Plane<Doubles> offset;
   Floats reach, scale;
-  Floats wanted;  ///< Whose scale float can square.
+  Floats wanted;    ///< Whose answer float can hold.
+  Floats in_float;  ///< Whose scale it can square.
 };
 GJKSCOPE_LANES Half look_at(const BatchGroup& group, int first) {
   using F = Floats;
@@ -728,15 +745,16 @@ GJKSCOPE_LANES Half look_at(const BatchGroup& group, int first) {
   half.reach = load(&group.reach.lane[first], F{});
   const Plane<F> offset = narrow(half.offset);
   half.scale = half.reach + max(magnitude(offset.x), magnitude(offset.y)) * fill(1.000001f, F{});
-  half.wanted = (fill(kLeastScale, F{}) < half.scale) & (half.scale < fill(kLargestScale, F{}));
+  half.wanted = half.scale < fill(kLargestAnswer, F{});
+  half.in_float = (fill(kLeastScale, F{}) < half.scale) & (half.scale < fill(kLargestScale, F{}));
   return half;
 }
-/// The offset that the float run sees: NaN, which no comparison takes, in lanes that are not
-/// wanted. Denormals there would only take time.
+/// The offset that the float run sees: NaN, which no comparison takes, in lanes that it is not for.
+/// They end where they begin, without the time that denormals take.
 GJKSCOPE_LANES Plane<Floats> float_offset(const Half& half) {
   const Plane<Floats> offset = narrow(half.offset);
-  const Floats unwanted = and_not(all(Floats{}), half.wanted);
-  return {offset.x | unwanted, offset.y | unwanted};
+  const Floats others = and_not(all(Floats{}), half.in_float);
+  return {offset.x | others, offset.y | others};
 }
 
 /// GJK in double for the lanes `lanes`, from the segments that the float run ended with, and then
@@ -752,8 +770,7 @@ __attribute__((target(GJKSCOPE_TARGET), noinline)) int refine(const BatchGroup& 
   const F scale = widen(half.scale);
   Ends ends = start;
   const F zero = fill(0.0, F{});
-  const F area_noise = fill(kAreaNoise * 0x1p-53, F{}) * scale * scale;
-  const F length_noise = fill(0x1p-24, F{}) * scale;
+  const F least = fill(static_cast<double>(std::numeric_limits<float>::denorm_min()), F{});
   F open = widen_mask(lanes);
   Point<F> a = widen<L>(frame, ends.a);
   Point<F> b = widen<L>(frame, ends.b);
@@ -764,15 +781,15 @@ __attribute__((target(GJKSCOPE_TARGET), noinline)) int refine(const BatchGroup& 
     const Foot foot = find_foot(vertex, a.w, b.w);
     const F plane = support_value<L>(frame, foot.away);
     const F rounding = scale * fill(kLengthNoise * 0x1p-53, F{}) * foot.length;
-    const F proven =
-        open & (vertex | foot.within) & (foot.height * fill(1.0 - kWidth, F{}) + rounding < plane);
+    const F proven = open & (vertex | foot.within) & (least < foot.distance) &
+                     (foot.height * fill(1.0 - kWidth, F{}) + rounding < plane);
     put(ends, proven, a, b, foot.weight, foot.distance);
     open = and_not(open, proven);
     if (bits(narrow_mask(open)) == 0) break;
 
     const Point<F> c = support<L>(frame, foot.away);
     const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
-    const F sure = overlap(open & found.inside, area_noise, length_noise, found, a, b, c);
+    const F sure = overlap(open & found.inside, fill(0x1p-53, F{}), scale, found, a, b, c);
     put(ends, sure, a, b, zero, zero);
     ends.overlapping = ends.overlapping | narrow_mask(sure);
     open = and_not(open, sure);
@@ -798,8 +815,7 @@ GJKSCOPE_LANES int finish(const BatchGroup& group, const PerLane* vertices, int 
   if (bits(at.inside) != 0) {
     const Point<F> c = support<L>(frame, at.away);
     const Regions<F> found = regions(c.w, at.a.w - c.w, at.b.w - c.w);
-    overlapping = overlap(at.inside, fill(kFloatAreaNoise * 0x1p-24f, F{}) * scale * scale,
-                          fill(2 * 0x1p-24f, F{}) * scale, found, at.a, at.b, c);
+    overlapping = overlap(at.inside, fill(0x1p-24f, F{}), scale, found, at.a, at.b, c);
   }
 
   Ends ends = {at.a, at.b, zero, zero, overlapping, overlapping};
@@ -809,7 +825,8 @@ GJKSCOPE_LANES int finish(const BatchGroup& group, const PerLane* vertices, int 
     const F vertex = equal(at.a.w, at.b.w);
     const Foot foot =
         find_foot(widen_mask(vertex), widen<L>(exact, at.a).w, widen<L>(exact, at.b).w);
-    const F proven = rest & proven_by_count<L>(frame, foot, vertex, at.a, at.b, half.reach, scale);
+    const F proven = rest & half.in_float &
+                     proven_by_count<L>(frame, foot, vertex, at.a, at.b, half.reach, scale);
     ends.weight = proven & narrow(foot.weight);
     ends.distance = proven & narrow(foot.distance);
     ends.proven = overlapping | proven;

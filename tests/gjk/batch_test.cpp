@@ -21,6 +21,7 @@ using gjk::Vec;
 using gjk::Verdict;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr double kLeast = std::numeric_limits<float>::denorm_min();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 std::vector<Vec<double, 2>> widened(const std::vector<Vec<float, 2>>& vertices) {
@@ -46,16 +47,25 @@ long steps_between(float a, float b) {
   return std::labs(static_cast<long>(a_bits) - static_cast<long>(b_bits));
 }
 
-/// The largest distance of a coordinate from any other, and from the world's origin.
-double reach(const Pair<float>& pair) {
+/// The largest distance of a vertex of X from one of Y; or twice what a witness point comes from,
+/// whose coordinates are rounded too.
+double scale_of(const Pair<float>& pair) {
   double largest = 0;
-  for (const auto* shape : {&pair.x, &pair.y}) {
-    for (const Vec<float, 2>& vertex : *shape) {
-      largest = std::max(largest, static_cast<double>(gjk::norm_1(vertex)));
+  const auto in_world = [&](const std::vector<Vec<float, 2>>& vertices,
+                            const gjk::Pose<float, 2>& pose) {
+    const gjk::Pose<double, 2> exact = widened(pose);
+    std::vector<Vec<double, 2>> out;
+    for (const Vec<double, 2>& vertex : widened(vertices)) {
+      out.emplace_back(exact.rotation.matrix() * vertex + exact.translation);
+      largest = std::max({largest, 2 * vertex.norm(), 2 * exact.translation.norm()});
     }
+    return out;
+  };
+  const auto y = in_world(pair.y, pair.y_pose);
+  for (const Vec<double, 2>& of_x : in_world(pair.x, pair.x_pose)) {
+    for (const Vec<double, 2>& of_y : y) largest = std::max(largest, (of_y - of_x).norm());
   }
-  return largest + static_cast<double>(gjk::norm_1(pair.x_pose.translation)) +
-         static_cast<double>(gjk::norm_1(pair.y_pose.translation));
+  return largest;
 }
 
 void check_answer(const Pair<float>& pair, const BatchResult& actual) {
@@ -73,7 +83,7 @@ void check_answer(const Pair<float>& pair, const BatchResult& actual) {
     CHECK_EQ(apart ? 1 : 0, steps_between(actual.lower, actual.distance));
     CHECK_EQ(apart ? 1 : 0, steps_between(actual.upper, actual.distance));
   }
-  const double rounding = 8 * 0x1p-24 * reach(pair);
+  const double rounding = 4 * (0x1p-24 * scale_of(pair) + kLeast);
   const double between = (actual.y - actual.x).cast<double>().norm();
   CHECK_NEAR(static_cast<double>(actual.distance), between, rounding);
 }
@@ -91,6 +101,75 @@ std::vector<Vec<float, 2>> polygon(families::Source& random, int count, double s
   return vertices;
 }
 
+gjk::Rotation<float, 2> random_turn(families::Source& random) {
+  const double angle = random.between(0, 6.283185307179586);
+  const auto c = static_cast<float>(std::cos(angle));
+  const auto s = static_cast<float>(std::sin(angle));
+  return Eigen::Matrix2f{{c, -s}, {s, c}};
+}
+
+/// X has a side through its own origin, where floats lie dense, and a vertex of Y lies above it or
+/// below by so little that it is rounding for float, for double, or not even that; or O lies inside
+/// a triangle as thin. `turned` says how many shapes are.
+Pair<float> hair(families::Source& random, int turned) {
+  const auto small = [&](double least_exponent) {
+    return std::pow(2.0, random.between(least_exponent, 0));
+  };
+  const auto sign = [&] { return random.with_chance(0.5) ? 1.0 : -1.0; };
+  const Vec<double, 2> along =
+      Vec<double, 2>{random.between(1, 1.125), sign() * random.between(1, 1.125)}
+          .cast<float>()
+          .cast<double>();
+  const Vec<double, 2> across = sign() * Vec<double, 2>(-along[1], along[0]);
+  const auto at = [&](double a, double b) { return Vec<double, 2>(a * along + b * across); };
+  const auto near_origin = [&] {
+    return at(random.between(-0.02, 0.02), random.between(-0.02, 0.02));
+  };
+
+  Pair<float> pair;
+  if (turned > 0) pair.y_pose.rotation = random_turn(random);
+  if (turned > 1) pair.x_pose = {random_turn(random), near_origin().cast<float>()};
+  const gjk::Pose<double, 2> x_pose = widened(pair.x_pose);
+  const Eigen::Matrix2d y_turn = widened(pair.y_pose).rotation.matrix();
+  const auto seen_from_y = [&](double a, double b) {
+    return Vec<double, 2>(y_turn.transpose() * (x_pose.rotation.matrix() * at(a, b)));
+  };
+
+  const bool inside = random.with_chance(0.3);
+  const double width = small(-36);
+  const double least = random.with_chance(0.5) ? -30 : -56;
+  const double height =
+      inside ? -width * random.between(0, 1) : sign() * std::pow(2.0, random.between(least, -22));
+  const Vec<double, 2> contact = at(random.between(-1, 1) * small(-36), height);
+  std::vector<Vec<double, 2>> x = {along, -along, at(random.between(-1, 1) * small(-36), -width)};
+  std::vector<Vec<double, 2>> y = {turned > 0 ? near_origin() : contact};
+  if (!inside) {
+    for (int more = random.among(0, 3); more > 0; --more) {
+      y.push_back(y[0] + seen_from_y(random.between(-1, 1) * small(-20), small(-20)));
+    }
+  } else if (random.with_chance(0.5)) {
+    x.pop_back();
+    y.push_back(y[0] + seen_from_y(random.between(-1, 1) * small(-20), width));
+  }
+  if (turned > 0) {
+    const Vec<double, 2> in_world = x_pose.rotation.matrix() * contact + x_pose.translation;
+    const Vec<double, 2> y_0 = y[0].cast<float>().cast<double>();
+    pair.y_pose.translation = (in_world - y_turn * y_0).cast<float>();
+  }
+  for (const Vec<double, 2>& vertex : x) pair.x.emplace_back(vertex.cast<float>());
+  for (const Vec<double, 2>& vertex : y) pair.y.emplace_back(vertex.cast<float>());
+  return random.with_chance(0.5) ? swapped(pair) : pair;
+}
+
+void scale(Pair<float>& pair, int exponent) {
+  const float factor = std::ldexp(1.0f, exponent);
+  for (auto* shape : {&pair.x, &pair.y}) {
+    for (Vec<float, 2>& vertex : *shape) vertex *= factor;
+  }
+  pair.x_pose.translation *= factor;
+  pair.y_pose.translation *= factor;
+}
+
 struct Share {
   Family family;
   double handed_over;  ///< At most.
@@ -100,12 +179,11 @@ struct Share {
 TEST(families, "every family gets the scalar code's answers, from lanes and from plain code") {
   constexpr int kPairs = 10000;
   constexpr std::uint64_t kSeed = 31;
-  // What floats cannot prove, or square: touching shapes on lines and grids, gaps of 1e-10, sizes
-  // of 1e-30, ratios of 1e8.
+  // What floats cannot prove: touching shapes on lines and grids, gaps of 1e-10, ratios of 1e8.
   constexpr Share kShares[] = {
       {Family::random, 0.001, 0.2}, {Family::points, 0.001, 0.05}, {Family::collinear, 0.2, 0.1},
       {Family::clouds, 0.001, 0.2}, {Family::grid, 0.2, 0.2},      {Family::parallel, 0.06, 0.1},
-      {Family::needle, 0.001, 0.1}, {Family::tiny, 0.4, 0.05},     {Family::offset, 0.01, 0.1},
+      {Family::needle, 0.001, 0.1}, {Family::tiny, 0.001, 0.05},   {Family::offset, 0.01, 0.1},
       {Family::ratio, 0.45, 0.1},   {Family::posed, 0.001, 0.2}};
   for (const Share& share : kShares) {
     families::Source random(kSeed);
@@ -301,11 +379,7 @@ TEST(scales, "a power of two times all coordinates is the same power of two time
     for (int i = 0; i < 200; ++i) {
       Pair<float> pair = random.pair<float>(Family::posed);
       batch.add(pair.query());
-      for (auto* shape : {&pair.x, &pair.y}) {
-        for (Vec<float, 2>& vertex : *shape) vertex *= std::ldexp(1.0f, exponent);
-      }
-      pair.x_pose.translation *= std::ldexp(1.0f, exponent);
-      pair.y_pose.translation *= std::ldexp(1.0f, exponent);
+      scale(pair, exponent);
       scaled.add(pair.query());
     }
     std::array<BatchResult, 200> results;
@@ -318,6 +392,55 @@ TEST(scales, "a power of two times all coordinates is the same power of two time
       // Where the scale sends one of them to the scalar code, they may differ by an ulp.
       CHECK(steps_between(std::ldexp(results[i].distance, exponent), scaled_results[i].distance) <=
             (results[i].from_scalar == scaled_results[i].from_scalar ? 0 : 1));
+    }
+  }
+}
+
+/// Answers `count` pairs of hairs, and returns how many the lanes answered: of separated shapes,
+/// and of others.
+std::array<int, 2> check_hairs(std::uint64_t seed, int turned, int exponent, int count) {
+  families::Source random(seed);
+  Batch batch;
+  std::vector<Pair<float>> pairs;
+  for (int i = 0; i < count; ++i) {
+    pairs.push_back(hair(random, turned));
+    scale(pairs.back(), exponent);
+    batch.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(pairs.size());
+  batch.distance(results);
+  std::array<int, 2> answered = {};
+  for (int i = 0; i < count; ++i) {
+    const check::Context context("seed", seed, "turned", turned, "exponent", exponent, "pair", i);
+    check_answer(pairs[i], results[i]);
+    const bool separated = results[i].verdict == Verdict::separated;
+    if (!results[i].from_scalar) ++answered[separated ? 0 : 1];
+  }
+  return answered;
+}
+
+TEST(hairs, "a vertex a hair above a side, or below, is where the scalar code says") {
+  for (int turned = 0; turned <= 2; ++turned) {
+    constexpr int kPairs = 60000;
+    const auto [separated, others] = check_hairs(38, turned, 0, kPairs);
+    std::printf("  %d shapes turned: %d separated and %d others answered in lanes\n", turned,
+                separated, others);
+    const check::Context context("turned", turned);
+    if (gjk::detail::has_lanes()) CHECK(separated >= 0.01 * kPairs && others >= 0.1 * kPairs);
+  }
+}
+
+TEST(extremes, "and so it is at any scale that float has") {
+  for (const int exponent : {-148, -140, -127, -100, -70, -66, -64, -62, -60, 58,
+                             60,   62,   64,   66,   100, 122, 123, 124, 125, 126}) {
+    for (const int turned : {0, 2}) {
+      constexpr int kPairs = 2000;
+      const auto [separated, others] = check_hairs(39, turned, exponent, kPairs);
+      std::printf("  scale 2^%d, %d shapes turned: %d separated and %d others answered in lanes\n",
+                  exponent, turned, separated, others);
+      const bool expected = gjk::detail::has_lanes() && -127 <= exponent && exponent < 124;
+      const check::Context context("exponent", exponent, "turned", turned);
+      if (expected) CHECK(separated >= 0.01 * kPairs && others >= 0.1 * kPairs);
     }
   }
 }
