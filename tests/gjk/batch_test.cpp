@@ -370,6 +370,38 @@ TEST(far, "shapes far from the origin keep their digits, whatever their poses") 
   CHECK(separated > 1000 && separated < 4900);
 }
 
+TEST(cancelling,
+     "shapes far from their own origins, whose poses cancel, are as far apart as they are") {
+  constexpr std::uint64_t kSeed = 40;
+  families::Source random(kSeed);
+  Batch batch;
+  std::vector<Pair<float>> pairs;
+  for (int i = 0; i < 5000; ++i) {
+    // Both shapes are one point, and only Y is moved: by little, where sums of products are large.
+    const auto tiny = [&](double least) { return std::pow(2.0, random.between(least, -20)); };
+    const auto entry = static_cast<float>(tiny(-100));
+    const Vec<float, 2> point =
+        Vec<double, 2>{random.between(0.5, 1), random.between(0.5, 1)}.cast<float>();
+    const double size = tiny(-120);
+    Pair<float> pair = {{point}, {point}};
+    pair.x_pose.rotation = Eigen::Matrix2f{{1, entry}, {-entry, 1}};
+    pair.y_pose.rotation = pair.x_pose.rotation;
+    pair.y_pose.translation =
+        (size * Vec<double, 2>{random.between(-1, 1), random.between(-1, 1)}).cast<float>();
+    pairs.push_back(pair);
+    batch.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(pairs.size());
+  batch.distance(results);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    check_answer(pairs[i], results[i]);
+    CHECK_NEAR(pairs[i].y_pose.translation.cast<double>().norm(),
+               static_cast<double>(results[i].distance),
+               0x1p-22 * static_cast<double>(results[i].distance));
+  }
+}
+
 TEST(scales, "a power of two times all coordinates is the same power of two times the answer") {
   constexpr std::uint64_t kSeed = 37;
   for (const int exponent : {-60, -30, -20, -1, 1, 20, 50, 59, 62}) {
