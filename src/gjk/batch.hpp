@@ -97,6 +97,8 @@ class Batch {
     places_.push_back({index, lane});
     packed.x_sizes[lane] = static_cast<std::uint8_t>(query.x.vertices.size());
     packed.y_sizes[lane] = static_cast<std::uint8_t>(query.y.vertices.size());
+    packed.x_farthest[lane] = farthest(query.x.vertices);
+    packed.y_farthest[lane] = farthest(query.y.vertices);
     packed.x_radius[lane] =
         pack(query.x.vertices, lane, kClassSizes[x_class], group.first_x, group.x_centre);
     packed.y_radius[lane] =
@@ -132,8 +134,10 @@ class Batch {
       group.y_translation[i].lane[lane] = y.translation[i];
     }
     group.x_turned = group.x_turned || x.rotation.turns();
+    const float x_stretch = stretch(x, packed.x_farthest[lane]);
+    const float y_stretch = stretch(y, packed.y_farthest[lane]);
     group.reach.lane[lane] =
-        (packed.x_radius[lane] * stretch(x) + packed.y_radius[lane] * stretch(y)) * 1.000001f +
+        (packed.x_radius[lane] * x_stretch + packed.y_radius[lane] * y_stretch) * 1.000001f +
         8 * std::numeric_limits<float>::denorm_min();
   }
 
@@ -174,6 +178,8 @@ class Batch {
     detail::BatchGroup group;
     std::array<std::uint8_t, detail::kLaneCount> x_sizes = {};
     std::array<std::uint8_t, detail::kLaneCount> y_sizes = {};
+    std::array<float, detail::kLaneCount> x_farthest = {};  ///< `farthest` of its vertices
+    std::array<float, detail::kLaneCount> y_farthest = {};
     std::array<float, detail::kLaneCount> x_radius = {};
     std::array<float, detail::kLaneCount> y_radius = {};
   };
@@ -228,11 +234,20 @@ class Batch {
     return radius;
   }
 
-  /// How much the pose can enlarge the largest coordinate; NaN when it is not finite.
-  [[nodiscard]] static float stretch(const Pose<float, 2>& pose) {
-    if (!detail::is_finite(pose)) return std::numeric_limits<float>::quiet_NaN();
-    return std::max(norm_1<float, 2>(pose.rotation.matrix().row(0).transpose()),
-                    norm_1<float, 2>(pose.rotation.matrix().row(1).transpose()));
+  /// The largest coordinate.
+  [[nodiscard]] static float farthest(const Points<float, 2>& vertices) {
+    return std::max(norm_max(vertices.low()), norm_max(vertices.high()));
+  }
+
+  /// How much the pose can enlarge the largest coordinate; NaN when it is not finite, or when a
+  /// coordinate may overflow on its way to the world, or a difference of two.
+  [[nodiscard]] static float stretch(const Pose<float, 2>& pose, float farthest) {
+    constexpr float kLargest = 0x1p125f;
+    const float most = std::max(norm_1<float, 2>(pose.rotation.matrix().row(0).transpose()),
+                                norm_1<float, 2>(pose.rotation.matrix().row(1).transpose()));
+    const bool holds = detail::is_finite(pose) && farthest < kLargest &&
+                       farthest * most + norm_max(pose.translation) < kLargest;
+    return holds ? most : std::numeric_limits<float>::quiet_NaN();
   }
 
   [[nodiscard]] BatchResult scalar_answer(const Packed& packed, int lane) const {

@@ -90,8 +90,6 @@ inline constexpr float kTear = 0x1p-23f;
 /// is done in double.
 inline constexpr float kLeastScale = 0x1p-62f;
 inline constexpr float kLargestScale = 0x1p62f;
-/// Above, the difference of two coordinates may not be a float.
-inline constexpr float kLargestAnswer = 0x1p126f;
 inline constexpr int kDoubleCap = 6;
 
 #if GJKSCOPE_HAS_LANES
@@ -735,7 +733,7 @@ GJKSCOPE_LANES void write(const BatchGroup& group, const Frame<Floats>& frame, i
 struct Half {
   Plane<Doubles> offset;
   Floats reach, scale;
-  Floats wanted;    ///< Whose answer float can hold.
+  Floats wanted;    ///< That are not barred.
   Floats in_float;  ///< Whose scale it can square.
 };
 GJKSCOPE_LANES Half look_at(const BatchGroup& group, int first) {
@@ -745,7 +743,7 @@ GJKSCOPE_LANES Half look_at(const BatchGroup& group, int first) {
   half.reach = load(&group.reach.lane[first], F{});
   const Plane<F> offset = narrow(half.offset);
   half.scale = half.reach + max(magnitude(offset.x), magnitude(offset.y)) * fill(1.000001f, F{});
-  half.wanted = half.scale < fill(kLargestAnswer, F{});
+  half.wanted = half.scale == half.scale;
   half.in_float = (fill(kLeastScale, F{}) < half.scale) & (half.scale < fill(kLargestScale, F{}));
   return half;
 }

@@ -40,7 +40,6 @@ struct Flat {
   N x;
   N y;
 
-  friend Flat operator+(const Flat& a, const Flat& b) { return {N(a.x + b.x), N(a.y + b.y)}; }
   friend Flat operator-(const Flat& a, const Flat& b) { return {N(a.x - b.x), N(a.y - b.y)}; }
   friend Flat operator-(const Flat& a) { return {N(-a.x), N(-a.y)}; }
 };

@@ -402,6 +402,31 @@ TEST(cancelling,
   }
 }
 
+TEST(overflow, "coordinates that would overflow on their way are left to the scalar code") {
+  constexpr std::uint64_t kSeed = 41;
+  families::Source random(kSeed);
+  Batch batch;
+  std::vector<Pair<float>> pairs;
+  while (pairs.size() < 2000) {
+    const auto point = [&](double size) {
+      return Vec<double, 2>{size * random.between(-1, 1), size * random.between(-1, 1)};
+    };
+    Pair<float> pair = {{point(0x1p120).cast<float>()}, {point(0x1.fp127).cast<float>()}};
+    pair.y_pose.rotation = random_turn(random);
+    const Vec<double, 2> turned = widened(pair.y_pose).rotation.matrix() * pair.y[0].cast<double>();
+    pair.y_pose.translation = (point(0x1p120) - turned).cast<float>();
+    if (!pair.y_pose.translation.allFinite()) continue;
+    pairs.push_back(pair);
+    batch.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(pairs.size());
+  batch.distance(results);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    check_answer(pairs[i], results[i]);
+  }
+}
+
 TEST(scales, "a power of two times all coordinates is the same power of two times the answer") {
   constexpr std::uint64_t kSeed = 37;
   for (const int exponent : {-60, -30, -20, -1, 1, 20, 50, 59, 62}) {
