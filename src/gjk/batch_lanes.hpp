@@ -734,7 +734,7 @@ struct Half {
   Plane<Doubles> offset;
   Floats reach, scale;
   Floats wanted;    ///< That are not barred.
-  Floats in_float;  ///< Whose scale it can square.
+  Floats in_float;  ///< Whose scale float can square.
 };
 GJKSCOPE_LANES Half look_at(const BatchGroup& group, int first) {
   using F = Floats;

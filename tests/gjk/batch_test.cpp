@@ -411,10 +411,11 @@ TEST(overflow, "coordinates that would overflow on their way are left to the sca
     const auto point = [&](double size) {
       return Vec<double, 2>{size * random.between(-1, 1), size * random.between(-1, 1)};
     };
-    Pair<float> pair = {{point(0x1p120).cast<float>()}, {point(0x1.fp127).cast<float>()}};
+    const Vec<double, 2> contact = point(0x1.8p127);
+    Pair<float> pair = {{contact.cast<float>()}, {point(0x1.8p127).cast<float>()}};
     pair.y_pose.rotation = random_turn(random);
     const Vec<double, 2> turned = widened(pair.y_pose).rotation.matrix() * pair.y[0].cast<double>();
-    pair.y_pose.translation = (point(0x1p120) - turned).cast<float>();
+    pair.y_pose.translation = (contact + point(0x1p120) - turned).cast<float>();
     if (!pair.y_pose.translation.allFinite()) continue;
     pairs.push_back(pair);
     batch.add(pairs.back().query());
