@@ -26,8 +26,8 @@ struct BatchResult {
   float upper = ScalarTraits<float>::no_length();
   Verdict verdict = Verdict::none;
   Error error = Error::none;
-  std::uint8_t iterations = 0;
-  bool from_scalar = false;  ///< The lanes could not prove an answer; `gjk::distance` gave it.
+  std::uint8_t iterations = 0;  ///< In lanes, the rounds that all go and those in double.
+  bool from_scalar = false;     ///< The lanes could not prove an answer; `gjk::distance` gave it.
 };
 
 namespace detail {
@@ -603,9 +603,10 @@ struct Ends {
   Point<Floats> a, b;  ///< Without w.
   Floats weight, distance;
   Floats proven, overlapping;
+  __m256i iterations;
 };
 GJKSCOPE_LANES void put(Ends& ends, Doubles lanes, const Point<Doubles>& a, const Point<Doubles>& b,
-                        Doubles weight, Doubles distance) {
+                        Doubles weight, Doubles distance, int iterations) {
   const Floats mask = narrow_mask(lanes);
   ends.a.x = select(mask, narrow(a.x), ends.a.x);
   ends.a.y = select(mask, narrow(a.y), ends.a.y);
@@ -614,6 +615,8 @@ GJKSCOPE_LANES void put(Ends& ends, Doubles lanes, const Point<Doubles>& a, cons
   ends.weight = select(mask, narrow(weight), ends.weight);
   ends.distance = select(mask, narrow(distance), ends.distance);
   ends.proven = ends.proven | mask;
+  ends.iterations = _mm256_blendv_epi8(ends.iterations, _mm256_set1_epi32(iterations),
+                                       _mm256_castps_si256(mask.v));
 }
 
 template <class L>
@@ -688,6 +691,8 @@ GJKSCOPE_LANES void transpose(__m256 (&r)[8]) {
 
 static_assert(sizeof(BatchResult) == kRegisterLanes * sizeof(float) &&
               offsetof(BatchResult, verdict) == 28 && offsetof(BatchResult, iterations) == 30);
+/// Where `iterations` begins in the word that `verdict` begins.
+inline constexpr int kIterationsBit = 16;
 
 /// The answers of the lanes from `first` on.
 template <class L>
@@ -715,6 +720,7 @@ GJKSCOPE_LANES void write(const BatchGroup& group, const Frame<Floats>& frame, i
   const __m256i verdict =
       _mm256_and_si256(_mm256_castps_si256(ends.overlapping.v),
                        _mm256_set1_epi32(static_cast<int>(Verdict::overlapping)));
+  const __m256i iterations = _mm256_slli_epi32(ends.iterations, kIterationsBit);
   __m256 rows[kRegisterLanes] = {x.x.v,
                                  x.y.v,
                                  y.x.v,
@@ -722,7 +728,7 @@ GJKSCOPE_LANES void write(const BatchGroup& group, const Frame<Floats>& frame, i
                                  ends.distance.v,
                                  _mm256_castsi256_ps(_mm256_sub_epi32(distance, one)),
                                  _mm256_castsi256_ps(_mm256_add_epi32(distance, one)),
-                                 _mm256_castsi256_ps(verdict)};
+                                 _mm256_castsi256_ps(_mm256_or_si256(verdict, iterations))};
   transpose(rows);
   for (int i = kRegisterLanes - 1; i >= 0; --i) {
     _mm256_storeu_ps(reinterpret_cast<float*>(&results[group.pairs[first + i]]), rows[i]);
@@ -773,7 +779,7 @@ __attribute__((target(GJKSCOPE_TARGET), noinline)) int refine(const BatchGroup& 
   Point<F> a = widen<L>(frame, ends.a);
   Point<F> b = widen<L>(frame, ends.b);
   F vertex = settle(a, b);
-  for (int iteration = 0; iteration < kDoubleCap; ++iteration) {
+  for (int iteration = 1; iteration <= kDoubleCap; ++iteration) {
     // The segment bounds the distance from above, the support plane from below: height and plane,
     // divided by |away|.
     const Foot foot = find_foot(vertex, a.w, b.w);
@@ -781,14 +787,14 @@ __attribute__((target(GJKSCOPE_TARGET), noinline)) int refine(const BatchGroup& 
     const F rounding = scale * fill(kLengthNoise * 0x1p-53, F{}) * foot.length;
     const F proven = open & (vertex | foot.within) & (least < foot.distance) &
                      (foot.height * fill(1.0 - kWidth, F{}) + rounding < plane);
-    put(ends, proven, a, b, foot.weight, foot.distance);
+    put(ends, proven, a, b, foot.weight, foot.distance, group.rounds + iteration);
     open = and_not(open, proven);
     if (bits(narrow_mask(open)) == 0) break;
 
     const Point<F> c = support<L>(frame, foot.away);
     const Regions<F> found = regions(c.w, a.w - c.w, b.w - c.w);
     const F sure = overlap(open & found.inside, fill(0x1p-53, F{}), scale, found, a, b, c);
-    put(ends, sure, a, b, zero, zero);
+    put(ends, sure, a, b, zero, zero, group.rounds + iteration);
     ends.overlapping = ends.overlapping | narrow_mask(sure);
     open = and_not(open, sure);
     a = select(found.ac | found.inside, a, c);
@@ -816,7 +822,7 @@ GJKSCOPE_LANES int finish(const BatchGroup& group, const PerLane* vertices, int 
     overlapping = overlap(at.inside, fill(0x1p-24f, F{}), scale, found, at.a, at.b, c);
   }
 
-  Ends ends = {at.a, at.b, zero, zero, overlapping, overlapping};
+  Ends ends = {at.a, at.b, zero, zero, overlapping, overlapping, _mm256_set1_epi32(group.rounds)};
   const F rest = and_not(half.wanted, overlapping);
   if (bits(rest) != 0) {
     const Frame<Doubles> exact = make_frame(group, vertices, first, half.offset);

@@ -218,6 +218,50 @@ TEST(families, "every family gets the scalar code's answers, from lanes and from
   }
 }
 
+TEST(machine, "lanes are used where the machine has AVX2 and FMA") {
+#if GJKSCOPE_HAS_LANES
+  const bool expected = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#else
+  const bool expected = false;
+#endif
+  CHECK_EQ(expected, gjk::detail::has_lanes());
+}
+
+TEST(rounds, "what the float run ends with is nearly always the answer, which double only proves") {
+  constexpr std::uint64_t kSeed = 32;
+  constexpr int kPairs = 4000;
+  struct Size {
+    int vertices;
+    int rounds;
+  };
+  for (const auto [vertices, rounds] :
+       {Size{1, 3}, {2, 3}, {3, 3}, {4, 3}, {5, 4}, {8, 4}, {9, 5}, {12, 5}, {13, 5}, {16, 5}}) {
+    for (const bool turned : {false, true}) {
+      families::Source random(kSeed);
+      Batch batch;
+      for (int i = 0; i < kPairs; ++i) {
+        const double distance = random.between(0.2, 3);
+        const double angle = random.between(0, 6.283185307179586);
+        Pair<float> pair = {
+            polygon(random, vertices, 1, 0, 0),
+            polygon(random, vertices, 1, distance * std::cos(angle), distance * std::sin(angle))};
+        if (turned) pair.x_pose.rotation = random_turn(random);
+        batch.add(pair.query());
+      }
+      std::vector<BatchResult> results(kPairs);
+      batch.distance(results);
+      int in_double = 0;
+      for (const BatchResult& result : results) {
+        if (result.from_scalar) continue;
+        CHECK(rounds <= result.iterations);
+        in_double += rounds < result.iterations ? 1 : 0;
+      }
+      const check::Context context("vertices", vertices, "turned", turned);
+      CHECK(in_double <= 0.0125 * kPairs);
+    }
+  }
+}
+
 TEST(counts, "any number of pairs, groups left unfilled included") {
   constexpr std::uint64_t kSeed = 32;
   for (const int count : {0, 1, 7, 8, 9, 15, 16, 17, 33}) {
