@@ -171,8 +171,8 @@ class Batch {
   using Vertices = std::span<const Vec<float, 2>>;
 
   struct Place {
-    int group = -1;  ///< -1: not in the lanes.
-    int lane = 0;    ///< Or index into odd_.
+    int group;  ///< -1: not in the lanes.
+    int lane;   ///< Or index into odd_.
   };
   struct Packed {
     detail::BatchGroup group;

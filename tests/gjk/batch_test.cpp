@@ -78,7 +78,12 @@ void check_answer(const Pair<float>& pair, const BatchResult& actual) {
   if (expected.verdict == Verdict::undecided) return;  // the lanes' bounds may be closer
   CHECK_EQ(expected.verdict == Verdict::separated, actual.verdict == Verdict::separated);
   CHECK(steps_between(static_cast<float>(expected.distance), actual.distance) <= 1);
-  if (!actual.from_scalar) {
+  if (actual.from_scalar) {
+    const gjk::Result<double, 2> given = gjk::distance(pair.query());
+    CHECK_EQ(given.iterations, static_cast<int>(actual.iterations));
+    CHECK(static_cast<double>(std::nextafter(actual.lower, kInfinity)) > given.lower);
+    CHECK(static_cast<double>(std::nextafter(actual.upper, -kInfinity)) < given.upper);
+  } else {
     const bool apart = actual.verdict == Verdict::separated;
     CHECK_EQ(apart ? 1 : 0, steps_between(actual.lower, actual.distance));
     CHECK_EQ(apart ? 1 : 0, steps_between(actual.upper, actual.distance));
@@ -230,12 +235,15 @@ TEST(machine, "lanes are used where the machine has AVX2 and FMA") {
 TEST(rounds, "what the float run ends with is nearly always the answer, which double only proves") {
   constexpr std::uint64_t kSeed = 32;
   constexpr int kPairs = 4000;
-  struct Size {
-    int vertices;
+  struct Sizes {
+    int x;
+    int y;
     int rounds;
   };
-  for (const auto [vertices, rounds] :
-       {Size{1, 3}, {2, 3}, {3, 3}, {4, 3}, {5, 4}, {8, 4}, {9, 5}, {12, 5}, {13, 5}, {16, 5}}) {
+  constexpr Sizes kSizes[] = {{1, 1, 3}, {2, 2, 3}, {3, 3, 3},   {4, 4, 3},   {5, 5, 4},
+                              {8, 8, 4}, {9, 9, 5}, {12, 12, 5}, {13, 13, 5}, {16, 16, 5},
+                              {3, 4, 3}, {4, 8, 4}, {16, 2, 5},  {3, 12, 5}};
+  for (const auto [x_size, y_size, rounds] : kSizes) {
     for (const bool turned : {false, true}) {
       families::Source random(kSeed);
       Batch batch;
@@ -243,8 +251,8 @@ TEST(rounds, "what the float run ends with is nearly always the answer, which do
         const double distance = random.between(0.2, 3);
         const double angle = random.between(0, 6.283185307179586);
         Pair<float> pair = {
-            polygon(random, vertices, 1, 0, 0),
-            polygon(random, vertices, 1, distance * std::cos(angle), distance * std::sin(angle))};
+            polygon(random, x_size, 1, 0, 0),
+            polygon(random, y_size, 1, distance * std::cos(angle), distance * std::sin(angle))};
         if (turned) pair.x_pose.rotation = random_turn(random);
         batch.add(pair.query());
       }
@@ -256,7 +264,7 @@ TEST(rounds, "what the float run ends with is nearly always the answer, which do
         CHECK(rounds <= result.iterations);
         in_double += rounds < result.iterations ? 1 : 0;
       }
-      const check::Context context("vertices", vertices, "turned", turned);
+      const check::Context context("vertices", x_size, y_size, "turned", turned);
       CHECK(in_double <= 0.0125 * kPairs);
     }
   }
@@ -461,6 +469,29 @@ TEST(overflow, "coordinates that would overflow on their way are left to the sca
     const Vec<double, 2> turned = widened(pair.y_pose).rotation.matrix() * pair.y[0].cast<double>();
     pair.y_pose.translation = (contact + point(0x1p120) - turned).cast<float>();
     if (!pair.y_pose.translation.allFinite()) continue;
+    pairs.push_back(pair);
+    batch.add(pairs.back().query());
+  }
+  std::vector<BatchResult> results(pairs.size());
+  batch.distance(results);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    check_answer(pairs[i], results[i]);
+  }
+}
+
+TEST(matrices, "a rotation that is none stretches as it says") {
+  constexpr std::uint64_t kSeed = 42;
+  families::Source random(kSeed);
+  Batch batch;
+  std::vector<Pair<float>> pairs;
+  for (int i = 0; i < 5000; ++i) {
+    Pair<float> pair = random.pair<float>(Family::posed);
+    for (gjk::Pose<float, 2>* pose : {&pair.x_pose, &pair.y_pose}) {
+      Eigen::Matrix2f matrix = pose->rotation.matrix();
+      matrix.row(random.among(0, 1)) *= static_cast<float>(std::pow(2.0, random.between(-6, 6)));
+      pose->rotation = matrix;
+    }
     pairs.push_back(pair);
     batch.add(pairs.back().query());
   }
