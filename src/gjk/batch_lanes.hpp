@@ -90,7 +90,7 @@ inline constexpr float kTear = 0x1p-23f;
 /// is done in double.
 inline constexpr float kLeastScale = 0x1p-62f;
 inline constexpr float kLargestScale = 0x1p62f;
-inline constexpr int kDoubleCap = 6;
+inline constexpr int kDoubleCap = 7;  ///< Enough for 16 vertices from any start.
 
 #if GJKSCOPE_HAS_LANES
 
@@ -672,18 +672,18 @@ GJKSCOPE_LANES Segment<F> run(const Frame<F>& frame, int rounds) {
 /// Rows to columns.
 GJKSCOPE_LANES void transpose(__m256 (&r)[8]) {
   __m256 s[8];
-  for (int i = 0; i < 8; i += 2) {
+  for (const int i : {0, 2, 4, 6}) {
     s[i] = _mm256_unpacklo_ps(r[i], r[i + 1]);
     s[i + 1] = _mm256_unpackhi_ps(r[i], r[i + 1]);
   }
   __m256 t[8];
-  for (int i = 0; i < 8; i += 4) {
+  for (const int i : {0, 4}) {
     t[i] = _mm256_shuffle_ps(s[i], s[i + 2], 0x44);
     t[i + 1] = _mm256_shuffle_ps(s[i], s[i + 2], 0xee);
     t[i + 2] = _mm256_shuffle_ps(s[i + 1], s[i + 3], 0x44);
     t[i + 3] = _mm256_shuffle_ps(s[i + 1], s[i + 3], 0xee);
   }
-  for (int i = 0; i < 4; ++i) {
+  for (const int i : {0, 1, 2, 3}) {
     r[i] = _mm256_permute2f128_ps(t[i], t[i + 4], 0x20);
     r[i + 4] = _mm256_permute2f128_ps(t[i], t[i + 4], 0x31);
   }
