@@ -100,6 +100,13 @@ void check_good_sizes(bool smallest_keeps) {
   };
   CHECK(squares_are_finite(Traits::kLargestExponent));
   CHECK_EQ(has_more_room, squares_are_finite(Traits::kLargestExponent + 3));
+
+  const auto is_good = [](int exponent) {
+    return Traits::is_in_range(Traits::scaled(S(1), exponent));
+  };
+  CHECK(!is_good(Traits::kLeastExponent - 1) && is_good(Traits::kLeastExponent));
+  CHECK(is_good(Traits::kLargestExponent) && !is_good(Traits::kLargestExponent + 1));
+  CHECK(is_good(-1) && is_good(0));  // as where the size is the unit of length
 }
 
 TEST(good_sizes, "sizes between 2^kLeastExponent and 2^kLargestExponent square without loss") {
