@@ -83,6 +83,34 @@ TEST(at_origin, "weights put P at O when it is as close as two roundings of the 
   CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-1, 2}, {1, -2}})));
   CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-1, 2 + 2 * most}, {1, -2}})));
   CHECK(!gjk::detail::is_at_origin(simplex_of<double>({{-1, 2 + 4 * most}, {1, -2}})));
+  CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-2, 2 * most}, {2, 0}})));
+  CHECK(!gjk::detail::is_at_origin(simplex_of<double>({{-2, 2.0001 * most}, {2, 0}})));
+}
+
+TEST(room, "exact products have room from 2^-400 to 2^400 of the unit; under poses, to 2^-200") {
+  const auto has_room = [](double number, int place, bool same_frame) {
+    Pair<double> pair{{{1, 1}}, {{1, 1}, {2, 0}}};
+    if (place < 2) pair.x[0][place] = std::ldexp(number, 7);
+    if (place == 2 || place == 3) pair.y[1][place - 2] = std::ldexp(number, 7);
+    if (place == 4) pair.x_pose.translation[0] = std::ldexp(number, 7);
+    if (place == 5) pair.y_pose.translation[1] = std::ldexp(number, 7);
+    if (place == 6) pair.x_pose.rotation = Eigen::Matrix2d{{1, number}, {0, 1}};
+    if (place == 7) pair.y_pose.rotation = Eigen::Matrix2d{{number, 0}, {0, 1}};
+    return gjk::detail::has_exact_products(pair.query(), same_frame, 7);
+  };
+  for (int place = 0; place < 8; ++place) {
+    for (const bool same_frame : {true, false}) {
+      const check::Context context("place", place, "same frame", same_frame);
+      const int most = same_frame ? 400 : 200;
+      CHECK(has_room(0, place, same_frame));
+      for (const int sign : {1, -1}) {
+        CHECK(has_room(sign * std::ldexp(1.0, -most), place, same_frame));
+        CHECK(!has_room(sign * std::ldexp(0.99, -most), place, same_frame));
+        CHECK(has_room(sign * std::ldexp(1.0, most), place, same_frame));
+        CHECK(!has_room(sign * std::ldexp(1.01, most), place, same_frame));
+      }
+    }
+  }
 }
 
 TEST(as_far, "vertices that lie less than the error nearer count as as far") {

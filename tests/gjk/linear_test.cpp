@@ -2,6 +2,8 @@
 
 #include "gjk/linear.hpp"
 
+#include <cmath>
+
 #include "check.hpp"
 
 namespace {
@@ -22,12 +24,58 @@ TEST(dot_order, "dot sums in index order, each product rounded: no fused multipl
   CHECK_EQ(1.0f, gjk::dot(Vec<float, 3>(1e8f, -1e8f, 1.0f), Vec<float, 3>(1, 1, 1)));
 }
 
+TEST(flat_vectors,
+     "a vector as two numbers, of any type, has the products of a vector of Eigen's") {
+  const gjk::Flat<int> a = {2, 3};
+  const gjk::Flat<int> b = {7, -5};
+  const gjk::Flat<int> difference = b - a;
+  CHECK_EQ(5, difference.x);
+  CHECK_EQ(-8, difference.y);
+  CHECK_EQ(-7, (-b).x);
+  CHECK_EQ(5, (-b).y);
+  CHECK_EQ(-1, gjk::dot(a, b));
+  CHECK_EQ(-31, gjk::cross(a, b));
+  CHECK_EQ(5.0, gjk::length(gjk::flat(Vec<double, 2>(-3, 4))));
+}
+
+TEST(conversions, "a vector in another scalar has the same coordinates") {
+  CHECK((gjk::converted<double, float, 3>(Vec<float, 3>(1, 2, 3)) == Vec<double, 3>(1, 2, 3)));
+  CHECK((gjk::converted<float, double, 2>(Vec<double, 2>(1, 2)) == Vec<float, 2>(1, 2)));
+}
+
 TEST(signs, "1 or -1 with the sign of a number; a zero that knows no sign counts as positive") {
   CHECK_EQ(-1, gjk::sign_of(-3));
   CHECK_EQ(1, gjk::sign_of(0));
   CHECK_EQ(1, gjk::sign_of(3));
   CHECK_EQ(-1.0, gjk::sign_of(-0.0));
   CHECK_EQ(1.0, gjk::sign_of(0.5));
+}
+
+TEST(magnitudes, "a number without its sign; the larger and the smaller of two, in any scalar") {
+  for (const int a : {-3, 0, 3}) {
+    CHECK_EQ(a * a, gjk::magnitude(a) * gjk::magnitude(a));
+    CHECK(0 <= gjk::magnitude(a));
+  }
+  const auto in = [](auto low, auto high) {
+    CHECK_EQ(high, gjk::larger(low, high));
+    CHECK_EQ(high, gjk::larger(high, low));
+    CHECK_EQ(low, gjk::smaller(low, high));
+    CHECK_EQ(low, gjk::smaller(high, low));
+  };
+  in(-2, 1);
+  in(-2.0f, 1.0f);
+  in(-2.0, 1.0);
+}
+
+TEST(lengths, "no square of a coordinate overflows or underflows on the way to a length") {
+  for (const int k : {-1070, -600, 0, 600, 1020}) {
+    const check::Context context("k", k);
+    CHECK_EQ(std::ldexp(5.0, k),
+             gjk::careful_length(Vec<double, 2>(std::ldexp(-3.0, k), std::ldexp(4.0, k))));
+    CHECK_EQ(std::ldexp(3.0, k), gjk::careful_length(Vec<double, 3>(
+                                     std::ldexp(1.0, k), std::ldexp(2.0, k), std::ldexp(-2.0, k))));
+  }
+  CHECK_EQ(0.0, gjk::careful_length(Vec<double, 2>(0, 0)));
 }
 
 TEST(norms, "norm_1 sums magnitudes, norm_max takes the largest") {
@@ -40,6 +88,9 @@ TEST(norms, "norm_1 sums magnitudes, norm_max takes the largest") {
 TEST(zero, "a vector is zero when every coordinate is, whatever the sign of the zeros") {
   CHECK(gjk::is_zero(Vec<double, 2>(0.0, -0.0)));
   CHECK(!gjk::is_zero(Vec<double, 2>(0.0, 5e-324)));
+  CHECK(gjk::is_zero(Vec<float, 3>(0.0f, -0.0f, 0.0f)));
+  CHECK(gjk::is_zero(Vec<double, 3>(0.0, -0.0, 0.0)));
+  for (int i = 0; i < 3; ++i) CHECK(!gjk::is_zero(Vec<float, 3>(Vec<float, 3>::Unit(i))));
 }
 
 TEST(finite, "one coordinate that is not finite makes the vector so") {
@@ -68,9 +119,11 @@ TEST(perpendiculars,
   const Vec<double, 3> a(1, 2, 3);
   const Vec<double, 3> b(-2, 0, 5);
   const Vec<double, 3> n = gjk::perpendicular<double, 3>({a, b});
+  CHECK((n == Vec<double, 3>(10, -11, 4)));
   CHECK_EQ(0.0, gjk::dot(n, a));
   CHECK_EQ(0.0, gjk::dot(n, b));
-  CHECK(!gjk::is_zero(n));
+  const Vec<double, 3> c(7, -4, 6);
+  CHECK((gjk::perpendicular<double, 3>({a, c}) == Vec<double, 3>(24, 15, -18)));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "gjk/expansion.hpp"
 
 namespace {
 
@@ -176,6 +177,19 @@ TEST(measured, "points know their box, their centre and their radius") {
   CHECK((points(low).centre() == Vec<double, 2>(-12, -5.5)));
 }
 
+TEST(far_apart, "two points stand for the longest side of the box, wherever it lies") {
+  for (const int axis : {0, 1}) {
+    for (const double at : {-1000.0, 0.0, 1000.0}) {
+      const check::Context context("axis", axis, "at", at);
+      List<double> list = {{0, 1}, {0, 5}, {1, 3}, {0.5, 0}};
+      for (Vec<double, 2>& p : list)
+        p = axis == 1 ? Vec<double, 2>(p[0] + at, p[1]) : Vec<double, 2>(p[1], p[0] + at);
+      CHECK((points(list).far_apart() == std::array{3, 1}));
+    }
+  }
+  CHECK((points<double>({{7, 7}}).far_apart() == std::array{0, 0}));
+}
+
 TEST(means, "points know how far their mean lies from their centre") {
   CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean());
   CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean());
@@ -329,6 +343,47 @@ TEST(flat_rings, "a corner that rounding could have bent is none") {
   CHECK(points(bent(1e-13)).is_ring());
   CHECK(!points(bent(1e-17)).is_ring());
   CHECK(!points(bent(-1e-13)).is_ring());
+}
+
+TEST(proven_rings,
+     "what is called a ring is convex in exact arithmetic, wherever rounding bends it") {
+  using Exact = gjk::Expansion;
+  constexpr std::uint64_t kSeed = 20100319;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> share(-1, 1);
+  int rings = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    const check::Context context("seed", kSeed, "trial", trial);
+    // The half of a circle, and a corner on its diameter, near the origin: both edges there round.
+    const double turn = share(random);
+    List<double> list;
+    for (int i = 0; i <= 40; ++i) {
+      const double angle = turn + 3.141592653589793 * i / 40;
+      list.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    const double along = 0x1p-6 * share(random);
+    const double out = 0x1p-51 * share(random);
+    list.emplace_back(along * std::cos(turn) + out * std::sin(turn),
+                      along * std::sin(turn) - out * std::cos(turn));
+    if (!points(list).is_ring()) continue;
+    ++rings;
+    const auto corner = [&](std::size_t i) {
+      const Vec<double, 2>& p = list[i % list.size()];
+      return gjk::Flat<Exact>{Exact(p[0]), Exact(p[1])};
+    };
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      CHECK(Exact() < cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i + 1)));
+    }
+  }
+  CHECK(1000 < rings && rings < 39000);
+}
+
+TEST(tiny_rings, "where products of edges underflow nothing is known of their turns") {
+  List<double> list = circle<double>(64);
+  for (Vec<double, 2>& p : list) p *= 0x1p-480;
+  CHECK(points(list).is_ring());
+  for (Vec<double, 2>& p : list) p *= 0x1p-48;
+  CHECK(!points(list).is_ring());
 }
 
 TEST(defaults,
