@@ -69,6 +69,7 @@ TEST(inside, "O is surely inside when every area is larger than its rounding can
     const double least = 36 * kDoubleU;
     CHECK(gjk::detail::surely_inside(simplex(0.1), prepared));
     CHECK(gjk::detail::surely_inside(simplex(1.01 * least), exact_vertices));
+    CHECK(!gjk::detail::surely_inside(simplex(least), exact_vertices));
     CHECK(!gjk::detail::surely_inside(simplex(0.99 * least), exact_vertices));
     const double least_in_doubt = least + 150 * kDoubleU / size;
     CHECK(gjk::detail::surely_inside(simplex(1.01 * least_in_doubt), prepared));
