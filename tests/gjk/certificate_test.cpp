@@ -213,6 +213,68 @@ TEST(beyond_end,
   }
 }
 
+/// Shapes that answer nothing but the distance, and keep what they are asked.
+struct Listening {
+  float distance;
+  gjk::Flat<float>& d;
+  float& angle;
+  [[nodiscard]] static float corner_reach_sq() { return 1e30f; }
+  [[nodiscard]] float careful_distance() const { return distance; }
+  [[nodiscard]] bool is_certainly_farthest(const gjk::Flat<float>& asked_d, float asked) const {
+    d = asked_d;
+    angle = asked;
+    return false;
+  }
+};
+
+TEST(edges,
+     "the line of an edge whose ends have rounded lies as far, and is turned as much, as said") {
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> share(0, 1);
+  double most_beside = 0;
+  double most_turned = 0;
+  for (int i = 0; i < 400000; ++i) {
+    const check::Context context("seed", kSeed, "edge", i);
+    using Exact = Vec<double, 2>;
+    // O lies across from some point between the ends.
+    const double direction = 6.283185307179586 * share(random);
+    const Exact across(std::cos(direction), std::sin(direction));
+    const Exact along(-across[1], across[0]);
+    const auto length = [&] { return std::exp2(-6 * share(random)); };
+    const Exact foot = across * length();
+    const Exact a = foot - along * length();
+    const Exact b = foot + along * length();
+    const Vec<float, 2> rounded_a = a.cast<float>();
+    const Vec<float, 2> rounded_b = b.cast<float>();
+    const Exact edge = b - a;
+    const double exact = std::abs(a[0] * edge[1] - a[1] * edge[0]) / edge.norm();
+    for (const bool near : {false, true}) {
+      gjk::Prepared<float, 2> prepared;
+      prepared.reach = near ? 1e6f : 0.0f;
+      gjk::Flat<float> d{};
+      float angle = -1;
+      const gjk::detail::Feature<float> feature{
+          gjk::flat(rounded_a), gjk::flat(rounded_b), true, 0.5f, 0, 0};
+      const auto bounds = gjk::detail::bounds_outside(
+          feature, prepared, Listening{static_cast<float>(exact), d, angle});
+      if (!near) {
+        const double error = double{bounds.upper} - double{bounds.distance};
+        const double beside = std::abs(exact - double{bounds.distance});
+        CHECK(beside <= error);
+        most_beside = std::max(most_beside, beside / error);
+      } else {
+        const Exact asked(d.x, d.y);
+        const double turned = std::abs(asked.dot(edge)) / (asked.norm() * edge.norm());
+        CHECK(turned <= angle);
+        most_turned = std::max(most_turned, turned / angle);
+      }
+    }
+  }
+  std::printf("  beside up to %.2f, turned up to %.2f of the bound\n", most_beside, most_turned);
+  CHECK(most_beside > 0.5);
+  CHECK(most_turned > 0.3);
+}
+
 using Wide = Vec<long double, 2>;
 Wide difference(const Pair<double>& pair, gjk::VertexPair at) {
   const Wide x =
