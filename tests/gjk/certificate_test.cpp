@@ -275,6 +275,24 @@ TEST(edges,
   CHECK(most_turned > 0.3);
 }
 
+TEST(near_width, "close to O, bounds are tight that are no wider than four times their error") {
+  constexpr float kHeight = 0x1p-10f;
+  gjk::Prepared<float, 2> prepared;
+  prepared.reach = 1e6f;
+  gjk::Flat<float> d{};
+  float angle = 0;
+  const auto is_tight = [&](float roundings) {  // between the edge and the plane that was found
+    const float plane = kHeight * (1 - roundings * kFloatU);
+    const gjk::detail::Feature<float> feature{{-1, kHeight}, {1, kHeight},  true,
+                                              0.5f,          plane * plane, 0};
+    return gjk::detail::bounds_outside(feature, prepared, Listening{kHeight, d, angle}).tight;
+  };
+  // Of 24 the plane's own error takes 4, and the upper bound 6.
+  CHECK(is_tight(0));
+  CHECK(is_tight(12));
+  CHECK(!is_tight(16));
+}
+
 using Wide = Vec<long double, 2>;
 Wide difference(const Pair<double>& pair, gjk::VertexPair at) {
   const Wide x =
