@@ -437,6 +437,40 @@ Shares shares_of(Family family, int pairs) {
   return found;
 }
 
+TEST(denormal_gaps, "bounds hold where exact arithmetic settles a distance that is denormal") {
+  std::mt19937_64 random(kSeed);
+  const auto among = [&](int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+  };
+  int settled = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    constexpr float kLeast = std::numeric_limits<float>::denorm_min();
+    const auto place = [&](int low, int high) {
+      return Vec<float, 2>(static_cast<float>(among(-1000, 1000)) / 1000,
+                           static_cast<float>(among(low, high)) * kLeast);
+    };
+    const Pair<float> pair{{place(1, 9)}, {place(-9, 0), place(-9, 0), place(-9, 0)}};
+    const auto result = gjk::distance<float>(pair.query());
+    if (!result.settled || result.verdict != Verdict::separated) continue;
+    if (std::numeric_limits<float>::min() <= result.distance) continue;
+    ++settled;
+    const auto exact = gjk::distance<long double>(families::converted<long double>(pair).query());
+    CHECK(static_cast<long double>(result.lower) <= exact.upper);
+    CHECK(exact.lower <= static_cast<long double>(result.upper));
+    CHECK(result.lower <= result.distance && result.distance <= result.upper);
+  }
+  CHECK(settled > 1000);
+}
+
+TEST(space, "in space the distance is that of the nearest point found, within its bounds") {
+  const std::vector<Vec<double, 3>> x = {{0, 0, 0}};
+  const std::vector<Vec<double, 3>> y = {{-1, 3, 4}, {1, 3, 4}, {0, 6, 8}};
+  const auto result = gjk::distance(gjk::Query<double, 3>{{x}, {y}});
+  CHECK_EQ(5.0, result.distance);
+  CHECK(result.lower < 5 && 5 < result.upper);
+}
+
 /// At most: settled pairs in percent, and the mean width; a little more than was measured.
 struct Bar {
   double settled;
