@@ -2,10 +2,74 @@
 // integer arithmetic on grids. (tests/geometry does the same for any coordinates, in rationals.)
 
 #include <cmath>
+#include <numeric>
 
 #include "check.hpp"
 #include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
+
+namespace {
+/// An exact scalar: fractions of numbers as small as those of a run on a small grid.
+class Fraction {
+ public:
+  Fraction(std::int64_t numerator = 0, std::int64_t denominator = 1)  // NOLINT: as other numbers
+      : numerator_(numerator), denominator_(denominator) {
+    const std::int64_t common = std::gcd(numerator, denominator) * (denominator < 0 ? -1 : 1);
+    numerator_ /= common;
+    denominator_ /= common;
+  }
+  [[nodiscard]] std::int64_t numerator() const { return numerator_; }
+  [[nodiscard]] std::int64_t denominator() const { return denominator_; }
+
+  friend Fraction operator+(const Fraction& a, const Fraction& b) {
+    return {a.numerator_ * b.denominator_ + b.numerator_ * a.denominator_,
+            a.denominator_ * b.denominator_};
+  }
+  friend Fraction operator*(const Fraction& a, const Fraction& b) {
+    return {a.numerator_ * b.numerator_, a.denominator_ * b.denominator_};
+  }
+  friend Fraction operator/(const Fraction& a, const Fraction& b) {
+    return {a.numerator_ * b.denominator_, a.denominator_ * b.numerator_};
+  }
+  friend Fraction operator-(const Fraction& a) { return {-a.numerator_, a.denominator_}; }
+  friend Fraction operator-(const Fraction& a, const Fraction& b) { return a + -b; }
+  friend bool operator==(const Fraction&, const Fraction&) = default;
+  friend auto operator<=>(const Fraction& a, const Fraction& b) {
+    return a.numerator_ * b.denominator_ <=> b.numerator_ * a.denominator_;
+  }
+
+ private:
+  std::int64_t numerator_;
+  std::int64_t denominator_;
+};
+}  // namespace
+
+template <>
+struct Eigen::NumTraits<Fraction> : Eigen::GenericNumTraits<Fraction> {
+  using Real = Fraction;
+  using NonInteger = Fraction;
+  using Nested = Fraction;
+  using Literal = Fraction;
+  enum { IsInteger = 0, IsSigned = 1, RequireInitialization = 1 };
+};
+
+template <>
+struct gjk::ScalarTraits<Fraction> {
+  using Real = double;
+  static constexpr bool kExact = true;
+  template <class From>
+  [[nodiscard]] static Fraction from(const From& value) {
+    return value;
+  }
+  [[nodiscard]] static bool is_finite(const Fraction&) { return true; }
+  [[nodiscard]] static Real root(const Fraction& a) {
+    return std::sqrt(static_cast<double>(a.numerator()) / static_cast<double>(a.denominator()));
+  }
+  [[nodiscard]] static Real root_below(const Fraction& a) { return root(a) * (1 - 0x1p-51); }
+  [[nodiscard]] static Real root_above(const Fraction& a) { return root(a) * (1 + 0x1p-51); }
+  [[nodiscard]] static Fraction scaled(const Fraction& a, int) { return a; }
+  [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
+};
 
 namespace {
 
@@ -139,6 +203,45 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
   CHECK(exact(Verdict::separated) > 50000);
   CHECK(exact(Verdict::overlapping) > 20000);
   CHECK(exact(Verdict::touching) > 5000);
+}
+
+TEST(exact_scalars, "in exact arithmetic the distance is the exact one, and so are both bounds") {
+  constexpr std::uint64_t kSeed = 11;
+  families::Source random(kSeed);
+  Counts counts = {};
+  for (int i = 0; i < 10000; ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    const auto points = [&](int shift) {
+      std::vector<Vec<Fraction, 2>> out;
+      for (const Vec<float, 2>& p : random.grid_points<float>(random.among(1, 5), 4)) {
+        out.emplace_back(std::int64_t(p[0]) + shift, std::int64_t(p[1]));
+      }
+      return out;
+    };
+    const std::vector<Vec<Fraction, 2>> x = points(0);
+    const std::vector<Vec<Fraction, 2>> y = points(random.among(0, 8));
+    std::vector<Point> z;
+    for (const Vec<Fraction, 2>& a : x) {
+      for (const Vec<Fraction, 2>& b : y) {
+        z.push_back({(b - a)[0].numerator(), (b - a)[1].numerator()});
+      }
+    }
+    const Exact exact = exact_distance(z);
+    ++counts[static_cast<int>(exact.verdict)];
+    const auto result = gjk::distance(gjk::Query<Fraction, 2>{{x}, {y}});
+    const Fraction square(exact.numerator, exact.denominator);
+    CHECK_EQ(exact.verdict, result.verdict);
+    CHECK(square == result.distance_sq);
+    CHECK(square ==
+          gjk::dot(Vec<Fraction, 2>(result.y - result.x), Vec<Fraction, 2>(result.y - result.x)));
+    using Traits = gjk::ScalarTraits<Fraction>;
+    CHECK_EQ(Traits::root(square), result.distance);
+    CHECK_EQ(Traits::root_below(square), result.lower);
+    CHECK_EQ(Traits::root_above(square), result.upper);
+  }
+  for (const Verdict verdict : {Verdict::separated, Verdict::touching, Verdict::overlapping}) {
+    CHECK(counts[static_cast<int>(verdict)] > 500);
+  }
 }
 
 TEST(cap, "bounds enclose the distance wherever the cap cuts the run short") {

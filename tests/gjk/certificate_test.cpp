@@ -459,6 +459,7 @@ TEST(denormal_gaps, "bounds hold where exact arithmetic settles a distance that 
     CHECK(static_cast<long double>(result.lower) <= exact.upper);
     CHECK(exact.lower <= static_cast<long double>(result.upper));
     CHECK(result.lower <= result.distance && result.distance <= result.upper);
+    CHECK(gjk::norm_max(Vec<float, 2>(result.y - result.x)) <= 4 * kFloatU);
   }
   CHECK(settled > 1000);
 }
