@@ -156,22 +156,42 @@ Point difference(const Vec<S, 2>& x, const Vec<S, 2>& y) {
 
 using Counts = std::array<long, 5>;
 
+/// Quarter turns and steps of the grid.
+template <class S>
+gjk::Pose<S, 2> grid_pose(families::Source& random, int size) {
+  gjk::Pose<S, 2> pose;
+  const auto cosine = static_cast<S>(random.among(-1, 1));
+  const auto sine = cosine == S(0) ? static_cast<S>(2 * random.among(0, 1) - 1) : S(0);
+  pose.rotation = Eigen::Matrix<S, 2, 2>{{cosine, -sine}, {sine, cosine}};
+  const auto step = [&] { return static_cast<S>(random.among(-size, size)); };
+  pose.translation = Vec<S, 2>(step(), step());
+  return pose;
+}
+
 /// Grid polygons of different densities, each in double and float, with both direction rules.
 template <class S>
 void check_grid(int size, int pairs, std::uint64_t seed, const gjk::Options& options,
-                Counts& counts) {
+                Counts& counts, bool posed = false) {
   families::Source random(seed);
   for (int i = 0; i < pairs; ++i) {
     std::vector<Vec<S, 2>> x = random.grid_points<S>(random.among(1, 5), size);
     std::vector<Vec<S, 2>> y = random.grid_points<S>(random.among(1, 5), size);
     const int shift = random.among(0, 2 * size);
     for (Vec<S, 2>& vertex : y) vertex[0] += static_cast<S>(shift);
+    gjk::Query<S, 2> query{{x}, {y}};
+    if (posed) {
+      query.x.pose = grid_pose<S>(random, size);
+      query.y.pose = grid_pose<S>(random, size);
+    }
+    const auto world = [](const gjk::Shape<S, 2>& shape, const Vec<S, 2>& vertex) -> Vec<S, 2> {
+      return shape.pose.rotated(vertex) + shape.pose.translation;
+    };
     std::vector<Point> z;
     for (const Vec<S, 2>& a : x) {
-      for (const Vec<S, 2>& b : y) z.push_back(difference(a, b));
+      for (const Vec<S, 2>& b : y) z.push_back(difference(world(query.x, a), world(query.y, b)));
     }
     const Exact exact = exact_distance(z);
-    const gjk::Result<S, 2> result = gjk::distance<S>(gjk::Query<S, 2>{{x}, {y}}, options);
+    const gjk::Result<S, 2> result = gjk::distance<S>(query, options);
     ++counts[static_cast<int>(exact.verdict)];
     const check::Context context("seed", seed, "grid", size, "pair", i, "bytes", sizeof(S));
     CHECK(compare_square(static_cast<double>(result.lower), exact) <= 0);
@@ -196,6 +216,8 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
     check_grid<float>(size, 5000, kSeed + 1, options, counts);
     options.start_count = 0;
     check_grid<double>(size, 5000, kSeed + 2, options, counts);
+    check_grid<double>(size, 10000, kSeed + 3, options, counts, true);
+    check_grid<float>(size, 10000, kSeed + 3, options, counts, true);
   }
   const auto exact = [&](Verdict verdict) { return counts[static_cast<int>(verdict)]; };
   std::printf("  separated %ld, touching %ld, overlapping %ld\n", exact(Verdict::separated),
