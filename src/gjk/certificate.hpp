@@ -64,38 +64,64 @@ class CarefulSum {
     add(product.hi);
     sum_.lo = sum_.lo + product.lo;
   }
-  [[nodiscard]] DoubleWord<R> normalised() const {
-    const R hi = sum_.hi + sum_.lo;
-    return {hi, sum_.lo - R(hi - sum_.hi)};
-  }
+  /// Not normalised.
+  [[nodiscard]] const DoubleWord<R>& sum() const { return sum_; }
 
  private:
   DoubleWord<R> sum_;
 };
 
-/// A vertex of Z from the vertices themselves, in the run's unit, with about twice the digits.
+/// A vertex of Z, and the way from there to another one.
+template <class N>
+struct Edge {
+  Flat<N> from;
+  Flat<N> way;
+};
+
+/// The edge from a to b, from the vertices themselves, in the run's unit, with about twice the
+/// digits. Nearly always a and b have the vertex of one shape in common: that comes first, and the
+/// way is the other shape's.
 template <class R, class S>
-[[nodiscard]] Flat<DoubleWord<R>> careful_vertex(const Query<S, 2>& query,
-                                                 const Prepared<R, 2>& prepared, VertexPair pair) {
+[[nodiscard]] Edge<DoubleWord<R>> careful_edge(const Query<S, 2>& query,
+                                               const Prepared<R, 2>& prepared, VertexPair a,
+                                               VertexPair b) {
   const auto in_unit = [&](const S& value) {
     return R(ScalarTraits<R>::from(value) * prepared.unit);
   };
-  const auto coordinate = [&](int row) {
-    CarefulSum<R> sum(in_unit(query.y.pose.translation[row]));
-    const auto add = [&](const Shape<S, 2>& shape, int vertex, const R& sign) {
-      const Vec<S, 2>& local = shape.vertices[vertex];
+  const bool x_moves = a.y == b.y;
+  const auto coordinate = [&](int row) -> std::array<DoubleWord<R>, 2> {
+    const auto add = [&](CarefulSum<R>& sum, bool of_x, VertexPair pair, R sign) {
+      const Shape<S, 2>& shape = of_x ? query.x : query.y;
+      const Vec<S, 2>& local = shape.vertices[of_x ? pair.x : pair.y];
+      if (of_x) sign = -sign;
       if (!shape.pose.rotation.turns()) return sum.add(sign * in_unit(local[row]));
       for (int k = 0; k < 2; ++k) {
         sum.add_product(ScalarTraits<R>::from(shape.pose.rotation(row, k)),
                         sign * in_unit(local[k]));
       }
     };
-    sum.add(-in_unit(query.x.pose.translation[row]));
-    add(query.y, pair.y, R(1));
-    add(query.x, pair.x, R(-1));
-    return sum.normalised();
+    CarefulSum<R> from(in_unit(query.y.pose.translation[row]));
+    from.add(-in_unit(query.x.pose.translation[row]));
+    add(from, !x_moves, a, R(1));
+    add(from, x_moves, a, R(1));
+    CarefulSum<R> way(R(0));
+    if (a.x != b.x && a.y != b.y) {
+      add(way, !x_moves, b, R(1));
+      add(way, !x_moves, a, R(-1));
+    }
+    add(way, x_moves, b, R(1));
+    add(way, x_moves, a, R(-1));
+    return {from.sum(), normalised(way.sum())};
   };
-  return {coordinate(0), coordinate(1)};
+  const auto& [from_x, way_x] = coordinate(0);
+  const auto& [from_y, way_y] = coordinate(1);
+  return {{from_x, from_y}, {way_x, way_y}};
+}
+template <class R, class S>
+[[nodiscard]] Flat<DoubleWord<R>> careful_vertex(const Query<S, 2>& query,
+                                                 const Prepared<R, 2>& prepared, VertexPair pair) {
+  const Flat<DoubleWord<R>> vertex = careful_edge(query, prepared, pair, pair).from;
+  return {normalised(vertex.x), normalised(vertex.y)};
 }
 
 /// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
@@ -119,16 +145,15 @@ template <class R>
 }
 
 /// Distance of O from a vertex of Z, or from the line through an edge, in the run's unit: nothing
-/// rounds before the last few operations when N is exact, and little when it is a DoubleWord.
-/// Negative when O lies on that side of the edge to which perpendicular(edge) points.
+/// rounds before the last few operations when N is exact, and little when it is a DoubleWord. The
+/// latter is negative when O lies on that side of the edge to which perpendicular(way) points.
 template <class R, class N>
-[[nodiscard]] R careful_distance(const Flat<N>& a, const Flat<N>& b, bool on_edge) {
-  const auto length_of = [](const Flat<N>& v) {
-    return careful_length(Vec<R, 2>(rounded<R>(v.x), rounded<R>(v.y)));
-  };
-  if (!on_edge) return length_of(a);
-  const Flat<N> edge = b - a;
-  return R(rounded_cross<R>(a, edge) / length_of(edge));
+[[nodiscard]] R careful_length(const Flat<N>& a) {
+  return gjk::careful_length(Vec<R, 2>(rounded<R>(a.x), rounded<R>(a.y)));
+}
+template <class R, class N>
+[[nodiscard]] R careful_distance(const Edge<N>& edge) {
+  return R(rounded_cross<R>(edge.from, edge.way) / careful_length<R>(edge.way));
 }
 
 /// The largest coordinate of the simplex.
@@ -186,7 +211,7 @@ template <class R, class S, int D>
       sum.add_product(entry, R(from[k] * unit));
       sum.add_product(entry, R(beyond[k] * unit));
     }
-    world[row] = ScalarTraits<R>::scaled(sum.normalised().hi, exponent);
+    world[row] = ScalarTraits<R>::scaled(normalised(sum.sum()).hi, exponent);
   }
   return world;
 }
@@ -300,14 +325,14 @@ struct ShapesAsked {
 
   [[nodiscard]] R corner_reach_sq() const { return detail::corner_reach_sq(query, prepared); }
   [[nodiscard]] R careful_distance() const {
-    const Flat<DoubleWord<R>> at_a = careful_vertex(query, prepared, a);
-    return detail::careful_distance<R>(at_a, on_edge ? careful_vertex(query, prepared, b) : at_a,
-                                       on_edge);
+    if (!on_edge) return careful_length<R>(careful_vertex(query, prepared, a));
+    return detail::careful_distance<R>(careful_edge(query, prepared, a, b));
   }
   /// True when certainly no vertex of Z but those of the feature lies as far along d, which is in
   /// doubt by `angle`.
-  [[nodiscard]] bool is_certainly_farthest(const Flat<R>& d, const R& angle) const {
-    const R error = length(d) * prepared.scan_error_within(angle);
+  [[nodiscard]] bool is_certainly_farthest(const Flat<R>& d, const R& length,
+                                           const R& angle) const {
+    const R error = length * prepared.scan_error_within(angle);
     const VertexPair last = on_edge ? b : a;
     const Vec<R, 2> direction(d.x, d.y);
     return count_as_far(along_x(query, prepared, direction), a.x, last.x, error) *
@@ -382,7 +407,8 @@ template <class R, class Shapes>
   }
   out.distance = magnitude(to_line);
   out.upper = out.distance + error;
-  const R angle = R(2) * u + R(2) * vertex_error / (on_edge ? edge_length : size);
+  const R d_length = on_edge ? edge_length : size;
+  const R angle = R(2) * u + R(2) * vertex_error / d_length;
   if (on_edge) {
     // The foot of the perpendicular from O may lie beyond an end of the edge by this much.
     const R beyond = vertex_error + R(4) * u * size + angle * out.distance;
@@ -393,7 +419,7 @@ template <class R, class Shapes>
   if (near || wide) {
     const R side = sign_of(to_line);
     const Flat<R> d = on_edge ? Flat<R>{-side * edge.y, side * edge.x} : -a;
-    if (shapes.is_certainly_farthest(d, angle)) {
+    if (shapes.is_certainly_farthest(d, d_length, angle)) {
       out.lower = larger(R(out.distance - error), R(0));
     }
   }

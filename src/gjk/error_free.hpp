@@ -46,6 +46,13 @@ template <class R, class Number = R>
   return {product, error};
 }
 
+/// The same value, with all of `hi` that fits into it.
+template <class R>
+[[nodiscard]] DoubleWord<R> normalised(const DoubleWord<R>& a) {
+  const R hi = a.hi + a.lo;
+  return {hi, a.lo - R(hi - a.hi)};
+}
+
 template <class R>
 [[nodiscard]] DoubleWord<R> operator-(const DoubleWord<R>& a) {
   return {-a.hi, -a.lo};
@@ -53,9 +60,7 @@ template <class R>
 template <class R>
 [[nodiscard]] DoubleWord<R> operator+(const DoubleWord<R>& a, const DoubleWord<R>& b) {
   const DoubleWord<R> sum = exact_sum(a.hi, b.hi);
-  const R rest = sum.lo + R(a.lo + b.lo);
-  const R hi = sum.hi + rest;
-  return {hi, rest - R(hi - sum.hi)};
+  return normalised<R>({sum.hi, sum.lo + R(a.lo + b.lo)});
 }
 template <class R>
 [[nodiscard]] DoubleWord<R> operator-(const DoubleWord<R>& a, const DoubleWord<R>& b) {
@@ -64,9 +69,7 @@ template <class R>
 template <class R>
 [[nodiscard]] DoubleWord<R> operator*(const DoubleWord<R>& a, const DoubleWord<R>& b) {
   const DoubleWord<R> product = exact_product(a.hi, b.hi);
-  const R rest = product.lo + R(R(a.hi * b.lo) + R(a.lo * b.hi));
-  const R hi = product.hi + rest;
-  return {hi, rest - R(hi - product.hi)};
+  return normalised<R>({product.hi, product.lo + R(R(a.hi * b.lo) + R(a.lo * b.hi))});
 }
 
 }  // namespace gjk

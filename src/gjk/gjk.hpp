@@ -240,8 +240,11 @@ template <class R, class S>
   } else {
     out.verdict = Verdict::separated;
     const auto& ends = end.best.vertices;
+    const Flat<Expansion> a = flat(ends[0].w);
     const R distance = static_cast<R>(
-        magnitude(careful_distance<Wide>(flat(ends[0].w), flat(ends[1].w), end.best.count == 2)));
+        end.best.count == 1
+            ? careful_length<Wide>(a)
+            : magnitude(careful_distance<Wide>(Edge<Expansion>{a, flat(ends[1].w) - a})));
     const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
     // A denormal quotient is off by up to half of the smallest number.
     const bool denormal = distance < std::numeric_limits<R>::min();

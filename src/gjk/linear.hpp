@@ -152,9 +152,11 @@ template <class S>
 /// The length of a vector whose squares may overflow or underflow.
 template <class S, int D>
 [[nodiscard]] S careful_length(const Vec<S, D>& a) {
+  const S square = dot(a, a);
+  if (ScalarTraits<S>::is_in_range(square)) [[likely]]
+    return ScalarTraits<S>::root(square);
   const S size = norm_max(a);
   if (size == S(0)) return size;
-  if (ScalarTraits<S>::is_in_range(size)) return length(a);
   const int exponent = ScalarTraits<S>::exponent(size);
   Vec<S, D> in_unit;
   for (int i = 0; i < D; ++i) in_unit[i] = ScalarTraits<S>::scaled(a[i], -exponent);

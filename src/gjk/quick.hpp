@@ -527,43 +527,33 @@ struct Asked {
   [[nodiscard]] double careful_distance() const {
     return careful_distance_of(query, simplex.pair(0), simplex.pair(N - 1), N == 2);
   }
-  [[nodiscard]] bool is_certainly_farthest(const Flat<double>& direction, double angle) const {
+  [[nodiscard]] bool is_certainly_farthest(const Flat<double>& direction, double length,
+                                           double angle) const {
     const Two d{direction.x, direction.y};
-    const double error = length(direction) * prepared.scan_error_within(angle);
+    const double error = length * prepared.scan_error_within(angle);
     return shapes.are_alone(d, simplex.pair(0), simplex.pair(N - 1), error);
   }
 
  private:
   [[nodiscard, gnu::noinline, gnu::flatten]] static double careful_distance_of(
       const Query<S, 2>& query, VertexPair a, VertexPair b, bool on_edge) {
-    const bool few_digits = have_few_digits(query);
-    const auto careful_vertex = [&](VertexPair pair) {
-      return few_digits ? careful_vertex_of<true>(query, pair)
-                        : careful_vertex_of<false>(query, pair);
-    };
-    const auto length_of = [](const DoubleWord<Two>& v) {
-      return careful_length(Vec<double, 2>(v.hi[0], v.hi[1]));
-    };
-    const DoubleWord<Two> at_a = careful_vertex(a);
-    if (!on_edge) return length_of(at_a);
-    const DoubleWord<Two> edge = careful_vertex(b) - at_a;
-    return rounded_cross(at_a, edge) / length_of(edge);
+    return have_few_digits(query) ? careful_distance_with<true>(query, a, b, on_edge)
+                                  : careful_distance_with<false>(query, a, b, on_edge);
   }
-  /// As detail::rounded_cross, both products at once.
-  [[nodiscard]] static double rounded_cross(const DoubleWord<Two>& a, const DoubleWord<Two>& b) {
-    const DoubleWord<Two> product = exact_product<Two, double>(a.hi, swapped(b.hi));
-    const Two rest = product.lo + (a.hi * swapped(b.lo) + a.lo * swapped(b.hi));
-    const DoubleWord<double> difference = exact_sum<double>(product.hi[0], -product.hi[1]);
-    return difference.hi + (difference.lo + (rest[0] - rest[1]));
-  }
-  /// As detail::careful_vertex, both coordinates at once. kFewDigits: products need no care.
+  /// By what detail::careful_edge says, both coordinates at once. kFewDigits: products need no
+  /// care.
   template <bool kFewDigits>
-  [[nodiscard]] static DoubleWord<Two> careful_vertex_of(const Query<S, 2>& query,
-                                                         VertexPair pair) {
-    detail::CarefulSum<Two, double> sum(two(query.y.pose.translation));
-    const auto signed_two = [](const Vec<S, 2>& a, double sign) { return both(sign) * two(a); };
-    const auto add = [&](const Shape<S, 2>& shape, int vertex, double sign) {
-      const Two local = signed_two(shape.vertices[vertex], sign);
+  [[nodiscard]] static double careful_distance_with(const Query<S, 2>& query, VertexPair a,
+                                                    VertexPair b, bool on_edge) {
+    using Sum = detail::CarefulSum<Two, double>;
+    const auto length_of = [](const Two& v) {
+      const double square = dot(v, v);
+      if (ScalarTraits<double>::is_in_range(square)) [[likely]]
+        return ScalarTraits<double>::root(square);
+      return careful_length(Vec<double, 2>(v[0], v[1]));
+    };
+    const auto add = [](Sum& sum, const Shape<S, 2>& shape, int vertex, double sign) {
+      const Two local = both(sign) * two(shape.vertices[vertex]);
       if (!shape.pose.rotation.turns()) return sum.add(local);
       for (int k = 0; k < 2; ++k) {
         const Two column = two<S>(shape.pose.rotation.col(k));
@@ -574,10 +564,35 @@ struct Asked {
         }
       }
     };
-    sum.add(signed_two(query.x.pose.translation, -1.0));
-    add(query.y, pair.y, 1.0);
-    add(query.x, pair.x, -1.0);
-    return sum.normalised();
+    const bool x_moves = a.y == b.y;
+    const Shape<S, 2>& still = x_moves ? query.y : query.x;
+    const Shape<S, 2>& moving = x_moves ? query.x : query.y;
+    const double sign = x_moves ? -1.0 : 1.0;
+    const int moving_a = x_moves ? a.x : a.y;
+    const int moving_b = x_moves ? b.x : b.y;
+    Sum from(two(query.y.pose.translation));
+    from.add(both(-1.0) * two(query.x.pose.translation));
+    add(from, still, x_moves ? a.y : a.x, -sign);
+    add(from, moving, moving_a, sign);
+    if (!on_edge) return length_of(normalised(from.sum()).hi);
+    Sum way(both(0.0));
+    // One comparison, for nobody foresees of which shape an edge is.
+    if ((static_cast<unsigned>(a.x != b.x) & static_cast<unsigned>(a.y != b.y)) != 0)
+        [[unlikely]] {  // `still` is X
+      add(way, still, b.x, -sign);
+      add(way, still, a.x, sign);
+    }
+    add(way, moving, moving_b, sign);
+    add(way, moving, moving_a, -sign);
+    const DoubleWord<Two> along = normalised(way.sum());
+    return rounded_cross(from.sum(), along) / length_of(along.hi);
+  }
+  /// As detail::rounded_cross, both products at once.
+  [[nodiscard]] static double rounded_cross(const DoubleWord<Two>& a, const DoubleWord<Two>& b) {
+    const DoubleWord<Two> product = exact_product<Two, double>(a.hi, swapped(b.hi));
+    const Two rest = product.lo + (a.hi * swapped(b.lo) + a.lo * swapped(b.hi));
+    const DoubleWord<double> difference = exact_sum<double>(product.hi[0], -product.hi[1]);
+    return difference.hi + (difference.lo + (rest[0] - rest[1]));
   }
   [[nodiscard]] static bool have_few_digits(const Query<S, 2>& query) {
     return std::is_same_v<S, float> ||

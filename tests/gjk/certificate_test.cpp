@@ -148,7 +148,8 @@ TEST(farthest, "a simplex is certainly farthest when no other vertex can lie as 
   const auto certain = [](const Case<double>& points, const Vec<double, 2>& d, double angle) {
     const auto query = points.query();
     const auto prepared = points.prepared();
-    return asked(points.state.best, query, prepared).is_certainly_farthest(gjk::flat(d), angle);
+    return asked(points.state.best, query, prepared)
+        .is_certainly_farthest(gjk::flat(d), d.norm(), angle);
   };
   CHECK(certain({{{3, -1}, {3, 1}, {4, 0}}, 2}, {-2, 0}, 0));
   CHECK(!certain({{{3, -1}, {3, 1}, {3, 0}}, 2}, {-2, 0}, 0));
@@ -220,7 +221,9 @@ struct Listening {
   float& angle;
   [[nodiscard]] static float corner_reach_sq() { return 1e30f; }
   [[nodiscard]] float careful_distance() const { return distance; }
-  [[nodiscard]] bool is_certainly_farthest(const gjk::Flat<float>& asked_d, float asked) const {
+  [[nodiscard]] bool is_certainly_farthest(const gjk::Flat<float>& asked_d, float length,
+                                           float asked) const {
+    CHECK_EQ(gjk::length(asked_d), length);
     d = asked_d;
     angle = asked;
     return false;

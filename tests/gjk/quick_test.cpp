@@ -256,7 +256,7 @@ TEST(alone, "it knows as the phases do when no vertex but the simplex's can lie 
     const bool on_edge = !(a == b);
     const double angle = random.with_chance(0.5) ? 0.0 : 0.2;
     const bool expected = gjk::detail::ShapesAsked<double, double>{query, prepared, a, b, on_edge}
-                              .is_certainly_farthest(gjk::flat(d), angle);
+                              .is_certainly_farthest(gjk::flat(d), gjk::length(d), angle);
     const double error = gjk::length(d) * prepared.scan_error_within(angle);
     const gjk::Two along = gjk::two(d);
     const check::Context context("pair", i);
