@@ -467,6 +467,20 @@ TEST(denormal_gaps, "bounds hold where exact arithmetic settles a distance that 
   CHECK(settled > 1000);
 }
 
+TEST(short_edge,
+     "exact weights have all their digits on an edge whose length float cannot square") {
+  constexpr float kHalf = 0x1p-80f;
+  const std::vector<Vec<float, 2>> x = {{-kHalf, 0}, {kHalf, 0}, {0, -1}};
+  const std::vector<Vec<float, 2>> y = {{kHalf / 2, 0}};
+  const auto result = gjk::distance<float>(gjk::Query<float, 2>{{x}, {y}});
+  CHECK(result.settled);
+  CHECK(result.verdict == Verdict::touching);
+  CHECK_EQ(2, result.simplex.count);
+  for (int i = 0; i < 2; ++i) {
+    CHECK_EQ(result.simplex.vertices[i].pair.x == 0 ? 0.25f : 0.75f, result.simplex.weights[i]);
+  }
+}
+
 TEST(space, "in space the distance is that of the nearest point found, within its bounds") {
   const std::vector<Vec<double, 3>> x = {{0, 0, 0}};
   const std::vector<Vec<double, 3>> y = {{-1, 3, 4}, {1, 3, 4}, {0, 6, 8}};
