@@ -223,6 +223,7 @@ template <class R, class S>
   const State<Expansion, 2> end = run(query, options, exact);
   if (end.stop == StopReason::iteration_cap) return;
 
+  // float cannot square the length of a short edge.
   using Wide =
       std::conditional_t<(std::numeric_limits<double>::digits < std::numeric_limits<R>::digits), R,
                          double>;
@@ -246,9 +247,8 @@ template <class R, class S>
             ? careful_length<Wide>(a)
             : magnitude(careful_distance<Wide>(Edge<Expansion>{a, flat(ends[1].w) - a})));
     const R few = R(kCarefulRoundings) * Traits::unit_roundoff();
-    // A denormal quotient is off by up to half of the smallest number.
-    const bool denormal = distance < std::numeric_limits<R>::min();
-    const R least = denormal ? std::numeric_limits<R>::denorm_min() : R(0);
+    // A denormal quotient is off by up to half of this.
+    const R least = std::numeric_limits<R>::denorm_min();
     const int exponent = exact.exponent - prepared.exponent;
     bounds.distance = Traits::scaled(distance, exponent);
     bounds.lower = scaled_below(std::max(R(distance * (R(1) - few) - least), R(0)), exponent);
@@ -288,7 +288,7 @@ template <class R, class S, int D>
   if constexpr (Traits::kExact) {
     const bool at_origin = state.best_sq == R(0);
     out.distance_sq = state.best_sq;
-    out.distance = std::max(Traits::root(state.best_sq), Traits::root(state.plane_distance_sq));
+    out.distance = Traits::root(state.best_sq);
     out.lower = Traits::root_below(state.plane_distance_sq);
     out.upper = Traits::root_above(state.best_sq);
     out.verdict = at_origin                        ? Verdict::overlapping

@@ -227,10 +227,13 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
   CHECK(exact(Verdict::touching) > 5000);
 }
 
-TEST(exact_scalars, "in exact arithmetic the distance is the exact one, and so are both bounds") {
+TEST(exact_scalars,
+     "in exact arithmetic the distance is the exact one, and so are both bounds; a run cut short "
+     "says no more than that it proved") {
   constexpr std::uint64_t kSeed = 11;
   families::Source random(kSeed);
   Counts counts = {};
+  Counts cut_short = {};
   for (int i = 0; i < 10000; ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     const auto points = [&](int shift) {
@@ -250,7 +253,8 @@ TEST(exact_scalars, "in exact arithmetic the distance is the exact one, and so a
     }
     const Exact exact = exact_distance(z);
     ++counts[static_cast<int>(exact.verdict)];
-    const auto result = gjk::distance(gjk::Query<Fraction, 2>{{x}, {y}});
+    const gjk::Query<Fraction, 2> query{{x}, {y}};
+    const auto result = gjk::distance(query);
     const Fraction square(exact.numerator, exact.denominator);
     CHECK_EQ(exact.verdict, result.verdict);
     CHECK(square == result.distance_sq);
@@ -260,7 +264,18 @@ TEST(exact_scalars, "in exact arithmetic the distance is the exact one, and so a
     CHECK_EQ(Traits::root(square), result.distance);
     CHECK_EQ(Traits::root_below(square), result.lower);
     CHECK_EQ(Traits::root_above(square), result.upper);
+
+    gjk::Options options;
+    options.iteration_cap = 1;
+    const auto cut = gjk::distance(query, options);
+    ++cut_short[static_cast<int>(cut.verdict)];
+    CHECK(cut.verdict == exact.verdict || cut.verdict == Verdict::undecided);
+    CHECK(cut.lower <= result.upper);
+    CHECK(result.lower <= cut.upper);
+    CHECK_EQ(cut.verdict == Verdict::separated, cut.lower > 0);
   }
+  CHECK(cut_short[static_cast<int>(Verdict::undecided)] > 500);
+  CHECK(cut_short[static_cast<int>(Verdict::separated)] > 500);
   for (const Verdict verdict : {Verdict::separated, Verdict::touching, Verdict::overlapping}) {
     CHECK(counts[static_cast<int>(verdict)] > 500);
   }
