@@ -229,7 +229,7 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
 
 TEST(exact_scalars,
      "in exact arithmetic the distance is the exact one, and so are both bounds; a run cut short "
-     "says no more than that it proved") {
+     "says no more than it proved") {
   constexpr std::uint64_t kSeed = 11;
   families::Source random(kSeed);
   Counts counts = {};
