@@ -481,6 +481,23 @@ TEST(short_edge,
   }
 }
 
+TEST(tolerance, "bounds as close as the tolerance asks are not settled") {
+  families::Source random(kSeed);
+  gjk::Options options;
+  options.tolerance = 0.25;
+  int within = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const check::Context context("seed", kSeed, "pair", i);
+    const auto pair = random.pair<double>(Family::clouds);
+    const auto result = gjk::distance(pair.query(), options);
+    if (result.stop != gjk::StopReason::within_tolerance) continue;
+    CHECK(!result.settled);
+    CHECK(result.upper - result.lower <= 0.25 * result.upper);
+    within += 0.01 * result.upper < result.upper - result.lower ? 1 : 0;
+  }
+  CHECK(within > 100);
+}
+
 TEST(space, "in space the distance is that of the nearest point found, within its bounds") {
   const std::vector<Vec<double, 3>> x = {{0, 0, 0}};
   const std::vector<Vec<double, 3>> y = {{-1, 3, 4}, {1, 3, 4}, {0, 6, 8}};
