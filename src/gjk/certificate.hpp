@@ -32,7 +32,7 @@ struct Result {
   Real upper = ScalarTraits<R>::no_length();
   R distance_sq = R(0);
   Vec<R, D> x = Vec<R, D>::Zero();  ///< Witness point on X, world coordinates.
-  Vec<R, D> y = Vec<R, D>::Zero();  ///< Witness point on Y.
+  Vec<R, D> y = Vec<R, D>::Zero();  ///< Witness point on Y: the same where the shapes meet.
   int iterations = 0;
   Simplex<R, D> simplex;  ///< The simplex whose weights made the witness points; its pairs
                           ///< warm-start the next query. In the run's unit of length.
@@ -251,6 +251,13 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
   };
   set(out.x, query.x, &VertexPair::x);
   set(out.y, query.y, &VertexPair::y);
+  if constexpr (!ScalarTraits<R>::kExact) {
+    // Only rounding sets these apart, so each goes half of the way.
+    if (out.verdict == Verdict::overlapping || out.verdict == Verdict::touching) {
+      out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
+      out.y = out.x;
+    }
+  }
 }
 
 /// What rounding can do to a determinant of D vertices with no coordinate larger than `size`: when

@@ -694,8 +694,9 @@ template <class Shapes, class S>
     if constexpr (N > 1) keep(1);
     if constexpr (N > 2) keep(2);
     const Mixture<N> mixture(found);
-    const Two x = witness(mixture, query.x, prepared, index_x);
-    const Two y = witness(mixture, query.y, prepared, index_y);
+    Two x = witness(mixture, query.x, prepared, index_x);
+    Two y = witness(mixture, query.y, prepared, index_y);
+    if (N == 3) x = y = x + (y - x) * both(0.5);
     out.x[0] = x[0];
     out.x[1] = x[1];
     out.y[0] = y[0];

@@ -383,7 +383,9 @@ TEST(careful_weights, "weights of a thin simplex have nearly all digits, and add
   }
 }
 
-TEST(witnesses, "witness points are means of vertices by weights, moved by the poses") {
+TEST(witnesses,
+     "witness points are means of vertices by weights, moved by the poses; shapes that meet share "
+     "one") {
   Pair<double> pair{{{0, 0}, {4, 0}}, {{1, 1}, {5, 9}, {9, 1}}};
   gjk::Result<double, 2> out;
   out.simplex.count = 3;
@@ -397,6 +399,13 @@ TEST(witnesses, "witness points are means of vertices by weights, moved by the p
   set();
   CHECK((out.x == Vec<double, 2>(3, 0)));
   CHECK((out.y == Vec<double, 2>(5, 5)));
+  for (const Verdict verdict : {Verdict::touching, Verdict::overlapping}) {
+    out.verdict = verdict;
+    set();
+    CHECK((out.x == Vec<double, 2>(4, 2.5)));
+    CHECK((out.y == Vec<double, 2>(4, 2.5)));
+  }
+  out.verdict = Verdict::separated;
   pair.x_pose.rotation = Eigen::Matrix2d{{0, -1}, {1, 0}};
   pair.y_pose.translation = {0, 100};
   set();
