@@ -216,6 +216,15 @@ template <class R, class S, int D>
   return world;
 }
 
+/// True when all pairs of the simplex have the same vertex of a shape.
+template <class R, int D>
+[[nodiscard]] bool has_one_vertex_of(int VertexPair::*shape, const Simplex<R, D>& simplex) {
+  return std::all_of(simplex.vertices.begin() + 1, simplex.vertices.begin() + simplex.count,
+                     [&](const SupportPoint<R, D>& vertex) {
+                       return vertex.pair.*shape == simplex.vertices[0].pair.*shape;
+                     });
+}
+
 /// Witness points, in the world, from the pairs and weights of a simplex. They are put together
 /// from the vertex of the largest weight, so that little rounds but the last addition.
 template <class R, class S, int D>
@@ -252,9 +261,13 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
   set(out.x, query.x, &VertexPair::x);
   set(out.y, query.y, &VertexPair::y);
   if constexpr (!ScalarTraits<R>::kExact) {
-    // Only rounding sets these apart, so each goes half of the way.
+    // Only rounding sets these apart: each goes half of the way, unless one is a vertex.
     if (out.verdict == Verdict::overlapping || out.verdict == Verdict::touching) {
-      out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
+      if (has_one_vertex_of(&VertexPair::y, simplex)) {
+        out.x = out.y;
+      } else if (!has_one_vertex_of(&VertexPair::x, simplex)) {
+        out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
+      }
       out.y = out.x;
     }
   }

@@ -385,14 +385,15 @@ TEST(careful_weights, "weights of a thin simplex have nearly all digits, and add
 
 TEST(witnesses,
      "witness points are means of vertices by weights, moved by the poses; shapes that meet share "
-     "one") {
+     "one, a vertex where it can be") {
   Pair<double> pair{{{0, 0}, {4, 0}}, {{1, 1}, {5, 9}, {9, 1}}};
   gjk::Result<double, 2> out;
   out.simplex.count = 3;
   out.simplex.weights = {0.25, 0.5, 0.25};
-  out.simplex.vertices[0].pair = {0, 0};
-  out.simplex.vertices[1].pair = {1, 1};
-  out.simplex.vertices[2].pair = {1, 2};
+  const auto pairs = [&](std::array<gjk::VertexPair, 3> wanted) {
+    for (int i = 0; i < 3; ++i) out.simplex.vertices[i].pair = wanted[i];
+  };
+  pairs({{{0, 0}, {1, 1}, {1, 2}}});
   const auto set = [&] {
     gjk::detail::set_witness_points(out, pair.query(), gjk::prepare<double>(pair.query(), {}));
   };
@@ -405,6 +406,15 @@ TEST(witnesses,
     CHECK((out.x == Vec<double, 2>(4, 2.5)));
     CHECK((out.y == Vec<double, 2>(4, 2.5)));
   }
+  pairs({{{1, 0}, {1, 1}, {1, 2}}});
+  set();
+  CHECK((out.x == Vec<double, 2>(4, 0)));
+  CHECK((out.y == Vec<double, 2>(4, 0)));
+  pairs({{{0, 1}, {1, 1}, {1, 1}}});
+  set();
+  CHECK((out.x == Vec<double, 2>(5, 9)));
+  CHECK((out.y == Vec<double, 2>(5, 9)));
+  pairs({{{0, 0}, {1, 1}, {1, 2}}});
   out.verdict = Verdict::separated;
   pair.x_pose.rotation = Eigen::Matrix2d{{0, -1}, {1, 0}};
   pair.y_pose.translation = {0, 100};
