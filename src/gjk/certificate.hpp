@@ -391,9 +391,11 @@ template <class R, class Shapes>
 
 /// Bounds from P, when it is a vertex of Z or lies between two, and from the best support plane.
 ///
-/// Far from O the numbers of the run do. The nearer P is, the more of its distance is the rounding
-/// of vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
-/// vertices that P lies between may be the wrong ones, unless all others are certainly farther.
+/// Mostly the numbers of the run do. The nearer P is, the more of its distance is the rounding of
+/// vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
+/// vertices that P lies between may be the wrong ones, unless all others are certainly farther. And
+/// if P is about as far from O as Z reaches, five roundings of the distance from an edge and one of
+/// the vertices may come to more than 4 u of that: it is computed anew there, too.
 template <class R, class Shapes>
 [[nodiscard]] Bounds<R> bounds_outside(const Feature<R>& feature, const Prepared<R, 2>& prepared,
                                        const Shapes& shapes) {
@@ -420,8 +422,8 @@ template <class R, class Shapes>
     allowed = larger(allowed, allowed_by_corners<R>(shapes));
     wide = allowed < width;
   }
-  if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach))
-      [[unlikely]] {
+  if (near || wide || (prepared.same_frame && R(16) * magnitude(to_line) < prepared.reach) ||
+      (on_edge && prepared.reach < R(2) * magnitude(to_line))) [[unlikely]] {
     to_line = shapes.careful_distance();
     error = R(kCarefulRoundings) * u * magnitude(to_line) + prepared.careful_error();
   }

@@ -253,7 +253,7 @@ TEST(edges,
     const double exact = std::abs(a[0] * edge[1] - a[1] * edge[0]) / edge.norm();
     for (const bool near : {false, true}) {
       gjk::Prepared<float, 2> prepared;
-      prepared.reach = near ? 1e6f : 0.0f;
+      prepared.reach = near ? 1e6f : 3.0f;
       gjk::Flat<float> d{};
       float angle = -1;
       const gjk::detail::Feature<float> feature{
@@ -276,6 +276,33 @@ TEST(edges,
   std::printf("  beside up to %.2f, turned up to %.2f of the bound\n", most_beside, most_turned);
   CHECK(most_beside > 0.5);
   CHECK(most_turned > 0.3);
+}
+
+TEST(anew,
+     "a distance is computed anew close to O in one frame, and from an edge about as far as Z "
+     "goes") {
+  constexpr float kAnew = 1 + 0x1p-10f;
+  const auto is_anew = [](bool same_frame, bool on_edge, float reach) {
+    gjk::Prepared<float, 2> prepared;
+    prepared.same_frame = same_frame;
+    prepared.reach = reach;
+    gjk::Flat<float> d{};
+    float angle = 0;
+    const gjk::Flat<float> a{on_edge ? -1.0f : 0.0f, 1};
+    const gjk::detail::Feature<float> feature{a, {1, 1}, on_edge, 0.5f, 1, 0};
+    const auto bounds = gjk::detail::bounds_outside(feature, prepared, Listening{kAnew, d, angle});
+    CHECK(bounds.distance == 1 || bounds.distance == kAnew);
+    return bounds.distance == kAnew;
+  };
+  for (const bool same_frame : {false, true}) {
+    CHECK(is_anew(same_frame, true, 1.9f));
+    CHECK(!is_anew(same_frame, true, 2.1f));
+    CHECK(!is_anew(same_frame, false, 1.9f));
+    for (const bool on_edge : {false, true}) {
+      CHECK(!is_anew(same_frame, on_edge, 15.9f));
+      CHECK_EQ(same_frame, is_anew(same_frame, on_edge, 16.1f));
+    }
+  }
 }
 
 TEST(near_width, "close to O, bounds are tight that are no wider than four times their error") {
