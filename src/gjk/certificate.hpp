@@ -225,6 +225,18 @@ template <class R, int D>
                      });
 }
 
+/// Makes one of the witness points of shapes that meet, which only rounding sets apart: halfway
+/// between both, or the one that is a vertex.
+template <class Point, class R, int D>
+void join(Point& x, Point& y, const Simplex<R, D>& simplex) {
+  if (has_one_vertex_of(&VertexPair::y, simplex)) {
+    x = y;
+  } else if (!has_one_vertex_of(&VertexPair::x, simplex)) {
+    x = x + Point((y - x) * ScalarTraits<R>::from(0.5));
+  }
+  y = x;
+}
+
 /// Witness points, in the world, from the pairs and weights of a simplex. They are put together
 /// from the vertex of the largest weight, so that little rounds but the last addition.
 template <class R, class S, int D>
@@ -261,14 +273,8 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
   set(out.x, query.x, &VertexPair::x);
   set(out.y, query.y, &VertexPair::y);
   if constexpr (!ScalarTraits<R>::kExact) {
-    // Only rounding sets these apart: each goes half of the way, unless one is a vertex.
     if (out.verdict == Verdict::overlapping || out.verdict == Verdict::touching) {
-      if (has_one_vertex_of(&VertexPair::y, simplex)) {
-        out.x = out.y;
-      } else if (!has_one_vertex_of(&VertexPair::x, simplex)) {
-        out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
-      }
-      out.y = out.x;
+      join(out.x, out.y, simplex);
     }
   }
 }

@@ -696,14 +696,7 @@ template <class Shapes, class S>
     const Mixture<N> mixture(found);
     Two x = witness(mixture, query.x, prepared, index_x);
     Two y = witness(mixture, query.y, prepared, index_y);
-    if constexpr (N == 3) {
-      if (detail::has_one_vertex_of(&VertexPair::y, out.simplex)) {
-        x = y;
-      } else if (!detail::has_one_vertex_of(&VertexPair::x, out.simplex)) {
-        x = x + (y - x) * both(0.5);
-      }
-      y = x;
-    }
+    if constexpr (N == 3) detail::join(x, y, out.simplex);
     out.x[0] = x[0];
     out.x[1] = x[1];
     out.y[0] = y[0];
