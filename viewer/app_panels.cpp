@@ -406,10 +406,10 @@ bool App::choose_options(ScalarKind& scalar, gjk::Options& options) {
     options.iteration_cap = cap;
     changed = true;
   }
-  bool centres = options.start_count == 0;
+  bool centres = options.start.count == 0;
   if (ImGui::Checkbox("start between the centres", &centres)) {
     options.start = {};
-    options.start_count = centres ? 0 : 1;
+    options.start.count = centres ? 0 : 1;
     changed = true;
   }
   return changed;
@@ -419,9 +419,9 @@ gjk::Options App::options_beside() const {
   const gjk::Options& here = session_.run().lesson.options;
   if (!beside_options_) return here;
   gjk::Options there = *beside_options_;
-  if (there.start_count == 0) return there;
+  if (there.start.count == 0) return there;
   there.start = here.start;  // the vertices of other shapes may not be there
-  there.start_count = std::max(here.start_count, 1);
+  there.start.count = std::max(here.start.count, 1);
   return there;
 }
 

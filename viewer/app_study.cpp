@@ -30,7 +30,6 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
     case Arithmetic::half:
       return ScalarKind::half;
     case Arithmetic::single:
-    case Arithmetic::batch:
       return ScalarKind::single;
     case Arithmetic::single_in_double:
     case Arithmetic::double_:
@@ -46,8 +45,7 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
 /// What a lesson steps otherwise than the configuration; empty when nothing.
 std::string told_apart(const study::Configuration& configuration) {
   switch (configuration.arithmetic) {
-    case Arithmetic::batch:
-      return " Stepped by itself, in float.";
+    return " Stepped by itself, in float.";
     case Arithmetic::long_double:
     case Arithmetic::quad:
       return " Stepped in exact arithmetic: lessons have no " +
@@ -115,7 +113,7 @@ void App::open_worst_run(const StudyDot& dot) {
                               told_apart(*found));
   lesson->scalar = scalar_of(found->arithmetic);
   lesson->options = found->options;
-  lesson->options.start_count = found->start == study::Start::first_vertices ? 1 : 0;
+  lesson->options.start.count = found->start == study::Start::first_vertices ? 1 : 0;
   if (!is_sound(*lesson)) return;
   Visit from{session_.lesson(), session_.file(), session_.is_unsaved(), session_.index()};
   if (!show(*std::move(lesson), {}, dot.configuration)) return;

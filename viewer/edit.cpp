@@ -101,7 +101,7 @@ int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placem
   const int index = edge + 1;
   shape.vertices.insert(shape.vertices.begin() + index, to_local(placement, world));
   shape.vertex_names.insert(shape.vertex_names.begin() + index, name);
-  for (gjk::VertexPair& pair : lesson.options.start) {
+  for (gjk::VertexPair& pair : lesson.options.start.pairs) {
     int& named = which == Which::x ? pair.x : pair.y;
     if (named >= index) ++named;
   }
@@ -114,14 +114,13 @@ bool erase_vertex(Lesson& lesson, Which which, int index) {
   shape.vertices.erase(shape.vertices.begin() + index);
   shape.vertex_names.erase(shape.vertex_names.begin() + index);
   bool forgotten = false;
-  for (gjk::VertexPair& pair : lesson.options.start) {
+  for (gjk::VertexPair& pair : lesson.options.start.pairs) {
     int& named = which == Which::x ? pair.x : pair.y;
     forgotten = forgotten || named == index;
     if (named > index) --named;
   }
   if (forgotten) {
-    lesson.options.start = {};
-    lesson.options.start_count = std::min(lesson.options.start_count, 1);
+    lesson.options.start = {.count = std::min(lesson.options.start.count, 1)};
   }
   return true;
 }

@@ -63,10 +63,10 @@ class TraceWriter {
     out["stop_on_no_progress"] = value.stop_on_no_progress;
     out["tolerance"] = number(value.tolerance);
     out["iteration_cap"] = value.iteration_cap;
-    out["start_rule"] = value.start_count == 0 ? "centre-to-centre" : "given";
+    out["start_rule"] = value.start.count == 0 ? "centre-to-centre" : "given";
     out["start"] = Json::array();
-    const int count = std::clamp(value.start_count, 0, static_cast<int>(value.start.size()));
-    for (int i = 0; i < count; ++i) out["start"].push_back(pair(value.start[i]));
+    const int count = std::clamp(value.start.count, 0, static_cast<int>(value.start.size()));
+    for (int i = 0; i < count; ++i) out["start"].push_back(pair(value.start.pairs[i]));
     return out;
   }
 

@@ -136,9 +136,8 @@ Growth::Example example_of(const gjk::Query<double, 2>& query, const gjk::Trace<
 
 gjk::Options options_of(const Lesson& lesson) {
   gjk::Options options = lesson.options;
-  options.start_count = std::min(options.start_count, 1);
-  options.start = {};
-  options.certify = false;  // the iterations count, not the last digits of the answer
+  options.start = {.count = std::min(options.start.count, 1)};
+  options.proof = gjk::Proof::none;  // the iterations count, not the last digits of the answer
   return options;
 }
 

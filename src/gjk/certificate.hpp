@@ -34,8 +34,11 @@ struct Result {
   Vec<R, D> x = Vec<R, D>::Zero();  ///< Witness point on X, world coordinates.
   Vec<R, D> y = Vec<R, D>::Zero();  ///< Witness point on Y: the same where the shapes meet.
   int iterations = 0;
-  Simplex<R, D> simplex;  ///< The simplex whose weights made the witness points; its pairs
-                          ///< warm-start the next query. In the run's unit of length.
+  Simplex<R, D> simplex;  ///< The simplex whose weights made the witness points, in the run's unit
+                          ///< of length.
+
+  /// For the next query of the same shapes, somewhat moved.
+  [[nodiscard]] WarmStart warm() const { return warm_start(simplex); }
 };
 
 namespace detail {

@@ -12,13 +12,11 @@
 //     add        add the support point to S
 //
 // `step` runs one phase, `distance` all of them, `trace` all of them while keeping every state, by
-// the same functions, which decide from the state alone: recording cannot change a decision. Where
-// it can, `distance` goes the way of quick.hpp, to the same bits.
+// the same functions, which decide from the state alone: recording cannot change a decision.
 
 #include "gjk/certificate.hpp"
 #include "gjk/closest_point.hpp"
 #include "gjk/direction.hpp"
-#include "gjk/quick.hpp"
 #include "gjk/stop.hpp"
 #include "gjk/support.hpp"
 
@@ -54,11 +52,11 @@ template <class R, class S, int D>
     state.phase = Phase::stop;
     return state;
   }
-  state.simplex.count = std::max(options.start_count, 1);
-  for (int i = 0; i < options.start_count; ++i) {
-    state.simplex.vertices[i] = support_point(query, prepared, options.start[i]);
+  state.simplex.count = std::max(options.start.count, 1);
+  for (int i = 0; i < options.start.count; ++i) {
+    state.simplex.vertices[i] = support_point(query, prepared, options.start.pairs[i]);
   }
-  if (options.start_count == 0) {
+  if (options.start.count == 0) {
     const VertexPair first = detail::farthest_pair(query, prepared, Vec<R, D>(-prepared.offset));
     state.simplex.vertices[0] = support_point(query, prepared, first);
   }
@@ -141,8 +139,8 @@ template <class R, class S>
   const State<R, 2> other = looking_along(Vec<R, 2>(R(1), R(0)));
   if (other.touches_plane) return true;
   Options again;
-  again.start_count = 1;
-  again.start[0] = other.support.pair;
+  again.start.count = 1;
+  again.start.pairs[0] = other.support.pair;
   return touches(run(query, again, prepared), query, prepared);
 }
 
@@ -218,8 +216,9 @@ template <class R, class S>
   exact.offset = exact.in_unit(converted<Expansion, S, 2>(query.y.pose.translation)) -
                  exact.in_unit(converted<Expansion, S, 2>(query.x.pose.translation));
   Options options;
-  options.start_count = state.best.count;
-  for (int i = 0; i < options.start_count; ++i) options.start[i] = state.best.vertices[i].pair;
+  options.start.count = state.best.count;
+  for (int i = 0; i < options.start.count; ++i)
+    options.start.pairs[i] = state.best.vertices[i].pair;
   const State<Expansion, 2> end = run(query, options, exact);
   if (end.stop == StopReason::iteration_cap) return;
 
@@ -311,7 +310,7 @@ template <class R, class S, int D>
                                              bounds.upper - bounds.lower;
       const bool ended =
           state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
-      if (options.certify && ended && (!proved || wide)) {
+      if (options.proof == Proof::exact && ended && (!proved || wide)) {
         detail::settle(state, query, prepared, out, bounds);
       }
       if (out.simplex.count == 3 && !out.settled && !detail::is_at_origin(out.simplex)) {
@@ -354,9 +353,6 @@ template <class R = Default, class S, int D>
 [[nodiscard, gnu::flatten]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                                 const Options& options) {
   Result<RunScalar<R, S>, D> out;
-  if constexpr (D == 2 && std::is_same_v<RunScalar<R, S>, double>) {
-    if (quick::distance(query, options, out)) return out;
-  }
   detail::run_by_phases(query, options, out);
   return out;
 }

@@ -95,8 +95,8 @@ template <class S, int D>
 
 [[nodiscard]] inline bool bad_start(const Options& options, int x_count, int y_count,
                                     int dimension) {
-  if (options.start_count < 0 || options.start_count > dimension + 1) return true;
-  return std::any_of(options.start.begin(), options.start.begin() + options.start_count,
+  if (options.start.count < 0 || options.start.count > dimension + 1) return true;
+  return std::any_of(options.start.pairs.begin(), options.start.pairs.begin() + options.start.count,
                      [&](const VertexPair& pair) {
                        return pair.x < 0 || pair.x >= x_count || pair.y < 0 || pair.y >= y_count;
                      });

@@ -339,6 +339,23 @@ struct VertexPair {
 
 inline constexpr int kMaxDimension = 3;
 
+/// A simplex to begin with: what `Result::warm` of one query hands to `Options::start` of the next.
+struct WarmStart {
+  std::array<VertexPair, kMaxDimension + 1> pairs = {};
+  int count = 0;  ///< The first so many of `pairs`, 0 to D+1.
+  friend bool operator==(const WarmStart& a, const WarmStart& b) {
+    return std::equal(a.pairs.begin(), a.pairs.begin() + a.count, b.pairs.begin(),
+                      b.pairs.begin() + b.count);
+  }
+};
+
+/// How far an answer is checked.
+enum class Proof : std::uint8_t {
+  none,    ///< Not at all: |P| and the weighted vertices, as the loop left them (the textbook).
+  bounds,  ///< Bounds that include rounding; close distances are computed anew.
+  exact,   ///< Exact arithmetic runs on where the bounds are wide or leave the verdict open.
+};
+
 /// Iterations after which the run gives up and says so. GJK in the plane needs 3 to 6 on average
 /// for any number of vertices (Larsen 1998, "GJK - Running Time"); tests/gjk/distance_test.cpp
 /// asserts that random pairs stay far below.
@@ -360,15 +377,11 @@ struct Options {
   double tolerance = 0.0;
   int iteration_cap = kDefaultIterationCap;
 
-  /// Prove the answer: bounds that include rounding, and exact arithmetic where they leave the
-  /// verdict open (see gjk.hpp). Off, the answer is what the run itself computed.
-  bool certify = true;
+  Proof proof = Proof::exact;
 
-  /// The first simplex, or a warm start: the first `start_count` pairs, up to D+1 of them. With
-  /// none of them the run starts from the support point along the line between the centres of the
-  /// two shapes (Points::centre), which saves an iteration or two.
-  std::array<VertexPair, kMaxDimension + 1> start = {};
-  int start_count = 0;
+  /// The first simplex. Empty, the run starts from the support point along the line between the
+  /// centres of the two shapes, which saves an iteration or two.
+  WarmStart start = {};
 };
 
 /// Why a query was refused. Each names the first thing found wrong.

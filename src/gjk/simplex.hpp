@@ -35,6 +35,15 @@ struct Simplex {
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
 };
 
+/// For the next query of the same shapes, somewhat moved.
+template <class S, int D>
+[[nodiscard]] WarmStart warm_start(const Simplex<S, D>& simplex) {
+  WarmStart out;
+  out.count = simplex.count;
+  for (int i = 0; i < simplex.count; ++i) out.pairs[i] = simplex.vertices[i].pair;
+  return out;
+}
+
 /// Barycentric coordinates of O's projection onto the affine hull of a face, not yet divided:
 /// coordinate i is numerator[i] / denominator, and denominator >= 0. A degenerate face (repeated
 /// points, collinear triangle) has denominator 0 and is in no point's favour: all its coordinates

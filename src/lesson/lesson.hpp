@@ -20,9 +20,7 @@ enum class ScalarKind { half, single, double_, exact };
   return a.direction_rule == b.direction_rule && a.region_order == b.region_order &&
          a.stop_on_repeated_support == b.stop_on_repeated_support &&
          a.stop_on_no_progress == b.stop_on_no_progress && a.tolerance == b.tolerance &&
-         a.iteration_cap == b.iteration_cap && a.certify == b.certify &&
-         a.start_count == b.start_count &&
-         std::equal(a.start.begin(), a.start.begin() + a.start_count, b.start.begin());
+         a.iteration_cap == b.iteration_cap && a.proof == b.proof && a.start == b.start;
 }
 
 /// A shape with named vertices. world = rotate(rotate_degrees) * vertex + translate.
@@ -221,7 +219,7 @@ struct Lesson {
   ScalarKind scalar = ScalarKind::double_;
   std::optional<ScalarKind> beside;  ///< Of a second run, for the effect "second-run".
   /// Start at the first vertices, unless told otherwise.
-  gjk::Options options = {.start_count = 1};
+  gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
   Granularity granularity = Granularity::phase;

@@ -349,7 +349,7 @@ void LessonReader::read_start(const Field& start) {
   gjk::Options& options = lesson_.options;
   if (start.node->is_string()) {
     const std::vector<std::string> known = {"centre-to-centre"};
-    if (reader_.name(start, "start", known)) options.start_count = 0;
+    if (reader_.name(start, "start", known)) options.start.count = 0;
     return;
   }
   const std::vector<Field> entries = reader_.entries(start, "name of a simplex vertex");
@@ -358,16 +358,16 @@ void LessonReader::read_start(const Field& start) {
     problems_.add(start, fmt::format("'start' has {} entries", entries.size()));
     return;
   }
-  options.start_count = 0;
+  options.start.count = 0;
   for (const Field& entry : entries) {
     const std::optional<gjk::VertexPair> pair = simplex_vertex(entry);
     if (!pair) continue;
-    const auto end = options.start.begin() + options.start_count;
-    if (std::find(options.start.begin(), end, *pair) != end) {
+    const auto end = options.start.pairs.begin() + options.start.count;
+    if (std::find(options.start.pairs.begin(), end, *pair) != end) {
       problems_.add(entry.place(), entry.label + " repeats a vertex", "each vertex once");
       continue;
     }
-    options.start[options.start_count++] = *pair;
+    options.start.pairs[options.start.count++] = *pair;
   }
 }
 
@@ -588,7 +588,7 @@ void LessonReader::check_start(const Field& granularity) {
       lesson_.granularity == Granularity::maps || lesson_.granularity == Granularity::orders;
   if ((!segment && !triangle) || shapes_read_ < 2) return;
   const int wanted = triangle ? 3 : 2;
-  if (lesson_.x.vertices.size() == 1 && lesson_.options.start_count == wanted) return;
+  if (lesson_.x.vertices.size() == 1 && lesson_.options.start.count == wanted) return;
   problems_.add(granularity.place(),
                 fmt::format("granularity '{}' without a {}", name_of(lesson_.granularity),
                             triangle ? "triangle" : "segment"),

@@ -106,10 +106,7 @@ PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options
 
 /// Options that start from the final simplex of a run; as they are where it has none.
 gjk::Options warm(gjk::Options options, const WideTrace& last) {
-  const gjk::Simplex<double, 2>& simplex = last.result.simplex;
-  if (simplex.count == 0) return options;
-  options.start_count = simplex.count;
-  for (int i = 0; i < simplex.count; ++i) options.start[i] = simplex.vertices[i].pair;
+  if (last.result.simplex.count > 0) options.start = last.result.warm();
   return options;
 }
 

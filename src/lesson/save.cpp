@@ -175,14 +175,14 @@ void write_shape(TomlText& out, const LessonShape& shape, std::string_view key) 
 
 void write_start(TomlText& out, const Lesson& lesson) {
   const gjk::Options& options = lesson.options;
-  if (options.start_count == 0) {
+  if (options.start.count == 0) {
     out.key("start", as_text("centre-to-centre"));
     return;
   }
-  if (options.start_count == 1 && options.start[0] == gjk::VertexPair{}) return;
+  if (options.start.count == 1 && options.start.pairs[0] == gjk::VertexPair{}) return;
   std::vector<std::string> names;
-  for (int i = 0; i < options.start_count; ++i) {
-    const gjk::VertexPair pair = options.start[i];
+  for (int i = 0; i < options.start.count; ++i) {
+    const gjk::VertexPair pair = options.start.pairs[i];
     std::string name = lesson.y.vertex_names[pair.y];
     if (lesson.x.vertices.size() > 1) name += "-" + lesson.x.vertex_names[pair.x];
     names.push_back(as_text(name));

@@ -40,7 +40,6 @@ class Truths {
         return rounded(half_, kept);
       case Arithmetic::single:
       case Arithmetic::single_in_double:
-      case Arithmetic::batch:
         return rounded(single_, kept);
       default:
         return given_;

@@ -63,8 +63,7 @@ struct Row {
 /// Where and how it was measured.
 struct Machine {
   std::string processor;
-  int threads = 0;         ///< That the machine has; the study uses one.
-  bool has_lanes = false;  ///< Batches find the instructions that they want.
+  int threads = 0;  ///< That the machine has; the study uses one.
   std::string compiler;
   std::string flags;
   std::string commit;  ///< When the program was configured.

@@ -206,7 +206,6 @@ class Advice {
     compare(out, all_, "And twice the digits?", "quad, loop only", "double");
     compare(out, all_, "Is float enough to compute in, once coordinates are floats?", "float",
             "float in double");
-    compare(out, all_, "What do pairs in lockstep cost?", "float in batch", "float in double");
     compare(out, all_, "Does the direction matter, where nothing checks the loop?",
             "double, loop only, towards O", "double, loop only");
     compare(out, all_, "And where the answer is proved?", "double, towards O", "double");

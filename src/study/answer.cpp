@@ -10,7 +10,6 @@ Asked ask(const Configuration& configuration, const Family& family) {
       return ask_half(configuration, family);
     case Arithmetic::single:
     case Arithmetic::single_in_double:
-    case Arithmetic::batch:
       return ask_float(configuration, family);
     case Arithmetic::long_double:
     case Arithmetic::quad:

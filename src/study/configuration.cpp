@@ -15,8 +15,6 @@ std::string_view arithmetic_name(Arithmetic arithmetic) {
       return "float";
     case Arithmetic::single_in_double:
       return "float in double";
-    case Arithmetic::batch:
-      return "float in batch";
     case Arithmetic::double_:
       return "double";
     case Arithmetic::long_double:
@@ -83,7 +81,6 @@ double unit_roundoff(Arithmetic arithmetic) {
     case Arithmetic::half:
       return 0x1p-11;
     case Arithmetic::single:
-    case Arithmetic::batch:
       return 0x1p-24;
     case Arithmetic::long_double:
       return std::ldexp(1.0, -std::numeric_limits<long double>::digits);
@@ -114,7 +111,6 @@ std::vector<Configuration> configurations(bool quick) {
     add(arithmetic, Effort::bounds);
     add(arithmetic, Effort::loop);
   }
-  add(Arithmetic::batch, Effort::proof);
   add(Arithmetic::exact, Effort::proof);
 
   for (const Arithmetic arithmetic : {Arithmetic::half, Arithmetic::single, Arithmetic::double_}) {
@@ -158,8 +154,8 @@ std::vector<Configuration> configurations(bool quick) {
 std::vector<Configuration> configurations_by_size() {
   std::vector<Configuration> out = {{}};
   for (const Arithmetic arithmetic :
-       {Arithmetic::single, Arithmetic::single_in_double, Arithmetic::batch,
-        Arithmetic::long_double, Arithmetic::quad, Arithmetic::exact}) {
+       {Arithmetic::single, Arithmetic::single_in_double, Arithmetic::long_double, Arithmetic::quad,
+        Arithmetic::exact}) {
     out.push_back({arithmetic, Effort::proof});
   }
   out.push_back({Arithmetic::double_, Effort::loop});

@@ -18,7 +18,6 @@ enum class Arithmetic : std::uint8_t {
   half,
   single,
   single_in_double,  ///< Coordinates are floats, the run computes in double.
-  batch,             ///< Coordinates are floats; pairs in lockstep (gjk/batch.hpp).
   double_,
   long_double,  ///< This and the next compute in more digits than coordinates have.
   quad,
@@ -42,7 +41,7 @@ struct Configuration {
   Arithmetic arithmetic = Arithmetic::double_;
   Effort effort = Effort::proof;
   Start start = Start::centres;
-  gjk::Options options = {};  ///< `certify` and the start follow from the members above.
+  gjk::Options options = {};  ///< `proof` and the start follow from the members above.
 };
 
 /// What the configuration does otherwise than the first one of `configurations()`: "float, loop

@@ -112,7 +112,6 @@ struct Note {
 std::vector<Note> notes(const Study& study) {
   return {{"processor", study.machine.processor},
           {"threads", std::to_string(study.machine.threads)},
-          {"lanes", study.machine.has_lanes ? "1" : "0"},
           {"compiler", study.machine.compiler},
           {"flags", study.machine.flags},
           {"commit", study.machine.commit},
@@ -170,7 +169,6 @@ bool read_note(std::string_view name, std::string_view value, Study& study) {
   };
   if (name == "processor") return text(study.machine.processor);
   if (name == "threads") return read(value, study.machine.threads);
-  if (name == "lanes") return flag(study.machine.has_lanes);
   if (name == "compiler") return text(study.machine.compiler);
   if (name == "flags") return text(study.machine.flags);
   if (name == "commit") return text(study.machine.commit);
@@ -250,9 +248,11 @@ Study from_csv(std::string_view text) {
 std::string to_json(const Study& study) {
   Json out;
   const Machine& machine = study.machine;
-  out["machine"] = {{"processor", machine.processor}, {"threads", machine.threads},
-                    {"lanes", machine.has_lanes},     {"compiler", machine.compiler},
-                    {"flags", machine.flags},         {"commit", machine.commit}};
+  out["machine"] = {{"processor", machine.processor},
+                    {"threads", machine.threads},
+                    {"compiler", machine.compiler},
+                    {"flags", machine.flags},
+                    {"commit", machine.commit}};
   out["seed"] = study.seed;
   out["quick"] = study.quick;
   out["complete"] = study.complete;

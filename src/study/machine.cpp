@@ -3,7 +3,6 @@
 #include <fstream>
 #include <thread>
 
-#include "gjk/batch_lanes.hpp"
 #include "study/accuracy.hpp"
 
 namespace gjkscope::study {
@@ -21,9 +20,8 @@ std::string processor_name() {
 }  // namespace
 
 Machine this_machine() {
-  return {processor_name(),         static_cast<int>(std::thread::hardware_concurrency()),
-          gjk::detail::has_lanes(), GJKSCOPE_COMPILER,
-          GJKSCOPE_FLAGS,           GJKSCOPE_COMMIT};
+  return {processor_name(), static_cast<int>(std::thread::hardware_concurrency()),
+          GJKSCOPE_COMPILER, GJKSCOPE_FLAGS, GJKSCOPE_COMMIT};
 }
 
 }  // namespace gjkscope::study

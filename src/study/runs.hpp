@@ -90,7 +90,7 @@ template <class R>
   return out;
 }
 
-/// Of any result with bounds: gjk::Result of a scalar that rounds, or gjk::BatchResult.
+/// Of a result with bounds, in a scalar that rounds.
 template <class Result>
 [[nodiscard]] Answer answer_of(const Result& result) {
   Answer out;
@@ -114,18 +114,14 @@ template <class S, class Run>
 [[nodiscard]] Asked asked(const Configuration& configuration, const Family& family, Run run) {
   const auto kept = std::make_shared<const Kept<S>>(family.pairs);
   gjk::Options options = configuration.options;
-  options.certify = configuration.effort == Effort::proof;
-  options.start_count = configuration.start == Start::first_vertices ? 1 : 0;
+  options.proof = configuration.effort == Effort::proof ? gjk::Proof::exact : gjk::Proof::bounds;
+  options.start.count = configuration.start == Start::first_vertices ? 1 : 0;
   const auto next = std::make_shared<gjk::Options>(options);
   const auto query = [=, warm = configuration.start == Start::warm](std::size_t i) {
     if (!warm) return run(kept->queries[i], *next);
-    if (i == 0) next->start_count = 0;
+    if (i == 0) next->start.count = 0;
     auto result = run(kept->queries[i], *next);
-    next->start_count = result.simplex.count;
-    for (int k = 0; k < result.simplex.count; ++k) {
-      next->start[static_cast<std::size_t>(k)] =
-          result.simplex.vertices[static_cast<std::size_t>(k)].pair;
-    }
+    next->start = gjk::warm_start(result.simplex);
     return result;
   };
   Asked out;

@@ -273,7 +273,7 @@ class Figures {
   }
   [[nodiscard]] std::optional<Figure> vertices_short() const {
     return vertices("vertices", "Time against the number of vertices",
-                    {"double", "double, loop only", "float", "float in batch"});
+                    {"double", "double, loop only", "float"});
   }
   [[nodiscard]] std::optional<Figure> vertices_long() const {
     return vertices("vertices-more-digits", "Time against the number of vertices, with more digits",

@@ -87,7 +87,7 @@ void result(benchmark::State& state, bool certify) {
     gjk::State<double, 2> end;
   };
   gjk::Options options;
-  options.certify = certify;
+  options.proof = certify ? gjk::Proof::exact : gjk::Proof::bounds;
   std::vector<Ended> runs;
   for (const families::Pair<double>& pair : pairs_of<double>(Family::random)) {
     const auto trace = gjk::trace(pair.query(), options);

@@ -63,7 +63,7 @@ Contestant prepare_setting_rotations(std::span<const Pair> pairs) {
 
 Contestant prepare_uncertified(std::span<const Pair> pairs) {
   gjk::Options options;
-  options.certify = false;
+  options.proof = gjk::Proof::bounds;
   return prepare_with<double>(pairs,
                               [=](const auto& query) { return gjk::distance(query, options); });
 }
@@ -119,7 +119,7 @@ Library core_setting_rotations() {
 
 Library core_uncertified() {
   return {.name = "no proof",
-          .how = "gjk::distance, certify off",
+          .how = "gjk::distance, Proof::bounds",
           .in_double = true,
           .prepare = prepare_uncertified};
 }

@@ -26,8 +26,7 @@ Lesson point_and_triangle(const Vector2d& q) {
   lesson.x = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
   lesson.y = {
       "ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, {0.5, 1.5}}, Vector2d::Zero(), 0.0};
-  lesson.options.start = {{{0, 0}, {0, 1}, {0, 2}, {}}};
-  lesson.options.start_count = 3;
+  lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.granularity = Granularity::path;
   return lesson;
 }

@@ -131,7 +131,7 @@ TEST(Growth, FollowsTheLessonsQueryAndSeed) {
   ++lesson.growth->seed;
   EXPECT_NE(growth_of(lesson).back().seen_vertices, before.back().seen_vertices);
   --lesson.growth->seed;
-  lesson.options.start_count = 0;  // centre to centre saves an iteration or two
+  lesson.options.start.count = 0;  // centre to centre saves an iteration or two
   EXPECT_LT(growth_of(lesson).back().iterations, before.back().iterations - 0.5);
 }
 

@@ -18,8 +18,7 @@ LessonRun triangle_and(const Vector2d& q, bool obtuse) {
   lesson.x = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
   const Vector2d c = obtuse ? Vector2d(3.5, 1.5) : Vector2d(0.5, 1.5);
   lesson.y = {"ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, c}, Vector2d::Zero(), 0.0};
-  lesson.options.start = {{{0, 0}, {0, 1}, {0, 2}, {}}};
-  lesson.options.start_count = 3;
+  lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.granularity = Granularity::orders;
   return run_lesson(lesson);
 }

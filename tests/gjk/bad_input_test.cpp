@@ -171,17 +171,17 @@ TEST(start, "start pairs that name no vertex, or too few or too many of them") {
   for (const int count : {-1, 4, 5, 1000000}) {
     const check::Context context("count", count);
     Case<double> bad;
-    bad.options.start_count = count;
+    bad.options.start.count = count;
     check_refused(Error::bad_start, bad);
   }
   for (const gjk::VertexPair pair : {gjk::VertexPair{1, 0}, gjk::VertexPair{0, 3},
                                      gjk::VertexPair{-1, 0}, gjk::VertexPair{0, -1}}) {
     const check::Context context("pair", pair.x, pair.y);
     Case<double> bad;
-    bad.options.start_count = 2;
-    bad.options.start[1] = pair;
+    bad.options.start.count = 2;
+    bad.options.start.pairs[1] = pair;
     check_refused(Error::bad_start, bad);
-    bad.options.start_count = 0;  // does not read them
+    bad.options.start.count = 0;  // does not read them
     check_accepted(bad);
   }
 }

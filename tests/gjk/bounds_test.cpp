@@ -209,12 +209,12 @@ TEST(grid, "bounds enclose the exact distance on integer grids, and verdicts are
   constexpr std::uint64_t kSeed = 9;
   for (const int size : {2, 5, 20}) {
     gjk::Options options;
-    options.start_count = 1;
+    options.start.count = 1;
     check_grid<double>(size, 20000, kSeed, options, counts);
     check_grid<float>(size, 20000, kSeed, options, counts);
     options.region_order = gjk::RegionOrder::edges_first;
     check_grid<float>(size, 5000, kSeed + 1, options, counts);
-    options.start_count = 0;
+    options.start.count = 0;
     check_grid<double>(size, 5000, kSeed + 2, options, counts);
     check_grid<double>(size, 10000, kSeed + 3, options, counts, true);
     check_grid<float>(size, 10000, kSeed + 3, options, counts, true);

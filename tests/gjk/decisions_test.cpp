@@ -35,9 +35,9 @@ gjk::Options random_options(families::Source& random, int x_count, int y_count) 
   options.stop_on_no_progress = random.with_chance(0.7);
   if (random.with_chance(0.3)) options.tolerance = 0.05;
   options.iteration_cap = random.among(1, 10);
-  options.start_count = random.among(0, 3);
-  for (int i = 0; i < options.start_count; ++i) {
-    options.start[i] = {random.among(0, x_count - 1), random.among(0, y_count - 1)};
+  options.start.count = random.among(0, 3);
+  for (int i = 0; i < options.start.count; ++i) {
+    options.start.pairs[i] = {random.among(0, x_count - 1), random.among(0, y_count - 1)};
   }
   return options;
 }

@@ -19,8 +19,8 @@ struct SlidesExample {
   std::vector<Vec<float, 2>> segment = {{0.021119118f, 79.584320f}, {0.020964622f, -31.515678f}};
   gjk::Options options;
   SlidesExample() {
-    options.start_count = 2;
-    options.start[1] = {0, 1};
+    options.start.count = 2;
+    options.start.pairs[1] = {0, 1};
   }
   [[nodiscard]] gjk::Query<float, 2> query() const { return {{q}, {segment}}; }
 };

@@ -34,8 +34,8 @@ TEST(errors, "each fault has its name, and the first one is named") {
   const Pair<double> good = points_apart(1.0);
   CHECK_EQ(Error::none, prepared<double>(good).error);
   gjk::Options options;
-  options.start_count = 1;
-  options.start[0] = {0, 1};
+  options.start.count = 1;
+  options.start.pairs[0] = {0, 1};
   CHECK_EQ(Error::bad_start, prepared<double>(good, options).error);
   options.tolerance = 1.0;
   CHECK_EQ(Error::bad_options, prepared<double>(good, options).error);
@@ -56,7 +56,7 @@ TEST(start_limits, "start pairs may name every vertex, and no other; up to 3 of 
   const Pair<double> pair{{{0, 0}, {1, 0}}, {{5, 0}, {5, 1}, {5, 2}}};
   for (int count = -1; count < 6; ++count) {
     gjk::Options options;
-    options.start_count = count;
+    options.start.count = count;
     CHECK_EQ(count >= 0 && count <= 3 ? Error::none : Error::bad_start,
              prepared<double>(pair, options).error);
   }
@@ -64,11 +64,11 @@ TEST(start_limits, "start pairs may name every vertex, and no other; up to 3 of 
     for (int y = -1; y < 5; ++y) {
       const check::Context context("pair", x, y);
       gjk::Options options;
-      options.start_count = 3;
-      options.start[2] = {x, y};
+      options.start.count = 3;
+      options.start.pairs[2] = {x, y};
       const bool good = 0 <= x && x < 2 && 0 <= y && y < 3;
       CHECK_EQ(good ? Error::none : Error::bad_start, prepared<double>(pair, options).error);
-      options.start_count = 2;  // the third pair is not read
+      options.start.count = 2;  // the third pair is not read
       CHECK_EQ(Error::none, prepared<double>(pair, options).error);
     }
   }

@@ -391,7 +391,7 @@ TEST(defaults,
   const gjk::Options options;
   CHECK_EQ(gjk::DirectionRule::perpendicular, options.direction_rule);
   CHECK_EQ(gjk::RegionOrder::vertices_first, options.region_order);
-  CHECK_EQ(0, options.start_count);
+  CHECK_EQ(0, options.start.count);
   CHECK(options.stop_on_repeated_support);
   CHECK(options.stop_on_no_progress);
   CHECK_EQ(0.0, options.tolerance);

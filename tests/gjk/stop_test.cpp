@@ -66,9 +66,9 @@ TEST(no_farther, "no progress: another vertex, but no farther along d") {
   // The middle vertex of the long edge comes first, so the scan prefers it.
   const Points y = {{0, 0}, {-2, 0}, {2, 0}, {0, 3}};
   gjk::Options options;
-  options.start_count = 2;
-  options.start[0] = {0, 1};
-  options.start[1] = {0, 2};
+  options.start.count = 2;
+  options.start.pairs[0] = {0, 1};
+  options.start.pairs[1] = {0, 2};
   const Run run({{0.5, -1}}, y, options);
   CHECK_EQ(StopReason::no_progress, run.result().stop);
   CHECK_EQ(1.0, run.result().distance);
@@ -102,7 +102,7 @@ TEST(tolerance, "within tolerance: the bounds are as close as was asked for") {
     circle.emplace_back(std::cos(angle), std::sin(angle));
   }
   gjk::Options options;
-  options.start_count = 1;
+  options.start.count = 1;
   const int to_the_end = Run({{2.1, 1.3}}, circle, options).result().iterations;
   options.tolerance = 0.01;
   const Run run({{2.1, 1.3}}, circle, options);
@@ -121,7 +121,7 @@ TEST(cap, "iteration cap: given up, said so, and the bounds still hold") {
   for (int cap = 1; cap <= 4; ++cap) {
     const check::Context context("cap", cap);
     gjk::Options options;
-    options.start_count = 1;
+    options.start.count = 1;
     options.iteration_cap = cap;
     const Run run({{0.0, 3.0}}, circle, options);
     CHECK_EQ(StopReason::iteration_cap, run.result().stop);

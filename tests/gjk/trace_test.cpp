@@ -84,8 +84,8 @@ TEST(phases, "one iteration is closest, cull, direction, support, stop, add") {
 
 TEST(pentagon, "the slides' pentagon: from E to C, from CE to D, E dropped, D repeats") {
   gjk::Options options;
-  options.start_count = 1;
-  options.start[0] = {0, 4};
+  options.start.count = 1;
+  options.start.pairs[0] = {0, 4};
   const auto trace = traced({{-3, 4}}, kPentagon, options);
   std::vector<int> supports;
   std::vector<int> dropped;
@@ -101,8 +101,8 @@ TEST(pentagon, "the slides' pentagon: from E to C, from CE to D, E dropped, D re
 
 TEST(start_simplex, "a run may start with a segment or a triangle") {
   gjk::Options options;
-  options.start_count = 3;
-  options.start = {{{0, 0}, {0, 1}, {0, 2}}};
+  options.start.count = 3;
+  options.start.pairs = {{{0, 0}, {0, 1}, {0, 2}}};
   const auto trace = traced({{-3, 4}}, kPentagon, options);
   CHECK_EQ(3, trace.initial.simplex.count);
   CHECK_EQ(traced({{-3, 4}}, kPentagon).result.distance, trace.result.distance);
@@ -110,7 +110,7 @@ TEST(start_simplex, "a run may start with a segment or a triangle") {
 
 TEST(centre, "centre to centre starts at the support point along the line of centres") {
   gjk::Options options;
-  options.start_count = 0;
+  options.start.count = 0;
   const Points right = {{4, -1}, {6, -1}, {6, 1}, {4, 1}};
   const auto trace = traced(kSquare, right, options);
   CHECK_EQ(1, trace.initial.simplex.count);
@@ -123,8 +123,8 @@ TEST(centre, "centre to centre starts at the support point along the line of cen
 
 TEST(direction_rule, "the direction rule decides how d is built") {
   gjk::Options options;
-  options.start_count = 2;
-  options.start[1] = {0, 1};
+  options.start.count = 2;
+  options.start.pairs[1] = {0, 1};
   const auto normal_of = [&](gjk::DirectionRule rule) {
     options.direction_rule = rule;
     const auto trace = traced({{0.3, -3}}, kSquare, options);
@@ -147,8 +147,9 @@ TEST(warm, "warm started with the answer's pairs a run takes one iteration") {
     const auto pair = random.pair<double>(families::Family::random);
     const auto cold = gjk::distance(pair.query());
     gjk::Options options;
-    options.start_count = cold.simplex.count;
-    for (int k = 0; k < cold.simplex.count; ++k) options.start[k] = cold.simplex.vertices[k].pair;
+    options.start.count = cold.simplex.count;
+    for (int k = 0; k < cold.simplex.count; ++k)
+      options.start.pairs[k] = cold.simplex.vertices[k].pair;
     const auto warm = gjk::distance(pair.query(), options);
     CHECK_EQ(1, warm.iterations);
     CHECK_EQ(cold.verdict, warm.verdict);

@@ -97,9 +97,9 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_TRUE(options.stop_on_no_progress);
   EXPECT_EQ(options.tolerance, 0.125);
   EXPECT_EQ(options.iteration_cap, 20);
-  ASSERT_EQ(options.start_count, 2);
-  EXPECT_EQ(options.start[0], (gjk::VertexPair{2, 2}));
-  EXPECT_EQ(options.start[1], (gjk::VertexPair{0, 0}));
+  ASSERT_EQ(options.start.count, 2);
+  EXPECT_EQ(options.start.pairs[0], (gjk::VertexPair{2, 2}));
+  EXPECT_EQ(options.start.pairs[1], (gjk::VertexPair{0, 0}));
   EXPECT_EQ(lesson.granularity, Granularity::iteration);
   EXPECT_EQ(lesson.until, gjk::Phase::stop);
   ASSERT_TRUE(lesson.path_of_shapes);
@@ -139,7 +139,7 @@ expect.stop = "repeated-support"
   EXPECT_EQ(lesson.options.iteration_cap, gjk::kDefaultIterationCap);
   EXPECT_TRUE(lesson.options.stop_on_repeated_support);
   EXPECT_TRUE(lesson.options.stop_on_no_progress);
-  EXPECT_EQ(lesson.options.start_count, 1);
+  EXPECT_EQ(lesson.options.start.count, 1);
   EXPECT_EQ(lesson.granularity, Granularity::phase);
   EXPECT_FALSE(lesson.path_of_shapes);
   EXPECT_FALSE(lesson.views[0].camera);
@@ -180,14 +180,14 @@ TEST(Load, APointQueryNamesVerticesOfY) {
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   EXPECT_EQ(loaded.lesson->x.vertex_names, (std::vector<std::string>{"Left"}));
-  EXPECT_EQ(loaded.lesson->options.start[0], (gjk::VertexPair{0, 2}));
+  EXPECT_EQ(loaded.lesson->options.start.pairs[0], (gjk::VertexPair{0, 2}));
 }
 
 TEST(Load, CentreToCentreIsAStart) {
   const LoadedLesson loaded =
       parse(replaced(testing::kFullLesson, R"(["M-C", "K-A"])", "\"centre-to-centre\""));
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  EXPECT_EQ(loaded.lesson->options.start_count, 0);
+  EXPECT_EQ(loaded.lesson->options.start.count, 0);
 }
 
 TEST(Load, AnEmptyStopListLeavesBothTestsOut) {

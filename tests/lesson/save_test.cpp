@@ -231,9 +231,9 @@ TEST(SavedLesson, OfACaseSaysWhatItLacks) {
 TEST(SavedLesson, LeavesOutWhatAFileCannotSay) {
   const Lesson loaded = lesson(kWritten);
   Lesson other = loaded;
-  other.options.start[2] = {1, 2};
+  other.options.start.pairs[2] = {1, 2};
   EXPECT_EQ(other, loaded) << "only the first two pairs count";
-  other.options.certify = false;
+  other.options.proof = gjk::Proof::none;
   other.id = "other";
   other.path = "other.toml";
   EXPECT_EQ(lesson_toml(other), lesson_toml(loaded));
@@ -347,8 +347,8 @@ Lesson any_lesson(Random& random) {
   options.stop_on_no_progress = !one_in(random, 3);
   if (one_in(random, 3)) options.tolerance = std::uniform_real_distribution<double>()(random);
   if (one_in(random, 3)) options.iteration_cap = 1 + static_cast<int>(below(random, 100));
-  options.start_count = static_cast<int>(below(random, 4));
-  for (gjk::VertexPair& pair : options.start)
+  options.start.count = static_cast<int>(below(random, 4));
+  for (gjk::VertexPair& pair : options.start.pairs)
     pair = {static_cast<int>(below(random, out.x.vertices.size())),
             static_cast<int>(below(random, out.y.vertices.size()))};
 

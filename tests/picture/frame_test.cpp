@@ -320,13 +320,13 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
   };
   Lesson lesson = testing::shipped_lesson("segment-closest");
   EXPECT_TRUE(says(lesson, "|B − A|²"));
-  std::swap(lesson.options.start[0], lesson.options.start[1]);
+  std::swap(lesson.options.start.pairs[0], lesson.options.start.pairs[1]);
   EXPECT_TRUE(says(lesson, "|A − B|²"));
   EXPECT_FALSE(says(lesson, "|B − A|²"));
   lesson.y.vertices.resize(1);
   lesson.y.vertex_names.resize(1);
-  lesson.options.start[0] = {0, 0};
-  lesson.options.start_count = 1;
+  lesson.options.start.pairs[0] = {0, 0};
+  lesson.options.start.count = 1;
   lesson.granularity = Granularity::phase;
   EXPECT_FALSE(says(lesson, "|²"));
 }
@@ -459,7 +459,7 @@ TEST(Panel, ARoundingErrorIsNoDistance) {
 /// The lesson's query from a vertex: an iteration in which both runs do the same.
 Lesson direction_half_from_b() {
   Lesson lesson = testing::shipped_lesson("direction-half");
-  lesson.options.start_count = 1;
+  lesson.options.start.count = 1;
   return lesson;
 }
 

@@ -234,7 +234,7 @@ RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
       *rc::gen::element(gjk::DirectionRule::perpendicular, gjk::DirectionRule::towards_origin);
   options.region_order = *rc::gen::element(
       gjk::RegionOrder::vertices_first, gjk::RegionOrder::edges_first, gjk::RegionOrder::unchecked);
-  options.start_count = *rc::gen::inRange(0, 2);
+  options.start.count = *rc::gen::inRange(0, 2);
   options.iteration_cap = *rc::gen::inRange(1, 9);
   const auto answer = gjk::distance(pair.query(), options);
   const auto trace = gjk::trace(pair.query(), options);

@@ -445,7 +445,7 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   EXPECT_EQ(session.lesson().title, wanted.configuration + ": worst of nearly parallel");
   const study::Configuration configuration = *study::configuration_named(wanted.configuration);
   gjk::Options options = configuration.options;
-  options.start_count = configuration.start == study::Start::first_vertices ? 1 : 0;
+  options.start.count = configuration.start == study::Start::first_vertices ? 1 : 0;
   EXPECT_TRUE(session.lesson().options == options);
   EXPECT_EQ(session.lesson().x.vertices, wanted.x);
   EXPECT_GT(session.frame_count(), 3) << "it can be stepped";

@@ -68,7 +68,7 @@ TEST(Edit, AShapeTurnsAboutItsMiddle) {
 
 TEST(Edit, ANewVertexHasANameOfItsOwnAndStartPairsKeepTheirVertices) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  const gjk::VertexPair start = lesson.options.start[0];
+  const gjk::VertexPair start = lesson.options.start.pairs[0];
   const std::string of_x = lesson.x.vertex_names[static_cast<std::size_t>(start.x)];
   const LessonRun run = run_lesson(lesson);
   const int index = edit::insert_vertex(lesson, Which::x, 0, run.runs.front().x, {-3.0, -1.0});
@@ -77,15 +77,15 @@ TEST(Edit, ANewVertexHasANameOfItsOwnAndStartPairsKeepTheirVertices) {
   std::set<std::string> names(lesson.x.vertex_names.begin(), lesson.x.vertex_names.end());
   names.insert(lesson.y.vertex_names.begin(), lesson.y.vertex_names.end());
   EXPECT_EQ(10u, names.size());
-  EXPECT_EQ(of_x, lesson.x.vertex_names[static_cast<std::size_t>(lesson.options.start[0].x)]);
+  EXPECT_EQ(of_x, lesson.x.vertex_names[static_cast<std::size_t>(lesson.options.start.pairs[0].x)]);
   EXPECT_TRUE(edit::erase_vertex(lesson, Which::x, index));
-  EXPECT_EQ(start, lesson.options.start[0]);
+  EXPECT_EQ(start, lesson.options.start.pairs[0]);
 }
 
 TEST(Edit, AStartVertexThatGoesIsForgotten) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  ASSERT_TRUE(edit::erase_vertex(lesson, Which::y, lesson.options.start[0].y));
-  EXPECT_EQ(gjk::VertexPair{}, lesson.options.start[0]);
+  ASSERT_TRUE(edit::erase_vertex(lesson, Which::y, lesson.options.start.pairs[0].y));
+  EXPECT_EQ(gjk::VertexPair{}, lesson.options.start.pairs[0]);
   EXPECT_EQ(gjk::Error::none, run_lesson(lesson).runs.front().trace.result.error);
 }
 

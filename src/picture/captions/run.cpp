@@ -19,7 +19,7 @@ void start(const Story& story, FrameText& text) {
     return;
   }
   const int count = story.state.simplex.count;
-  if (story.run.lesson.options.start_count == 0) {
+  if (story.run.lesson.options.start.count == 0) {
     text.caption = format("Start with {}: the vertex farthest along the line between the centres.",
                           story.words.face(story.state.simplex.all()));
   } else if (count == 1) {
