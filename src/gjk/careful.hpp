@@ -53,9 +53,9 @@ struct Edge {
 /// digits. Nearly always a and b have the vertex of one shape in common: that comes first, and the
 /// way is the other shape's.
 template <class R, class S>
-[[nodiscard]] Edge<DoubleWord<R>> careful_edge(const Query<S, 2>& query,
-                                               const Prepared<R, 2>& prepared, VertexPair a,
-                                               VertexPair b) {
+[[nodiscard, gnu::noinline]] Edge<DoubleWord<R>> careful_edge(const Query<S, 2>& query,
+                                                              const Prepared<R, 2>& prepared,
+                                                              VertexPair a, VertexPair b) {
   const auto in_unit = [&](const S& value) {
     return R(ScalarTraits<R>::from(value) * prepared.unit);
   };

@@ -109,24 +109,23 @@ struct Coordinates {
     for (int b = 1; b < kCount; ++b) {
       for (int a = 0; a < b; ++a) {
         const Face face = static_cast<Face>(face_of(a) | face_of(b));
-        of_face[face] = segment_coordinates(simplex, a, b);
-        note_signs(face);
+        note(face, segment_coordinates(simplex, a, b));
       }
     }
-    if constexpr (kCount > 2) {
+    if constexpr (kCount > 2 && D > 2) {
       for (Face face = 7; face < of_face.size(); ++face) {
-        if (vertex_count(face) < 3) continue;
-        of_face[face] = barycentric(simplex, face);
-        note_signs(face);
+        if (vertex_count(face) > 2 && vertex_count(face) <= D)
+          note(face, barycentric(simplex, face));
       }
     }
+    if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
   }
 
  private:
-  void note_signs(Face face) {
+  void note(Face face, const Barycentric<S, D>& coordinates) {
+    of_face[face] = coordinates;
     for (int i = 0; i < kCount; ++i) {
-      const bool positive = contains(face, i) && S(0) < of_face[face].numerator[i];
-      signs |= SignSet{positive} << (4 * face + i);
+      signs |= SignSet{S(0) < coordinates.numerator[i]} << (4 * face + i);
     }
   }
 };
@@ -152,26 +151,25 @@ template <class S, int D, int kCount>
 /// larger faces by the sum, so that weights add up to 1.
 template <class S, int D>
 void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
-  const int size = vertex_count(face);
+  const FaceVertices& in_face = vertices_of(face);
+  simplex.weights.fill(S(0));
+  if (in_face.count == 1) {
+    simplex.weights[in_face.index[0]] = S(1);
+    return;
+  }
   S divisor = coordinates.denominator;
-  if (size > 2) {
+  if (in_face.count > 2) {
     divisor = S(0);
-    for (int i = 0; i <= D; ++i) {
-      if (contains(face, i)) divisor = divisor + coordinates.numerator[i];
-    }
+    for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
-  for (int i = 0; i <= D; ++i) {
-    simplex.weights[i] = !contains(face, i) ? S(0)
-                         : size == 1        ? S(1)
-                                            : S(coordinates.numerator[i] / divisor);
-  }
+  for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
 }
 
 /// When rounding left no test to believe: the nearest point over all faces whose coordinates are
 /// positive. Vertices always qualify, so there is one.
 template <class S, int D, int kCount>
-[[nodiscard]] Face nearest_face(Simplex<S, D> simplex,
-                                const Coordinates<S, D, kCount>& coordinates) {
+[[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
+                                               const Coordinates<S, D, kCount>& coordinates) {
   Face best = 0;
   S best_sq(0);
   for (Face face = 1; face <= simplex.all(); ++face) {
@@ -192,8 +190,8 @@ template <class S, int D, int kCount>
 /// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
 /// is so thin that its volumes, and their signs, may be rounding errors.
 template <class S, int D>
-[[nodiscard]] bool weights_reach_origin(Simplex<S, D> simplex,
-                                        const Barycentric<S, D>& coordinates) {
+[[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
+                                                       const Barycentric<S, D>& coordinates) {
   if constexpr (ScalarTraits<S>::kExact) {
     return true;
   } else {
@@ -209,15 +207,14 @@ template <class S, int D>
 template <class S, int D>
 void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
                  DirectionRule rule) {
-  const int size = vertex_count(face);
+  const FaceVertices& in_face = vertices_of(face);
+  const int size = in_face.count;
   state.region = face;
   set_weights(state.simplex, face, coordinates);
   S volume(0);  // that O spans with a facet
   std::array<Vec<S, D>, D> facet;
   if (size == D) {
-    for (int i = 0, k = 0; i <= D && k < D; ++i) {
-      if (contains(face, i)) facet[k++] = state.simplex.vertices[i].w;
-    }
+    for (int k = 0; k < D; ++k) facet[k] = state.simplex.vertices[in_face.index[k]].w;
     volume = determinant<S, D>(facet);
   }
   const bool at_origin = size == D + 1 || (size == D && volume == S(0));
@@ -285,8 +282,7 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
     }
   }
   int kept = 0;
-  for (int i = 0; i <= D; ++i) {
-    if (!contains(state.region, i)) continue;
+  for (const int i : vertices_of(state.region)) {
     simplex.vertices[kept] = simplex.vertices[i];
     simplex.weights[kept] = simplex.weights[i];
     ++kept;
@@ -296,7 +292,12 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
 
   const bool nearer = came_nearer(state);
   if (nearer) {
-    state.best = simplex;
+    state.best.count = kept;
+    for (int i = 0; i < kept;
+         ++i) {  // not all of it at once: what was just written is not there yet
+      state.best.vertices[i] = simplex.vertices[i];
+      state.best.weights[i] = simplex.weights[i];
+    }
     state.best_sq = state.p_sq;
   }
   const bool answered = kept == D + 1 || (!nearer && options.stop_on_no_progress);

@@ -30,18 +30,32 @@ struct Trace {
   Result<R, D> result;
 };
 
+namespace detail {
+template <class R, class S, int D>
+[[nodiscard]] Result<R, D> distance_in(const Query<S, D>& query, const Options& options) {
+  const Prepared<R, D> prepared = prepare<R>(query, options);
+  State<R, D> state = start(query, options, prepared);
+  run(state, query, options, prepared);
+  return result(state, query, options, prepared);
+}
+/// The same, with all of the phases in one function. Not for exact arithmetic: that would take
+/// compilers minutes and save nothing.
+template <class R, class S, int D>
+[[nodiscard, gnu::flatten]] Result<R, D> distance_in_one(const Query<S, D>& query,
+                                                         const Options& options) {
+  return distance_in<R>(query, options);
+}
+}  // namespace detail
+
 /// Distance between two convex shapes, computed in R: distance<float>(query) stays in float.
 /// Allocates only where exact arithmetic has to settle the answer.
 template <class R = Default, class S, int D>
 [[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                   const Options& options = {}) {
-  const Prepared<RunScalar<R, S>, D> prepared = prepare<RunScalar<R, S>>(query, options);
-  State<RunScalar<R, S>, D> state = start(query, options, prepared);
   if constexpr (ScalarTraits<RunScalar<R, S>>::kExact)
-    run(state, query, options, prepared);
+    return detail::distance_in<RunScalar<R, S>>(query, options);
   else
-    run_inline(state, query, options, prepared);
-  return result(state, query, options, prepared);
+    return detail::distance_in_one<RunScalar<R, S>>(query, options);
 }
 
 /// The same for two shapes: ranges of points, or Shape(points, pose), or MeasuredShape.

@@ -79,10 +79,4 @@ void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
   }
 }
 
-template <class R, class S, int D>
-[[gnu::flatten]] void run_inline(State<R, D>& state, const Query<S, D>& query,
-                                 const Options& options, const Prepared<R, D>& prepared) {
-  run(state, query, options, prepared);
-}
-
 }  // namespace gjk

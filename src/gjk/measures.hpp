@@ -95,7 +95,7 @@ template <class S>
 
 /// Exact scalars need none of it: nothing rounds.
 template <class S, int D>
-[[nodiscard]] Measures<S, D> measured(std::span<const Vec<S, D>> points) {
+[[nodiscard, gnu::noinline]] Measures<S, D> measured(std::span<const Vec<S, D>> points) {
   Measures<S, D> out;
   if constexpr (!ScalarTraits<S>::kExact) {
     if (points.empty()) return out;

@@ -147,8 +147,8 @@ template <class S, int D>
 
 /// From the centre of X to that of Y, with about twice the digits before the last rounding.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
-                                          const Prepared<R, D>& prepared) {
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+                                                         const Prepared<R, D>& prepared) {
   const R& unit = prepared.unit;
   const Vec<R, D>& x_centre = prepared.x.centre;
   const Vec<R, D>& y_centre = prepared.y.centre;
@@ -171,9 +171,8 @@ template <class R, class S, int D>
 
 /// The frames of a run in the unit 2^exponent, and the offset between them.
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> frames(const Bodies<S, D>& bodies, int exponent) {
+void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
   const Query<S, D>& query = bodies.query;
-  Prepared<R, D> prepared;
   prepared.exponent = exponent;
   if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
   prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
@@ -190,12 +189,13 @@ template <class R, class S, int D>
       prepared.offset = offset_of_centres<R>(query, prepared);
       prepared.offset_error = ScalarTraits<R>::unit_roundoff() * length(prepared.offset);
     } else {
-      const DoubleWord<Vec<R, D>> offset = exact_sum<Vec<R, D>>(y_place, -x_place);
-      prepared.offset = offset.hi;
-      prepared.offset_error = norm_1(offset.lo);
+      for (int i = 0; i < D; ++i) {
+        const DoubleWord<R> offset = exact_sum(y_place[i], R(-x_place[i]));
+        prepared.offset[i] = offset.hi;
+        prepared.offset_error = prepared.offset_error + magnitude(offset.lo);
+      }
     }
   }
-  return prepared;
 }
 
 /// A vertex in its shape's own frame, seen from the shape's centre, in the run's unit.
@@ -259,18 +259,17 @@ void measure(const Bodies<S, D>& bodies, Prepared<R, D>& prepared) {
 }
 
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> prepared_in_unit(const Bodies<S, D>& bodies, int exponent) {
-  Prepared<R, D> prepared = frames<R>(bodies, exponent);
+void prepare_in_unit(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
+  set_frames(bodies, exponent, prepared);
   place(bodies.query.x, bodies.x, prepared, prepared.x);
   place(bodies.query.y, bodies.y, prepared, prepared.y);
   measure(bodies, prepared);
-  return prepared;
 }
 
 /// Prepares again, in a unit of length in which squares of coordinates neither overflow nor
 /// underflow.
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> prepared_in_good_unit(const Bodies<S, D>& bodies) {
+[[nodiscard, gnu::noinline]] Prepared<R, D> prepared_in_good_unit(const Bodies<S, D>& bodies) {
   using Traits = ScalarTraits<R>;
   const auto refused = [](Error error) {
     Prepared<R, D> prepared;
@@ -282,7 +281,9 @@ template <class R, class S, int D>
   // Squares may have gone out of range: first a unit in which they do not.
   constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
   const auto in_unit = [&](int exponent) {
-    return prepared_in_unit<R>(bodies, std::clamp(exponent, -kLimit, kLimit));
+    Prepared<R, D> prepared;
+    prepare_in_unit(bodies, std::clamp(exponent, -kLimit, kLimit), prepared);
+    return prepared;
   };
   const auto exponent_of = [](const Measures<S, D>& measures, const Pose<S, D>& pose) {
     const S largest = std::max(measures.largest, norm_max(pose.translation));
@@ -299,17 +300,16 @@ template <class R, class S, int D>
 }
 
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> prepare(const Bodies<S, D>& bodies, const Options& options) {
-  Prepared<R, D> prepared;
+void prepare(const Bodies<S, D>& bodies, const Options& options, Prepared<R, D>& prepared) {
   prepared.error = first_wrong(bodies, options);
-  if (prepared.error != Error::none) return prepared;
+  if (prepared.error != Error::none) return;
   if constexpr (ScalarTraits<R>::kExact) {
-    return frames<R>(bodies, 0);
+    set_frames(bodies, 0, prepared);
   } else {
-    prepared = prepared_in_unit<R>(bodies, 0);
+    prepare_in_unit(bodies, 0, prepared);
     if (ScalarTraits<R>::is_in_range(prepared.reach)) [[likely]]
-      return prepared;
-    return prepared_in_good_unit<R>(bodies);
+      return;
+    prepared = prepared_in_good_unit<R>(bodies);
   }
 }
 
@@ -320,11 +320,15 @@ template <class R, class S, int D>
 [[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
   const Measures<S, D>* x = query.x.measures();
   const Measures<S, D>* y = query.y.measures();
-  if (x != nullptr && y != nullptr)
-    return detail::prepare<R>(detail::Bodies<S, D>{query, *x, *y}, options);
-  const Measures<S, D> of_x = x != nullptr ? *x : measured<S, D>(query.x.vertices());
-  const Measures<S, D> of_y = y != nullptr ? *y : measured<S, D>(query.y.vertices());
-  return detail::prepare<R>(detail::Bodies<S, D>{query, of_x, of_y}, options);
+  Prepared<R, D> prepared;
+  if (x != nullptr && y != nullptr) {
+    detail::prepare(detail::Bodies<S, D>{query, *x, *y}, options, prepared);
+  } else {
+    const Measures<S, D> of_x = x != nullptr ? *x : measured<S, D>(query.x.vertices());
+    const Measures<S, D> of_y = y != nullptr ? *y : measured<S, D>(query.y.vertices());
+    detail::prepare(detail::Bodies<S, D>{query, of_x, of_y}, options, prepared);
+  }
+  return prepared;
 }
 
 }  // namespace gjk

@@ -90,14 +90,17 @@ template <class R, class S>
     exponent = std::clamp(exponent + ScalarTraits<R>::exponent(prepared.reach), -kLimit, kLimit);
   }
   const Measures<S, 2> not_asked;
-  return frames<Expansion>(Bodies<S, 2>{query, not_asked, not_asked}, exponent);
+  Prepared<Expansion, 2> exact;
+  set_frames(Bodies<S, 2>{query, not_asked, not_asked}, exponent, exact);
+  return exact;
 }
 
 /// Runs on from the best simplex of `state` in exact arithmetic, and puts what comes of it in `out`
 /// and `bounds`. Leaves them as they are when exact arithmetic has no room for the query.
 template <class R, class S>
-void settle(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R, 2>& prepared,
-            Result<R, 2>& out, Bounds<R>& bounds) {
+[[gnu::noinline]] void settle(const State<R, 2>& state, const Query<S, 2>& query,
+                              const Prepared<R, 2>& prepared, Result<R, 2>& out,
+                              Bounds<R>& bounds) {
   const Prepared<Expansion, 2> exact = prepared_exactly(query, prepared);
   if (!has_exact_products(query, prepared.same_frame, exact.exponent)) return;
   Options options;

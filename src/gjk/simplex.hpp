@@ -25,6 +25,30 @@ using Face = std::uint8_t;
 }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
+/// The vertices of a face, in order.
+struct FaceVertices {
+  std::array<std::uint8_t, kMaxDimension + 1> index = {};
+  int count = 0;
+  [[nodiscard]] constexpr const std::uint8_t* begin() const { return index.data(); }
+  [[nodiscard]] constexpr const std::uint8_t* end() const { return index.data() + count; }
+};
+namespace detail {
+inline constexpr auto kFaceVertices = [] {
+  std::array<FaceVertices, 1 << (kMaxDimension + 1)> out = {};
+  for (int face = 0; face < static_cast<int>(out.size()); ++face) {
+    for (int i = 0; i <= kMaxDimension; ++i) {
+      if (contains(static_cast<Face>(face), i)) {
+        out[face].index[out[face].count++] = static_cast<std::uint8_t>(i);
+      }
+    }
+  }
+  return out;
+}();
+}  // namespace detail
+[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) {
+  return detail::kFaceVertices[face];
+}
+
 template <class S, int D>
 struct Simplex {
   std::array<SupportPoint<S, D>, D + 1> vertices = {};
@@ -41,8 +65,8 @@ struct Simplex {
 /// count as "not positive".
 template <class S, int D>
 struct Barycentric {
-  std::array<S, D + 1> numerator = {};
-  S denominator = S(0);
+  std::array<S, D + 1> numerator;  ///< 0 for vertices outside the face.
+  S denominator;
 };
 
 namespace detail {
@@ -51,7 +75,7 @@ namespace detail {
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> segment_coordinates(const Simplex<S, D>& simplex, int a, int b) {
-  Barycentric<S, D> out;
+  Barycentric<S, D> out{};
   const Vec<S, D>& point_a = simplex.vertices[a].w;
   const Vec<S, D>& point_b = simplex.vertices[b].w;
   const Vec<S, D> edge = point_b - point_a;
@@ -80,7 +104,7 @@ template <class S, int D>
   std::array<Vec<S, D>, D> edges;
   for (int i = 0; i < D; ++i) edges[i] = simplex.vertices[i + 1].w - simplex.vertices[0].w;
   const S volume = determinant<S, D>(edges);
-  Barycentric<S, D> out;
+  Barycentric<S, D> out{};
   if (volume == S(0)) return out;
   out.denominator = magnitude(volume);
   for (int i = 0; i <= D; ++i) {
@@ -95,7 +119,7 @@ template <class S, int D>
 /// Coordinates of O in `face`, which has at least one vertex.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
-  Barycentric<S, D> out;
+  Barycentric<S, D> out{};
   const int size = vertex_count(face);
   int first = 0;
   while (!contains(face, first)) ++first;
@@ -140,10 +164,10 @@ template <class S, int D>
 /// The point of `face` with the simplex's weights.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face) {
+  const FaceVertices& in_face = vertices_of(face);
+  if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
   Vec<S, D> point = Vec<S, D>::Zero();
-  for (int i = 0; i <= D; ++i) {
-    if (!contains(face, i)) continue;
-    if (vertex_count(face) == 1) return simplex.vertices[i].w;
+  for (const int i : in_face) {
     for (int k = 0; k < D; ++k) {
       point[k] = point[k] + S(simplex.weights[i] * simplex.vertices[i].w[k]);
     }

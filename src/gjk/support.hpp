@@ -82,7 +82,7 @@ template <class R, class Along>
 /// followed until the fall is beyond rounding: by then everything that is as high as that sample
 /// has been seen.
 template <class R, class Along>
-[[nodiscard]] int climb(int count, const Along& along, const R& rounding) {
+[[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
   int stride = 1;
   while (stride * stride < count) stride *= 2;
   Farthest<R> farthest;

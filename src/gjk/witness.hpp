@@ -19,8 +19,8 @@ template <class R, int D>
 /// The place of from + beyond in the world, with about twice the digits before the last rounding:
 /// for shapes that lie far from their own origin, where a rotation rounds by more than Z is large.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
-                                      const Vec<R, D>& beyond, int exponent) {
+[[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
+                                                     const Vec<R, D>& beyond, int exponent) {
   const R unit = ScalarTraits<R>::scaled(R(1), -exponent);
   Vec<R, D> world;
   for (int row = 0; row < D; ++row) {
