@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "geometry/quad.hpp"
 #include "gjk/certificate.hpp"
 #include "study/configuration.hpp"
 #include "study/family.hpp"
 #include "study/interleave.hpp"
+#include "study/quad.hpp"
 
 namespace gjkscope::study {
 

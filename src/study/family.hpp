@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/families.hpp"
 #include "lesson/case.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope::study {
 

@@ -29,44 +29,6 @@ struct Kept {
   }
 };
 
-/// What the loop itself comes to, without anything that checks it.
-template <class R>
-struct LoopAnswer {
-  gjk::Error error = gjk::Error::none;
-  R distance = R(0);
-  gjk::Vec<R, 2> x = gjk::Vec<R, 2>::Zero();
-  gjk::Vec<R, 2> y = gjk::Vec<R, 2>::Zero();
-  int iterations = 0;
-  gjk::Simplex<R, 2> simplex;
-};
-
-/// |P| of the simplex that came nearest, and witness points as weighted sums of its vertices (Catto
-/// 2010, slide "Witness points").
-template <class R, class S>
-[[nodiscard, gnu::flatten]] LoopAnswer<R> loop_only(const gjk::Query<S, 2>& query,
-                                                    const gjk::Options& options) {
-  using Traits = gjk::ScalarTraits<R>;
-  const gjk::Prepared<R, 2> prepared = gjk::prepare<R>(query, options);
-  gjk::State<R, 2> state = gjk::start(query, options, prepared);
-  gjk::NoRecord none;
-  while (state.stop == gjk::StopReason::running) gjk::step(state, query, options, prepared, none);
-  LoopAnswer<R> out;
-  out.error = state.error;
-  if (state.error != gjk::Error::none) return out;
-  out.simplex = state.best;
-  out.iterations = state.iteration;
-  out.distance = Traits::root(state.best_sq);
-  if (prepared.exponent != 0) out.distance = Traits::scaled(out.distance, prepared.exponent);
-  for (int i = 0; i < state.best.count; ++i) {
-    const gjk::VertexPair pair = state.best.vertices[i].pair;
-    for (int k = 0; k < 2; ++k) {
-      out.x[k] = out.x[k] + R(state.best.weights[i] * Traits::from(query.x.vertices[pair.x][k]));
-      out.y[k] = out.y[k] + R(state.best.weights[i] * Traits::from(query.y.vertices[pair.y][k]));
-    }
-  }
-  return out;
-}
-
 template <class S>
 [[nodiscard]] Quad widened(const S& value) {
   if constexpr (std::is_same_v<S, Eigen::half>) {
@@ -78,25 +40,13 @@ template <class S>
   }
 }
 
-template <class R>
-[[nodiscard]] Answer answer_of(const LoopAnswer<R>& result) {
-  Answer out;
-  out.refused = result.error != gjk::Error::none;
-  out.verdict = result.distance == R(0) ? gjk::Verdict::overlapping : gjk::Verdict::separated;
-  out.distance = widened(result.distance);
-  out.x = {widened<R>(result.x[0]), widened<R>(result.x[1])};
-  out.y = {widened<R>(result.y[0]), widened<R>(result.y[1])};
-  out.iterations = result.iterations;
-  return out;
-}
-
 /// Of a result with bounds, in a scalar that rounds.
 template <class Result>
 [[nodiscard]] Answer answer_of(const Result& result) {
   Answer out;
   out.refused = result.error != gjk::Error::none;
   out.verdict = result.verdict;
-  out.has_bounds = true;
+  out.has_bounds = result.lower <= result.upper;  // not without proof: both are NaNs
   out.distance = widened(result.distance);
   out.lower = widened(result.lower);
   out.upper = widened(result.upper);
@@ -114,14 +64,16 @@ template <class S, class Run>
 [[nodiscard]] Asked asked(const Configuration& configuration, const Family& family, Run run) {
   const auto kept = std::make_shared<const Kept<S>>(family.pairs);
   gjk::Options options = configuration.options;
-  options.proof = configuration.effort == Effort::proof ? gjk::Proof::exact : gjk::Proof::bounds;
+  options.proof = configuration.effort == Effort::loop     ? gjk::Proof::none
+                  : configuration.effort == Effort::bounds ? gjk::Proof::bounds
+                                                           : gjk::Proof::exact;
   options.start.count = configuration.start == Start::first_vertices ? 1 : 0;
   const auto next = std::make_shared<gjk::Options>(options);
   const auto query = [=, warm = configuration.start == Start::warm](std::size_t i) {
     if (!warm) return run(kept->queries[i], *next);
     if (i == 0) next->start.count = 0;
     auto result = run(kept->queries[i], *next);
-    next->start = gjk::warm_start(result.simplex);
+    next->start = result.warm();
     return result;
   };
   Asked out;
@@ -141,11 +93,6 @@ template <class S, class Run>
 /// R: the scalar of the run. S: that of the coordinates.
 template <class R, class S>
 [[nodiscard]] Asked ask_in(const Configuration& configuration, const Family& family) {
-  if (configuration.effort == Effort::loop) {
-    return asked<S>(configuration, family, [](const auto& query, const auto& options) {
-      return loop_only<R>(query, options);
-    });
-  }
   return asked<S>(configuration, family, [](const auto& query, const auto& options) {
     return gjk::distance<R>(query, options);
   });

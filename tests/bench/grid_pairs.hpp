@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
+#include "study/families.hpp"
 
 namespace bench {
 

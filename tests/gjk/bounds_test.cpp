@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "check.hpp"
-#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
+#include "study/families.hpp"
 
 namespace {
 /// An exact scalar: fractions of numbers as small as those of a run on a small grid.

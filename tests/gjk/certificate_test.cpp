@@ -4,8 +4,8 @@
 #include "gjk/certificate.hpp"
 
 #include "check.hpp"
-#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
+#include "study/families.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "check.hpp"
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 
 namespace {
 

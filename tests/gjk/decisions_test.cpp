@@ -4,8 +4,8 @@
 #include <string>
 
 #include "check.hpp"
-#include "geometry/families.hpp"
 #include "same_bits.hpp"
+#include "study/families.hpp"
 
 namespace {
 

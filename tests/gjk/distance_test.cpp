@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "geometry/families.hpp"
 #include "gjk/gjk.hpp"
+#include "study/families.hpp"
 
 namespace {
 

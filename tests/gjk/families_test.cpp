@@ -1,7 +1,7 @@
 // Each family is what its name says, and has a share of all that it is drawn for: pairs apart and
 // overlapping, answers in each region, each reason to stop.
 
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 
 #include <bit>
 

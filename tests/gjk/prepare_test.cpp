@@ -4,9 +4,9 @@
 #include "gjk/prepare.hpp"
 
 #include "check.hpp"
-#include "geometry/families.hpp"
 #include "gjk/expansion.hpp"
 #include "gjk/support.hpp"
+#include "study/families.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "check.hpp"
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 
 namespace {
 

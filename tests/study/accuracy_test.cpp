@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/oracle.hpp"
 #include "gjk/gjk.hpp"
+#include "oracle.hpp"
 #include "small_study.hpp"
 #include "study/counter.hpp"
 #include "study/interleave.hpp"

@@ -1,8 +1,8 @@
-#include "geometry/quad.hpp"
+#include "study/quad.hpp"
 
 #include <gtest/gtest.h>
 
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 #include "study/truth.hpp"
 
 namespace gjkscope {

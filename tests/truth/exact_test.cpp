@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "claim.hpp"
-#include "geometry/families.hpp"
-#include "geometry/oracle.hpp"
+#include "oracle.hpp"
+#include "study/families.hpp"
 
 namespace truth {
 namespace {

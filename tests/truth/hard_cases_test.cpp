@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "claim.hpp"
-#include "geometry/oracle.hpp"
 #include "lesson/case.hpp"
+#include "oracle.hpp"
 
 namespace truth {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "claim.hpp"
 #include "exact.hpp"
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 
 namespace truth {
 namespace {

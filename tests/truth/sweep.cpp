@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "claim.hpp"
-#include "geometry/families.hpp"
+#include "study/families.hpp"
 
 namespace truth {
 namespace {

@@ -65,12 +65,12 @@ class Asking {
   }
 
   void region() {
-    const gjk::detail::RegionList order =
-        gjk::detail::list_regions(before_.simplex.count, run_.lesson.options.region_order);
+    const gjk::FaceList order =
+        gjk::tested_faces(before_.simplex.count, run_.lesson.options.region_order);
     // Those that the frame does not rule out.
     const bool gradual = run_.lesson.granularity == Granularity::test;
     for (int i = gradual ? story_.frame.detail + 1 : 0; i < order.count; ++i)
-      asked_.choices.push_back(words_.face(order.conditions[i].face));
+      asked_.choices.push_back(words_.face(order.faces[i]));
     // In the order of the tests the first one left would be the answer.
     if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());
     asked_.answer = words_.face(step_.after.region);

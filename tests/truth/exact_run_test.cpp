@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "geometry/families.hpp"
-#include "geometry/oracle.hpp"
 #include "gjk/gjk.hpp"
+#include "oracle.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // Exact answers about two convex hulls in the plane, found without GJK: by trying all features, in
-// rationals. Slow (points^3), and made to be trusted: tests and `solve` compare runs with it.
+// rationals. Slow (points^3), and made to be trusted: tests compare runs with it.
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "geometry/oracle.hpp"
+#include "oracle.hpp"
 
 namespace gjkscope {
 namespace {

@@ -180,6 +180,8 @@ class Source {
   using Point = Vec<double, 2>;
   using Points = std::vector<Point>;
 
+  static constexpr double kNoGrid = 0x1p-60;
+
   /// A point of the unit circle, any of them, not quite equally often.
   [[nodiscard]] static Point on_circle(double quarters) {
     const double quarter = std::floor(quarters);
@@ -331,148 +333,216 @@ class Source {
     }
   }
 
-  [[nodiscard]] Pair<double> make(Family family, bool floats) {
-    constexpr double kNoGrid = 0x1p-60;
-    const double grid = floats ? 0x1p-12 : 0x1p-40;
-    const bool y_edge = with_chance(0.5);
+  [[nodiscard]] Pair<double> collinear() {
+    const bool on_axis = with_chance(0.4);
+    const bool exact = with_chance(0.6);
+    const Point along = on_axis ? on_circle(among(0, 3))
+                        : exact ? Point{among(1, 7), among(-7, 7)}
+                                : direction();
+    const Point from = exact ? Point{among(-4, 4), among(-4, 4)} : in_square(2);
     Pair<double> out;
-    switch (family) {
-      case Family::random:
-        out = apart_or_not({among(3, 8), among(3, 8)});
-        break;
-      case Family::points:
-        out = {polygon(among(1, 2)),
-               polygon_at({with_chance(0.5) ? among(1, 2) : among(3, 8), in_square(1.5)})};
-        break;
-      case Family::collinear: {
-        const bool on_axis = with_chance(0.4);
-        const bool exact = with_chance(0.6);
-        const Point along = on_axis ? on_circle(among(0, 3))
-                            : exact ? Point{among(1, 7), among(-7, 7)}
-                                    : direction();
-        const Point from = exact ? Point{among(-4, 4), among(-4, 4)} : in_square(2);
-        for (Points* points : {&out.x, &out.y}) {
-          const double shift = points == &out.y ? among(-4, 4) : 0;
-          for (int i = among(1, 4); i > 0; --i) {
-            const double t = exact ? among(-4, 4) * 0.25 : between(-1, 1);
-            points->push_back(from + along * (shift + t));
-          }
-        }
-        break;
-      }
-      case Family::clouds: {
-        const Point shift = in_square(2.5);
-        for (int i = among(6, 12); i > 0; --i) {
-          out.x.push_back(in_square(1));
-          out.y.push_back(in_square(1) + shift);
-        }
-        break;
-      }
-      case Family::duplicates:
-        out = apart_or_not({among(1, 5), among(1, 5)});
-        repeat_vertices(out.x);
-        if (with_chance(0.7)) repeat_vertices(out.y);
-        break;
-      case Family::grid:
-        out = {grid_points<double>(among(1, 6), 3), grid_points<double>(among(1, 6), 3)};
-        move(out.y, Point{among(0, 6), among(-1, 1)});
-        break;
-      case Family::identical:
-        out.x = with_chance(0.8) ? polygon_at({among(1, 8), in_square(2)})
-                                 : grid_points<double>(among(1, 6), 3);
-        out.y = out.x;
-        break;
-      case Family::inside:
-        out = {polygon(among(3, 8)), polygon(among(1, 8))};
-        scale(out.y, magnitude(1e-3, 0.5));
-        move(out.y, in_square(0.2));
-        break;
-      case Family::posed: {
-        out = {polygon(among(1, 8)), polygon(among(1, 8))};
-        const double away = with_chance(0.3) ? magnitude(1e1, floats ? 1e4 : 1e9) : 0;
-        const Point far = direction() * away;
-        for (gjk::Pose<double, 2>* pose : {&out.x_pose, &out.y_pose}) {
-          const Point turn = direction();
-          pose->rotation = Eigen::Matrix2d{{turn[0], -turn[1]}, {turn[1], turn[0]}};
-          pose->translation = in_square(1.5) + far;
-        }
-        break;
-      }
-      case Family::needle: {
-        out = {needle(magnitude(1e-10, 1e-4)), needle(magnitude(1e-10, 1e-4))};
-        const double tilt = magnitude(1e-10, 1e-3);
-        turn(out.y, with_chance(0.7) ? direction() : on_circle(with_chance(0.5) ? tilt : 2 + tilt));
-        move(out.y, in_square(1.5));
-        turn(out, direction());
-        break;
-      }
-      case Family::needle_polygon:
-        out = {needle(magnitude(1e-10, 1e-4)), polygon_at({among(3, 8), in_square(1.5)})};
-        turn(out, direction());
-        break;
-      case Family::parallel: {
-        out = facing({{among(2, 6), among(2, 6)}, true, true, kNoGrid});
-        const double tilt = magnitude(1e-10, 1e-3);
-        turn(out.y, Point(1, with_chance(0.5) ? tilt : -tilt));
-        const double distance = magnitude(1e-10, 1);
-        move(out.y, Point{between(-1, 1), with_chance(0.3) ? -0.3 * distance : distance});
-        turn_contact(out, floats, true);
-        break;
-      }
-      case Family::gap:
-      case Family::speck:
-      case Family::shallow:
-        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
-        move(out.y, Point(0, family == Family::gap     ? magnitude(1e-12, 1e-3)
-                             : family == Family::speck ? magnitude(floats ? 1e-30 : 1e-100, 1e-12)
-                                                       : -magnitude(1e-6, 1e-3)));
-        turn_contact(out, floats || family == Family::speck, y_edge);
-        break;
-      case Family::touching:
-        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
-        turn_contact(out, true, false);
-        move(out, Point{among(-64, 64) * 0.125, among(-64, 64) * 0.125});
-        break;
-      case Family::grazing:
-        out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
-        turn(out, direction());
-        move(out, in_square(1));
-        break;
-      case Family::tiny: {
-        out = apart_or_not({among(1, 8), among(1, 8)});
-        const std::array<double, 3> sizes = {1e-4, 1e-6, 1e-30};
-        const double size = sizes[static_cast<std::size_t>(among(0, 2))];
-        scale(out, size * between(1, 2));
-        break;
-      }
-      case Family::huge: {
-        out = apart_or_not({among(1, 8), among(1, 8)});
-        const double size = with_chance(0.5) ? 1e6 : 1e30;
-        scale(out, size * between(1, 2));
-        break;
-      }
-      case Family::ratio:
-        out = facing({{among(3, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
-        scale(out.x, with_chance(0.5) ? 1e4 : 1e8);
-        move(out.y, Point{between(-2, 2), with_chance(0.4) ? -between(0, 2) : magnitude(1e-6, 4)});
-        turn_contact(out, floats, y_edge);
-        break;
-      case Family::offset: {
-        out = apart_or_not({among(1, 8), among(1, 8)});
-        const double away = magnitude(1e3, floats ? 1e6 : 1e12);
-        move(out, Point(direction() * away));
-        break;
-      }
-      case Family::denormals: {
-        const int size = 1 << among(0, 16);
-        out = {grid_points<double>(among(1, 6), size), grid_points<double>(among(1, 6), size)};
-        move(out.y, Point(among(0, 2 * size), 0));
-        scale(out, floats ? double{std::numeric_limits<float>::denorm_min()}
-                          : std::numeric_limits<double>::denorm_min());
-        break;
+    for (Points* points : {&out.x, &out.y}) {
+      const double shift = points == &out.y ? among(-4, 4) : 0;
+      for (int i = among(1, 4); i > 0; --i) {
+        const double t = exact ? among(-4, 4) * 0.25 : between(-1, 1);
+        points->push_back(from + along * (shift + t));
       }
     }
     return out;
+  }
+
+  [[nodiscard]] Pair<double> clouds() {
+    const Point shift = in_square(2.5);
+    Pair<double> out;
+    for (int i = among(6, 12); i > 0; --i) {
+      out.x.push_back(in_square(1));
+      out.y.push_back(in_square(1) + shift);
+    }
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> duplicates() {
+    Pair<double> out = apart_or_not({among(1, 5), among(1, 5)});
+    repeat_vertices(out.x);
+    if (with_chance(0.7)) repeat_vertices(out.y);
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> grid() {
+    Pair<double> out{grid_points<double>(among(1, 6), 3), grid_points<double>(among(1, 6), 3)};
+    move(out.y, Point{among(0, 6), among(-1, 1)});
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> identical() {
+    const Points shape = with_chance(0.8) ? polygon_at({among(1, 8), in_square(2)})
+                                          : grid_points<double>(among(1, 6), 3);
+    return {shape, shape};
+  }
+
+  [[nodiscard]] Pair<double> inside() {
+    Pair<double> out{polygon(among(3, 8)), polygon(among(1, 8))};
+    scale(out.y, magnitude(1e-3, 0.5));
+    move(out.y, in_square(0.2));
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> posed(bool floats) {
+    Pair<double> out{polygon(among(1, 8)), polygon(among(1, 8))};
+    const double away = with_chance(0.3) ? magnitude(1e1, floats ? 1e4 : 1e9) : 0;
+    const Point far = direction() * away;
+    for (gjk::Pose<double, 2>* pose : {&out.x_pose, &out.y_pose}) {
+      const Point turn = direction();
+      pose->rotation = Eigen::Matrix2d{{turn[0], -turn[1]}, {turn[1], turn[0]}};
+      pose->translation = in_square(1.5) + far;
+    }
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> needles() {
+    Pair<double> out{needle(magnitude(1e-10, 1e-4)), needle(magnitude(1e-10, 1e-4))};
+    const double tilt = magnitude(1e-10, 1e-3);
+    turn(out.y, with_chance(0.7) ? direction() : on_circle(with_chance(0.5) ? tilt : 2 + tilt));
+    move(out.y, in_square(1.5));
+    turn(out, direction());
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> needle_and_polygon() {
+    Pair<double> out{needle(magnitude(1e-10, 1e-4)), polygon_at({among(3, 8), in_square(1.5)})};
+    turn(out, direction());
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> parallel(bool floats) {
+    Pair<double> out = facing({{among(2, 6), among(2, 6)}, true, true, kNoGrid});
+    const double tilt = magnitude(1e-10, 1e-3);
+    turn(out.y, Point(1, with_chance(0.5) ? tilt : -tilt));
+    const double distance = magnitude(1e-10, 1);
+    move(out.y, Point{between(-1, 1), with_chance(0.3) ? -0.3 * distance : distance});
+    turn_contact(out, floats, true);
+    return out;
+  }
+
+  /// In contact, then moved apart by `gap`, or into each other where that is negative.
+  struct Gap {
+    double least;
+    double most;
+    double sign;
+    bool turned_exactly;
+  };
+  [[nodiscard]] Pair<double> moved_by(const Gap& gap, bool y_edge, double grid) {
+    Pair<double> out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
+    move(out.y, Point(0, gap.sign * magnitude(gap.least, gap.most)));
+    turn_contact(out, gap.turned_exactly, y_edge);
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> touching(bool y_edge, double grid) {
+    Pair<double> out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, grid});
+    turn_contact(out, true, false);
+    move(out, Point{among(-64, 64) * 0.125, among(-64, 64) * 0.125});
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> grazing(bool y_edge) {
+    Pair<double> out = facing({{among(1, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
+    turn(out, direction());
+    move(out, in_square(1));
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> tiny() {
+    Pair<double> out = apart_or_not({among(1, 8), among(1, 8)});
+    constexpr std::array<double, 3> kSizes = {1e-4, 1e-6, 1e-30};
+    const double size = kSizes[static_cast<std::size_t>(among(0, 2))];
+    scale(out, size * between(1, 2));
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> huge() {
+    Pair<double> out = apart_or_not({among(1, 8), among(1, 8)});
+    const double size = with_chance(0.5) ? 1e6 : 1e30;
+    scale(out, size * between(1, 2));
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> ratio(bool floats, bool y_edge) {
+    Pair<double> out = facing({{among(3, 8), among(1, 8)}, with_chance(0.6), y_edge, kNoGrid});
+    scale(out.x, with_chance(0.5) ? 1e4 : 1e8);
+    move(out.y, Point{between(-2, 2), with_chance(0.4) ? -between(0, 2) : magnitude(1e-6, 4)});
+    turn_contact(out, floats, y_edge);
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> offset(bool floats) {
+    Pair<double> out = apart_or_not({among(1, 8), among(1, 8)});
+    const double away = magnitude(1e3, floats ? 1e6 : 1e12);
+    move(out, Point(direction() * away));
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> denormals(double smallest) {
+    const int size = 1 << among(0, 16);
+    Pair<double> out{grid_points<double>(among(1, 6), size),
+                     grid_points<double>(among(1, 6), size)};
+    move(out.y, Point(among(0, 2 * size), 0));
+    scale(out, smallest);
+    return out;
+  }
+
+  [[nodiscard]] Pair<double> make(Family family, bool floats) {
+    const double grid_step = floats ? 0x1p-12 : 0x1p-40;
+    const bool y_edge = with_chance(0.5);
+    switch (family) {
+      case Family::random:
+        return apart_or_not({among(3, 8), among(3, 8)});
+      case Family::points:
+        return {polygon(among(1, 2)),
+                polygon_at({with_chance(0.5) ? among(1, 2) : among(3, 8), in_square(1.5)})};
+      case Family::collinear:
+        return collinear();
+      case Family::clouds:
+        return clouds();
+      case Family::duplicates:
+        return duplicates();
+      case Family::grid:
+        return grid();
+      case Family::identical:
+        return identical();
+      case Family::inside:
+        return inside();
+      case Family::posed:
+        return posed(floats);
+      case Family::needle:
+        return needles();
+      case Family::needle_polygon:
+        return needle_and_polygon();
+      case Family::parallel:
+        return parallel(floats);
+      case Family::gap:
+        return moved_by({1e-12, 1e-3, 1, floats}, y_edge, grid_step);
+      case Family::speck:
+        return moved_by({floats ? 1e-30 : 1e-100, 1e-12, 1, true}, y_edge, grid_step);
+      case Family::shallow:
+        return moved_by({1e-6, 1e-3, -1, floats}, y_edge, grid_step);
+      case Family::touching:
+        return touching(y_edge, grid_step);
+      case Family::grazing:
+        return grazing(y_edge);
+      case Family::tiny:
+        return tiny();
+      case Family::huge:
+        return huge();
+      case Family::ratio:
+        return ratio(floats, y_edge);
+      case Family::offset:
+        return offset(floats);
+      case Family::denormals:
+        return denormals(floats ? double{std::numeric_limits<float>::denorm_min()}
+                                : std::numeric_limits<double>::denorm_min());
+    }
+    return {};
   }
 
   std::mt19937_64 bits_;
