@@ -45,7 +45,6 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
 /// What a lesson steps otherwise than the configuration; empty when nothing.
 std::string told_apart(const study::Configuration& configuration) {
   switch (configuration.arithmetic) {
-    return " Stepped by itself, in float.";
     case Arithmetic::long_double:
     case Arithmetic::quad:
       return " Stepped in exact arithmetic: lessons have no " +

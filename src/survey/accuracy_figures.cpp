@@ -28,9 +28,9 @@ constexpr double kListGap = 28.0;
 constexpr double kRowHeight = 44.0;
 
 /// A page with a title and a line about it; plots and lists are added.
-class Page {
+class FigurePage {
  public:
-  explicit Page(const Fonts& fonts) : fonts_(fonts) {
+  explicit FigurePage(const Fonts& fonts) : fonts_(fonts) {
     picture_.width = kWidth;
     picture_.height = kHeight;
   }
@@ -100,7 +100,7 @@ class Figures {
     const auto left_out = count([](const StudyDot& dot) { return !dot.error; });
     const auto without_error = count([](const StudyDot& dot) { return dot.error == 0.0; });
     const std::vector<StudyDot> best = front_of(dots);
-    Page page(fonts_);
+    FigurePage page(fonts_);
     const double step =
         std::min(kRowHeight, (kHeight - kMargin - kPlotTop) / static_cast<double>(best.size()));
     for (std::size_t i = 0; i < best.size(); ++i) {
@@ -165,7 +165,7 @@ class Figures {
     plot.x = {1.0, most, false, "iterations allowed"};
     plot.y = decades.axis("share of the scale");
     plot.series = {std::move(worst), std::move(middle), std::move(width)};
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     const Row& first = *rows.front();
     return std::move(page).figure(
@@ -211,7 +211,7 @@ class Figures {
         gaps.axis("gap between the bounds at which a run may stop, as a share of the distance");
     plot.y = std::move(y);
     plot.series = std::move(series);
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     return std::move(page).figure(std::move(name), std::move(title), std::move(about));
   }
@@ -266,7 +266,7 @@ class Figures {
     if (plot.series.front().points.size() < 2) return {};
     plot.x = {2.0, 2.0 * most, true, "vertices of each polygon"};
     plot.y = ns.axis("time of a query, nanoseconds");
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     return std::move(page).figure(std::move(name), std::move(title),
                                   "Two polygons with the same number of vertices; medians.");
