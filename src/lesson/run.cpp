@@ -229,9 +229,8 @@ void add_frames(LessonRun& run, int index) {
       run.frames.push_back({index, last, -1});
       return;
     case Granularity::study: {
-      run.frames.push_back({index, last, -1});
-      const int shown = static_cast<int>(lesson.study->configurations.size());
-      for (int i = 0; i <= shown; ++i) run.frames.push_back({index, last, i});
+      const int frames = static_cast<int>(study_frames(*lesson.study).size());
+      for (int i = 0; i < frames; ++i) run.frames.push_back({index, last, i});
       return;
     }
     case Granularity::growth: {
@@ -263,6 +262,22 @@ double written_precision(double value) {
 }
 
 }  // namespace
+
+std::vector<StudyFrame> study_frames(const LessonStudy& study) {
+  const int all = static_cast<int>(study.marks.size());
+  const int first = std::min(2, all);
+  std::vector<StudyFrame> out;
+  for (const StudyStage stage : {StudyStage::shapes, StudyStage::gap, StudyStage::in_float,
+                                 StudyStage::in_double, StudyStage::error}) {
+    out.push_back({stage, 0});
+  }
+  out.push_back({StudyStage::error_axis, first});
+  out.push_back({StudyStage::time_axis, first});
+  for (int marks = first + 1; marks <= all; ++marks) out.push_back({StudyStage::mark, marks});
+  for (const StudyStage stage : {StudyStage::front, StudyStage::all, StudyStage::choice})
+    out.push_back({stage, all});
+  return out;
+}
 
 int support_calls(const WideTrace& trace) {
   return static_cast<int>(
@@ -297,6 +312,10 @@ bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
 
 const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
+}
+
+StudyFrame LessonRun::study(const Frame& frame) const {
+  return study_frames(*lesson.study)[static_cast<std::size_t>(frame.detail)];
 }
 
 double LessonRun::seconds(const Frame& frame) const {

@@ -16,13 +16,17 @@ namespace gjkscope::study {
 struct Answer {
   bool refused = false;  ///< There is no answer: the query was refused.
   gjk::Verdict verdict = gjk::Verdict::none;
-  bool has_bounds = false;
+  bool has_bounds = false;  ///< Else `lower` and `upper` say nothing.
   Quad distance;
   Quad lower;
   Quad upper;
   std::array<Quad, 2> x;  ///< Witness points.
   std::array<Quad, 2> y;
-  int iterations = 0;  ///< -1 where nobody counts them: in lockstep.
+  // What it took.
+  int iterations = 0;
+  int support_queries = 0;
+  int start_vertices = 1;  ///< Of the first simplex.
+  bool settled = false;    ///< Exact arithmetic ran on where rounding left something open.
 };
 
 /// A family's pairs, kept as a configuration keeps them and wrapped for queries (which measures

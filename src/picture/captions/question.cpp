@@ -126,6 +126,7 @@ class Asking {
 void question(const Story& story, FrameText& text) {
   const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   text.question = FrameQuestion{std::string(name_of(ask)), {}, {}};
+  if (is_about_study(ask)) return study_question(story, text);
   Asking asking(story, text);
   switch (ask) {
     case Ask::support:
@@ -136,6 +137,9 @@ void question(const Story& story, FrameText& text) {
       return asking.dropped();
     case Ask::stop:
       return asking.stop();
+    case Ask::overlap:
+    case Ask::time:
+      return;
   }
 }
 
