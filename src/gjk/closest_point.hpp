@@ -106,6 +106,8 @@ struct Coordinates {
   SignSet signs = 0;
 
   explicit Coordinates(const Simplex<S, D>& simplex) {
+    of_face[0] = {};
+    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // not asked about
     for (int b = 1; b < kCount; ++b) {
       for (int a = 0; a < b; ++a) {
         const Face face = static_cast<Face>(face_of(a) | face_of(b));
@@ -211,12 +213,9 @@ void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordin
   const int size = in_face.count;
   state.region = face;
   set_weights(state.simplex, face, coordinates);
-  S volume(0);  // that O spans with a facet
-  std::array<Vec<S, D>, D> facet;
-  if (size == D) {
-    for (int k = 0; k < D; ++k) facet[k] = state.simplex.vertices[in_face.index[k]].w;
-    volume = determinant<S, D>(facet);
-  }
+  std::array<Vec<S, D>, D> facet;  // of a smaller face, some vertices: not asked about
+  for (int k = 0; k < D; ++k) facet[k] = state.simplex.vertices[in_face.index[k]].w;
+  const S volume = size == D ? determinant<S, D>(facet) : S(0);  // that O spans with it
   const bool at_origin = size == D + 1 || (size == D && volume == S(0));
   state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
   state.p_sq = dot(state.p, state.p);

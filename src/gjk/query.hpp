@@ -17,6 +17,8 @@ struct Query {
   Shape<S, D> x;
   Shape<S, D> y;
 };
+template <class S, int D>
+Query(Shape<S, D>, Shape<S, D>) -> Query<S, D>;
 
 /// How the search direction is built from the simplex and its closest point P.
 enum class DirectionRule : std::uint8_t {

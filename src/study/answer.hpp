@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gjk/certificate.hpp"
+#include "gjk/result.hpp"
 #include "study/configuration.hpp"
 #include "study/family.hpp"
 #include "study/interleave.hpp"

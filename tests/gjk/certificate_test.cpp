@@ -32,6 +32,23 @@ gjk::Simplex<R, 2> simplex_of(const std::vector<Vec<R, 2>>& points) {
   return simplex;
 }
 
+template <class R>
+struct Proved : gjk::Bounds<R> {
+  bool tight = true;
+};
+/// What is proved of a run that `ended` by itself.
+template <class R, class S>
+Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
+                 const gjk::Prepared<R, 2>& prepared, bool ended = true) {
+  if (state.best.count == 3) {
+    const bool inside = gjk::detail::surely_inside(state.best, prepared);
+    return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
+  }
+  gjk::detail::OutsideBounds<R, S> outside(state, query, prepared);
+  const gjk::Bounds<R> bounds = outside.prove(ended);
+  return {bounds, outside.is_tight(bounds)};
+}
+
 /// O against some points of Z = Y, and the state of a run that found them all.
 template <class R>
 struct Case {
@@ -44,18 +61,8 @@ struct Case {
   }
   [[nodiscard]] gjk::Query<R, 2> query() const { return {{x}, {y}}; }
   [[nodiscard]] gjk::Prepared<R, 2> prepared() const { return gjk::prepare<R>(query(), {}); }
-  [[nodiscard]] gjk::detail::Bounds<R> bounds() const {
-    return gjk::detail::bounds(state, query(), prepared());
-  }
+  [[nodiscard]] Proved<R> bounds() const { return proved(state, query(), prepared()); }
 };
-
-/// What is asked of the shapes about the simplex.
-template <class R, class S>
-gjk::detail::ShapesAsked<R, S> asked(const gjk::Simplex<R, 2>& simplex,
-                                     const gjk::Query<S, 2>& query,
-                                     const gjk::Prepared<R, 2>& prepared) {
-  return {query, prepared, simplex.vertices[0].pair, simplex.vertices[1].pair, simplex.count == 2};
-}
 
 TEST(inside, "O is surely inside when every area is larger than its rounding can be") {
   for (const double size : {1.0, 2.0}) {
@@ -114,21 +121,20 @@ TEST(room, "exact products have room from 2^-400 to 2^400 of the unit; under pos
   }
 }
 
-TEST(as_far, "vertices that lie less than the error nearer count as as far") {
+TEST(alone, "vertices are alone when no other lies less than the error nearer") {
   const Case<double> points({{0, 0}, {4, 0}, {4, 1}, {3, 7}}, 1);
-  const auto count = [&](int i, int j, double error) {
+  const auto alone = [&](int i, int j, double error) {
     const gjk::Query<double, 2> query = points.query();
     const auto prepared = points.prepared();
-    return gjk::detail::count_as_far(gjk::detail::along_y(query, prepared, Vec<double, 2>(1, 0)), i,
-                                     j, error);
+    return gjk::detail::are_alone(Vec<double, 2>(1, 0), query.y, prepared, prepared.y, i, j, error);
   };
-  CHECK_EQ(2, count(1, 2, 0.0));
-  CHECK_EQ(2, count(1, 2, 0.99));
-  CHECK_EQ(3, count(1, 2, 1.0));
-  CHECK_EQ(4, count(1, 2, 4.0));
-  CHECK_EQ(3, count(1, 3, 0.5));
-  CHECK_EQ(3, count(3, 1, 0.5));
-  CHECK_EQ(4, count(0, 1, 0.5));
+  CHECK(alone(1, 2, 0.0));
+  CHECK(alone(1, 2, 0.99));
+  CHECK(!alone(1, 2, 1.0));
+  CHECK(!alone(1, 1, 0.0));
+  CHECK(!alone(1, 3, 0.5));
+  CHECK(!alone(3, 1, 0.5));
+  CHECK(!alone(0, 1, 0.5));
 }
 
 TEST(full, "around O all bounds are 0, unless an area could be a rounding error") {
@@ -142,25 +148,6 @@ TEST(full, "around O all bounds are 0, unless an area could be a rounding error"
   CHECK_EQ(0.0, unsure.bounds().distance);
   CHECK_NEAR(16 * kDoubleU * unsure.prepared().reach, unsure.bounds().upper, kDoubleU * kDoubleU);
   CHECK(unsure.bounds().tight);
-}
-
-TEST(farthest, "a simplex is certainly farthest when no other vertex can lie as far") {
-  const auto certain = [](const Case<double>& points, const Vec<double, 2>& d, double angle) {
-    const auto query = points.query();
-    const auto prepared = points.prepared();
-    return asked(points.state.best, query, prepared)
-        .is_certainly_farthest(gjk::flat(d), d.norm(), angle);
-  };
-  CHECK(certain({{{3, -1}, {3, 1}, {4, 0}}, 2}, {-2, 0}, 0));
-  CHECK(!certain({{{3, -1}, {3, 1}, {3, 0}}, 2}, {-2, 0}, 0));
-  CHECK(!certain({{{3, -1}, {3, 1}, {3 + 0x1p-51, 0}}, 2}, {-2, 0}, 0));
-  CHECK(certain({{{3, 4}, {4, 5}}, 1}, {-3, -4}, 0));
-  CHECK(!certain({{{3, 4}, {-1, 7}}, 1}, {-3, -4}, 0));
-  // The extent is the root of 1.25: a vertex as far beyond the plane as twice the angle allows.
-  const Case<double> near({{1, -1}, {1, 1}, {2, 0}}, 2);
-  CHECK_NEAR(std::sqrt(1.25), near.prepared().extent, 4 * kDoubleU);
-  CHECK(certain(near, {-4, 0}, 0.44));
-  CHECK(!certain(near, {-4, 0}, 0.45));
 }
 
 TEST(near_plane, "close to O a plane through the simplex proves more than that of the run") {
@@ -214,28 +201,28 @@ TEST(beyond_end,
   }
 }
 
-/// Shapes that answer nothing but the distance, and keep what they are asked.
-struct Listening {
-  float distance;
-  gjk::Flat<float>& d;
-  float& angle;
-  [[nodiscard]] static float corner_reach_sq() { return 1e30f; }
-  [[nodiscard]] float careful_distance() const { return distance; }
-  [[nodiscard]] bool is_certainly_farthest(const gjk::Flat<float>& asked_d, float length,
-                                           float asked) const {
-    CHECK_EQ(gjk::length(asked_d), length);
-    d = asked_d;
-    angle = asked;
-    return false;
+/// An edge of Z as a run has it, and as its vertices are.
+template <class R>
+struct Rounded {
+  std::vector<Vec<R, 2>> x = {{R(0), R(0)}};
+  std::vector<Vec<R, 2>> y;
+  gjk::State<R, 2> state;
+  gjk::Prepared<R, 2> prepared;
+
+  Rounded(const std::vector<Vec<R, 2>>& seen, std::vector<Vec<R, 2>> vertices, const R& reach)
+      : y(std::move(vertices)) {
+    state.best = simplex_of<R>(seen);
+    prepared.reach = reach;
+  }
+  [[nodiscard]] Proved<R> bounds(bool ended) const {
+    return proved(state, gjk::Query<R, 2>{{x}, {y}}, prepared, ended);
   }
 };
 
-TEST(edges,
-     "the line of an edge whose ends have rounded lies as far, and is turned as much, as said") {
+TEST(edges, "the line of an edge whose ends have rounded lies as far as said") {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> share(0, 1);
   double most_beside = 0;
-  double most_turned = 0;
   for (int i = 0; i < 400000; ++i) {
     const check::Context context("seed", kSeed, "edge", i);
     using Exact = Vec<double, 2>;
@@ -247,52 +234,32 @@ TEST(edges,
     const Exact foot = across * length();
     const Exact a = foot - along * length();
     const Exact b = foot + along * length();
-    const Vec<float, 2> rounded_a = a.cast<float>();
-    const Vec<float, 2> rounded_b = b.cast<float>();
+    const std::vector<Vec<float, 2>> ends = {a.cast<float>(), b.cast<float>()};
     const Exact edge = b - a;
     const double exact = std::abs(a[0] * edge[1] - a[1] * edge[0]) / edge.norm();
-    for (const bool near : {false, true}) {
-      gjk::Prepared<float, 2> prepared;
-      prepared.reach = near ? 1e6f : 3.0f;
-      gjk::Flat<float> d{};
-      float angle = -1;
-      const gjk::detail::Feature<float> feature{
-          gjk::flat(rounded_a), gjk::flat(rounded_b), true, 0.5f, 0, 0};
-      const auto bounds = gjk::detail::bounds_outside(
-          feature, prepared, Listening{static_cast<float>(exact), d, angle});
-      if (!near) {
-        const double error = double{bounds.upper} - double{bounds.distance};
-        const double beside = std::abs(exact - double{bounds.distance});
-        CHECK(beside <= error);
-        most_beside = std::max(most_beside, beside / error);
-      } else {
-        const Exact asked(d.x, d.y);
-        const double turned = std::abs(asked.dot(edge)) / (asked.norm() * edge.norm());
-        CHECK(turned <= angle);
-        most_turned = std::max(most_turned, turned / angle);
-      }
-    }
+    const auto bounds = Rounded<float>(ends, ends, 3.0f).bounds(false);
+    const double error = double{bounds.upper} - double{bounds.distance};
+    const double beside = std::abs(exact - double{bounds.distance});
+    CHECK(beside <= error);
+    most_beside = std::max(most_beside, beside / error);
   }
-  std::printf("  beside up to %.2f, turned up to %.2f of the bound\n", most_beside, most_turned);
+  std::printf("  beside up to %.2f of the bound\n", most_beside);
   CHECK(most_beside > 0.5);
-  CHECK(most_turned > 0.3);
 }
 
 TEST(anew,
      "a distance is computed anew close to O in one frame, and from an edge about as far as Z "
      "goes") {
   constexpr float kAnew = 1 + 0x1p-10f;
-  const auto is_anew = [](bool same_frame, bool on_edge, float reach) {
-    gjk::Prepared<float, 2> prepared;
-    prepared.same_frame = same_frame;
-    prepared.reach = reach;
-    gjk::Flat<float> d{};
-    float angle = 0;
-    const gjk::Flat<float> a{on_edge ? -1.0f : 0.0f, 1};
-    const gjk::detail::Feature<float> feature{a, {1, 1}, on_edge, 0.5f, 1, 0};
-    const auto bounds = gjk::detail::bounds_outside(feature, prepared, Listening{kAnew, d, angle});
-    CHECK(bounds.distance == 1 || bounds.distance == kAnew);
-    return bounds.distance == kAnew;
+  const auto is_anew = [=](bool same_frame, bool on_edge, float reach) {
+    const std::vector<Vec<float, 2>> seen = {{on_edge ? -1.0f : 0.0f, 1.0f}, {1.0f, 1.0f}};
+    const std::vector<Vec<float, 2>> given = {{on_edge ? -1.0f : 0.0f, kAnew}, {1.0f, kAnew}};
+    Rounded<float> rounded(seen, given, reach);
+    rounded.state.best.count = on_edge ? 2 : 1;
+    rounded.prepared.same_frame = same_frame;
+    const float distance = rounded.bounds(false).distance;
+    CHECK(distance == 1 || distance == kAnew);
+    return distance == kAnew;
   };
   for (const bool same_frame : {false, true}) {
     CHECK(is_anew(same_frame, true, 1.9f));
@@ -301,21 +268,21 @@ TEST(anew,
     for (const bool on_edge : {false, true}) {
       CHECK(!is_anew(same_frame, on_edge, 15.9f));
       CHECK_EQ(same_frame, is_anew(same_frame, on_edge, 16.1f));
+      CHECK(!is_anew(false, on_edge, 4095.0f));
+      CHECK(is_anew(false, on_edge, 4097.0f));
     }
   }
 }
 
 TEST(near_width, "close to O, bounds are tight that are no wider than four times their error") {
   constexpr float kHeight = 0x1p-10f;
-  gjk::Prepared<float, 2> prepared;
-  prepared.reach = 1e6f;
-  gjk::Flat<float> d{};
-  float angle = 0;
   const auto is_tight = [&](float roundings) {  // between the edge and the plane that was found
     const float plane = kHeight * (1 - roundings * kFloatU);
-    const gjk::detail::Feature<float> feature{{-1, kHeight}, {1, kHeight},  true,
-                                              0.5f,          plane * plane, 0};
-    return gjk::detail::bounds_outside(feature, prepared, Listening{kHeight, d, angle}).tight;
+    // A third vertex on the edge, so that the edge itself proves nothing.
+    Rounded<float> rounded({{-1, kHeight}, {1, kHeight}},
+                           {{-1, kHeight}, {1, kHeight}, {0, kHeight}}, 1e6f);
+    rounded.state.plane_distance_sq = plane * plane;
+    return rounded.bounds(true).tight;
   };
   // Of 24 the plane's own error takes 4, and the upper bound 6.
   CHECK(is_tight(0));
@@ -362,7 +329,12 @@ TEST(careful, "a careful distance errs by no more than 4 u of itself and the car
     if (static_cast<Family>(family) == Family::speck) continue;
     const long double exact =
         simplex.count == 1 ? a.norm() : (a[0] * edge[1] - a[1] * edge[0]) / edge.norm();
-    const auto found = asked(simplex, query, prepared).careful_distance();
+    const gjk::VertexPair at_a = simplex.vertices[0].pair;
+    const float found = simplex.count == 1
+                            ? gjk::detail::careful_distance<float>(
+                                  gjk::detail::careful_vertex(query, prepared, at_a))
+                            : gjk::detail::careful_distance<float>(gjk::detail::careful_edge(
+                                  query, prepared, at_a, simplex.vertices[1].pair));
     const long double bound = 4 * kFloatU * std::abs(exact) + prepared.careful_error();
     CHECK_NEAR(exact, static_cast<long double>(found), bound);
     if (bound > 0) most = std::max(most, std::abs(exact - found) / bound);
@@ -380,7 +352,8 @@ TEST(careful_sides,
     const Case<double> edge({{-1, height}, {3, height}}, 2);
     const auto query = edge.query();
     const auto prepared = edge.prepared();
-    const double signed_distance = asked(edge.state.best, query, prepared).careful_distance();
+    const double signed_distance = gjk::detail::careful_distance<double>(
+        gjk::detail::careful_edge(query, prepared, {0, 0}, {0, 1}));
     const Vec<double, 2> normal = gjk::perpendicular<double, 2>({edge.y[1] - edge.y[0]});
     const double towards_o = gjk::dot(normal, Vec<double, 2>(-edge.y[0]));
     CHECK_EQ(towards_o > 0 ? -0.5 : 0.5, signed_distance);
@@ -467,8 +440,9 @@ Shares shares_of(Family family, int pairs) {
     const gjk::Query<float, 2> query = pair.query();
     const auto prepared = gjk::prepare<float>(query, {});
     if (prepared.error != gjk::Error::none) continue;
-    const auto state = gjk::detail::run(query, {}, prepared);
-    const auto bounds = gjk::detail::bounds(state, query, prepared);
+    gjk::State<float, 2> state = gjk::start(query, {}, prepared);
+    gjk::run(state, query, {}, prepared);
+    const auto bounds = proved(state, query, prepared);
     const auto truth = gjk::distance<double>(query);
     const double unit = std::ldexp(1.0, -prepared.exponent);
     CHECK(bounds.lower <= truth.upper * unit);

@@ -219,8 +219,8 @@ TEST(unchecked, "unchecked tests find the same region, but where rounding fools 
     const check::Context context("seed", kSeed, "triangle", i);
     std::vector<Vec<double, 2>> points;
     for (int k = 0; k < 3; ++k) points.emplace_back(random.among(-4, 4), random.among(-4, 4));
-    const bool thin = cross(gjk::flat(Vec<double, 2>(points[1] - points[0])),
-                            gjk::flat(Vec<double, 2>(points[2] - points[0]))) == 0.0;
+    const bool thin = gjk::cross(Vec<double, 2>(points[1] - points[0]),
+                                 Vec<double, 2>(points[2] - points[0])) == 0.0;
     if (!thin) CHECK_EQ(closest(points).region, closest(points, order).region);
     // On a line through O, up to rounding, and on both sides of it.
     const double angle = random.between(0, 6.283185307179586);
@@ -238,8 +238,7 @@ TEST(unchecked, "unchecked tests find the same region, but where rounding fools 
 
 std::vector<int> faces(int vertices, gjk::RegionOrder order) {
   std::vector<int> out;
-  const gjk::detail::RegionList list = gjk::detail::list_regions(vertices, order);
-  for (int i = 0; i < list.count; ++i) out.push_back(list.conditions[i].face);
+  for (const gjk::Face face : gjk::tested_faces(vertices, order)) out.push_back(face);
   return out;
 }
 
@@ -333,8 +332,8 @@ TEST(believed, "weights of a full simplex are believed when P comes within 12 u 
 TEST(nearest, "the nearest face is the first of those whose P is nearest") {
   const auto nearest = [](const std::vector<Vec<double, 2>>& points) {
     const auto simplex = state_of<double, 2>(points).simplex;
-    const gjk::detail::CoordinateTable<double, 2, 3> table(simplex);
-    return static_cast<int>(gjk::detail::nearest_face(simplex, table));
+    const gjk::detail::Coordinates<double, 2, 3> coordinates(simplex);
+    return static_cast<int>(gjk::detail::nearest_face(simplex, coordinates));
   };
   CHECK_EQ(0b001, nearest({{1, 1}, {1, 1}, {3, 4}}));
   CHECK_EQ(0b010, nearest({{3, 4}, {1, 1}, {1, 1}}));

@@ -24,20 +24,6 @@ TEST(dot_order, "dot sums in index order, each product rounded: no fused multipl
   CHECK_EQ(1.0f, gjk::dot(Vec<float, 3>(1e8f, -1e8f, 1.0f), Vec<float, 3>(1, 1, 1)));
 }
 
-TEST(flat_vectors,
-     "a vector as two numbers, of any type, has the products of a vector of Eigen's") {
-  const gjk::Flat<int> a = {2, 3};
-  const gjk::Flat<int> b = {7, -5};
-  const gjk::Flat<int> difference = b - a;
-  CHECK_EQ(5, difference.x);
-  CHECK_EQ(-8, difference.y);
-  CHECK_EQ(-7, (-b).x);
-  CHECK_EQ(5, (-b).y);
-  CHECK_EQ(-1, gjk::dot(a, b));
-  CHECK_EQ(-31, gjk::cross(a, b));
-  CHECK_EQ(5.0, gjk::length(gjk::flat(Vec<double, 2>(-3, 4))));
-}
-
 TEST(conversions, "a vector in another scalar has the same coordinates") {
   CHECK((gjk::converted<double, float, 3>(Vec<float, 3>(1, 2, 3)) == Vec<double, 3>(1, 2, 3)));
   CHECK((gjk::converted<float, double, 2>(Vec<double, 2>(1, 2)) == Vec<float, 2>(1, 2)));

@@ -129,8 +129,8 @@ TEST(overflow, "what no unit of length can hold is refused by name") {
 TEST(centres, "shapes around their own origin keep it, others are measured from their middle") {
   const Pair<double> pair{{{-1, -1}, {3, 1}}, {{-1, 5}, {3, 9}}};
   const gjk::Prepared<double, 2> found = prepared<double>(pair);
-  CHECK((found.x_centre == Vec<double, 2>(0, 0)));
-  CHECK((found.y_centre == Vec<double, 2>(1, 7)));
+  CHECK((found.x.centre == Vec<double, 2>(0, 0)));
+  CHECK((found.y.centre == Vec<double, 2>(1, 7)));
   CHECK((found.offset == Vec<double, 2>(1, 7)));
   CHECK(found.same_frame);
   Pair<double> moved = pair;
@@ -176,12 +176,12 @@ TEST(rounding, "bounds of rounding add up to what the analysis of each operation
   CHECK_EQ(kScan, found.scan_error_within(0.0));
   CHECK_EQ(kScan + 2 * 0x1p-50 * kExtent, found.scan_error_within(0x1p-50));
   // A small shape's vertex is seen where it is placed.
-  CHECK_EQ(kVertex + kRoundoff * 4 * kExtent, found.plane_error());
+  CHECK_EQ(kVertex + kRoundoff * 4 * kExtent, found.plane_error(0.0, 0.0));
   CHECK_EQ(256 * kRoundoff * kRoundoff * kReach, found.careful_error());
   CHECK_EQ(kVertex + 16 * kRoundoff * kReach, found.simplex_error());
 
   for (int i = 0; i < 9; ++i) pair.x.push_back(pair.x[0]);
-  CHECK_EQ(kVertex + kScan, prepared<double>(pair).plane_error());
+  CHECK_EQ(kVertex + kScan, prepared<double>(pair).plane_error(0.0, 0.0));
 }
 
 TEST(far_from_origins, "what is measured from a middle rounds with its distance from the origin") {
@@ -258,8 +258,13 @@ Ratios measure(Family family, int pairs) {
     found.reach_high = std::max(found.reach_high, reach);
     found.least_high =
         std::max(found.least_high, static_cast<long double>(ready.least_reach) / largest);
-    const auto corner =
-        std::sqrt(static_cast<long double>(gjk::detail::corner_reach_sq(narrow.query(), ready)));
+    long double corner = 0;
+    for (const int a : ready.x.far_apart) {
+      for (const int b : ready.y.far_apart) {
+        const Vec<R, 2> w = gjk::support_point(narrow.query(), ready, {a, b}).w;
+        corner = std::max(corner, w.template cast<long double>().norm());
+      }
+    }
     found.corner_low = std::min(found.corner_low, corner / largest);
     found.corner_high = std::max(found.corner_high, corner / largest);
     ++found.pairs;

@@ -12,6 +12,7 @@
 
 #include "check.hpp"
 #include "gjk/expansion.hpp"
+#include "gjk/gjk.hpp"
 
 namespace {
 
@@ -112,29 +113,6 @@ TEST(stretch, "no vector is longer under a pose than it says, and it says 1 of a
   measure_stretches<3>();
 }
 
-TEST(digits,
-     "products of a rotation and a point are exact where no number has more than 26 digits") {
-  const auto few = [](double entry, double coordinate) {
-    const gjk::Rotation<double, 2> rotation(Eigen::Matrix2d{{1, 0}, {entry, 1}});
-    const std::vector<Vec<double, 2>> list = {{1, 2}, {0, coordinate}};
-    const bool exact = std::fma(entry, coordinate, -(entry * coordinate)) == 0.0;
-    const unsigned traits = gjk::Points<double, 2>(list).traits();
-    const bool few_digits = (traits & gjk::Points<double, 2>::kManyDigits) == 0;
-    CHECK(exact || !(few_digits && rotation.has_few_digits()));
-    return std::array{rotation.has_few_digits(), few_digits};
-  };
-  CHECK((few(1, 1) == std::array{true, true}));
-  CHECK((few(0.1F, -0.3F) == std::array{true, true}));
-  const double most = 1 + 0x1p-25;  // 26 digits
-  const double more = 1 + 0x1p-27;
-  CHECK((few(most, -0x1p-300 * most) == std::array{true, true}));
-  CHECK((few(more, most) == std::array{false, true}));
-  CHECK((few(-most, more) == std::array{true, false}));
-  CHECK((few(more, more) == std::array{false, false}));
-  CHECK((few(0.1, 0.3) == std::array{false, false}));
-  CHECK(gjk::Rotation<float, 2>().has_few_digits());
-}
-
 TEST(space, "poses turn in space, too") {
   gjk::Pose<float, 3> pose;
   pose.rotation = Eigen::Matrix3f{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
@@ -147,8 +125,8 @@ TEST(space, "poses turn in space, too") {
 template <class S>
 using List = std::vector<Vec<S, 2>>;
 template <class S>
-gjk::Points<S, 2> points(const List<S>& list) {
-  return {list};
+gjk::Measures<S, 2> points(const List<S>& list) {
+  return gjk::measured<S, 2>(list);
 }
 
 /// `count` points on a circle around (x, y), counter-clockwise.
@@ -164,17 +142,18 @@ List<S> circle(int count, double x = 0, double y = 0) {
 
 TEST(measured, "points know their box, their centre and their radius") {
   const List<double> far = {{10, 4}, {14, 4}, {12, 7}};
-  CHECK((points(far).low() == Vec<double, 2>(10, 4)));
-  CHECK((points(far).high() == Vec<double, 2>(14, 7)));
-  CHECK((points(far).centre() == Vec<double, 2>(12, 5.5)));
-  CHECK_EQ(2.5, points(far).radius());
+  CHECK_EQ(14.0, points(far).largest);
+  CHECK((points(far).centre == Vec<double, 2>(12, 5.5)));
+  CHECK_EQ(2.5, points(far).radius);
   const List<double> around = {{-1, -2}, {3, 1}, {0, 4}};  // their origin is as good as the middle
-  CHECK((points(around).centre() == Vec<double, 2>(0, 0)));
-  CHECK_EQ(4.0, points(around).radius());
+  CHECK((points(around).centre == Vec<double, 2>(0, 0)));
+  CHECK_EQ(4.0, points(around).radius);
   const List<double> edge = {{0, -1}, {4, 1}};  // the middle is as far as they reach
-  CHECK((points(edge).centre() == Vec<double, 2>(0, 0)));
+  CHECK((points(edge).centre == Vec<double, 2>(0, 0)));
   const List<double> low = {{-14, -7}, {-10, -4}};
-  CHECK((points(low).centre() == Vec<double, 2>(-12, -5.5)));
+  CHECK((points(low).centre == Vec<double, 2>(-12, -5.5)));
+  CHECK(points(low).is_centred && points(far).is_centred);
+  CHECK(!points(around).is_centred && !points(edge).is_centred);
 }
 
 TEST(far_apart, "two points stand for the longest side of the box, wherever it lies") {
@@ -184,57 +163,19 @@ TEST(far_apart, "two points stand for the longest side of the box, wherever it l
       List<double> list = {{0, 1}, {0, 5}, {1, 3}, {0.5, 0}};
       for (Vec<double, 2>& p : list)
         p = axis == 1 ? Vec<double, 2>(p[0] + at, p[1]) : Vec<double, 2>(p[1], p[0] + at);
-      CHECK((points(list).far_apart() == std::array{3, 1}));
+      CHECK((points(list).far_apart == std::array{3, 1}));
     }
   }
-  CHECK((points<double>({{7, 7}}).far_apart() == std::array{0, 0}));
+  CHECK((points<double>({{7, 7}}).far_apart == std::array{0, 0}));
 }
 
 TEST(means, "points know how far their mean lies from their centre") {
-  CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean());
-  CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean());
-  CHECK_EQ(0.5, points<double>({{10, 4}, {14, 4}, {12, 7}}).to_mean());  // centre (12, 5.5)
-  CHECK_EQ(0x1p-1040, points<double>({{0, 0}, {0x1p-1039, 0}}).to_mean());
+  CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean);
+  CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean);
+  CHECK_EQ(0.5, points<double>({{10, 4}, {14, 4}, {12, 7}}).to_mean);  // centre (12, 5.5)
+  CHECK_EQ(0x1p-1040, points<double>({{0, 0}, {0x1p-1039, 0}}).to_mean);
   CHECK_EQ(0x1p1021,
-           points<double>({{-0x1p1022, 0}, {0x1p1023, 0}, {0x1p1022, 0}, {0, 0}}).to_mean());
-}
-
-TEST(traits, "what a query asks before it begins is noted, one by one") {
-  using Traits = gjk::Points<double, 2>;
-  const List<double> triangle = {{-1, -1}, {3, -1}, {0, 2}};
-  CHECK_EQ(0U, points(triangle).traits());
-  CHECK_EQ(unsigned{Traits::kUnusable}, Traits().traits());
-  CHECK_EQ(unsigned{Traits::kUnusable}, points<double>({}).traits() & Traits::kUnusable);
-  CHECK_EQ(unsigned{Traits::kUnusable},
-           points<double>({{0, std::nan("")}}).traits() & Traits::kUnusable);
-  CHECK_EQ(unsigned{Traits::kCentred}, points<double>({{10, 4}, {14, 4}, {12, 7}}).traits());
-  CHECK_EQ(0U, points(List<double>(4, {1, 0})).traits() & Traits::kMoreThanFour);
-  CHECK_EQ(unsigned{Traits::kMoreThanFour},
-           points<double>({{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}}).traits());
-  const unsigned large = Traits::kMoreThanFour | Traits::kLarge;
-  CHECK_EQ(0U, points(List<double>(8, {1, 0})).traits() & Traits::kLarge);
-  CHECK_EQ(large, points(List<double>(9, {1, 0})).traits() & large);
-  CHECK_EQ(0U, points(List<double>(40, {1, 0})).traits() & Traits::kRing);
-  CHECK_EQ(unsigned{Traits::kRing}, points(circle<double>(40)).traits() & Traits::kRing);
-}
-
-TEST(rows, "up to eight points stand in rows, seen from their centre, the last one repeated") {
-  List<float> list = {{10, 4}, {14, 4}, {12, 7}};
-  const auto check = [](const gjk::Rows& rows, int i, double x, double y) {
-    CHECK_EQ(x, rows.x[i]);
-    CHECK_EQ(y, rows.y[i]);
-  };
-  const gjk::Points<float, 2> three = points(list);
-  CHECK(three.is_small());
-  check(three.rows(), 0, -2.0, -1.5);
-  check(three.rows(), 1, 2.0, -1.5);
-  for (int i = 2; i < 8; ++i) check(three.rows(), i, 0.0, 1.5);
-  while (list.size() < 8) list.emplace_back(10.0F, 4.0F);
-  const gjk::Points<float, 2> eight = points(list);
-  CHECK(eight.is_small());
-  check(eight.rows(), 7, -2.0, -1.5);
-  list.emplace_back(10.0F, 4.0F);
-  CHECK(!points(list).is_small());
+           points<double>({{-0x1p1022, 0}, {0x1p1023, 0}, {0x1p1022, 0}, {0, 0}}).to_mean);
 }
 
 TEST(measured_extremes, "radii neither overflow nor underflow where points do not") {
@@ -242,38 +183,38 @@ TEST(measured_extremes, "radii neither overflow nor underflow where points do no
     const check::Context context("k", k);
     const double unit = std::ldexp(1.0, k);
     const List<double> shape = {{-3 * unit, 4 * unit}, {3 * unit, -4 * unit}, {0, 0}};
-    CHECK_EQ(std::ldexp(5.0, k), points(shape).radius());
-    CHECK(points(shape).is_finite());
+    CHECK_EQ(std::ldexp(5.0, k), points(shape).radius);
+    CHECK(points(shape).is_finite);
   }
   // Where radii are denormal they are rounded up: sqrt(2), sqrt(8) and 5 of the smallest numbers.
   constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   const auto radius_of = [](double x, double y) {
-    return points<double>({{x, y}, {-x, -y}}).radius();
+    return points<double>({{x, y}, {-x, -y}}).radius;
   };
   CHECK_EQ(2 * kLeast, radius_of(kLeast, kLeast));
   CHECK_EQ(3 * kLeast, radius_of(2 * kLeast, 2 * kLeast));
   CHECK_EQ(5 * kLeast, radius_of(3 * kLeast, 4 * kLeast));
-  CHECK_EQ(0.0, points<double>({{0, 0}, {0, 0}}).radius());
-  CHECK_EQ(0.0, points<double>({{7, 7}}).radius());
+  CHECK_EQ(0.0, points<double>({{0, 0}, {0, 0}}).radius);
+  CHECK_EQ(0.0, points<double>({{7, 7}}).radius);
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    CHECK(!points<double>({{0, 0}, {0, bad}, {1, 1}}).is_finite());
+    CHECK(!points<double>({{0, 0}, {0, bad}, {1, 1}}).is_finite);
   }
 }
 
 TEST(rings, "convex polygons of 32 and more corners are rings, in either sense, from any corner") {
-  CHECK(!points(circle<double>(31)).is_ring());
+  CHECK(!points(circle<double>(31)).is_ring);
   for (const int count : {32, 33, 100, 1024, 4096}) {
     for (const int first : {0, 1, count / 3, count - 1}) {
       const check::Context context("corners", count, "first", first);
       List<double> list = circle<double>(count, 3, -5);
       std::rotate(list.begin(), list.begin() + first, list.end());
-      CHECK(points(list).is_ring());
+      CHECK(points(list).is_ring);
       std::reverse(list.begin(), list.end());
-      CHECK(points(list).is_ring());
+      CHECK(points(list).is_ring);
     }
   }
-  CHECK(points(circle<float>(32)).is_ring());
-  CHECK(points(circle<float>(256)).is_ring());
+  CHECK(points(circle<float>(32)).is_ring);
+  CHECK(points(circle<float>(256)).is_ring);
 }
 
 TEST(axis_edges, "edges along the axes do not hide that a polygon goes round once") {
@@ -288,21 +229,21 @@ TEST(axis_edges, "edges along the axes do not hide that a polygon goes round onc
     if (across) {
       for (Vec<double, 2>& p : list) p = {-p[1], p[0]};
     }
-    CHECK(points(list).is_ring());
+    CHECK(points(list).is_ring);
     std::reverse(list.begin(), list.end());
-    CHECK(points(list).is_ring());
+    CHECK(points(list).is_ring);
   }
 }
 
 TEST(no_rings, "a dent, a straight or repeated corner, or more turns than one make no ring") {
   const List<double> good = circle<double>(64);
-  CHECK(points(good).is_ring());
+  CHECK(points(good).is_ring);
   const auto without_ring = [&](const char* what, const List<double>& list) {
     for (std::size_t first = 0; first < list.size(); ++first) {
       const check::Context context(what, "first", first);
       List<double> turned = list;
       std::rotate(turned.begin(), turned.begin() + static_cast<long>(first), turned.end());
-      CHECK(!points(turned).is_ring());
+      CHECK(!points(turned).is_ring);
     }
   };
   List<double> bad = good;
@@ -339,10 +280,10 @@ TEST(flat_rings, "a corner that rounding could have bent is none") {
     list.insert(list.begin() + 7, Vec<double, 2>(middle + outwards * bend));
     return list;
   };
-  CHECK(points(bent(1e-4)).is_ring());
-  CHECK(points(bent(1e-13)).is_ring());
-  CHECK(!points(bent(1e-17)).is_ring());
-  CHECK(!points(bent(-1e-13)).is_ring());
+  CHECK(points(bent(1e-4)).is_ring);
+  CHECK(points(bent(1e-13)).is_ring);
+  CHECK(!points(bent(1e-17)).is_ring);
+  CHECK(!points(bent(-1e-13)).is_ring);
 }
 
 TEST(proven_rings,
@@ -365,14 +306,15 @@ TEST(proven_rings,
     const double out = 0x1p-51 * share(random);
     list.emplace_back(along * std::cos(turn) + out * std::sin(turn),
                       along * std::sin(turn) - out * std::cos(turn));
-    if (!points(list).is_ring()) continue;
+    if (!points(list).is_ring) continue;
     ++rings;
     const auto corner = [&](std::size_t i) {
       const Vec<double, 2>& p = list[i % list.size()];
-      return gjk::Flat<Exact>{Exact(p[0]), Exact(p[1])};
+      return Vec<Exact, 2>(Exact(p[0]), Exact(p[1]));
     };
     for (std::size_t i = 0; i < list.size(); ++i) {
-      CHECK(Exact() < cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i + 1)));
+      CHECK(Exact() < gjk::cross(Vec<Exact, 2>(corner(i + 1) - corner(i)),
+                                 Vec<Exact, 2>(corner(i + 2) - corner(i + 1))));
     }
   }
   CHECK(1000 < rings && rings < 39000);
@@ -381,9 +323,39 @@ TEST(proven_rings,
 TEST(tiny_rings, "where products of edges underflow nothing is known of their turns") {
   List<double> list = circle<double>(64);
   for (Vec<double, 2>& p : list) p *= 0x1p-480;
-  CHECK(points(list).is_ring());
+  CHECK(points(list).is_ring);
   for (Vec<double, 2>& p : list) p *= 0x1p-48;
-  CHECK(!points(list).is_ring());
+  CHECK(!points(list).is_ring);
+}
+
+TEST(shapes,
+     "a shape is a view of points, with or without what is known of them; an edit is seen") {
+  List<double> list = {{0, 0}, {1, 0}, {0, 1}};
+  const List<double> other = {{3, 3}, {4, 3}};
+  const gjk::Shape shape(list);
+  CHECK(shape.measures() == nullptr);
+  const double before = gjk::distance(shape, other).distance;
+  CHECK_EQ(before, gjk::distance(list, other).distance);
+  CHECK_EQ(before, gjk::distance(gjk::Query<double, 2>{{list}, {other}}).distance);
+  const gjk::MeasuredShape measured(list);
+  CHECK(gjk::Shape(measured).measures() == &measured.measures());
+  list[1] = {3, 3};
+  CHECK_EQ(0.0, gjk::distance(shape, other).distance);
+  CHECK_EQ(before, gjk::distance(measured, other).distance);
+  gjk::Pose<double, 2> pose;
+  pose.translation = {100, 0};
+  CHECK_EQ(gjk::distance(measured, gjk::Shape(other, pose)).distance,
+           gjk::distance(measured, gjk::Shape(gjk::MeasuredShape(other).points(), pose)).distance);
+}
+
+TEST(warm_starts, "a warm start goes in and comes out, and finds the answer at once") {
+  const List<double> x = circle<double>(20);
+  const List<double> y = circle<double>(20, 5, 1);
+  const auto cold = gjk::distance(x, y);
+  const auto warm = gjk::distance(x, y, {.start = cold.warm()});
+  CHECK_EQ(cold.distance, warm.distance);
+  CHECK_EQ(1, warm.iterations);
+  CHECK(cold.warm() == warm.warm());
 }
 
 TEST(defaults,

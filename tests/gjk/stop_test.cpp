@@ -263,7 +263,7 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   state.best_sq = 4;
   state.plane_distance_sq = 1;
   const auto wanted = [&](const gjk::Prepared<float, 2>& prepared) {
-    return std::sqrt(gjk::detail::wanted_plane_distance_sq(state, options, prepared));
+    return std::sqrt(gjk::detail::wanted_plane_distance_sq(state, options, prepared, true));
   };
   gjk::Prepared<float, 2> prepared;
   CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);
@@ -272,7 +272,7 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   prepared = {};
   prepared.moved = 0x1p-4f / (2 * kU);
   CHECK_NEAR(1.0f + 0x1p-4f, wanted(prepared), 20 * kU);
-  prepared.turns_vertices = true;  // scans have seen the vertices where they are placed
+  prepared.scans_placed = true;  // scans have seen the vertices where they are placed
   CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);
   prepared = {};
   prepared.reach = 0x1p20f;

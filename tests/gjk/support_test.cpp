@@ -69,6 +69,23 @@ struct Climbs {
   long vertices = 0;
 };
 /// Directions of all kinds; most lie across an edge, where two vertices and more come close.
+/// The vertex of Y farthest along d, by climbing or by a scan.
+template <class R, class S>
+int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared, const Vec<R, 2>& d,
+             bool climbs, long& looked_at) {
+  gjk::Body<R, 2> body = prepared.y;
+  CHECK(body.is_ring);
+  body.is_ring = climbs;
+  return gjk::detail::farthest_vertex(d, query.y, prepared, body,
+                                      [&](int, const R&) { ++looked_at; });
+}
+template <class R, class S>
+int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared, const Vec<R, 2>& d,
+             bool climbs) {
+  long looked_at = 0;
+  return farthest(query, prepared, d, climbs, looked_at);
+}
+
 template <class R, class S>
 Climbs check_climbs(std::uint64_t seed, double least_flatness) {
   Climbs climbs;
@@ -80,7 +97,7 @@ Climbs check_climbs(std::uint64_t seed, double least_flatness) {
     const auto list = ellipse<S>(random, count, random.magnitude(least_flatness, 1));
     const std::vector<Vec<S, 2>> origin = {{0, 0}};
     const gjk::Query<S, 2> query{{origin}, {list}};
-    if (!query.y.vertices.is_ring()) continue;
+    if (!gjk::measured<S, 2>(list).is_ring) continue;
     const auto prepared = gjk::prepare<R>(query, {});
     for (int k = 0; k < 40; ++k) {
       const check::Context context("seed", seed, "ring", i, "corners", count, "direction", k);
@@ -92,10 +109,9 @@ Climbs check_climbs(std::uint64_t seed, double least_flatness) {
         d = Vec<R, 2>(static_cast<R>(edge[1]), -static_cast<R>(edge[0]));
         if (k % 2 == 0) d = -d;
       }
-      const auto along = gjk::detail::along_y(query, prepared, d);
       long looked_at = 0;
-      const int found = gjk::detail::climb(along, [&](int) { ++looked_at; });
-      CHECK_EQ(gjk::detail::scan(along), found);
+      const int found = farthest(query, prepared, d, true, looked_at);
+      CHECK_EQ(farthest(query, prepared, d, false), found);
       ++climbs.count;
       climbs.looked_at += looked_at;
       climbs.vertices += count;
@@ -139,15 +155,15 @@ TEST(flat_climbs,
     const auto list = flat_chain(random, random.among(2000, 4000));
     const std::vector<Vec<double, 2>> origin = {{0, 0}};
     const gjk::Query<double, 2> query{{origin}, {list}};
-    if (!query.y.vertices.is_ring()) continue;
+    if (!gjk::measured<double, 2>(list).is_ring) continue;
     ++rings;
     const auto prepared = gjk::prepare<double>(query, {});
     for (int k = 0; k < 20; ++k) {
       const check::Context context("seed", 56, "ring", i, "direction", k);
       const auto at = static_cast<std::size_t>(random.among(0, static_cast<int>(list.size()) - 3));
       const Vec<double, 2> edge = list[at + 1] - list[at];
-      const auto along = gjk::detail::along_y(query, prepared, Vec<double, 2>(edge[1], -edge[0]));
-      CHECK_EQ(gjk::detail::scan(along), gjk::detail::climb(along, [](int) {}));
+      const Vec<double, 2> d(edge[1], -edge[0]);
+      CHECK_EQ(farthest(query, prepared, d, false), farthest(query, prepared, d, true));
     }
   }
   CHECK(rings > 100);
@@ -190,13 +206,15 @@ TEST(turned_scans,
         Eigen::Matrix2d{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
     const auto prepared = gjk::prepare<double>(query, {});
     const Vec<double, 2> d(random.between(-1, 1), random.between(-1, 1));
-    const auto along = gjk::detail::along_y(query, prepared, d);
     const bool small = vertices.size() == 8;
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
-                                    : gjk::dot(query.y.pose.direction_to_local(d), vertices[k]);
-      CHECK_EQ(expected, along(k));
-    }
+    gjk::detail::look_along(d, query.y, prepared, prepared.y, [&](int count, const auto& along) {
+      CHECK_EQ(static_cast<int>(vertices.size()), count);
+      for (int k = 0; k < count; ++k) {
+        const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
+                                      : gjk::dot(query.y.pose.direction_to_local(d), vertices[k]);
+        CHECK_EQ(expected, along(k));
+      }
+    });
   }
 }
 
@@ -293,15 +311,12 @@ TEST(plane_rounding, "a plane proves its distance but for what rounding may have
   constexpr double kRoundoff = 0x1p-53;
   gjk::Prepared<double, 2> prepared;
   prepared.vertex_error = 8 * kRoundoff;
-  prepared.turns_vertices = true;
+  prepared.scans_placed = true;
   // dot(d, w) rounds with |w|, its sum and the division with the distance.
   constexpr double kError = (8 + 3 * 5 + 4 * 3) * kRoundoff;
-  CHECK_EQ(kError, gjk::detail::plane_error<double>({3.0, 5.0}, prepared));
-  CHECK_EQ(3.0 - kError, gjk::detail::plane_bound(9.0, 25.0, prepared));
-  CHECK_EQ(0.0, gjk::detail::plane_bound(kRoundoff * kRoundoff, 25.0, prepared));
-  gjk::Prepared<double, 3> in_space;
-  in_space.turns_vertices = true;
-  CHECK_EQ((4 * 5 + 4 * 3) * kRoundoff, gjk::detail::plane_error<double>({3.0, 5.0}, in_space));
+  CHECK_EQ(kError, prepared.plane_error(3.0, 5.0));
+  const gjk::Prepared<double, 3> in_space;
+  CHECK_EQ((4 * 5 + 4 * 3) * kRoundoff, in_space.plane_error(3.0, 5.0));
 }
 
 }  // namespace
