@@ -88,18 +88,18 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   for (std::size_t i = 0; i < family.pairs.size(); ++i) {
     const Answer& answer = asked.answers[i];
     const Truth& given = truths.given()[i];
-    const Judgement found = judge(answer, {given, as_kept[i], asked.kept[i]});
+    const Judgement found = judge(answer, {given, as_kept[i]});
     double error = std::numeric_limits<double>::infinity();
     const double scale = truths.scales()[i];
     if (!found.failed) {
       error = scale > 0.0 ? found.error / scale : 0.0;
       errors.push_back(error);
       if (!given.overlap) {
-        row.relative_error = std::max(row.relative_error, found.error / given.distance[0]);
+        row.relative_error = std::max(row.relative_error, found.error / given.distance);
       }
       if (!as_kept[i].overlap) {
         row.relative_error_as_kept =
-            std::max(row.relative_error_as_kept, found.error_as_kept / as_kept[i].distance[0]);
+            std::max(row.relative_error_as_kept, found.error_as_kept / as_kept[i].distance);
       }
       if (scale > 0.0) {
         row.error_units = std::max(
@@ -136,7 +136,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
       {family.pairs[worst].x, family.pairs[worst].y},
       family.name + ", seed " + std::to_string(seed) + ", pair " + std::to_string(worst + 1));
   row.worst.answer = answer.refused ? kNoNumber : static_cast<double>(answer.distance);
-  row.worst.distance = truths.given()[worst].distance[0];
+  row.worst.distance = truths.given()[worst].distance;
   return row;
 }
 

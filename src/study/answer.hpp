@@ -1,27 +1,14 @@
 #pragma once
 // How a configuration answers the pairs of a family.
 
-#include <array>
-
-#include "gjk/certificate.hpp"
 #include "study/configuration.hpp"
 #include "study/family.hpp"
 #include "study/interleave.hpp"
-#include "study/quad.hpp"
+#include "study/truth.hpp"
 
 namespace gjkscope::study {
 
-/// An answer in any arithmetic, widened: nothing rounds, since 113 bits hold every type that the
-/// core answers in.
-struct Answer {
-  bool refused = false;  ///< There is no answer: the query was refused.
-  gjk::Verdict verdict = gjk::Verdict::none;
-  bool has_bounds = false;
-  Quad distance;
-  Quad lower;
-  Quad upper;
-  std::array<Quad, 2> x;  ///< Witness points.
-  std::array<Quad, 2> y;
+struct Answer : Claim {
   int iterations = 0;  ///< -1 where nobody counts them: in lockstep.
 };
 
