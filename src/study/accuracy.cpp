@@ -95,18 +95,18 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   for (std::size_t i = 0; i < family.pairs.size(); ++i) {
     const Answer& answer = asked.answers[i];
     const Truth& given = truths.given()[i];
-    const Judgement found = judge(answer, {given, as_kept[i], asked.kept[i]});
+    const Judgement found = judge(answer, {given, as_kept[i]});
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::pair<double, double> error(kInfinity, kInfinity);
     const double scale = truths.scales()[i];
     if (!found.failed) {
       const auto distance = static_cast<double>(answer.distance);
-      error = {share_of_larger(found.error, given.distance[0], distance),
+      error = {share_of_larger(found.error, given.distance, distance),
                scale > 0.0 ? found.error / scale : 0.0};
       errors.push_back(error.second);
       row.error_as_kept =
           std::max(row.error_as_kept,
-                   share_of_larger(found.error_as_kept, as_kept[i].distance[0], distance));
+                   share_of_larger(found.error_as_kept, as_kept[i].distance, distance));
       if (scale > 0.0) {
         row.error_units = std::max(
             row.error_units, found.error_as_kept / scale / unit_roundoff(configuration.arithmetic));
@@ -139,7 +139,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
       {family.pairs[worst].x, family.pairs[worst].y},
       family.name + ", seed " + std::to_string(seed) + ", pair " + std::to_string(worst + 1));
   row.worst.answer = answer.refused ? kNoNumber : static_cast<double>(answer.distance);
-  row.worst.distance = truths.given()[worst].distance[0];
+  row.worst.distance = truths.given()[worst].distance;
   return row;
 }
 

@@ -1,27 +1,15 @@
 #pragma once
 // How a configuration answers the pairs of a family.
 
-#include <array>
-
 #include "gjk/result.hpp"
 #include "study/configuration.hpp"
 #include "study/family.hpp"
 #include "study/interleave.hpp"
-#include "study/quad.hpp"
+#include "study/truth.hpp"
 
 namespace gjkscope::study {
 
-/// An answer in any arithmetic, widened: nothing rounds, since 113 bits hold every type that the
-/// core answers in.
-struct Answer {
-  bool refused = false;  ///< There is no answer: the query was refused.
-  gjk::Verdict verdict = gjk::Verdict::none;
-  bool has_bounds = false;  ///< Else `lower` and `upper` say nothing.
-  Quad distance;
-  Quad lower;
-  Quad upper;
-  std::array<Quad, 2> x;  ///< Witness points.
-  std::array<Quad, 2> y;
+struct Answer : Claim {
   // What it took.
   int iterations = 0;
   int support_queries = 0;

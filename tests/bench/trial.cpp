@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "exact.hpp"
+#include "study/truth.hpp"
 
 namespace bench {
 namespace {
@@ -52,13 +52,13 @@ std::vector<double> ask(const Contestant& contestant, std::size_t count) {
   return out;
 }
 
-void judge(const Library& library, const Case& one, double answer, Tally& tally) {
+void count(const Library& library, const Case& one, double answer, Tally& tally) {
   const bool in_double = library.in_double;
   const double unit_roundoff = in_double ? 0x1p-53 : 0x1p-24;
   const double smallest = in_double ? std::numeric_limits<double>::denorm_min()
                                     : std::numeric_limits<float>::denorm_min();
   const double limit = in_double ? kDoubleLimit : kFloatLimit;
-  const long double error = std::abs(answer - one.distance);
+  const double error = std::abs(difference(Quad(answer), one.truth));
   ++tally.asked;
   if (answer == kCrashed) {
     ++tally.crashed;
@@ -66,15 +66,16 @@ void judge(const Library& library, const Case& one, double answer, Tally& tally)
     ++tally.gave_up;
   } else if (!std::isfinite(answer)) {
     ++tally.not_finite;
-  } else if (one.overlap) {
-    const bool close = library.measures ? answer <= 4 * unit_roundoff * one.scale : one.touching;
+  } else if (one.truth.overlap) {
+    const bool close =
+        library.measures ? answer <= 4 * unit_roundoff * one.truth.scale : one.truth.touching;
     if (answer > 0.0 && !close) ++tally.missed;
   } else if (error < smallest) {
     // Its numbers are not spaced more closely.
   } else if (answer == 0.0) {
     ++tally.invented;
   } else if (library.measures) {
-    const auto relative = static_cast<double>(error / one.distance);
+    const double relative = error / one.truth.distance;
     if (relative > limit) ++tally.inaccurate;
     tally.worst = std::max(tally.worst, relative);
   }
@@ -88,12 +89,7 @@ std::vector<Case> cases_of(families::Family family, families::Representation rep
   std::vector<Case> out(count);
   for (Case& one : out) {
     one.pair = source.pair<double>(family, representation);
-    const truth::ExactPair exact(one.pair.query());
-    const truth::Truth truth = exact.truth({});
-    one.overlap = truth.overlap;
-    one.touching = truth.overlap && exact.touching();
-    one.distance = truth.distance;
-    one.scale = exact.scale();
+    one.truth = truth_of(one.pair);
   }
   return out;
 }
@@ -112,7 +108,7 @@ Tally tally(const Library& library, const std::vector<Case>& cases) {
   }
   const std::vector<double> answers = ask(library.prepare(pairs), pairs.size());
   Tally out;
-  for (std::size_t i = 0; i < asked.size(); ++i) judge(library, *asked[i], answers[i], out);
+  for (std::size_t i = 0; i < asked.size(); ++i) count(library, *asked[i], answers[i], out);
   return out;
 }
 

@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "libraries.hpp"
+#include "study/truth.hpp"
 
 namespace bench {
 
 struct Case {
   Pair pair;
-  bool overlap = false;   ///< They share a point,
-  bool touching = false;  ///< but none of their difference's interior.
-  long double distance = 0;
-  long double scale = 0;  ///< Largest distance between a vertex of X and one of Y.
+  Truth truth;
 };
 
 [[nodiscard]] std::vector<Case> cases_of(families::Family family,

@@ -9,13 +9,13 @@
 #include <optional>
 #include <sstream>
 
-#include "claim.hpp"
 #include "claims.hpp"
 #include "cli/commands.hpp"
 #include "geometry/rational.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/scalar.hpp"
+#include "truth/bars.hpp"
 
 namespace gjkscope::fuzz {
 namespace {
@@ -83,7 +83,9 @@ std::optional<Case> rounded(Case value) {
   return value;
 }
 
-Vector2d point_of(const json& list) { return {list[0].get<double>(), list[1].get<double>()}; }
+std::array<Quad, 2> point_of(const json& list) {
+  return {Quad(list[0].get<double>()), Quad(list[1].get<double>())};
+}
 
 void claim_answer_or_error(const json& answer) {
   const std::string told = answer.dump();
@@ -115,35 +117,32 @@ void claim_answer_or_error(const json& answer) {
 template <class S>
 void claim_true(const json& answer, const Case& seen) {
   const std::string told = answer.dump() + " for " + written(seen, false);
-  const truth::ExactPair pair(gjk::Query<double, 2>{{seen.a}, {seen.b}});
-  const truth::Truth exact = pair.truth({});
+  const study::Truth exact = study::truth_of({seen.a, seen.b});
   using Real = typename gjk::ScalarTraits<S>::Real;
   if (answer.contains("error")) {
     const std::string error = answer["error"].get<std::string>();
-    const bool far = exact.distance > 0.9L * static_cast<double>(std::numeric_limits<Real>::max());
+    const bool far = exact.distance > 0.9 * static_cast<double>(std::numeric_limits<Real>::max());
     const bool tiny = std::is_same_v<S, Eigen::half> && error.starts_with("underflow");
     claim(far ? error.starts_with("overflow") : tiny, "there is a reason to refuse: " + told);
     return;
   }
   claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + told);
-  truth::Claim claimed;
-  claimed.stop = value_of<gjk::StopReason>(answer["stop"].get<std::string>()).value();
+  claim(answer["stop"] != name_of(gjk::StopReason::iteration_cap), "no cap is reached: " + told);
+  study::Claim claimed;
   claimed.verdict = value_of<gjk::Verdict>(answer["verdict"].get<std::string>()).value();
-  claimed.distance = answer["distance"].get<double>();
-  claimed.lower = answer["lower"].get<double>();
-  claimed.upper = answer["upper"].get<double>();
+  claimed.has_bounds = true;
+  claimed.distance = Quad(answer["distance"].get<double>());
+  claimed.lower = Quad(answer["lower"].get<double>());
+  claimed.upper = Quad(answer["upper"].get<double>());
   claimed.x = point_of(answer["a"]);
   claimed.y = point_of(answer["b"]);
   claimed.unit_roundoff = static_cast<double>(gjk::ScalarTraits<Real>::unit_roundoff());
-  claimed.smallest = static_cast<double>(std::numeric_limits<Real>::denorm_min());
-  const truth::Judgement found = judge(pair, exact, pair.scale(), claimed);
-  claim(!found.wrong_verdict, "the verdict is true: " + told);
-  claim(!found.broken_certificate, "lower <= exact distance <= upper: " + told);
-  claim(!found.capped, "the cap is not reached: " + told);
-  // The bars that tests/truth sets.
-  claim(found.distance_error <= 4, "the distance is within 4 u scale: " + told);
-  claim(found.outside <= 4 && found.apart <= 4, "witness points are within 4 u scale: " + told);
-  if (std::is_same_v<Real, double>) claim(found.width <= 16, "bounds are close: " + told);
+  const study::Judgement found = study::judge(claimed, {exact, exact});
+  const std::string_view broken =
+      study::broken_bar(found, study::errors_of(found, exact, study::unit_of<Real>(exact)),
+                        std::is_same_v<Real, double> ? study::kBars : study::kFloatBars);
+  claim(broken.empty(),
+        "the answer is within bars, it breaks that of: " + std::string(broken) + ", " + told);
 }
 
 template <class S>

@@ -1,125 +1,179 @@
-// Cases that users of other libraries reported, and regression data: tests/hard-cases. Those in
-// space wait for the third dimension.
+// Cases that users of other libraries reported, and regression data: tests/hard-cases. Each tells
+// its exact distance, from elsewhere.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <set>
 
-#include "claim.hpp"
-#include "lesson/case.hpp"
-#include "oracle.hpp"
+#include "bars.hpp"
+#include "exact_run.hpp"
 
-namespace truth {
+namespace gjkscope::study {
 namespace {
 
-using Eigen::Vector2d;
 using gjk::Verdict;
-using gjkscope::Rational;
-using gjkscope::RationalPoint;
 using nlohmann::json;
 
+template <int D>
 struct HardCase {
-  json told;
-  gjkscope::Case shapes;
-  [[nodiscard]] gjk::Query<double, 2> query() const { return {{shapes.a}, {shapes.b}}; }
+  std::string name;
+  std::vector<gjk::Vec<double, D>> a;
+  std::vector<gjk::Vec<double, D>> b;
+  bool overlap = false;
+  bool touching = false;
+  Rational distance_sq;
+  [[nodiscard]] gjk::Query<double, D> query() const { return {{a}, {b}}; }
+  [[nodiscard]] HardCase swapped() const {
+    HardCase out = *this;
+    std::swap(out.a, out.b);
+    return out;
+  }
 };
 
-json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return json::parse(file);
-}
-
-std::vector<HardCase> cases_in_the_plane() {
-  std::vector<HardCase> out;
+/// In both orders of arguments.
+template <int D>
+std::vector<HardCase<D>> cases() {
+  std::vector<HardCase<D>> out;
   for (const auto& entry :
        std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
-    HardCase hard{read_json(entry.path()), {}};
-    if (hard.told["dimension"] != 2) continue;
-    const auto read = gjkscope::parse_cases(hard.told.dump(), entry.path().string());
-    EXPECT_TRUE(read.size() == 1 && read[0].value) << entry.path();
-    hard.shapes = read[0].value.value();
-    out.push_back(std::move(hard));
+    std::ifstream file(entry.path());
+    const json told = json::parse(file);
+    if (told.at("dimension") != D) continue;
+    HardCase<D> one;
+    one.name = told.at("name");
+    const auto read = [](const json& points, auto& to) {
+      for (const json& point : points) {
+        for (int i = 0; i < D; ++i) {
+          if (i == 0) to.emplace_back();
+          to.back()[i] = point.at(static_cast<std::size_t>(i)).get<double>();
+        }
+      }
+    };
+    read(told.at("a"), one.a);
+    read(told.at("b"), one.b);
+    one.overlap = told.at("expected_overlap");
+    one.touching = told.contains("touching") && told["touching"].is_boolean() && told["touching"];
+    one.distance_sq = Rational(told.at("expected_distance_squared_exact").get<std::string>());
+    out.push_back(one);
+    out.push_back(one.swapped());
   }
   return out;
 }
 
-Rational distance_sq_of(const json& told) {
-  return Rational(told["expected_distance_squared_exact"].get<std::string>());
+/// |value - distance|
+template <int D>
+double error_of(double value, const HardCase<D>& one) {
+  const double distance = root_nearest(one.distance_sq);
+  const Rational off = Rational(value) * Rational(value) - one.distance_sq;
+  return one.overlap ? value : std::abs(to_double(off) / (value + distance));
 }
 
-std::vector<RationalPoint> rational(const std::vector<Vector2d>& points) {
-  std::vector<RationalPoint> out;
-  for (const Vector2d& p : points) out.push_back(gjkscope::rational(p[0], p[1]));
-  return out;
-}
-
-TEST(HardCases, AreAllThere) {
-  int plane = 0;
-  int space = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
-    const json told = read_json(entry.path());
-    EXPECT_FALSE(told["source"].get<std::string>().empty());
-    ++(told["dimension"] == 2 ? plane : space);
+template <int D>
+double scale_of(const HardCase<D>& one) {
+  double scale = 0;
+  for (const auto& a : one.a) {
+    for (const auto& b : one.b) scale = std::max(scale, (b - a).norm());
   }
-  EXPECT_EQ(19, plane);
-  EXPECT_EQ(22, space);
+  return scale;
 }
 
 TEST(HardCases, TheTruthIsWhatTheyTell) {
-  for (const HardCase& hard : cases_in_the_plane()) {
-    SCOPED_TRACE(hard.told["name"]);
-    const gjkscope::ExactAnswer answer =
-        gjkscope::exact_answer(rational(hard.shapes.a), rational(hard.shapes.b));
-    EXPECT_EQ(distance_sq_of(hard.told), answer.distance_sq);
-    EXPECT_EQ(hard.told["expected_overlap"], answer.overlap);
-    EXPECT_EQ(hard.told.value("touching", false), answer.touching);
-    const ExactPair exact(hard.query());
-    const Truth truth = exact.truth({});
-    EXPECT_EQ(answer.overlap, truth.overlap);
-    EXPECT_EQ(answer.touching, truth.overlap && exact.touching());
-    EXPECT_EQ(gjkscope::root_nearest(answer.distance_sq), static_cast<double>(truth.distance));
+  for (const HardCase<2>& one : cases<2>()) {
+    SCOPED_TRACE(one.name);
+    const Truth truth = truth_of({one.a, one.b});
+    EXPECT_EQ(one.overlap, truth.overlap);
+    EXPECT_EQ(one.touching, truth.touching);
+    EXPECT_EQ(root_nearest(one.distance_sq), truth.distance);
   }
 }
 
 TEST(HardCases, AreSolvedInDouble) {
-  for (const HardCase& hard : cases_in_the_plane()) {
-    SCOPED_TRACE(hard.told["name"]);
-    const auto result = gjk::distance(hard.query());
-    EXPECT_EQ(hard.told["expected_overlap"], result.verdict != Verdict::separated);
-    const ExactPair exact(hard.query());
-    const Judgement found = judge(exact, exact.truth({}), exact.scale(), claim_of(result));
-    EXPECT_FALSE(found.refused || found.not_a_number || found.capped || found.undecided ||
-                 found.wrong_verdict || found.broken_certificate);
-    EXPECT_LE(found.distance_error, 4);
-    EXPECT_LE(found.outside, 4);
-    EXPECT_LE(found.apart, 4);
-    EXPECT_LE(found.width, 16);
+  for (const HardCase<2>& one : cases<2>()) {
+    SCOPED_TRACE(one.name);
+    const Truth truth = truth_of({one.a, one.b});
+    const Judgement found = judge(claim_of(gjk::distance(one.query())), {truth, truth});
+    EXPECT_STREQ("", broken_bar(found, errors_of(found, truth, unit_of<double>(truth)), kBars));
   }
 }
 
-TEST(HardCases, AreSolvedExactly) {
-  for (const HardCase& hard : cases_in_the_plane()) {
-    SCOPED_TRACE(hard.told["name"]);
-    const auto x = rational(hard.shapes.a);
-    const auto y = rational(hard.shapes.b);
-    const auto result = gjk::distance(gjk::Query<Rational, 2>{{x}, {y}});
-    EXPECT_EQ(distance_sq_of(hard.told), result.distance_sq);
-    EXPECT_EQ(hard.told["expected_overlap"],
-              result.verdict == Verdict::touching || result.verdict == Verdict::overlapping);
-    EXPECT_TRUE(result.verdict != Verdict::touching || hard.told.value("touching", false));
-    const RationalPoint difference = result.y - result.x;
-    EXPECT_EQ(result.distance_sq, gjk::dot(difference, difference));
-    EXPECT_TRUE(gjkscope::is_nearest_pair(x, y, result.x, result.y));
-    for (const auto& [point, hull] : {std::pair(result.x, x), std::pair(result.y, y)}) {
-      const std::vector<RationalPoint> alone = {point};
-      EXPECT_TRUE(gjkscope::exact_answer(alone, hull).overlap);
-    }
+template <int D>
+void solve_exactly() {
+  for (const HardCase<D>& one : cases<D>()) {
+    SCOPED_TRACE(one.name);
+    const ExactPair<D> pair{exact<double, D>(one.a), exact<double, D>(one.b)};
+    const auto result = gjk::distance(pair.query());
+    EXPECT_EQ(one.distance_sq, result.distance_sq);
+    EXPECT_EQ(one.overlap, result.verdict != Verdict::separated);
+    EXPECT_NE(Verdict::undecided, result.verdict);
+    EXPECT_EQ(D == 2 && one.touching, result.verdict == Verdict::touching);
+    expect_proved(pair, result);
   }
+}
+TEST(HardCases, AreSolvedExactly) {
+  solve_exactly<2>();
+  solve_exactly<3>();
+}
+
+/// True when lower <= distance <= upper.
+bool holds(const gjk::Result<double, 3>& result, const Rational& distance_sq) {
+  const Rational lower(result.lower);
+  const Rational upper(result.upper);
+  return lower >= 0 && lower * lower <= distance_sq && distance_sq <= upper * upper;
+}
+
+// In space no exact arithmetic runs on, so verdicts may be left open; a wrong one there must not
+// be.
+TEST(HardCases, AreAnsweredTrulyInSpace) {
+  std::set<std::string> undecided;
+  for (const HardCase<3>& one : cases<3>()) {
+    SCOPED_TRACE(one.name);
+    const auto result = gjk::distance(one.query());
+    ASSERT_EQ(gjk::Error::none, result.error);
+    EXPECT_NE(gjk::StopReason::iteration_cap, result.stop);
+    EXPECT_TRUE(holds(result, one.distance_sq))
+        << root_nearest(one.distance_sq) << " in [" << result.lower << ", " << result.upper << ']';
+    if (result.verdict == Verdict::undecided) {
+      undecided.insert(one.name);
+    } else {
+      EXPECT_EQ(one.overlap, result.verdict != Verdict::separated);
+    }
+    if (one.name == "convexbodyprox_17") continue;  // see below
+    EXPECT_LE(error_of(result.distance, one), kBars.distance * 0x1p-53 * scale_of(one));
+  }
+  EXPECT_EQ(undecided,
+            (std::set<std::string>{"fcl_399", "fcl_493", "fcl_495", "libccd_25", "meshes_809"}));
+}
+
+// Known defects, each a test that ought to fail: it does when the defect is gone.
+
+// The plane of a small triangle far away is computed from its rounded edges.
+TEST(KnownDefects, ASmallTriangleFarAwayInSpaceCostsDigits) {
+  for (const HardCase<3>& one : cases<3>()) {
+    if (one.name != "convexbodyprox_17") continue;
+    const double error = error_of(gjk::distance(one.query()).distance, one);
+    EXPECT_GT(error, 50 * 0x1p-53 * scale_of(one));
+  }
+}
+
+// And its error is left out of the bounds.
+TEST(KnownDefects, ASpeckInSpaceBreaksTheUpperBound) {
+  HardCase<3> one;
+  one.a = {{-0x1.5c4516bda2ccfp-2, 0x1.ecca194ee19f3p-1, 0x1.fdaef3a41bb2cp-1},
+           {-0x1.5c452951ad53cp-2, 0x1.ecca0a92bac99p-1, 0x1.fdaef3cfa3493p-1},
+           {-0x1.5c44eb3d918bfp-2, 0x1.ecca1a6d27ec2p-1, 0x1.fdaef71781077p-1}};
+  one.b = {{-0x1.073db0806f228p-3, -0x1.cf57c0841ac9p-2, 0x1.cf7b1ec941ad4p-2},
+           {-0x1.87c864998d748p-2, 0x1.98eff004bf2dep-1, -0x1.eea00c6e8c122p-1},
+           {-0x1.3c91a8f22d734p-2, 0x1.e1af8c4f1fc8p-1, 0x1.9d6062bd56684p-1}};
+  const ExactPair<3> pair{exact<double, 3>(one.a), exact<double, 3>(one.b)};
+  const auto truth = gjk::distance(pair.query());
+  expect_proved(pair, truth);
+  const auto result = gjk::distance(one.query());
+  EXPECT_FALSE(holds(result, truth.distance_sq));
+  EXPECT_LT(result.upper, truth.lower);
 }
 
 }  // namespace
-}  // namespace truth
+}  // namespace gjkscope::study

@@ -8,15 +8,13 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "claim.hpp"
-#include "exact.hpp"
-#include "study/families.hpp"
+#include "bars.hpp"
 
-namespace truth {
+namespace gjkscope::study {
 namespace {
 
 using Eigen::Vector2d;
-using families::Pair;
+using Pair = families::Pair<double>;
 using Points = std::vector<Vector2d>;
 
 [[maybe_unused]] const int kParameters =
@@ -43,9 +41,9 @@ Points shape(Digits digits) {
   for (int i = *rc::gen::inRange(1, 8); i > 0; --i) out.push_back(point(digits));
   return out;
 }
-Pair<double> any_pair() {
+Pair any_pair() {
   const Digits digits = *rc::gen::element(Digits::few, Digits::some, Digits::many);
-  Pair<double> out;
+  Pair out;
   out.x = shape(digits);
   out.y = shape(digits);
   return out;
@@ -56,10 +54,10 @@ bool apart(const gjk::Result<double, 2>& result) {
 }
 
 /// Both answers may be those of one question: each errs by at most 4 u * scale.
-void check_alike(const Pair<double>& pair, const Pair<double>& other) {
+void check_alike(const Pair& pair, const Pair& other) {
   const auto a = gjk::distance(pair.query());
   const auto b = gjk::distance(other.query());
-  const double unit = 0x1p-53 * static_cast<double>(ExactPair(pair.query()).scale());
+  const double unit = 0x1p-53 * families::scale_of(pair);
   RC_ASSERT(a.error == gjk::Error::none);
   RC_ASSERT(b.error == gjk::Error::none);
   RC_ASSERT(apart(a) == apart(b));
@@ -79,20 +77,20 @@ void check_bits(const gjk::Result<double, 2>& a, const gjk::Result<double, 2>& b
 }
 
 template <class Change>
-Pair<double> changed(Pair<double> pair, const Change& change) {
+Pair changed(Pair pair, const Change& change) {
   for (Vector2d& p : pair.x) p = change(p);
   for (Vector2d& p : pair.y) p = change(p);
   return pair;
 }
 
 RC_GTEST_PROP(Property, TheOrderOfTheShapesDoesNotMatter, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   check_alike(pair, families::swapped(pair));
 }
 
 RC_GTEST_PROP(Property, TheOrderOfVerticesDoesNotMatter, ()) {
-  const Pair<double> pair = any_pair();
-  Pair<double> other = pair;
+  const Pair pair = any_pair();
+  Pair other = pair;
   for (Points* points : {&other.x, &other.y}) {
     for (std::size_t i = points->size(); i > 1; --i) {
       std::swap((*points)[i - 1], (*points)[*rc::gen::inRange<std::size_t>(0, i)]);
@@ -102,8 +100,8 @@ RC_GTEST_PROP(Property, TheOrderOfVerticesDoesNotMatter, ()) {
 }
 
 RC_GTEST_PROP(Property, RepeatedVerticesDoNotMatter, ()) {
-  const Pair<double> pair = any_pair();
-  Pair<double> other = pair;
+  const Pair pair = any_pair();
+  Pair other = pair;
   for (Points* points : {&other.x, &other.y}) {
     for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
       const Vector2d copy = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
@@ -114,10 +112,10 @@ RC_GTEST_PROP(Property, RepeatedVerticesDoNotMatter, ()) {
 }
 
 RC_GTEST_PROP(Property, VerticesInsideDoNotMatter, ()) {
-  Pair<double> pair;
+  Pair pair;
   pair.x = shape(Digits::some);
   pair.y = shape(Digits::some);
-  Pair<double> other = pair;
+  Pair other = pair;
   for (Points* points : {&other.x, &other.y}) {  // means of quarters are eighths: exact
     const Vector2d a = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
     const Vector2d b = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
@@ -128,14 +126,14 @@ RC_GTEST_PROP(Property, VerticesInsideDoNotMatter, ()) {
 }
 
 RC_GTEST_PROP(Property, TranslationOfAllVerticesDoesNotMatter, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   // 45 + 8 digits: exact.
   const Vector2d by(*rc::gen::inRange(-2048, 2049), *rc::gen::inRange(-2048, 2049));
   check_alike(pair, changed(pair, [&](const Vector2d& p) { return Vector2d(p + by); }));
 }
 
 RC_GTEST_PROP(Property, TranslationOfBothPosesDoesNotMatterToTheLastBit, ()) {
-  Pair<double> pair = any_pair();
+  Pair pair = any_pair();
   const auto expected = gjk::distance(pair.query());
   pair.x_pose.translation = pair.y_pose.translation =
       Vector2d(*rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>());
@@ -143,31 +141,31 @@ RC_GTEST_PROP(Property, TranslationOfBothPosesDoesNotMatterToTheLastBit, ()) {
 }
 
 RC_GTEST_PROP(Property, TranslationOfOneShapeEqualsThatOfItsPose, ()) {
-  const Pair<double> pair = any_pair();
-  Pair<double> moved = pair;
-  Pair<double> posed = pair;
+  const Pair pair = any_pair();
+  Pair moved = pair;
+  Pair posed = pair;
   posed.y_pose.translation = Vector2d(*rc::gen::inRange(-16, 17), *rc::gen::inRange(-16, 17));
   for (Vector2d& p : moved.y) p += posed.y_pose.translation;
   check_alike(moved, posed);
 }
 
 RC_GTEST_PROP(Property, QuartersOfATurnDoNotMatter, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   const auto quarter = [](const Vector2d& p) { return Vector2d(-p[1], p[0]); };
   check_alike(pair, changed(pair, quarter));
-  Pair<double> posed = changed(pair, quarter);
+  Pair posed = changed(pair, quarter);
   posed.x_pose.rotation = Eigen::Matrix2d{{0, 1}, {-1, 0}};
   posed.y_pose.rotation = posed.x_pose.rotation;
   check_alike(pair, posed);
 }
 
 RC_GTEST_PROP(Property, ReflectionDoesNotMatter, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   check_alike(pair, changed(pair, [](const Vector2d& p) { return Vector2d(-p[0], p[1]); }));
 }
 
 RC_GTEST_PROP(Property, PowersOfTwoScaleTheAnswerToTheLastBit, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   const int k = *rc::gen::inRange(-300, 301);
   auto expected = gjk::distance(pair.query());
   for (double* length : {&expected.distance, &expected.lower, &expected.upper}) {
@@ -179,14 +177,14 @@ RC_GTEST_PROP(Property, PowersOfTwoScaleTheAnswerToTheLastBit, ()) {
 }
 
 RC_GTEST_PROP(Property, MoreVerticesAreNeverFarther, ()) {
-  const Pair<double> pair = any_pair();
-  Pair<double> more = pair;
+  const Pair pair = any_pair();
+  Pair more = pair;
   more.y.push_back(point(Digits::some));
   RC_ASSERT(gjk::distance(more.query()).lower <= gjk::distance(pair.query()).upper);
 }
 
 RC_GTEST_PROP(Property, BoundsOnlyCloseInAlongATrace, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   const auto trace = gjk::trace(pair.query());
   const gjk::State<double, 2>* before = nullptr;
   for (const auto& step : trace.steps) {
@@ -214,21 +212,19 @@ RC_GTEST_PROP(Property, WitnessesOfShapesFarFromTheirOwnOriginsLieInThem, ()) {
     if (*rc::gen::arbitrary<bool>()) points.push_back(points[0] + 0x1p-4 * point(Digits::some));
     return points;
   };
-  Pair<double> pair;
+  Pair pair;
   pair.x = few_points();
   pair.y = few_points();
   pair.x_pose = turned(pair.x);
   pair.y_pose = turned(pair.y);
-  const ExactPair exact(pair.query());
-  const Judgement found =
-      judge(exact, exact.truth({}), exact.scale(), claim_of(gjk::distance(pair.query())));
-  RC_ASSERT(!found.refused);
-  RC_ASSERT(found.outside <= 4.0);
-  RC_ASSERT(found.apart <= 4.0);
+  const Truth truth = truth_of(pair);
+  const Judgement found = judge(claim_of(gjk::distance(pair.query())), {truth, truth});
+  RC_ASSERT(!found.failed);
+  RC_ASSERT(found.witness <= kBars.witness * unit_of<double>(truth));
 }
 
 RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
-  const Pair<double> pair = any_pair();
+  const Pair pair = any_pair();
   gjk::Options options;
   options.direction_rule =
       *rc::gen::element(gjk::DirectionRule::perpendicular, gjk::DirectionRule::towards_origin);
@@ -244,4 +240,4 @@ RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
 }
 
 }  // namespace
-}  // namespace truth
+}  // namespace gjkscope::study

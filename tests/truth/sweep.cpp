@@ -10,35 +10,30 @@
 #include <mutex>
 #include <thread>
 
-#include "claim.hpp"
-#include "study/families.hpp"
+#include "bars.hpp"
 
-namespace truth {
+namespace gjkscope::study {
 namespace {
 
-using families::Family;
 using families::kFamilyCount;
 using families::kFamilyNames;
-using families::Pair;
 using families::Representation;
+using Pair = families::Pair<double>;
 
 /// A scalar of the query and one of the run.
 enum class Mode { in_double, float_in_double, in_float };
 constexpr std::array<const char*, 3> kModeNames = {"double", "float in double", "float"};
 
-/// The most that a judgement may show. Errors of distance, witnesses and bounds are in u * scale.
-struct Bars {
-  double distance = 4;
-  double relative = std::numeric_limits<double>::infinity();
-  double witness = 4;
-  double width = std::numeric_limits<double>::infinity();
-  bool refusal = false;  ///< A named error is an answer, too.
-};
-Bars bars_of(Family family, Representation representation, Mode mode) {
-  Bars bars;
-  bars.refusal = family == Family::denormals;
-  if (mode == Mode::in_float) return bars;
-  bars.width = 16;
+void widen(Errors& most, const Errors& found) {
+  for (const auto error :
+       {&Errors::distance, &Errors::relative, &Errors::witness, &Errors::width}) {
+    most.*error = std::max(most.*error, found.*error);
+  }
+}
+
+Errors bars_of(families::Family family, Representation representation, Mode mode) {
+  using families::Family;
+  Errors bars = mode == Mode::in_float ? kFloatBars : kBars;
   if (mode == Mode::float_in_double) bars.relative = 1e-6;
   if (mode == Mode::in_double && representation == Representation::float_values &&
       family != Family::posed) {
@@ -50,21 +45,24 @@ Bars bars_of(Family family, Representation representation, Mode mode) {
   return bars;
 }
 
-/// The first bar that is broken, or nullptr.
-const char* broken_bar(const Judgement& found, const Bars& bars) {
-  if (found.refused) return bars.refusal ? nullptr : "refused";
-  if (found.not_a_number) return "not a number";
-  if (found.wrong_verdict) return "wrong verdict";
-  if (found.undecided) return "undecided";
-  if (found.capped) return "iteration cap";
-  if (found.broken_certificate) return "certificate";
-  if (!(found.distance_error <= bars.distance)) return "distance";
-  if (!(found.relative_error <= bars.relative)) return "relative error";
-  if (!(found.outside <= bars.witness)) return "witness outside its shape";
-  if (!(found.apart <= bars.witness)) return "witnesses not the distance apart";
-  if (!(found.width <= bars.width)) return "width of the bounds";
-  return nullptr;
-}
+/// One claim, and what is thought of it.
+struct Found {
+  Judgement judgement;
+  Errors errors;
+  gjk::StopReason stop = gjk::StopReason::running;
+  bool settled = false;
+  bool overlap = false;
+
+  template <class R>
+  Found(const Truth& truth, const gjk::Result<R, 2>& result)
+      : judgement(judge(claim_of(result), {truth, truth})),
+        stop(result.stop),
+        settled(result.settled),
+        overlap(truth.overlap) {
+    if (!judgement.failed) errors = errors_of(judgement, truth, unit_of<R>(truth));
+  }
+  [[nodiscard]] bool is_capped() const { return stop == gjk::StopReason::iteration_cap; }
+};
 
 struct Failure {
   std::string text;
@@ -74,51 +72,40 @@ struct Failure {
 /// What became of the pairs of one family, one representation and one mode.
 struct Row {
   static constexpr std::size_t kKept = 2;  ///< Failures to be shown.
+  enum Count {
+    pairs,
+    broken,
+    wrong,
+    undecided,
+    failed,
+    capped,
+    bounds,
+    overlaps,
+    settled,
+    kCounts
+  };
 
-  long pairs = 0;
-  long refused = 0;
-  long not_a_number = 0;
-  long wrong = 0;
-  long undecided = 0;
-  long capped = 0;
-  long certificates = 0;
-  long broken = 0;
-  long settled = 0;
-  long overlaps = 0;
-  Judgement most;  ///< The largest of each error.
+  std::array<long, kCounts> counts = {};
   std::array<long, 8> stops = {};
+  Errors most;
   std::vector<Failure> failures;
 
-  void add(const Judgement& found) {
-    ++pairs;
-    refused += found.refused;
-    not_a_number += found.not_a_number;
-    wrong += found.wrong_verdict;
-    undecided += found.undecided;
-    capped += found.capped;
-    certificates += found.broken_certificate;
-    widen(found);
-  }
-  void widen(const Judgement& other) {
-    most.distance_error = std::max(most.distance_error, other.distance_error);
-    most.relative_error = std::max(most.relative_error, other.relative_error);
-    most.outside = std::max(most.outside, other.outside);
-    most.apart = std::max(most.apart, other.apart);
-    most.width = std::max(most.width, other.width);
+  void add(const Found& found) {
+    ++counts[pairs];
+    counts[wrong] += found.judgement.wrong || found.judgement.wrong_contact;
+    counts[undecided] += found.judgement.undecided;
+    counts[failed] += found.judgement.failed;
+    counts[capped] += found.is_capped();
+    counts[bounds] += found.judgement.broken_bounds;
+    counts[overlaps] += found.overlap;
+    counts[settled] += found.settled;
+    ++stops[static_cast<std::size_t>(found.stop)];
+    widen(most, found.errors);
   }
   void add(const Row& other) {
-    pairs += other.pairs;
-    refused += other.refused;
-    not_a_number += other.not_a_number;
-    wrong += other.wrong;
-    undecided += other.undecided;
-    capped += other.capped;
-    certificates += other.certificates;
-    broken += other.broken;
-    settled += other.settled;
-    overlaps += other.overlaps;
-    widen(other.most);
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
     for (std::size_t i = 0; i < stops.size(); ++i) stops[i] += other.stops[i];
+    widen(most, other.most);
     failures.insert(failures.end(), other.failures.begin(), other.failures.end());
     std::sort(failures.begin(), failures.end(),
               [](const Failure& a, const Failure& b) { return a.pair < b.pair; });
@@ -139,7 +126,7 @@ std::string json_of(const gjk::Pose<double, 2>& pose) {
                      pose.rotation(0, 1), pose.rotation(1, 0), pose.rotation(1, 1),
                      pose.translation[0], pose.translation[1]);
 }
-std::string json_of(const Pair<double>& pair, const std::string& name) {
+std::string json_of(const Pair& pair, const std::string& name) {
   std::string poses;
   if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns()) {
     poses = fmt::format(R"(,"a_pose":{},"b_pose":{})", json_of(pair.x_pose), json_of(pair.y_pose));
@@ -149,7 +136,7 @@ std::string json_of(const Pair<double>& pair, const std::string& name) {
 }
 
 struct Work {
-  Family family = Family::random;
+  families::Family family = families::Family::random;
   Representation representation = Representation::full_doubles;
   std::uint64_t seed = 0;
   long pairs = 0;
@@ -163,15 +150,15 @@ class Worker {
   explicit Worker(const Work& work) : work_(work), random_(work.seed) {}
 
   Rows run() {
-    while (done_ < work_.pairs) {
-      const Pair<double> pair = random_.pair<double>(work_.family, work_.representation);
-      if (drawn_++ % kAllOrdersEvery != 0) {
+    for (long drawn = 0; done_ < work_.pairs; ++drawn) {
+      const Pair pair = random_.pair<double>(work_.family, work_.representation);
+      if (drawn % kAllOrdersEvery != 0) {
         check(pair);
         continue;
       }
       const std::size_t rotations = std::max(pair.x.size(), pair.y.size());
       for (std::size_t i = 0; i < rotations; ++i) {
-        const Pair<double> rotated = families::rotated(pair, i, i);
+        const Pair rotated = families::rotated(pair, i, i);
         check(rotated);
         check(families::swapped(rotated));
       }
@@ -180,102 +167,147 @@ class Worker {
   }
 
  private:
-  void check(const Pair<double>& pair) {
+  void check(const Pair& pair) {
     if (done_ == work_.pairs) return;
-    const auto query = pair.query();
-    const ExactPair exact(query);
-    const gjk::Result<double, 2> result = families::run<double>(pair);
-    std::array<gjk::VertexPair, 3> guess;
-    for (int i = 0; i < result.simplex.count; ++i) guess[i] = result.simplex.vertices[i].pair;
-    truth_ = exact.truth(std::span(guess).first(static_cast<std::size_t>(result.simplex.count)));
-    scale_ = exact.scale();
-    judge(exact, pair, result, Mode::in_double);
+    const auto result = families::run<double>(pair);
+    const Truth truth = truth_of(pair, result.warm());
+    note(pair, truth, result, Mode::in_double);
     if (work_.representation == Representation::float_values) {
-      const Pair<float> narrow = families::converted<float>(pair);
-      judge(exact, pair, families::run<double>(narrow), Mode::float_in_double);
-      judge(exact, pair, families::run<float>(narrow), Mode::in_float);
+      const auto narrow = families::converted<float>(pair);
+      note(pair, truth, families::run<double>(narrow), Mode::float_in_double);
+      note(pair, truth, families::run<float>(narrow), Mode::in_float);
     }
     ++done_;
   }
 
   template <class R>
-  void judge(const ExactPair& exact, const Pair<double>& pair, const gjk::Result<R, 2>& result,
-             Mode mode) {
-    const Judgement found = truth::judge(exact, truth_, scale_, claim_of(result));
+  void note(const Pair& pair, const Truth& truth, const gjk::Result<R, 2>& result, Mode mode) {
+    const Found found(truth, result);
     Row& row = rows_[static_cast<std::size_t>(mode)];
     row.add(found);
-    row.overlaps += truth_.overlap;
-    ++row.stops[static_cast<std::size_t>(result.stop)];
-    if constexpr (requires { result.settled; }) row.settled += result.settled;
-    const char* broken = broken_bar(found, bars_of(work_.family, work_.representation, mode));
-    if (broken == nullptr) return;
-    ++row.broken;
-    if (row.failures.size() < Row::kKept) {
-      row.failures.push_back(
-          {fmt::format("{}: exact {:.17g}, found {:.17g} in [{:.17g}, {:.17g}]\n  {}", broken,
-                       static_cast<double>(truth_.distance), double{result.distance},
-                       double{result.lower}, double{result.upper},
-                       json_of(pair, fmt::format("{}, seed {}, pair {}",
-                                                 kFamilyNames[static_cast<int>(work_.family)],
-                                                 work_.seed, done_))),
-           done_});
-    }
+    // A named error is an answer to denormal numbers.
+    if (result.error != gjk::Error::none && work_.family == families::Family::denormals) return;
+    const Errors bars = bars_of(work_.family, work_.representation, mode);
+    const std::string_view broken =
+        found.is_capped() ? "iteration cap" : broken_bar(found.judgement, found.errors, bars);
+    if (broken.empty() || ++row.counts[Row::broken] > static_cast<long>(Row::kKept)) return;
+    const std::string name = fmt::format(
+        "{}, seed {}, pair {}", kFamilyNames[static_cast<int>(work_.family)], work_.seed, done_);
+    row.failures.push_back(
+        {fmt::format("{}: exact {:.17g}, found {:.17g} in [{:.17g}, {:.17g}]\n"
+                     "  {}",
+                     broken, truth.distance, double{result.distance}, double{result.lower},
+                     double{result.upper}, json_of(pair, name)),
+         done_});
   }
 
   Work work_;
   families::Source random_;
-  long drawn_ = 0;
   long done_ = 0;
-  Truth truth_;
-  long double scale_ = 0;
   Rows rows_;
 };
 
 struct Job {
-  Family family;
+  families::Family family;
   Representation representation;
   Rows rows = {};
 };
 
 void print_rows(const std::vector<Job>& jobs) {
-  fmt::print(
-      "{:<15}{:<8}{:<16}{:>9}{:>8}{:>6}{:>6}{:>6}{:>6}{:>8}{:>8} {:>8}{:>9}{:>8}{:>8}{:>9}\n",
-      "family", "values", "run", "pairs", "broken", "wrong", "undec", "nan", "cap", "refused",
-      "bounds", "error", "relative", "outside", "apart", "width");
   const auto each = [&](auto print) {
     for (const Job& job : jobs) {
       for (std::size_t mode = 0; mode < job.rows.size(); ++mode) {
         const Row& row = job.rows[mode];
-        if (row.pairs == 0) continue;
+        if (row.counts[Row::pairs] == 0) continue;
         fmt::print("{:<15}{:<8}{:<16}{:>9}", kFamilyNames[static_cast<int>(job.family)],
                    job.representation == Representation::float_values ? "float" : "double",
-                   kModeNames[mode], row.pairs);
+                   kModeNames[mode], row.counts[Row::pairs]);
         print(row);
       }
     }
   };
+  fmt::print("{:<15}{:<8}{:<16}{:>9}{:>8}{:>6}{:>6}{:>8}{:>6}{:>8} {:>8}{:>9}{:>9}{:>9}\n",
+             "family", "values", "run", "pairs", "broken", "wrong", "undec", "failed", "cap",
+             "bounds", "error", "relative", "witness", "width");
   each([](const Row& row) {
-    fmt::print("{:>8}{:>6}{:>6}{:>6}{:>6}{:>8}{:>8} {:>8.3g}{:>9.1e}{:>8.3g}{:>8.3g}{:>9.3g}\n",
-               row.broken, row.wrong, row.undecided, row.not_a_number, row.capped, row.refused,
-               row.certificates, row.most.distance_error, row.most.relative_error, row.most.outside,
-               row.most.apart, row.most.width);
+    fmt::print("{:>8}{:>6}{:>6}{:>8}{:>6}{:>8} {:>8.3g}{:>9.1e}{:>9.3g}{:>9.3g}\n",
+               row.counts[Row::broken], row.counts[Row::wrong], row.counts[Row::undecided],
+               row.counts[Row::failed], row.counts[Row::capped], row.counts[Row::bounds],
+               row.most.distance, row.most.relative, row.most.witness, row.most.width);
   });
   fmt::print("\n{:<15}{:<8}{:<16}{:>9}{:>9}{:>9}{:>10}{:>8}{:>8}{:>8}   shares in %\n", "family",
              "values", "run", "pairs", "overlap", "settled", "repeated", "inside", "zero d",
              "no prog");
   each([](const Row& row) {
     const auto share = [&](long count) {
-      return 100 * static_cast<double>(count) / static_cast<double>(row.pairs);
+      return 100 * static_cast<double>(count) / static_cast<double>(row.counts[Row::pairs]);
     };
     const auto stop = [&](gjk::StopReason reason) {
       return share(row.stops[static_cast<std::size_t>(reason)]);
     };
     using gjk::StopReason;
-    fmt::print("{:>9.2f}{:>9.2f}{:>10.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n", share(row.overlaps),
-               share(row.settled), stop(StopReason::repeated_support),
-               stop(StopReason::origin_inside), stop(StopReason::zero_direction),
-               stop(StopReason::no_progress));
+    fmt::print("{:>9.2f}{:>9.2f}{:>10.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n",
+               share(row.counts[Row::overlaps]), share(row.counts[Row::settled]),
+               stop(StopReason::repeated_support), stop(StopReason::origin_inside),
+               stop(StopReason::zero_direction), stop(StopReason::no_progress));
   });
+}
+
+/// Prints the failures that were kept; returns how many claims break a bar.
+long print_failures(const std::vector<Job>& jobs) {
+  long broken = 0;
+  for (const Job& job : jobs) {
+    for (std::size_t mode = 0; mode < job.rows.size(); ++mode) {
+      broken += job.rows[mode].counts[Row::broken];
+      for (const Failure& failure : job.rows[mode].failures) {
+        fmt::print("\n{} in {}: {}\n", kFamilyNames[static_cast<int>(job.family)], kModeNames[mode],
+                   failure.text);
+      }
+    }
+  }
+  fmt::print("\n{} of the claims break a bar\n", broken);
+  return broken;
+}
+
+std::vector<Job> jobs_of(const std::vector<std::string>& names) {
+  std::vector<Job> jobs;
+  for (int family = 0; family < kFamilyCount; ++family) {
+    const std::string_view name = kFamilyNames[static_cast<std::size_t>(family)];
+    if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
+    for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
+      jobs.push_back({static_cast<families::Family>(family), representation});
+    }
+  }
+  return jobs;
+}
+
+/// Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
+void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
+  constexpr long kPiece = 2000;
+  const long job_count = static_cast<long>(jobs.size());
+  const long each = (pairs + job_count - 1) / job_count;
+  const long pieces = (each + kPiece - 1) / kPiece;
+  std::atomic<long> next = 0;
+  std::mutex merging;
+  const auto work = [&] {
+    for (long i = next++; i < pieces * job_count; i = next++) {
+      Job& job = jobs[static_cast<std::size_t>(i % job_count)];
+      const long piece = i / job_count;
+      Rows rows =
+          Worker({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
+                  std::min(kPiece, each - piece * kPiece)})
+              .run();
+      const std::scoped_lock lock(merging);
+      for (std::size_t mode = 0; mode < rows.size(); ++mode) {
+        for (Failure& failure : rows[mode].failures) failure.pair += piece * kPiece;
+        job.rows[mode].add(rows[mode]);
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
 }
 
 int main_of(int argc, char** argv) {
@@ -293,59 +325,13 @@ int main_of(int argc, char** argv) {
       ->check(CLI::IsMember(std::vector<std::string>(kFamilyNames.begin(), kFamilyNames.end())));
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<Job> jobs;
-  for (int family = 0; family < kFamilyCount; ++family) {
-    if (!names.empty() &&
-        std::find(names.begin(), names.end(), kFamilyNames[family]) == names.end())
-      continue;
-    for (const Representation representation :
-         {Representation::float_values, Representation::full_doubles}) {
-      jobs.push_back({static_cast<Family>(family), representation});
-    }
-  }
-
-  // Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
-  constexpr long kPiece = 2000;
-  const long job_count = static_cast<long>(jobs.size());
-  const long each = (pairs + job_count - 1) / job_count;
-  const long pieces = (each + kPiece - 1) / kPiece;
-  std::atomic<long> next = 0;
-  std::mutex merging;
-  const auto work = [&] {
-    for (long i = next++; i < pieces * job_count; i = next++) {
-      Job& job = jobs[static_cast<std::size_t>(i % job_count)];
-      const long piece = i / job_count;
-      Work part{job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
-                std::min(kPiece, each - piece * kPiece)};
-      Rows rows = Worker(part).run();
-      const std::scoped_lock lock(merging);
-      for (std::size_t mode = 0; mode < rows.size(); ++mode) {
-        for (Failure& failure : rows[mode].failures) failure.pair += piece * kPiece;
-        job.rows[mode].add(rows[mode]);
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
-
+  std::vector<Job> jobs = jobs_of(names);
+  run(jobs, pairs, threads, seed);
   print_rows(jobs);
-  long broken = 0;
-  for (const Job& job : jobs) {
-    for (std::size_t mode = 0; mode < job.rows.size(); ++mode) {
-      broken += job.rows[mode].broken;
-      for (const Failure& failure : job.rows[mode].failures) {
-        fmt::print("\n{} in {}: {}\n", kFamilyNames[static_cast<int>(job.family)], kModeNames[mode],
-                   failure.text);
-      }
-    }
-  }
-  fmt::print("\n{} of the claims break a bar\n", broken);
-  return broken == 0 ? 0 : 1;
+  return print_failures(jobs) == 0 ? 0 : 1;
 }
 
 }  // namespace
-}  // namespace truth
+}  // namespace gjkscope::study
 
-int main(int argc, char** argv) { return truth::main_of(argc, argv); }
+int main(int argc, char** argv) { return gjkscope::study::main_of(argc, argv); }
