@@ -607,10 +607,11 @@ void App::make_commands() {
   add("View", "Study", {"A"}, [toggle] { toggle(Drawer::study); });
   add("View", "Worst run of the configuration", {"Enter"}, [&] {
     const auto& study = session_.lesson().study;
-    const auto shown = static_cast<std::size_t>(session_.frame().detail);
-    if (!study || session_.frame().detail < 0 || shown >= study->configurations.size())
-      return say("this frame shows no configuration of a study");
-    open_worst_run(study->dot(study->configurations[shown]));
+    const StudyFrame shown = study ? session_.run().study(session_.frame()) : StudyFrame{};
+    if (shown.stage != StudyStage::mark)
+      return say("this frame introduces no configuration of a study");
+    const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];
+    open_worst_run(study->dot(mark.configuration));
   });
   add("View", "Back to the study", {"B"}, [&] { go_back(); });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });

@@ -10,6 +10,7 @@
 
 #include "app.hpp"
 #include "effects/registry.hpp"
+#include "imgui_vec.hpp"
 #include "lesson/names.hpp"
 
 namespace gjkscope {
@@ -21,8 +22,6 @@ using Eigen::Vector2d;
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-ImVec2 vec(const Point& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
 
 /// A panel that fills `rect`. End it with ImGui::End.
 void begin_panel(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) {

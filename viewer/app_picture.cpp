@@ -11,6 +11,7 @@
 #include "app.hpp"
 #include "geometry/polygon.hpp"
 #include "hit.hpp"
+#include "imgui_vec.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
 
@@ -28,8 +29,6 @@ constexpr double kSlack = 7.0;        // frame pixels around a point or a line t
 constexpr double kHandleAway = 30.0;  // of the rotation handle from its shape, frame pixels
 constexpr double kHandleRadius = 7.0;
 constexpr double kSmallestZoom = 0.3;
-
-ImVec2 vec(const Point& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
 
 bool is_vertex(const Subject& subject) {
   return subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;

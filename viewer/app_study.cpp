@@ -12,7 +12,7 @@
 #include "app.hpp"
 #include "cli/input.hpp"
 #include "lesson/load.hpp"
-#include "lesson/study_times.hpp"
+#include "lesson/schema.hpp"
 #include "study/configuration.hpp"
 
 namespace gjkscope {
@@ -45,7 +45,6 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
 /// What a lesson steps otherwise than the configuration; empty when nothing.
 std::string told_apart(const study::Configuration& configuration) {
   switch (configuration.arithmetic) {
-    return " Stepped by itself, in float.";
     case Arithmetic::long_double:
     case Arithmetic::quad:
       return " Stepped in exact arithmetic: lessons have no " +
@@ -57,14 +56,13 @@ std::string told_apart(const study::Configuration& configuration) {
                                                    : "";
 }
 
-/// As many as a lesson may show, the front first.
-std::vector<std::string> configurations_to_show(const std::vector<StudyDot>& family) {
-  constexpr std::size_t kMost = 12;
-  std::vector<std::string> names;
-  for (const StudyDot& dot : front_of(family)) names.push_back(dot.configuration);
-  if (names.empty()) names.push_back(family.front().configuration);
-  if (names.size() > kMost) names.resize(kMost);
-  return names;
+/// Those on the front, or the first of all: as many as a lesson may introduce.
+std::vector<StudyMark> marks_to_show(const std::vector<StudyDot>& family) {
+  std::vector<StudyMark> marks;
+  for (const StudyDot& dot : front_of(family)) marks.push_back({dot.configuration, "", ""});
+  if (marks.empty()) marks.push_back({family.front().configuration, "", ""});
+  if (marks.size() > limits::kMarks) marks.resize(limits::kMarks);
+  return marks;
 }
 
 }  // namespace
@@ -78,7 +76,9 @@ void App::open_results(std::string_view json, const fs::path& file) {
   LessonStudy study;
   study.results = fs::absolute(file).string();
   try {
-    study.dots = timed_by_ratio(parse_study_results(json));
+    StudyResults results = parse_study_results(json);
+    study.processor = std::move(results.processor);
+    study.dots = std::move(results.dots);
   } catch (const std::runtime_error& error) {
     return say(fmt::format("{}: {}", file.string(), error.what()), true);
   }
@@ -89,7 +89,7 @@ void App::open_results(std::string_view json, const fs::path& file) {
   const bool has_family =
       std::find(families.begin(), families.end(), lesson.study->family) != families.end();
   study.family = has_family ? lesson.study->family : families.front();
-  study.configurations = configurations_to_show(of_family(study.dots, study.family));
+  study.marks = marks_to_show(of_family(study.dots, study.family));
   lesson.study = std::move(study);
   if (show(std::move(lesson), {}, file.string())) drawer_ = Drawer::study;
 }
@@ -138,9 +138,11 @@ void App::draw_dot_tooltip() const {
   const auto index = static_cast<std::size_t>(hovered_.x);
   if (index >= family.size()) return;
   const StudyDot& dot = family[index];
-  ImGui::SetTooltip("%s\n%s, %.2f x the default\nerror %s%s\nclick: step through its worst run",
-                    dot.configuration.c_str(), time_text(dot.ns).c_str(), dot.ratio,
-                    error_of(dot).c_str(), dot.on_front ? ", on the Pareto front" : "");
+  ImGui::SetTooltip(
+      "%s\n%s, %.2f x the time of double\nlargest error seen %s%s\nclick: step "
+      "through its worst run",
+      dot.configuration.c_str(), time_text(dot.ns).c_str(), dot.ratio, error_of(dot).c_str(),
+      dot.on_front ? ", on the front" : "");
 }
 
 void App::draw_study() {
@@ -149,7 +151,7 @@ void App::draw_study() {
   const auto& study = session_.lesson().study;
   if (!study) {
     ImGui::TextWrapped(
-        "Error against time of every way to answer. Open the accuracy.json that "
+        "Error against time of every way to run GJK. Open the accuracy.json that "
         "`gjkscope study accuracy --out DIR` writes, or:");
     if (ImGui::Button("Open the shipped study"))
       open_lesson(paths_.share / "lessons" / kStudyLesson);
@@ -165,12 +167,14 @@ void App::draw_study() {
   if (family != study->family) {
     const auto choose = [&](Lesson& lesson) {
       lesson.study->family = family;
-      lesson.study->configurations = configurations_to_show(of_family(lesson.study->dots, family));
+      lesson.study->marks = marks_to_show(of_family(lesson.study->dots, family));
     };
     if (!session_.change("family", choose)) say(session_.problem(), true);
     return;
   }
-  ImGui::TextWrapped("Each line opens the worst run behind it. * is on the Pareto front.");
+  ImGui::TextWrapped(
+      "Each line opens the worst run behind it. * is on the front: no other way is as "
+      "fast and as accurate, and better in one.");
   std::vector<StudyDot> family_dots = dots();
   std::vector<std::size_t> order(family_dots.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -65,7 +65,7 @@ class TraceWriter {
     out["iteration_cap"] = value.iteration_cap;
     out["start_rule"] = value.start.count == 0 ? "centre-to-centre" : "given";
     out["start"] = Json::array();
-    const int count = std::clamp(value.start.count, 0, static_cast<int>(value.start.size()));
+    const int count = std::clamp(value.start.count, 0, static_cast<int>(value.start.pairs.size()));
     for (int i = 0; i < count; ++i) out["start"].push_back(pair(value.start.pairs[i]));
     return out;
   }

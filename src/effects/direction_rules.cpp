@@ -24,7 +24,7 @@ DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run
     const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
     for (const gjk::DirectionRule rule :
          {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
-      const gjk::DirectionNote<S, 2> note = gjk::detail::search_direction(simplex, p, rule);
+      const gjk::DirectionNote<S, 2> note = gjk::search_direction(simplex, p, rule);
       built.push_back({rule, widened(note.d) * std::ldexp(1.0, exponent),
                        std::ldexp(widened(gjk::dot(note.d, edge)), 2 * exponent)});
     }

@@ -112,8 +112,8 @@ Growth::Example example_of(const gjk::Query<double, 2>& query, const gjk::Trace<
   constexpr std::size_t kMostCorners = 400;
   const auto in_world = [](const gjk::Shape<double, 2>& shape) {
     std::vector<Vector2d> vertices;
-    vertices.reserve(shape.vertices.size());
-    for (const Vector2d& vertex : shape.vertices)
+    vertices.reserve(shape.vertices().size());
+    for (const Vector2d& vertex : shape.vertices())
       vertices.emplace_back(shape.pose.rotated(vertex) + shape.pose.translation);
     return vertices;
   };
@@ -148,10 +148,10 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
   Growth::Sample sample;
   sample.vertices = vertices;
   for (int pair = 0; pair < pairs; ++pair) {
-    const std::vector<Vector2d> x = random_polygon(random, vertices);
-    const std::vector<Vector2d> y = random_polygon(random, vertices);
+    const gjk::MeasuredShape x(random_polygon(random, vertices));
+    const gjk::MeasuredShape y(random_polygon(random, vertices));
     gjk::Query<double, 2> query{{x}, {y}};
-    sample.is_climbed = query.x.vertices.is_ring();
+    sample.is_climbed = x.measures().is_ring;
     for (int i = pair; i < runs; i += pairs) {
       query.y.pose = random_pose(random);
       const gjk::Trace<double, 2> trace = gjk::trace(query, options);

@@ -38,9 +38,8 @@ RegionOrders::Chain chain_of(gjk::RegionOrder order, bool whole, const Coordinat
   RegionOrders::Chain chain;
   chain.order = order;
   chain.whole = whole;
-  const gjk::detail::RegionList list = gjk::detail::list_regions(3, order);
-  for (int i = 0; i < list.count && chain.region == 0; ++i) {
-    const gjk::Face face = list.conditions[i].face;
+  for (const gjk::Face face : gjk::tested_faces(3, order)) {
+    if (chain.region != 0) break;
     chain.tests.push_back(test_of(face, whole, coordinates));
     if (chain.tests.back().holds) chain.region = face;
   }

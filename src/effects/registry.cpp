@@ -10,13 +10,13 @@
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "effects/region_orders.hpp"
+#include "effects/rounded_pair.hpp"
 #include "effects/second_run.hpp"
 #include "effects/shape_hull.hpp"
 #include "effects/sign_map.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "effects/voronoi.hpp"
-#include "effects/worst_pair.hpp"
 
 namespace gjkscope {
 namespace {
@@ -50,7 +50,7 @@ const std::vector<EffectInfo>& registered_effects() {
       info<Slab>("view", "the widest strip proved empty between X and Y"),
       info<ColdStart>("panel", "the same run without the warm start"),
       info<Growth>("panel", "runs on random polygons, with more and more vertices"),
-      info<WorstPair>("panel", "the pair that a configuration of a study answers worst"),
+      info<RoundedPair>("panel", "the same query as floats and doubles keep it, and exactly"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
       info<SecondRun>("view", "the same query in another scalar: its closest point and search"),

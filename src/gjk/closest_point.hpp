@@ -1,140 +1,147 @@
 #pragma once
-// Phases "closest" and "cull": the closest point P of a simplex to O by ordered region tests, and
-// what it leaves over.
+// Phases "closest" and "cull": the closest point P of a simplex to O, and what it leaves over.
+//
+// P lies in one of the simplex's faces: O is in that face's Voronoi region. Coordinate i of O in a
+// face says on which side of the rest of the face O lies, as seen from vertex i; so the signs of
+// the coordinates tell the region (Catto 2010, slides "Voronoi regions" to "Closest point on a
+// triangle"; in any dimension Johnson's condition, Gilbert, Johnson, Keerthi 1988):
+//
+//   O is in the region of a face when its coordinates in the face are positive, and that of each
+//   other vertex, in the face grown by that vertex, is not.
+//
+// Written out, with u, v, w for the coordinates of the first, second, third vertex of a face:
+//
+//   segment AB     B: u <= 0        A: v <= 0        AB: u > 0 and v > 0
+//
+//   triangle ABC   A:  vAB <= 0 and uCA <= 0
+//                  B:  uAB <= 0 and vBC <= 0
+//                  C:  uBC <= 0 and vCA <= 0
+//                  AB: uAB > 0 and vAB > 0 and wABC <= 0
+//                  BC: uBC > 0 and vBC > 0 and uABC <= 0
+//                  CA: uCA > 0 and vCA > 0 and vABC <= 0
+//                  ABC: uABC > 0 and vABC > 0 and wABC > 0
+//
+// In code CA is the face of vertices 0 and 2: its u is the coordinate of vertex 2.
 
 #include <algorithm>
-#include <utility>
 
-#include "gjk/support.hpp"
+#include "gjk/prepare.hpp"
+#include "gjk/state.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
-inline constexpr int kMaxRegions = (1 << (kMaxDimension + 1)) - 1;
-
-/// A set of barycentric coordinates: bit 4 * face + vertex stands for that of `vertex` in `face`.
-using CoordinateSet = std::uint64_t;
-[[nodiscard]] constexpr CoordinateSet coordinate_bit(Face face, int vertex) {
-  return CoordinateSet{1} << (4 * face + vertex);
-}
-
-/// What puts O into the Voronoi region of `face`: its coordinates within the face are positive, and
-/// the coordinate of every other vertex, in the face grown by that vertex, is not (Johnson's
-/// condition). For a triangle these are the slides' tests: region A if vAB <= 0 and uCA <= 0;
-/// region AB if uAB > 0, vAB > 0 and wABC <= 0; else ABC.
-struct RegionCondition {
-  Face face = 0;
-  CoordinateSet positive = 0;
-  CoordinateSet not_positive = 0;
-
-  [[nodiscard]] constexpr bool holds(CoordinateSet positive_ones) const {
-    return (positive_ones & (positive | not_positive)) == positive;
-  }
-};
-
-/// The faces of a simplex of `count` vertices in the order in which their regions are tested.
-struct RegionList {
-  std::array<RegionCondition, kMaxRegions> conditions = {};
+/// Faces of a simplex, in the order in which their regions are tested.
+struct FaceList {
+  std::array<Face, (1 << (kMaxDimension + 1)) - 1> faces = {};
   int count = 0;
 
-  constexpr void add(Face face, int vertices) {
-    RegionCondition& condition = conditions[count++];
-    condition.face = face;
-    for (int i = 0; i < vertices; ++i) {
-      const Face grown = static_cast<Face>(face | face_of(i));
-      if (!contains(face, i)) {
-        condition.not_positive |= coordinate_bit(grown, i);
-      } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
-        condition.positive |= coordinate_bit(face, i);
-      }
-    }
-  }
+  constexpr void add(Face face) { faces[count++] = face; }
+  [[nodiscard]] constexpr const Face* begin() const { return faces.data(); }
+  [[nodiscard]] constexpr const Face* end() const { return faces.data() + count; }
 };
-[[nodiscard]] constexpr RegionList list_regions(int vertices, RegionOrder order) {
-  // Segment: the slides test u <= 0 (region B) before v <= 0 (region A). Triangle: A, B, C, AB, BC,
-  // CA, ABC.
-  constexpr std::array<Face, 3> kSegment = {0b10, 0b01, 0b11};
-  constexpr std::array<Face, 7> kTriangle = {0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
-  RegionList sorted;
+
+/// The order of the tests for a simplex of so many vertices.
+[[nodiscard]] constexpr FaceList tested_faces(int vertices, RegionOrder order) {
+  FaceList sorted;
   if (vertices == 2) {
-    for (const Face face : kSegment) sorted.add(face, vertices);
+    for (const Face face : {0b10, 0b01, 0b11}) sorted.add(face);  // u <= 0 first, as on the slides
   } else if (vertices == 3) {
-    for (const Face face : kTriangle) sorted.add(face, vertices);
+    for (const Face face : {0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111}) sorted.add(face);
   } else {
     for (int size = 1; size <= vertices; ++size) {
-      for (int face = 1; face < (1 << vertices); ++face) {
-        if (vertex_count(static_cast<Face>(face)) == size)
-          sorted.add(static_cast<Face>(face), vertices);
+      for (Face face = 1; face < (1 << vertices); ++face) {
+        if (vertex_count(face) == size) sorted.add(face);
       }
     }
   }
   if (order != RegionOrder::edges_first) return sorted;
-  RegionList reordered;
+  FaceList edges_first;
   for (const bool edges : {true, false}) {
-    for (int i = 0; i < sorted.count; ++i) {
-      const Face face = sorted.conditions[i].face;
-      if ((vertex_count(face) == 2) == edges) reordered.add(face, vertices);
+    for (const Face face : sorted) {
+      if ((vertex_count(face) == 2) == edges) edges_first.add(face);
     }
   }
-  return reordered;
+  return edges_first;
 }
 
-/// Barycentric coordinates of every face of more than one vertex, of a simplex of kCount vertices.
+namespace detail {
+
+/// Which coordinates are positive: bit 4 * face + vertex.
+using SignSet = std::uint64_t;
+[[nodiscard]] constexpr SignSet sign_bit(Face face, int vertex) {
+  return SignSet{1} << (4 * face + vertex);
+}
+
+/// Johnson's condition for one face: what has to be positive, and what must not be. Coordinates of
+/// vertices that the simplex does not have are not positive.
+struct RegionCondition {
+  SignSet positive = 0;
+  SignSet not_positive = 0;
+
+  [[nodiscard]] constexpr bool holds(SignSet signs) const {
+    return (signs & (positive | not_positive)) == positive;
+  }
+};
+[[nodiscard]] constexpr RegionCondition region_condition(Face face) {
+  RegionCondition out;
+  for (int i = 0; i <= kMaxDimension; ++i) {
+    if (!contains(face, i)) {
+      out.not_positive |= sign_bit(static_cast<Face>(face | face_of(i)), i);
+    } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
+      out.positive |= sign_bit(face, i);
+    }
+  }
+  return out;
+}
+inline constexpr auto kRegionConditions = [] {
+  std::array<RegionCondition, 1 << (kMaxDimension + 1)> out = {};
+  for (Face face = 1; face < out.size(); ++face) out[face] = region_condition(face);
+  return out;
+}();
+
+/// The coordinates of O in every face of a simplex of kCount vertices, and their signs.
 template <class S, int D, int kCount>
-class CoordinateTable {
- public:
-  explicit CoordinateTable(const Simplex<S, D>& simplex) {
+struct Coordinates {
+  std::array<Barycentric<S, D>, (1 << kCount)> of_face;
+  SignSet signs = 0;
+
+  explicit Coordinates(const Simplex<S, D>& simplex) {
     for (int b = 1; b < kCount; ++b) {
       for (int a = 0; a < b; ++a) {
         const Face face = static_cast<Face>(face_of(a) | face_of(b));
-        segment_coordinates(simplex, a, b, of_face_[face]);
-        note_signs(face);
+        note(face, segment_coordinates(simplex, a, b));
       }
     }
-    if constexpr (D > 2 && kCount > 2) {
-      for (Face face = 0; face <= simplex.all(); ++face) {
-        if (vertex_count(face) > 2 && vertex_count(face) <= D) {
-          of_face_[face] = barycentric(simplex, face);
-          note_signs(face);
-        }
+    if constexpr (kCount > 2 && D > 2) {
+      for (Face face = 7; face < of_face.size(); ++face) {
+        if (vertex_count(face) > 2 && vertex_count(face) <= D)
+          note(face, barycentric(simplex, face));
       }
     }
-    if constexpr (kCount == D + 1) {
-      volume_coordinates(simplex, of_face_[kAll]);
-      note_signs(kAll);
-    }
+    if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
   }
-
-  [[nodiscard]] const Barycentric<S, D>& operator[](Face face) const { return of_face_[face]; }
-  [[nodiscard]] CoordinateSet positive() const { return positive_; }
 
  private:
-  static constexpr Face kAll = static_cast<Face>((1u << kCount) - 1);
-
-  void note_signs(Face face) {
+  void note(Face face, const Barycentric<S, D>& coordinates) {
+    of_face[face] = coordinates;
     for (int i = 0; i < kCount; ++i) {
-      if (!contains(face, i)) continue;
-      const bool positive = S(0) < of_face_[face].numerator[i];
-      positive_ |= CoordinateSet{positive} << (4 * face + i);
+      signs |= SignSet{S(0) < coordinates.numerator[i]} << (4 * face + i);
     }
   }
-
-  std::array<Barycentric<S, D>, (1u << kCount)> of_face_;
-  CoordinateSet positive_ = 0;
 };
 
 template <class S, int D, int kCount>
-[[nodiscard]] RegionTest<S> noted(const RegionCondition& condition,
-                                  const CoordinateTable<S, D, kCount>& table) {
-  RegionTest<S> note{condition.face, {}, condition.holds(table.positive())};
+[[nodiscard]] RegionTest<S> noted(Face region, const Coordinates<S, D, kCount>& coordinates) {
+  const RegionCondition& condition = kRegionConditions[region];
+  RegionTest<S> note{region, {}, condition.holds(coordinates.signs)};
   for (const bool wants_positive : {true, false}) {
-    const CoordinateSet wanted = wants_positive ? condition.positive : condition.not_positive;
+    const SignSet wanted = wants_positive ? condition.positive : condition.not_positive;
     for (int i = 0; i < kCount; ++i) {
-      const Face face = static_cast<Face>(condition.face | face_of(i));
-      if ((wanted & coordinate_bit(face, i)) == 0) continue;
-      const Barycentric<S, D>& coordinates = table[face];
-      const bool positive = S(0) < coordinates.numerator[i];
-      note.terms.push_back({face, i, wants_positive, coordinates.numerator[i],
-                            coordinates.denominator, positive == wants_positive});
+      const Face face = static_cast<Face>(region | face_of(i));
+      if ((wanted & sign_bit(face, i)) == 0) continue;
+      const Barycentric<S, D>& in_face = coordinates.of_face[face];
+      note.terms.push_back({face, i, wants_positive, in_face.numerator[i], in_face.denominator,
+                            (S(0) < in_face.numerator[i]) == wants_positive});
     }
   }
   return note;
@@ -144,38 +151,32 @@ template <class S, int D, int kCount>
 /// larger faces by the sum, so that weights add up to 1.
 template <class S, int D>
 void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
+  const FaceVertices& in_face = vertices_of(face);
+  simplex.weights.fill(S(0));
+  if (in_face.count == 1) {
+    simplex.weights[in_face.index[0]] = S(1);
+    return;
+  }
   S divisor = coordinates.denominator;
-  if (vertex_count(face) > 2) {
+  if (in_face.count > 2) {
     divisor = S(0);
-    for (int i = 0; i <= D; ++i) {
-      if (contains(face, i)) divisor = divisor + coordinates.numerator[i];
-    }
+    for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
-  for (int i = 0; i <= D; ++i) {
-    if (!contains(face, i)) {
-      simplex.weights[i] = S(0);
-    } else if (vertex_count(face) == 1) {
-      simplex.weights[i] = S(1);
-    } else {
-      simplex.weights[i] = coordinates.numerator[i] / divisor;
-    }
-  }
+  for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
 }
 
 /// When rounding left no test to believe: the nearest point over all faces whose coordinates are
 /// positive. Vertices always qualify, so there is one.
 template <class S, int D, int kCount>
-[[nodiscard]] Face nearest_face(Simplex<S, D> simplex, const CoordinateTable<S, D, kCount>& table) {
+[[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
+                                               const Coordinates<S, D, kCount>& coordinates) {
   Face best = 0;
   S best_sq(0);
   for (Face face = 1; face <= simplex.all(); ++face) {
-    bool inside = vertex_count(face) == 1 || S(0) < table[face].denominator;
-    for (int i = 0; i < kCount; ++i) {
-      if (contains(face, i) && vertex_count(face) > 1 && !(S(0) < table[face].numerator[i]))
-        inside = false;
-    }
-    if (!inside) continue;
-    set_weights(simplex, face, table[face]);
+    const SignSet wanted = kRegionConditions[face].positive;
+    const bool has_point = vertex_count(face) == 1 || S(0) < coordinates.of_face[face].denominator;
+    if (!has_point || (coordinates.signs & wanted) != wanted) continue;
+    set_weights(simplex, face, coordinates.of_face[face]);
     const Vec<S, D> point = weighted_point(simplex, face);
     const S point_sq = dot(point, point);
     if (best == 0 || point_sq < best_sq) {
@@ -189,116 +190,76 @@ template <class S, int D, int kCount>
 /// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
 /// is so thin that its volumes, and their signs, may be rounding errors.
 template <class S, int D>
-[[nodiscard]] bool weights_reach_origin(Simplex<S, D> simplex,
-                                        const Barycentric<S, D>& coordinates) {
+[[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
+                                                       const Barycentric<S, D>& coordinates) {
   if constexpr (ScalarTraits<S>::kExact) {
     return true;
   } else {
     set_weights(simplex, simplex.all(), coordinates);
-    S size(0);
-    for (int i = 0; i <= D; ++i) size = std::max(size, norm_max(simplex.vertices[i].w));
-    const S rounding = S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * size;
+    const S rounding =
+        S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * largest_coordinate(simplex);
     return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
   }
 }
 
-template <class S, int D>
-[[nodiscard]] std::array<Vec<S, D>, D> vertices_of(const Simplex<S, D>& simplex, Face facet) {
-  std::array<Vec<S, D>, D> vertices;
-  for (int i = 0, k = 0; i <= D && k < D; ++i) {
-    if (contains(facet, i)) vertices[k++] = simplex.vertices[i].w;
-  }
-  return vertices;
-}
-
-/// |P|^2 of P on a facet that O does not lie on: from the facet's plane, for which, as for its
-/// normal, nobody needs P.
-template <class S, int D>
-[[nodiscard]] S facet_distance_sq(const Simplex<S, D>& simplex, Face facet, const S& volume) {
-  const std::array<Vec<S, D>, D> vertices = vertices_of(simplex, facet);
-  std::array<Vec<S, D>, D - 1> edges;
-  for (int i = 0; i < D - 1; ++i) edges[i] = vertices[i + 1] - vertices[0];
-  const Vec<S, D> normal = perpendicular<S, D>(edges);
-  return volume * S(volume / dot(normal, normal));
-}
-
-/// P on `face`, by its coordinates.
+/// P on `face`, by its coordinates. Where O lies in the face P is O itself; the weighted sum would
+/// only say so up to rounding.
 template <class S, int D>
 void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
                  DirectionRule rule) {
-  const int size = vertex_count(face);
+  const FaceVertices& in_face = vertices_of(face);
+  const int size = in_face.count;
   state.region = face;
   set_weights(state.simplex, face, coordinates);
-  // Where O lies in the face P is O itself; the weighted sum would only say so up to rounding.
   S volume(0);  // that O spans with a facet
-  if (size == D) volume = determinant<S, D>(vertices_of(state.simplex, face));
+  std::array<Vec<S, D>, D> facet;
+  if (size == D) {
+    for (int k = 0; k < D; ++k) facet[k] = state.simplex.vertices[in_face.index[k]].w;
+    volume = determinant<S, D>(facet);
+  }
   const bool at_origin = size == D + 1 || (size == D && volume == S(0));
   state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
   state.p_sq = dot(state.p, state.p);
   if constexpr (!ScalarTraits<S>::kExact) {
+    // From the facet's own line or plane, as its normal: neither divides by a length.
     if (size == D && !at_origin && rule == DirectionRule::perpendicular) {
-      state.p_sq = facet_distance_sq(state.simplex, face, volume);
+      const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
+      state.p_sq = volume * S(volume / dot(normal, normal));
     }
   }
 }
 
-/// Takes the first region whose condition holds. The compiler makes the list of conditions, and
-/// straight code from it.
-template <int kCount, RegionOrder kOrder, class S, int D, class Rec>
-void find_region(State<S, D>& state, DirectionRule rule, Rec& record) {
-  const Simplex<S, D>& simplex = state.simplex;
-  const CoordinateTable<S, D, kCount> table(simplex);
-  static constexpr RegionList kList = list_regions(kCount, kOrder);
-  constexpr bool kChecked = kOrder != RegionOrder::unchecked;
-  const auto taken = [&](const RegionCondition& condition) {
-    if constexpr (Rec::kOn) record.region_tests.push_back(noted(condition, table));
-    if (!condition.holds(table.positive())) return false;
-    const bool doubtful = kChecked && vertex_count(condition.face) == D + 1;
-    if (doubtful && !weights_reach_origin(simplex, table[condition.face])) return false;
-    take_region(state, condition.face, table[condition.face], rule);
-    return true;
-  };
-  const bool found = [&]<int... I>(std::integer_sequence<int, I...>) {
-    return (... || taken(std::integral_constant<RegionCondition, kList.conditions[I]>::value));
-  }
-  (std::make_integer_sequence<int, kList.count>{});
-  if (found) return;
-  const Face nearest = kChecked ? nearest_face(simplex, table) : simplex.all();
-  if constexpr (Rec::kOn) {
-    const bool full_is_nearest = nearest == simplex.all() && vertex_count(nearest) == D + 1;
-    record.no_region_held = kChecked && !full_is_nearest;
-  }
-  take_region(state, nearest, table[nearest], rule);
-}
-
+/// Takes the first region whose condition holds.
 template <int kCount, class S, int D, class Rec>
-void find_closest_point_of(State<S, D>& state, const Options& options, Rec& record) {
-  switch (options.region_order) {
-    case RegionOrder::vertices_first:
-      return find_region<kCount, RegionOrder::vertices_first>(state, options.direction_rule,
-                                                              record);
-    case RegionOrder::edges_first:
-      return find_region<kCount, RegionOrder::edges_first>(state, options.direction_rule, record);
-    case RegionOrder::unchecked:
-      return find_region<kCount, RegionOrder::unchecked>(state, options.direction_rule, record);
+void find_region(State<S, D>& state, const Options& options, Rec& record) {
+  static constexpr FaceList kOrders[] = {tested_faces(kCount, RegionOrder::vertices_first),
+                                         tested_faces(kCount, RegionOrder::edges_first)};
+  const Coordinates<S, D, kCount> coordinates(state.simplex);
+  const bool checked = options.region_order != RegionOrder::unchecked;
+  Face found = 0;
+  for (const Face face : kOrders[options.region_order == RegionOrder::edges_first ? 1 : 0]) {
+    if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
+    if (!kRegionConditions[face].holds(coordinates.signs)) continue;
+    const bool doubtful = checked && vertex_count(face) == D + 1;
+    if (!doubtful || weights_reach_origin(state.simplex, coordinates.of_face[face])) found = face;
+    break;
   }
+  if (found == 0) {
+    found = checked ? nearest_face(state.simplex, coordinates) : state.simplex.all();
+    if constexpr (Rec::kOn) {
+      record.no_region_held = checked && vertex_count(found) != D + 1;
+    }
+  }
+  take_region(state, found, coordinates.of_face[found], options.direction_rule);
 }
 
 template <class S, int D, class Rec>
 void find_closest_point(State<S, D>& state, const Options& options, Rec& record) {
-  switch (state.simplex.count) {
-    case 1:
-      find_closest_point_of<1>(state, options, record);
-      break;
-    case 2:
-      find_closest_point_of<2>(state, options, record);
-      break;
-    case 3:
-      find_closest_point_of<3>(state, options, record);
-      break;
-    default:
-      if constexpr (D > 2) find_closest_point_of<4>(state, options, record);
-      break;
+  if (state.simplex.count == 1) find_region<1>(state, options, record);
+  if (state.simplex.count == 2) find_region<2>(state, options, record);
+  if (state.simplex.count == 3) find_region<3>(state, options, record);
+  if constexpr (D > 2) {
+    if (state.simplex.count == 4) find_region<4>(state, options, record);
   }
   state.previous = Phase::closest;
   state.phase = Phase::cull;
@@ -321,8 +282,7 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
     }
   }
   int kept = 0;
-  for (int i = 0; i <= D; ++i) {
-    if (!contains(state.region, i)) continue;
+  for (const int i : vertices_of(state.region)) {
     simplex.vertices[kept] = simplex.vertices[i];
     simplex.weights[kept] = simplex.weights[i];
     ++kept;
@@ -332,7 +292,12 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
 
   const bool nearer = came_nearer(state);
   if (nearer) {
-    state.best = simplex;
+    state.best.count = kept;
+    for (int i = 0; i < kept;
+         ++i) {  // not all of it at once: what was just written is not there yet
+      state.best.vertices[i] = simplex.vertices[i];
+      state.best.weights[i] = simplex.weights[i];
+    }
     state.best_sq = state.p_sq;
   }
   const bool answered = kept == D + 1 || (!nearer && options.stop_on_no_progress);
@@ -340,4 +305,5 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
   state.phase = answered ? Phase::stop : Phase::direction;
 }
 
-}  // namespace gjk::detail
+}  // namespace detail
+}  // namespace gjk

@@ -3,7 +3,7 @@
 
 #include "gjk/state.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
 /// The direction that `rule` builds from a culled simplex and its closest point.
 ///
@@ -17,9 +17,9 @@ template <class S, int D>
   DirectionNote<S, D> note;
   note.d = -p;
   if (rule != DirectionRule::perpendicular || simplex.count != D) return note;
-  std::array<Vec<S, D>, D - 1> edges;
-  for (int i = 0; i < D - 1; ++i) edges[i] = simplex.vertices[i + 1].w - simplex.vertices[0].w;
-  const Vec<S, D> normal = perpendicular<S, D>(edges);
+  std::array<Vec<S, D>, D> facet;
+  for (int i = 0; i < D; ++i) facet[i] = simplex.vertices[i].w;
+  const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
   if (is_zero(normal)) return note;
   note.from_normal = true;
   note.normal = normal;
@@ -30,6 +30,8 @@ template <class S, int D>
   return note;
 }
 
+namespace detail {
+
 template <class S, int D, class Rec>
 void build_direction(State<S, D>& state, const Options& options, Rec& record) {
   const DirectionNote<S, D> note = search_direction(state.simplex, state.p, options.direction_rule);
@@ -39,4 +41,5 @@ void build_direction(State<S, D>& state, const Options& options, Rec& record) {
   state.phase = is_zero(state.d) ? Phase::stop : Phase::support;
 }
 
-}  // namespace gjk::detail
+}  // namespace detail
+}  // namespace gjk

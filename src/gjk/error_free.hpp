@@ -25,22 +25,21 @@ template <class R>
   return {sum, R(a - from_a) + R(b - from_b)};
 }
 
-/// Halves of a number, each of half its digits (Veltkamp 1968). R: a number, or several side by
-/// side.
-template <class R, class Number = R>
+/// Halves of a number, each of half its digits (Veltkamp 1968).
+template <class R>
 [[nodiscard]] DoubleWord<R> halves(const R& whole) {
-  constexpr int kHalf = (std::numeric_limits<Number>::digits + 1) / 2;
-  const Number splitter = Number(static_cast<double>(1ull << kHalf)) + Number(1);
+  constexpr int kHalf = (std::numeric_limits<R>::digits + 1) / 2;
+  const R splitter = R(static_cast<double>(1ull << kHalf)) + R(1);
   const R big = splitter * whole;
   const R hi = big - R(big - whole);
   return {hi, whole - hi};
 }
 
 /// a * b, exactly (Dekker 1971).
-template <class R, class Number = R>
+template <class R>
 [[nodiscard]] DoubleWord<R> exact_product(const R& a, const R& b) {
-  const DoubleWord<R> x = halves<R, Number>(a);
-  const DoubleWord<R> y = halves<R, Number>(b);
+  const DoubleWord<R> x = halves(a);
+  const DoubleWord<R> y = halves(b);
   const R product = a * b;
   const R error = R(R(R(x.hi * y.hi) - product) + R(x.hi * y.lo) + R(x.lo * y.hi)) + R(x.lo * y.lo);
   return {product, error};

@@ -1,15 +1,31 @@
 #pragma once
 // What the phases need to know of a query beyond its shapes: whether it can be answered, in which
-// unit of length, and how large rounding errors can become.
+// unit of length, where the vertices stand, and how large rounding errors can become.
 
 #include <algorithm>
 
 #include "gjk/error_free.hpp"
-#include "gjk/simplex.hpp"
+#include "gjk/query.hpp"
 
 namespace gjk {
 
-/// Made once by `prepare`. R: the scalar of the run, not of the query.
+/// Shapes of so few vertices have all of them turned into the world before the run; of a larger one
+/// directions are turned into its frame.
+inline constexpr int kMaxPlaced = 8;
+
+/// One shape as a run sees it. R: the scalar of the run, not of the query.
+template <class R, int D>
+struct Body {
+  Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame; see Measures::centre.
+  bool is_ring = false;                  ///< See Measures.
+  std::array<int, 2> far_apart = {};     ///< See Measures.
+  R radius = R(0);                       ///< See Measures, in the run's unit.
+  int placed_count = 0;                  ///< 0 of a large shape, and for exact scalars.
+  /// The vertices from the centre, in world axes and the run's unit.
+  std::array<Vec<R, D>, kMaxPlaced> placed;
+};
+
+/// Made once by `prepare`.
 template <class R, int D>
 struct Prepared {
   /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
@@ -20,10 +36,9 @@ struct Prepared {
   Error error = Error::none;
 
   bool same_frame = false;  ///< One pose moves both, unturned: differences of vertices round once.
-  /// Some centre (Points::centre) is not its shape's own origin.
-  bool centred = false;
-  Vec<R, D> x_centre = Vec<R, D>::Zero();  ///< In the shape's own frame.
-  Vec<R, D> y_centre = Vec<R, D>::Zero();
+  bool centred = false;     ///< Some centre is not its shape's own origin.
+  Body<R, D> x;
+  Body<R, D> y;
   /// From the centre of X to that of Y, in the world, in the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
   R offset_error = R(0);
@@ -46,12 +61,11 @@ struct Prepared {
   R extent = R(0);
   R reach = R(0);
   R least_reach = R(0);
-  /// How often a vertex of X and one of Y round on their way into the world, times how large they
-  /// are.
-  R moved = R(0);
   R from_origins = R(0);  ///< `reach`, and how far the centres lie from the shapes' own origins.
-  /// A scan turns vertices into the world, not directions into frames.
-  bool turns_vertices = false;
+  /// How often a vertex of each shape rounds on its way into the world, times the shape's radius.
+  R moved = R(0);
+  /// A scan sees the vertices of both shapes where they are placed, or unturned.
+  bool scans_placed = false;
 
   // Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
   // against exact answers. 0 for exact scalars.
@@ -64,13 +78,15 @@ struct Prepared {
     const R u = ScalarTraits<R>::unit_roundoff();
     return u * (R(2 * D) * extent + R(2) * moved) + R(2) * angle * extent;
   }
-  /// To the distance of a support plane, apart from that of its terms: by its support point, and by
-  /// the choice of it. Where a scan turns vertices, it has seen that point where it is placed, and
-  /// only the others may lie farther.
-  [[nodiscard]] R plane_error() const {
+  /// To the distance of a support plane, and to bounds made of it: by its support point w, whose
+  /// length is `reach`, and by the choice of it. A scan of placed vertices has seen that point
+  /// where it is placed, and only the others may lie farther.
+  [[nodiscard]] R plane_error(const R& distance, const R& reach_of_w) const {
     const R u = ScalarTraits<R>::unit_roundoff();
     const R dots = u * (R(2 * D) * extent);
-    return turns_vertices ? R(vertex_error + dots) : R(vertex_error + (dots + u * (R(2) * moved)));
+    const R of_support =
+        scans_placed ? R(vertex_error + dots) : R(vertex_error + (dots + u * (R(2) * moved)));
+    return of_support + u * (R(D + 1) * reach_of_w + R(4) * distance);
   }
   /// To a length computed with about twice the digits.
   [[nodiscard]] R careful_error() const {
@@ -85,6 +101,14 @@ struct Prepared {
 
 namespace detail {
 
+/// Both shapes, and what is known of their points.
+template <class S, int D>
+struct Bodies {
+  const Query<S, D>& query;
+  const Measures<S, D>& x;
+  const Measures<S, D>& y;
+};
+
 template <class S, int D>
 [[nodiscard]] bool is_finite(const Pose<S, D>& pose) {
   for (int i = 0; i < D; ++i) {
@@ -93,46 +117,43 @@ template <class S, int D>
   return gjk::is_finite(pose.translation);
 }
 
-[[nodiscard]] inline bool bad_start(const Options& options, int x_count, int y_count,
+[[nodiscard]] inline bool bad_start(const WarmStart& start, int x_count, int y_count,
                                     int dimension) {
-  if (options.start.count < 0 || options.start.count > dimension + 1) return true;
-  return std::any_of(options.start.pairs.begin(), options.start.pairs.begin() + options.start.count,
+  if (start.count < 0 || start.count > dimension + 1) return true;
+  return std::any_of(start.pairs.begin(), start.pairs.begin() + start.count,
                      [&](const VertexPair& pair) {
                        return pair.x < 0 || pair.x >= x_count || pair.y < 0 || pair.y >= y_count;
                      });
 }
 
-/// True of a trait of X or Y.
+/// The first thing wrong with what needs no measuring.
 template <class S, int D>
-[[nodiscard]] bool has_trait(const Query<S, D>& query, unsigned traits) {
-  return ((query.x.vertices.traits() | query.y.vertices.traits()) & traits) != 0;
-}
-
-/// The unit and the frames of a run.
-template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> frames(const Query<S, D>& query, int exponent) {
-  Prepared<R, D> prepared;
-  prepared.exponent = exponent;
-  if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
-  prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
-                        query.x.pose.translation == query.y.pose.translation;
-  if constexpr (!ScalarTraits<R>::kExact) {
-    prepared.centred = has_trait(query, Points<S, D>::kCentred);
-    if (prepared.centred) {
-      prepared.x_centre = converted<R, S, D>(query.x.vertices.centre());
-      prepared.y_centre = converted<R, S, D>(query.y.vertices.centre());
-    }
-  }
-  return prepared;
+[[nodiscard]] Error first_wrong(const Bodies<S, D>& bodies, const Options& options) {
+  const auto& [query, x, y] = bodies;
+  const int x_count = static_cast<int>(query.x.vertices().size());
+  const int y_count = static_cast<int>(query.y.vertices().size());
+  const bool bad_options =
+      options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0);
+  const bool wrong = x_count == 0 || y_count == 0 || !x.is_finite || !y.is_finite || bad_options ||
+                     bad_start(options.start, x_count, y_count, D);
+  if (!wrong) [[likely]]
+    return Error::none;
+  if (x_count == 0) return Error::x_has_no_vertices;
+  if (y_count == 0) return Error::y_has_no_vertices;
+  if (!x.is_finite || !is_finite(query.x.pose)) return Error::x_not_finite;
+  if (!y.is_finite || !is_finite(query.y.pose)) return Error::y_not_finite;
+  return bad_options ? Error::bad_options : Error::bad_start;
 }
 
 /// From the centre of X to that of Y, with about twice the digits before the last rounding.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query, int exponent) {
-  const Prepared<R, D> prepared = frames<R>(query, exponent);
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+                                                         const Prepared<R, D>& prepared) {
   const R& unit = prepared.unit;
+  const Vec<R, D>& x_centre = prepared.x.centre;
+  const Vec<R, D>& y_centre = prepared.y.centre;
   // In one frame nothing is moved by it: it says where to begin, and how far Z may reach.
-  if (prepared.same_frame) return prepared.in_unit(prepared.y_centre - prepared.x_centre);
+  if (prepared.same_frame) return prepared.in_unit(y_centre - x_centre);
   Vec<R, D> out;
   const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
   const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
@@ -140,109 +161,136 @@ template <class R, class S, int D>
     DoubleWord<R> offset = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
                            exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
     for (int k = 0; k < D; ++k) {
-      offset = offset + (from(query.y.pose.rotation(row, k)) * exact(prepared.y_centre[k] * unit) -
-                         from(query.x.pose.rotation(row, k)) * exact(prepared.x_centre[k] * unit));
+      offset = offset + (from(query.y.pose.rotation(row, k)) * exact(y_centre[k] * unit) -
+                         from(query.x.pose.rotation(row, k)) * exact(x_centre[k] * unit));
     }
     out[row] = offset.hi;
   }
   return out;
 }
-/// How far the centres lie from the shapes' own origins.
+
+/// The frames of a run in the unit 2^exponent, and the offset between them.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] R distance_of_centres(const Query<S, D>& query, int exponent) {
-  const Prepared<R, D> prepared = frames<R>(query, exponent);
-  const auto length_to = [&](const Pose<S, D>& pose, const Vec<R, D>& centre) {
-    return careful_length(pose.template rotated<R>(prepared.in_unit(centre)));
-  };
-  return length_to(query.x.pose, prepared.x_centre) + length_to(query.y.pose, prepared.y_centre);
+void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
+  const Query<S, D>& query = bodies.query;
+  prepared.exponent = exponent;
+  if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
+                        query.x.pose.translation == query.y.pose.translation;
+  const Vec<R, D> x_place = prepared.in_unit(converted<R, S, D>(query.x.pose.translation));
+  const Vec<R, D> y_place = prepared.in_unit(converted<R, S, D>(query.y.pose.translation));
+  if constexpr (ScalarTraits<R>::kExact) {
+    prepared.offset = y_place - x_place;
+  } else {
+    prepared.centred = bodies.x.is_centred || bodies.y.is_centred;
+    if (prepared.centred) {
+      prepared.x.centre = converted<R, S, D>(bodies.x.centre);
+      prepared.y.centre = converted<R, S, D>(bodies.y.centre);
+      prepared.offset = offset_of_centres<R>(query, prepared);
+      prepared.offset_error = ScalarTraits<R>::unit_roundoff() * length(prepared.offset);
+    } else {
+      for (int i = 0; i < D; ++i) {
+        const DoubleWord<R> offset = exact_sum(y_place[i], R(-x_place[i]));
+        prepared.offset[i] = offset.hi;
+        prepared.offset_error = prepared.offset_error + magnitude(offset.lo);
+      }
+    }
+  }
 }
 
-/// Where the shapes stand, in the run's unit of length, 2^exponent. What rounding can do is left to
-/// `measure`.
+/// A vertex in its shape's own frame, seen from the shape's centre, in the run's unit.
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> placed(const Query<S, D>& query, int exponent) {
-  Prepared<R, D> prepared = frames<R>(query, exponent);
-  if (prepared.centred) {
-    prepared.offset = offset_of_centres<R>(query, exponent);
-    prepared.offset_error = ScalarTraits<R>::unit_roundoff() * length(prepared.offset);
-  } else {
-    const Vec<R, D> x_place = converted<R, S, D>(query.x.pose.translation) * prepared.unit;
-    const Vec<R, D> y_place = converted<R, S, D>(query.y.pose.translation) * prepared.unit;
-    const DoubleWord<Vec<R, D>> offset = exact_sum<Vec<R, D>>(y_place, -x_place);
-    prepared.offset = offset.hi;
-    prepared.offset_error = norm_1(offset.lo);
+[[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+                                    const Body<R, D>& body, int i) {
+  const auto& vertex = converted<R, S, D>(shape.vertices()[i]);
+  return prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - body.centre) : Vec<R, D>(vertex));
+}
+
+/// Where the vertices of one shape stand.
+template <class R, class S, int D>
+void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Prepared<R, D>& prepared,
+           Body<R, D>& body) {
+  body.is_ring = measures.is_ring;
+  body.far_apart = measures.far_apart;
+  body.radius = ScalarTraits<R>::from(measures.radius) * prepared.unit;
+  const int count = static_cast<int>(shape.vertices().size());
+  if (count > kMaxPlaced) return;
+  body.placed_count = count;
+  for (int i = 0; i < count; ++i) {
+    body.placed[i] = shape.pose.template rotated<R>(from_centre(shape, prepared, body, i));
   }
-  return prepared;
 }
 
 /// Fills in what bounds of rounding are made of.
 template <class R, class S, int D>
-void measure(const Query<S, D>& query, Prepared<R, D>& prepared) {
-  R extent(0);
-  R moved(0);
+void measure(const Bodies<S, D>& bodies, Prepared<R, D>& prepared) {
   R to_means(0);
-  const auto add = [&](const Shape<S, D>& shape) {
+  R to_centres(0);
+  const auto add = [&](const Shape<S, D>& shape, const Measures<S, D>& measures,
+                       const Body<R, D>& body) {
     const R stretch = ScalarTraits<R>::from(shape.pose.rotation.stretch());
-    const R radius = ScalarTraits<R>::from(shape.vertices.radius()) * prepared.unit * stretch;
+    const R radius = body.radius * stretch;
     // 1 + sqrt(D), of a product with a matrix
-    if (shape.pose.rotation.turns()) moved = moved + R(D == 2 ? 2.5 : 2.8) * radius;
-    if (prepared.centred && shape.vertices.is_centred()) moved = moved + radius;
-    extent = extent + radius;
-    to_means = to_means + ScalarTraits<R>::from(shape.vertices.to_mean()) * prepared.unit * stretch;
+    if (shape.pose.rotation.turns()) {
+      prepared.moved = prepared.moved + R(D == 2 ? 2.5 : 2.8) * radius;
+    }
+    if (prepared.centred && measures.is_centred) prepared.moved = prepared.moved + radius;
+    if (prepared.centred) {
+      to_centres = to_centres +
+                   careful_length(shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
+    }
+    prepared.extent = prepared.extent + radius;
+    to_means = to_means + ScalarTraits<R>::from(measures.to_mean) * prepared.unit * stretch;
   };
-  add(query.x);
-  add(query.y);
+  add(bodies.query.x, bodies.x, prepared.x);
+  add(bodies.query.y, bodies.y, prepared.y);
   const R far = length(prepared.offset);
-  prepared.extent = extent;
-  prepared.moved = moved;
-  prepared.reach = far + extent;
+  prepared.reach = far + prepared.extent;
   prepared.least_reach = far - to_means;
-  prepared.from_origins = prepared.reach;
-  if (prepared.centred) {
-    prepared.from_origins = prepared.reach + distance_of_centres<R>(query, prepared.exponent);
-  }
+  prepared.from_origins = prepared.reach + to_centres;
   // In one frame a vertex of Z is a single difference of what was given, not of what scans saw;
   // else both vertices are centred and turned, subtracted, and moved by the offset.
-  prepared.turns_vertices = !prepared.same_frame && !has_trait(query, Points<S, D>::kLarge);
+  prepared.scans_placed =
+      !prepared.same_frame && prepared.x.placed_count > 0 && prepared.y.placed_count > 0;
   if (!prepared.same_frame) {
-    prepared.vertex_error =
-        prepared.offset_error + ScalarTraits<R>::unit_roundoff() * (extent + moved);
+    prepared.vertex_error = prepared.offset_error +
+                            ScalarTraits<R>::unit_roundoff() * (prepared.extent + prepared.moved);
   }
 }
+
 template <class R, class S, int D>
-[[nodiscard]] Prepared<R, D> measured(const Query<S, D>& query, int exponent) {
-  Prepared<R, D> prepared = placed<R>(query, exponent);
-  measure(query, prepared);
-  return prepared;
+void prepare_in_unit(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
+  set_frames(bodies, exponent, prepared);
+  place(bodies.query.x, bodies.x, prepared, prepared.x);
+  place(bodies.query.y, bodies.y, prepared, prepared.y);
+  measure(bodies, prepared);
 }
 
-/// e with all numbers that place a shape below 2^(e + 1).
-template <class R, class S, int D>
-[[nodiscard]] int coordinate_exponent(const Shape<S, D>& shape) {
-  const S local = std::max(norm_max(shape.vertices.low()), norm_max(shape.vertices.high()));
-  const S largest = std::max(local, norm_max(shape.pose.translation));
-  return ScalarTraits<R>::exponent(ScalarTraits<R>::from(largest));
-}
-
-/// Measures again, in a unit of length in which squares of coordinates neither overflow nor
+/// Prepares again, in a unit of length in which squares of coordinates neither overflow nor
 /// underflow.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Prepared<R, D> measured_in_good_unit(const Query<S, D>& query) {
+[[nodiscard, gnu::noinline]] Prepared<R, D> prepared_in_good_unit(const Bodies<S, D>& bodies) {
   using Traits = ScalarTraits<R>;
   const auto refused = [](Error error) {
     Prepared<R, D> prepared;
     prepared.error = error;
     return prepared;
   };
-  if (!is_finite(query.x.pose)) return refused(Error::x_not_finite);
-  if (!is_finite(query.y.pose)) return refused(Error::y_not_finite);
+  if (!is_finite(bodies.query.x.pose)) return refused(Error::x_not_finite);
+  if (!is_finite(bodies.query.y.pose)) return refused(Error::y_not_finite);
   // Squares may have gone out of range: first a unit in which they do not.
   constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
   const auto in_unit = [&](int exponent) {
-    return measured<R>(query, std::clamp(exponent, -kLimit, kLimit));
+    Prepared<R, D> prepared;
+    prepare_in_unit(bodies, std::clamp(exponent, -kLimit, kLimit), prepared);
+    return prepared;
   };
-  Prepared<R, D> prepared =
-      in_unit(std::max(coordinate_exponent<R>(query.x), coordinate_exponent<R>(query.y)));
+  const auto exponent_of = [](const Measures<S, D>& measures, const Pose<S, D>& pose) {
+    const S largest = std::max(measures.largest, norm_max(pose.translation));
+    return Traits::exponent(Traits::from(largest));
+  };
+  Prepared<R, D> prepared = in_unit(std::max(exponent_of(bodies.x, bodies.query.x.pose),
+                                             exponent_of(bodies.y, bodies.query.y.pose)));
   if (prepared.reach == R(0)) return prepared;
   if (Traits::is_finite(prepared.reach)) {
     prepared = in_unit(prepared.exponent + Traits::exponent(prepared.reach));
@@ -251,22 +299,18 @@ template <class R, class S, int D>
   return Traits::is_in_range(prepared.reach) ? prepared : refused(Error::underflow);
 }
 
-/// The first thing wrong with what needs no measuring.
-template <class S, int D>
-[[nodiscard]] Error first_wrong(const Query<S, D>& query, const Options& options) {
-  if (has_trait(query, Points<S, D>::kUnusable)) {
-    if (query.x.vertices.empty()) return Error::x_has_no_vertices;
-    if (query.y.vertices.empty()) return Error::y_has_no_vertices;
-    return query.x.vertices.is_finite() ? Error::y_not_finite : Error::x_not_finite;
+template <class R, class S, int D>
+void prepare(const Bodies<S, D>& bodies, const Options& options, Prepared<R, D>& prepared) {
+  prepared.error = first_wrong(bodies, options);
+  if (prepared.error != Error::none) return;
+  if constexpr (ScalarTraits<R>::kExact) {
+    set_frames(bodies, 0, prepared);
+  } else {
+    prepare_in_unit(bodies, 0, prepared);
+    if (ScalarTraits<R>::is_in_range(prepared.reach)) [[likely]]
+      return;
+    prepared = prepared_in_good_unit<R>(bodies);
   }
-  const bool bad_options =
-      options.iteration_cap < 1 || !(options.tolerance >= 0.0 && options.tolerance < 1.0);
-  const bool wrong = bad_options || bad_start(options, static_cast<int>(query.x.vertices.size()),
-                                              static_cast<int>(query.y.vertices.size()), D);
-  if (!wrong) return Error::none;
-  if (!is_finite(query.x.pose)) return Error::x_not_finite;
-  if (!is_finite(query.y.pose)) return Error::y_not_finite;
-  return bad_options ? Error::bad_options : Error::bad_start;
 }
 
 }  // namespace detail
@@ -274,18 +318,15 @@ template <class S, int D>
 /// Checks the query and measures it for a run in R.
 template <class R, class S, int D>
 [[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
+  const Measures<S, D>* x = query.x.measures();
+  const Measures<S, D>* y = query.y.measures();
   Prepared<R, D> prepared;
-  prepared.error = detail::first_wrong(query, options);
-  if (prepared.error != Error::none) return prepared;
-  if constexpr (ScalarTraits<R>::kExact) {
-    prepared = detail::frames<R>(query, 0);
-    prepared.offset =
-        converted<R, S, D>(query.y.pose.translation) - converted<R, S, D>(query.x.pose.translation);
+  if (x != nullptr && y != nullptr) {
+    detail::prepare(detail::Bodies<S, D>{query, *x, *y}, options, prepared);
   } else {
-    prepared = detail::measured<R>(query, 0);
-    if (!ScalarTraits<R>::is_in_range(prepared.reach)) {
-      return detail::measured_in_good_unit<R>(query);
-    }
+    const Measures<S, D> of_x = x != nullptr ? *x : measured<S, D>(query.x.vertices());
+    const Measures<S, D> of_y = y != nullptr ? *y : measured<S, D>(query.y.vertices());
+    detail::prepare(detail::Bodies<S, D>{query, of_x, of_y}, options, prepared);
   }
   return prepared;
 }

@@ -25,6 +25,30 @@ using Face = std::uint8_t;
 }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
+/// The vertices of a face, in order.
+struct FaceVertices {
+  std::array<std::uint8_t, kMaxDimension + 1> index = {};
+  int count = 0;
+  [[nodiscard]] constexpr const std::uint8_t* begin() const { return index.data(); }
+  [[nodiscard]] constexpr const std::uint8_t* end() const { return index.data() + count; }
+};
+namespace detail {
+inline constexpr auto kFaceVertices = [] {
+  std::array<FaceVertices, 1 << (kMaxDimension + 1)> out = {};
+  for (int face = 0; face < static_cast<int>(out.size()); ++face) {
+    for (int i = 0; i <= kMaxDimension; ++i) {
+      if (contains(static_cast<Face>(face), i)) {
+        out[face].index[out[face].count++] = static_cast<std::uint8_t>(i);
+      }
+    }
+  }
+  return out;
+}();
+}  // namespace detail
+[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) {
+  return detail::kFaceVertices[face];
+}
+
 template <class S, int D>
 struct Simplex {
   std::array<SupportPoint<S, D>, D + 1> vertices = {};
@@ -35,31 +59,23 @@ struct Simplex {
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
 };
 
-/// For the next query of the same shapes, somewhat moved.
-template <class S, int D>
-[[nodiscard]] WarmStart warm_start(const Simplex<S, D>& simplex) {
-  WarmStart out;
-  out.count = simplex.count;
-  for (int i = 0; i < simplex.count; ++i) out.pairs[i] = simplex.vertices[i].pair;
-  return out;
-}
-
 /// Barycentric coordinates of O's projection onto the affine hull of a face, not yet divided:
 /// coordinate i is numerator[i] / denominator, and denominator >= 0. A degenerate face (repeated
 /// points, collinear triangle) has denominator 0 and is in no point's favour: all its coordinates
 /// count as "not positive".
 template <class S, int D>
 struct Barycentric {
-  std::array<S, D + 1> numerator = {};
-  S denominator = S(0);
+  std::array<S, D + 1> numerator;  ///< 0 for vertices outside the face.
+  S denominator;
 };
 
 namespace detail {
 
-// Segment: fractional lengths. u = dot(B-Q, B-A) / |B-A|^2, v = dot(Q-A, B-A) / |B-A|^2, with Q = O
-// (Catto 2010, slide "(u,v) from Q").
+// Segment AB: fractional lengths. With n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
+//   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
 template <class S, int D>
-void segment_coordinates(const Simplex<S, D>& simplex, int a, int b, Barycentric<S, D>& out) {
+[[nodiscard]] Barycentric<S, D> segment_coordinates(const Simplex<S, D>& simplex, int a, int b) {
+  Barycentric<S, D> out{};
   const Vec<S, D>& point_a = simplex.vertices[a].w;
   const Vec<S, D>& point_b = simplex.vertices[b].w;
   const Vec<S, D> edge = point_b - point_a;
@@ -67,30 +83,35 @@ void segment_coordinates(const Simplex<S, D>& simplex, int a, int b, Barycentric
   const bool degenerate = !(S(0) < out.denominator);
   out.numerator[a] = degenerate ? S(0) : dot(point_b, edge);
   out.numerator[b] = degenerate ? S(0) : S(-dot(point_a, edge));
+  return out;
 }
 
-// Full simplex: fractional volumes (in the plane, areas). u = area(QBC) / area(ABC) and so on, with
-// Q = O (Catto 2010, slide "Barycentric coordinates"); area(QBC) = cross(B-Q, C-Q) / 2.
+// Triangle ABC in the plane: fractional areas, signed (Catto 2010, slide "Barycentric
+// coordinates"). With Q = O:
+//   u = area(Q, B, C) / area(A, B, C)      v = area(Q, C, A) / area(A, B, C)
+//   w = area(Q, A, B) / area(A, B, C)      area(Q, B, C) = cross(B - Q, C - Q) / 2
+// The denominator is made positive. A full simplex in space has volumes in their place.
 template <class S, int D>
-void volume_coordinates(const Simplex<S, D>& simplex, Barycentric<S, D>& out) {
-  std::array<Vec<S, D>, D> columns;
-  for (int i = 0; i < D; ++i) columns[i] = simplex.vertices[i + 1].w - simplex.vertices[0].w;
-  const S volume = determinant<S, D>(columns);
-  const bool positive = S(0) < volume;
-  const bool negative = volume < S(0);
-  out.denominator = negative ? S(-volume) : volume;
-  for (int i = 0; i <= D; ++i) {
+[[nodiscard]] Barycentric<S, D> volume_coordinates(const Simplex<S, D>& simplex) {
+  const auto volume_without = [&](int left_out) {  // that O spans with the facet across
+    std::array<Vec<S, D>, D> facet;
     for (int j = 0, k = 0; j <= D; ++j) {
-      if (j != i) columns[k++] = simplex.vertices[j].w;
+      if (j != left_out) facet[k++] = simplex.vertices[j].w;
     }
-    const S part = determinant<S, D>(columns);
-    const bool flip = (i % 2 == 1) != negative;
-    if (!positive && !negative) {
-      out.numerator[i] = S(0);
-    } else {
-      out.numerator[i] = flip ? S(-part) : part;
-    }
+    const S volume = determinant<S, D>(facet);
+    return left_out % 2 == 1 ? S(-volume) : volume;
+  };
+  std::array<Vec<S, D>, D> edges;
+  for (int i = 0; i < D; ++i) edges[i] = simplex.vertices[i + 1].w - simplex.vertices[0].w;
+  const S volume = determinant<S, D>(edges);
+  Barycentric<S, D> out{};
+  if (volume == S(0)) return out;
+  out.denominator = magnitude(volume);
+  for (int i = 0; i <= D; ++i) {
+    const S part = volume_without(i);
+    out.numerator[i] = volume < S(0) ? S(-part) : part;
   }
+  return out;
 }
 
 }  // namespace detail
@@ -98,7 +119,7 @@ void volume_coordinates(const Simplex<S, D>& simplex, Barycentric<S, D>& out) {
 /// Coordinates of O in `face`, which has at least one vertex.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
-  Barycentric<S, D> out;
+  Barycentric<S, D> out{};
   const int size = vertex_count(face);
   int first = 0;
   while (!contains(face, first)) ++first;
@@ -108,9 +129,9 @@ template <class S, int D>
   } else if (size == 2) {
     int second = first + 1;
     while (!contains(face, second)) ++second;
-    detail::segment_coordinates(simplex, first, second, out);
+    return detail::segment_coordinates(simplex, first, second);
   } else if (size == D + 1) {
-    detail::volume_coordinates(simplex, out);
+    return detail::volume_coordinates(simplex);
   } else {
     // Between a segment and a full simplex: Johnson's recursion (Gilbert, Johnson, Keerthi 1988),
     // which gives the coordinate of vertex j from those of the face without j.
@@ -132,13 +153,21 @@ template <class S, int D>
   return out;
 }
 
+/// The largest coordinate of the simplex.
+template <class S, int D>
+[[nodiscard]] S largest_coordinate(const Simplex<S, D>& simplex) {
+  S size(0);
+  for (int i = 0; i < simplex.count; ++i) size = larger(size, norm_max(simplex.vertices[i].w));
+  return size;
+}
+
 /// The point of `face` with the simplex's weights.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face) {
+  const FaceVertices& in_face = vertices_of(face);
+  if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
   Vec<S, D> point = Vec<S, D>::Zero();
-  for (int i = 0; i <= D; ++i) {
-    if (!contains(face, i)) continue;
-    if (vertex_count(face) == 1) return simplex.vertices[i].w;
+  for (const int i : in_face) {
     for (int k = 0; k < D; ++k) {
       point[k] = point[k] + S(simplex.weights[i] * simplex.vertices[i].w[k]);
     }

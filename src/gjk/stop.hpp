@@ -6,29 +6,37 @@
 namespace gjk::detail {
 
 /// The squared distance of a support plane that, rounding subtracted, certifies the tolerance.
+/// Where not even the distance without rounding does, that is enough, unless all is recorded.
 template <class S, int D>
 [[nodiscard]] S wanted_plane_distance_sq(const State<S, D>& state, const Options& options,
-                                         const Prepared<S, D>& prepared) {
+                                         const Prepared<S, D>& prepared, bool recorded) {
   const S keep = ScalarTraits<S>::from(1.0 - options.tolerance);
-  if constexpr (ScalarTraits<S>::kExact) {
-    return keep * keep * state.best_sq;
-  } else {
-    const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();
-    const S wanted =
-        keep * upper + plane_error(roots(state.plane_distance_sq, state.plane_reach_sq), prepared);
-    return wanted * wanted;
+  const S without_rounding = keep * keep * state.best_sq;
+  if constexpr (!ScalarTraits<S>::kExact) {
+    if (recorded || !(state.plane_distance_sq < without_rounding)) {
+      const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();
+      const S error = prepared.plane_error(ScalarTraits<S>::root(state.plane_distance_sq),
+                                           ScalarTraits<S>::root(state.plane_reach_sq));
+      const S wanted = keep * upper + error;
+      return wanted * wanted;
+    }
   }
+  return without_rounding;
 }
 
-/// The stop tests, in order; the first that holds names the reason. What each compares (left,
-/// right):
-///   origin_inside     vertices of the culled simplex, vertices of a full one    left = right
-///   (Catto 2010, case 2) zero_direction    |d|_1, 0 left = right (case 3a) repeated_support  index
-///   of the simplex vertex that is the support point or -1, 0   left >= right (case 1) no_progress
-///   dot(d, support), largest dot(d, simplex vertex)           left <= right
-///                     or, when P came no nearer, |best P|^2 and |P|^2           left <= right
-///   within_tolerance  (1 - tolerance)^2 upper^2, rounding included, lower^2     left <= right
-///   iteration_cap     cap, iteration                                            left <= right
+/// The stop tests, in order; the first that holds names the reason. What each compares:
+///
+///   reason            left                                     right                 holds if
+///   origin_inside     vertices of the culled simplex           those of a full one   left = right
+///   zero_direction    |d|_1                                    0                     left = right
+///   repeated_support  index of the simplex vertex that is      0                     left >= right
+///                     the support point, or -1
+///   no_progress       dot(d, support)                          largest dot(d, w_i)   left <= right
+///      (P not nearer)    |best P|^2                            |P|^2                 left <= right
+///   within_tolerance  lower^2 that is wanted, see above        lower^2               left <= right
+///   iteration_cap     cap                                      iteration             left <= right
+///
+/// The first three are cases 2, 3a and 1 of Catto 2010, slides "Termination".
 template <class S, int D, class Rec>
 void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S, D>& prepared,
                     Rec& record) {
@@ -66,8 +74,9 @@ void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S
     test(StopReason::no_progress, !nearer, true, state.best_sq, state.p_sq);
   }
   const bool has_tolerance = has_support && 0.0 < options.tolerance;
-  const S wanted =
-      has_tolerance || Rec::kOn ? wanted_plane_distance_sq(state, options, prepared) : S(0);
+  const S wanted = has_tolerance || Rec::kOn
+                       ? wanted_plane_distance_sq(state, options, prepared, Rec::kOn)
+                       : S(0);
   test(StopReason::within_tolerance, has_tolerance, !(state.plane_distance_sq < wanted), wanted,
        state.plane_distance_sq);
   test(StopReason::iteration_cap, has_support, options.iteration_cap <= state.iteration,

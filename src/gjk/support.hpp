@@ -10,163 +10,12 @@
 namespace gjk {
 namespace detail {
 
-/// A vertex in its shape's own frame, seen from the shape's centre, in the run's unit.
+/// A vertex as its shape's pose turns it, seen from the shape's centre, in the run's unit.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
-                                    const Vec<R, D>& centre, std::size_t i) {
-  const auto& vertex = converted<R, S, D>(shape.vertices[i]);
-  return prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - centre) : Vec<R, D>(vertex));
-}
-/// The same as its shape's pose turns it.
-template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> placed(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
-                               const Vec<R, D>& centre, std::size_t i) {
-  return shape.pose.template rotated<R>(from_centre(shape, prepared, centre, i));
-}
-
-/// The vertices of a shape along a direction: dot(d, vertex - centre). Those of a small shape are
-/// turned into the world; for a large one the direction is turned into its frame, which exact
-/// scalars always do: it takes fewer products.
-template <class R, class S, int D>
-struct Along {
-  const Shape<S, D>& shape;
-  const Points<S, D>& vertices;
-  const Prepared<R, D>& prepared;
-  const Vec<R, D>& centre;
-  bool turns_vertices;
-  Vec<R, D> d;
-
-  Along(const Shape<S, D>& query_shape, const Prepared<R, D>& query_prepared,
-        const Vec<R, D>& shape_centre, const Vec<R, D>& world)
-      : shape(query_shape),
-        vertices(shape.vertices),
-        prepared(query_prepared),
-        centre(shape_centre),
-        turns_vertices(!ScalarTraits<R>::kExact && vertices.is_small()),
-        d(turns_vertices ? world : shape.pose.template direction_to_local<R>(world)) {}
-
-  [[nodiscard]] R operator()(std::size_t i) const {
-    const Vec<R, D> local = from_centre(shape, prepared, centre, i);
-    return turns_vertices ? dot(d, shape.pose.template rotated<R>(local)) : dot(d, local);
-  }
-};
-
-/// The vertices of X along -d, and of Y along d.
-template <class R, class S, int D>
-[[nodiscard]] Along<R, S, D> along_x(const Query<S, D>& query, const Prepared<R, D>& prepared,
-                                     const Vec<R, D>& d) {
-  return {query.x, prepared, prepared.x_centre, -d};
-}
-template <class R, class S, int D>
-[[nodiscard]] Along<R, S, D> along_y(const Query<S, D>& query, const Prepared<R, D>& prepared,
-                                     const Vec<R, D>& d) {
-  return {query.y, prepared, prepared.y_centre, d};
-}
-
-/// `yes` or `no`, without a branch: nobody foresees how vertices compare.
-[[nodiscard]] constexpr int chosen(bool condition, int yes, int no) {
-  return no ^ ((yes ^ no) & -static_cast<int>(condition));
-}
-
-/// The vertex that lies farthest so far; of equal ones that with the lowest index.
-template <class R>
-struct Farthest {
-  int index = 0;
-  R value = R(0);
-
-  /// The same answer for any order of calls.
-  bool offer(int i, const R& offered) {
-    const bool improves = value < offered || (value == offered && i < index);
-    index = chosen(improves, i, index);
-    value = improves ? offered : value;
-    return improves;
-  }
-  /// For calls in the order of indices.
-  void offer_next(int i, const R& offered) {
-    const bool improves = value < offered;
-    index = chosen(improves, i, index);
-    value = improves ? offered : value;
-  }
-};
-
-/// Of `count` vertices the first with the largest `along(i)` (Catto 2010, slide "Support point
-/// code"). Vertices with even and with odd indices are scanned side by side, because each step of a
-/// scan waits for the one before it.
-template <class R, class Along>
-[[nodiscard]] int scan(int count, const Along& along) {
-  Farthest<R> even{0, along(0)};
-  Farthest<R> odd = even;
-  int i = 1;
-  for (; i + 1 < count; i += 2) {
-    odd.offer_next(i, along(i));
-    even.offer_next(i + 1, along(i + 1));
-  }
-  if (i < count) odd.offer_next(i, along(i));
-  even.offer(odd.index, odd.value);
-  return even.index;
-}
-template <class R, class S, int D>
-[[nodiscard]] int scan(const Along<R, S, D>& along) {
-  return scan<R>(static_cast<int>(along.vertices.size()), along);
-}
-
-/// The vertex that `scan` would find, without looking at all of them. Along a direction the
-/// vertices of a convex ring rise to one summit and fall to one valley. From the best of some
-/// samples both ways down are followed until the fall is beyond rounding: by then everything that
-/// is as high as that sample has been seen.
-template <class R, class S, int D, class Visit>
-[[nodiscard]] int climb(const Along<R, S, D>& along, const Visit& visit) {
-  const int count = static_cast<int>(along.vertices.size());
-  int stride = 1;
-  while (stride * stride < count) stride *= 2;
-  Farthest<R> farthest{0, along(0)};
-  visit(0);
-  for (int i = stride; i < count; i += stride) {
-    farthest.offer(i, along(i));
-    visit(i);
-  }
-  R rounding(0);  // of two dot products of centred vertices
-  if constexpr (!ScalarTraits<R>::kExact) {
-    rounding = R(R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff()) * norm_1(along.d) *
-               ScalarTraits<R>::from(along.vertices.radius()) * along.prepared.unit;
-  }
-  const int summit = farthest.index;
-  for (const int towards : {1, count - 1}) {
-    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
-      const R value = along(i);
-      farthest.offer(i, value);
-      visit(i);
-      if (value < farthest.value - rounding) break;
-    }
-  }
-  return farthest.index;
-}
-
-template <class R, class S, int D>
-[[nodiscard]] int farthest_vertex(const Along<R, S, D>& along) {
-  return along.vertices.is_ring() ? climb(along, [](int) {}) : scan(along);
-}
-
-/// The vertices that `farthest_vertex` looks at, in its order.
-template <class R, class S, int D>
-[[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Along<R, S, D>& along) {
-  std::vector<ScanEntry<R>> entries;
-  const Vec<R, D> centre = along.prepared.in_unit(along.centre);
-  const R at_centre =
-      dot(along.d, along.turns_vertices ? along.shape.pose.template rotated<R>(centre) : centre);
-  Farthest<R> farthest;
-  const auto note = [&](int i) {
-    const R value = along(i);
-    const bool improves = entries.empty() || farthest.offer(i, value);
-    if (entries.empty()) farthest = {i, value};
-    entries.push_back({i, value + at_centre, improves});
-  };
-  if (along.vertices.is_ring()) {
-    static_cast<void>(climb(along, note));
-  } else {
-    for (int i = 0; i < static_cast<int>(along.vertices.size()); ++i) note(i);
-  }
-  return entries;
+[[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+                                      const Body<R, D>& body, int i) {
+  if (body.placed_count > 0) return body.placed[i];
+  return shape.pose.template rotated<R>(from_centre(shape, prepared, body, i));
 }
 
 }  // namespace detail
@@ -177,31 +26,122 @@ template <class R, class S, int D>
 [[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
                                                const Prepared<R, D>& prepared, VertexPair pair) {
   if (prepared.same_frame) {
-    const auto& x = converted<R, S, D>(query.x.vertices[pair.x]);
-    const auto& y = converted<R, S, D>(query.y.vertices[pair.y]);
+    const auto& x = converted<R, S, D>(query.x.vertices()[pair.x]);
+    const auto& y = converted<R, S, D>(query.y.vertices()[pair.y]);
     return {prepared.in_unit(y) - prepared.in_unit(x), pair};
   }
-  const Vec<R, D> placed_x = detail::placed(query.x, prepared, prepared.x_centre, pair.x);
-  const Vec<R, D> placed_y = detail::placed(query.y, prepared, prepared.y_centre, pair.y);
-  return {Vec<R, D>(placed_y - placed_x) + prepared.offset, pair};
+  const Vec<R, D> x = detail::turned_vertex(query.x, prepared, prepared.x, pair.x);
+  const Vec<R, D> y = detail::turned_vertex(query.y, prepared, prepared.y, pair.y);
+  return {Vec<R, D>(y - x) + prepared.offset, pair};
 }
 
 namespace detail {
 
-/// What rounding may have added to the distance of a support plane, in the run's unit: to its
-/// support point, to dot(d, w), and by a wrong choice of the scans; and to the result.
-template <class R, int D>
-[[nodiscard]] R plane_error(const Flat<R>& distance_and_reach, const Prepared<R, D>& prepared) {
-  const auto& [distance, reach] = distance_and_reach;
-  return prepared.plane_error() +
-         ScalarTraits<R>::unit_roundoff() * (R(D + 1) * reach + R(4) * distance);
+/// `use(count, along)` for the vertices of a shape along a direction of the world:
+/// along(i) = dot(d, vertex i - centre).
+template <class R, class S, int D, class Use>
+auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+                const Body<R, D>& body, const Use& use) {
+  const int count = static_cast<int>(shape.vertices().size());
+  if (body.placed_count > 0) {
+    return use(count, [&](int i) { return dot(d, body.placed[i]); });
+  }
+  const Vec<R, D> local = shape.pose.template direction_to_local<R>(d);
+  return use(count, [&](int i) { return dot(local, from_centre(shape, prepared, body, i)); });
 }
-/// The lower bound of the distance that a support plane proves.
-template <class R, int D>
-[[nodiscard]] R plane_bound(const R& distance_sq, const R& reach_sq,
-                            const Prepared<R, D>& prepared) {
-  const Flat<R> lengths = roots(distance_sq, reach_sq);
-  return larger(R(lengths.x - plane_error(lengths, prepared)), R(0));
+
+/// The vertex that lies farthest so far; of equal ones that with the lowest index.
+template <class R>
+struct Farthest {
+  int index = -1;
+  R value = R(0);
+
+  bool offer(int i, const R& offered) {
+    const bool improves = index < 0 || value < offered || (value == offered && i < index);
+    if (improves) *this = {i, offered};
+    return improves;
+  }
+};
+
+/// The first of the vertices that lie farthest (Catto 2010, slide "Support point code"). Without a
+/// branch on how vertices compare, which processors guess wrong.
+template <class R, class Along>
+[[nodiscard]] int scan(int count, const Along& along) {
+  int index = 0;
+  R most = along(0);
+  for (int i = 1; i < count; ++i) {
+    const R value = along(i);
+    index = most < value ? i : index;
+    most = larger(most, value);
+  }
+  return index;
+}
+
+/// The same vertex of a convex ring, without looking at all of them. Along a direction the vertices
+/// rise to one summit and fall to one valley. From the best of some samples both ways down are
+/// followed until the fall is beyond rounding: by then everything that is as high as that sample
+/// has been seen.
+template <class R, class Along>
+[[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
+  int stride = 1;
+  while (stride * stride < count) stride *= 2;
+  Farthest<R> farthest;
+  for (int i = 0; i < count; i += stride) farthest.offer(i, along(i));
+  const int summit = farthest.index;
+  for (const int towards : {1, count - 1}) {
+    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
+      const R value = along(i);
+      farthest.offer(i, value);
+      if (value < farthest.value - rounding) break;
+    }
+  }
+  return farthest.index;
+}
+
+/// The vertex of a shape that lies farthest along d; of equal ones the first. `visit(i, along)` of
+/// each vertex that is looked at.
+template <class R, class S, int D, class Visit>
+[[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
+                                  const Prepared<R, D>& prepared, const Body<R, D>& body,
+                                  const Visit& visit) {
+  return look_along(d, shape, prepared, body, [&](int count, const auto& along) {
+    const auto looked_at = [&](int i) {
+      const R value = along(i);
+      visit(i, value);
+      return value;
+    };
+    if (!body.is_ring) [[likely]]
+      return scan<R>(count, looked_at);
+    R rounding(0);  // of two dot products of centred vertices
+    if constexpr (!ScalarTraits<R>::kExact) {
+      rounding = R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff() * norm_1(d) * body.radius;
+    }
+    return climb(count, looked_at, rounding);
+  });
+}
+
+/// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
+/// points").
+template <class R, class S, int D>
+[[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
+                                       const Vec<R, D>& d) {
+  const auto nothing = [](int, const R&) {};
+  return {farthest_vertex(Vec<R, D>(-d), query.x, prepared, prepared.x, nothing),
+          farthest_vertex(d, query.y, prepared, prepared.y, nothing)};
+}
+
+/// The vertices that `farthest_vertex` looks at, in its order. Values as in the shape's own frame.
+template <class R, class S, int D>
+[[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Vec<R, D>& d, const Shape<S, D>& shape,
+                                                     const Prepared<R, D>& prepared,
+                                                     const Body<R, D>& body) {
+  std::vector<ScanEntry<R>> entries;
+  const R at_centre = dot(d, shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
+  Farthest<R> farthest;
+  static_cast<void>(farthest_vertex(d, shape, prepared, body, [&](int i, const R& value) {
+    entries.push_back({i, value + at_centre, farthest.offer(i, value)});
+  }));
+  return entries;
 }
 
 /// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
@@ -216,21 +156,12 @@ void note_support_plane(State<R, D>& state) {
   state.plane_reach_sq = dot(state.support.w, state.support.w);
 }
 
-/// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
-/// points").
-template <class R, class S, int D>
-[[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
-                                       const Vec<R, D>& d) {
-  return {farthest_vertex(along_x(query, prepared, d)),
-          farthest_vertex(along_y(query, prepared, d))};
-}
-
 template <class R, class S, int D, class Rec>
 void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
                   Rec& record) {
   if constexpr (Rec::kOn) {
-    record.scan_x = scan_entries(along_x(query, prepared, state.d));
-    record.scan_y = scan_entries(along_y(query, prepared, state.d));
+    record.scan_x = scan_entries(Vec<R, D>(-state.d), query.x, prepared, prepared.x);
+    record.scan_y = scan_entries(state.d, query.y, prepared, prepared.y);
   }
   state.support = support_point(query, prepared, farthest_pair(query, prepared, state.d));
   state.support_value = dot(state.d, state.support.w);

@@ -72,6 +72,24 @@ inline constexpr int kMapStages = 8;
 enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
 inline constexpr int kOrderStages = 4;
 
+/// What the frames of granularity `study` show, one after the other. First X and Y themselves: from
+/// afar, then their gap enlarged, with the answer of a run in float, and of one in double, and what
+/// an error is. Then a plot of the study: its axis of errors with two marks, its axis of times, the
+/// other marks one by one. At last the front of these marks, that of all dots, and what to take.
+enum class StudyStage {
+  shapes,
+  gap,
+  in_float,
+  in_double,
+  error,
+  error_axis,
+  time_axis,
+  mark,
+  front,
+  all,
+  choice
+};
+
 enum class ViewKind { world, difference, growth, study };
 
 /// These views have a camera, and take effects; plots have neither.
@@ -118,7 +136,8 @@ enum class PanelBlock {
   orders,
   stop_tests,
   two_runs,
-  growth
+  growth,
+  study
 };
 
 /// The listings that the pseudocode block can show.
@@ -169,12 +188,22 @@ struct LessonGrowth {
   friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 
-/// Results of the study of accuracy, of which frames show some, one after the other.
+/// A configuration of the study that a lesson introduces.
+struct StudyMark {
+  std::string configuration;  ///< One of the family's.
+  std::string about;          ///< What it does, in a few words.
+  std::string note;           ///< A sentence about it, for the frame that introduces it.
+  friend bool operator==(const StudyMark&, const StudyMark&) = default;
+};
+
+/// Results of the study of accuracy, and those of them that a lesson introduces one after the
+/// other.
 struct LessonStudy {
-  std::string results;                      ///< The file, as seen from the lesson's folder.
-  std::string family;                       ///< The family of pairs that is shown.
-  std::vector<std::string> configurations;  ///< Those with a frame; each is one of the family's.
-  std::vector<StudyDot> dots;               ///< Of all families in the file.
+  std::string results;  ///< The file, as seen from the lesson's folder.
+  std::string family;   ///< The family of pairs that is shown.
+  std::vector<StudyMark> marks;
+  std::string processor;       ///< From the file: what it was measured on,
+  std::vector<StudyDot> dots;  ///< and the results for all families.
 
   /// The dot of a configuration of the family.
   [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {
@@ -186,13 +215,18 @@ struct LessonStudy {
 };
 
 /// What a frame can ask before a step answers it: which support point comes next, which region
-/// holds the query point, which vertices are dropped, and whether the run stops.
-enum class Ask { support, region, dropped, stop };
+/// holds the query point, which vertices are dropped, and whether the run stops. With granularity
+/// `study`: whether X and Y overlap, and how much longer the next mark takes than the one before.
+enum class Ask { support, region, dropped, stop, overlap, time };
+[[nodiscard]] constexpr bool is_about_study(Ask ask) {
+  return ask == Ask::overlap || ask == Ask::time;
+}
 
 /// The answer is the step's of the run, so any shapes make a question.
 struct LessonQuestion {
   Ask ask = Ask::support;
-  std::optional<int> at;  ///< The iteration that answers; without it each that can.
+  std::optional<int> at;  ///< The iteration that answers, or with Ask::time the mark, from 1;
+                          ///< without it each that can.
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
 

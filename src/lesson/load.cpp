@@ -13,7 +13,6 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
-#include "lesson/study_times.hpp"
 #include "lesson/toml_reader.hpp"
 
 namespace gjkscope {
@@ -539,7 +538,7 @@ void LessonReader::read_study(const Table& study) {
   LessonStudy read;
   const Field results = study["results"];
   const Field family = study["family"];
-  const Field configurations = study["configurations"];
+  const Field marks = study["marks"];
   read.results = reader_.text(results, kPathLength).value_or("");
   if (!read.results.empty()) {
     const std::filesystem::path file = folder_ / read.results;
@@ -552,7 +551,9 @@ void LessonReader::read_study(const Table& study) {
                     fmt::format("at most {} bytes", static_cast<int>(kResultsBytes)));
     } else {
       try {
-        read.dots = timed_by_ratio(parse_study_results(*text.text));
+        StudyResults found = parse_study_results(*text.text);
+        read.processor = std::move(found.processor);
+        read.dots = std::move(found.dots);
       } catch (const std::runtime_error& error) {
         problems_.add(results.place(), fmt::format("{}: {}", file.string(), error.what()));
       }
@@ -562,20 +563,27 @@ void LessonReader::read_study(const Table& study) {
   read.family = reader_.name(family, "family", families_in(read.dots)).value_or("");
   std::vector<std::string> known;
   for (const StudyDot& dot : of_family(read.dots, read.family)) known.push_back(dot.configuration);
-  const std::vector<Field> entries = reader_.entries(configurations, "name of a configuration");
-  if (configurations && configurations.node->is_array() &&
-      (entries.empty() || entries.size() > kStudied)) {
-    problems_.add(configurations, fmt::format("'configurations' has {} entries", entries.size()));
-  }
+  const std::vector<Field> entries = reader_.entries(marks, "table [[study.marks]]");
+  if (marks && marks.node->is_array() && (entries.empty() || entries.size() > kMarks))
+    problems_.add(marks, fmt::format("{} marks", entries.size()));
   for (const Field& entry : entries) {
-    if (read.family.empty()) break;
-    const std::optional<std::string> name = reader_.name(entry, "configuration", known);
+    const std::optional<Table> table = reader_.table(entry, "study.marks");
+    if (!table || read.family.empty()) continue;
+    const Field configuration = (*table)["configuration"];
+    StudyMark mark;
+    mark.about = reader_.text((*table)["about"], kAboutLength).value_or("");
+    mark.note = reader_.text((*table)["note"], kNoteLength).value_or("");
+    const std::optional<std::string> name = reader_.name(configuration, "configuration", known);
     if (!name) continue;
-    if (std::count(read.configurations.begin(), read.configurations.end(), *name) > 0) {
-      problems_.add(entry.place(), fmt::format("configuration '{}' is named twice", *name),
+    mark.configuration = *name;
+    const bool is_known = std::any_of(
+        read.marks.begin(), read.marks.end(),
+        [&](const StudyMark& other) { return other.configuration == mark.configuration; });
+    if (is_known) {
+      problems_.add(configuration.place(), fmt::format("configuration '{}' is named twice", *name),
                     "each configuration once");
     }
-    read.configurations.push_back(*name);
+    read.marks.push_back(std::move(mark));
   }
   lesson_.study = std::move(read);
 }
@@ -726,7 +734,8 @@ void LessonReader::read_panel(const Table& panel) {
       continue;
     }
     for (const auto& [needs, granularity] : {std::pair(PanelBlock::balance, Granularity::time),
-                                             {PanelBlock::growth, Granularity::growth}}) {
+                                             {PanelBlock::growth, Granularity::growth},
+                                             {PanelBlock::study, Granularity::study}}) {
       if (*block == needs)
         check_needs(granularity, entry, fmt::format("block '{}'", name_of(*block)));
     }
@@ -759,11 +768,12 @@ void LessonReader::read_panel(const Table& panel) {
 void LessonReader::read_questions(const Field& questions) {
   const Granularity granularity = lesson_.granularity;
   const bool in_tests = granularity == Granularity::test;
-  if (questions && !in_tests && granularity != Granularity::phase &&
+  const bool in_study = granularity == Granularity::study;
+  if (questions && !in_tests && !in_study && granularity != Granularity::phase &&
       granularity != Granularity::iteration) {
     problems_.add(questions.place(),
                   fmt::format("questions with granularity '{}'", name_of(granularity)),
-                  "granularity 'phase', 'iteration' or 'test'");
+                  "granularity 'phase', 'iteration', 'test' or 'study'");
     return;
   }
   for (const Field& entry : reader_.entries(questions, "table [[questions]]")) {
@@ -777,6 +787,11 @@ void LessonReader::read_questions(const Field& questions) {
       problems_.add(ask.place(),
                     fmt::format("question '{}' with granularity 'test'", name_of(*asked)),
                     "'region': frames go through the first region tests");
+    } else if (in_study != is_about_study(*asked)) {
+      problems_.add(
+          ask.place(),
+          fmt::format("question '{}' with granularity '{}'", name_of(*asked), name_of(granularity)),
+          in_study ? "'overlap' or 'time'" : "'support', 'region', 'dropped' or 'stop'");
     }
     const auto same = [&](const LessonQuestion& other) {
       return other.ask == *asked && (!other.at || !at || *other.at == *at);

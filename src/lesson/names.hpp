@@ -51,7 +51,7 @@ struct Named<ViewKind> {
 };
 template <>
 struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 22> kTable = {
+  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 23> kTable = {
       {{"pseudocode", PanelBlock::pseudocode},
        {"tests", PanelBlock::tests},
        {"regions", PanelBlock::regions},
@@ -73,15 +73,18 @@ struct Named<PanelBlock> {
        {"orders", PanelBlock::orders},
        {"stop-tests", PanelBlock::stop_tests},
        {"two-runs", PanelBlock::two_runs},
-       {"growth", PanelBlock::growth}}};
+       {"growth", PanelBlock::growth},
+       {"study", PanelBlock::study}}};
 };
 template <>
 struct Named<Ask> {
-  static constexpr std::array<std::pair<std::string_view, Ask>, 4> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Ask>, 6> kTable = {
       {{"support", Ask::support},
        {"region", Ask::region},
        {"dropped", Ask::dropped},
-       {"stop", Ask::stop}}};
+       {"stop", Ask::stop},
+       {"overlap", Ask::overlap},
+       {"time", Ask::time}}};
 };
 template <>
 struct Named<Listing> {

@@ -19,9 +19,18 @@ bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step) {
     case Ask::dropped:
       return state_before(trace, step).simplex.count > 1;
     case Ask::stop:
+    case Ask::overlap:
+    case Ask::time:
       return true;
   }
   return false;
+}
+
+/// True when a frame of granularity `study` answers.
+bool answers(const StudyFrame& frame, const LessonQuestion& question) {
+  if (question.ask == Ask::overlap) return frame.stage == StudyStage::gap;
+  return question.ask == Ask::time && frame.stage == StudyStage::mark &&
+         (!question.at || *question.at == frame.marks);
 }
 
 /// Index of the step that `frame` shows and the frame before it did not, and that answers; -1 where
@@ -30,6 +39,8 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
                    const LessonQuestion& question) {
   if (before.run != frame.run) return -1;
   const WideTrace& trace = run.run(frame).trace;
+  if (run.lesson.granularity == Granularity::study)
+    return answers(run.study(frame), question) ? frame.step : -1;
   if (run.lesson.granularity == Granularity::test) {
     const int regions = (1 << state_before(trace, frame.step).simplex.count) - 1;
     const bool decides = frame.detail >= 0 && frame.detail + 1 < regions &&
@@ -60,6 +71,9 @@ bool tells(const WideTrace& trace, int step, Ask ask) {
       return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::cull);
     case Ask::stop:
       return is(at + 1, gjk::Phase::stop);
+    case Ask::overlap:
+    case Ask::time:
+      return false;
   }
   return false;
 }
@@ -97,8 +111,8 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
     problems.push_back(
         {lesson.path, place.line, place.column,
          fmt::format("no frame asks '{}'{}", name_of(question.ask),
-                     question.at ? fmt::format(" in iteration {}", *question.at) : std::string()),
-         "a question that a step of the run answers, out of more than one answer", ""});
+                     question.at ? fmt::format(" at {}", *question.at) : std::string()),
+         "a question that a frame answers, out of more than one answer", ""});
   }
   return problems;
 }

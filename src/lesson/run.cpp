@@ -41,33 +41,18 @@ gjk::Pose<S, 2> pose_of(const Placement& placement) {
 template <class S>
 std::vector<Vector2d> world_vertices(const gjk::Shape<S, 2>& shape) {
   std::vector<Vector2d> out;
-  for (const gjk::Vec<S, 2>& vertex : shape.vertices) {
+  for (const gjk::Vec<S, 2>& vertex : shape.vertices()) {
     out.push_back(widened<S>(gjk::Vec<S, 2>(shape.pose.rotated(vertex) + shape.pose.translation)));
   }
   return out;
 }
 
-/// What a state proves by its support planes and by the nearest point of its simplices.
-template <class S>
-DistanceBounds bounds_after(const gjk::State<S, 2>& state, const gjk::Prepared<S, 2>& prepared) {
-  using Traits = gjk::ScalarTraits<S>;
-  // Phase closest has found P, cull makes it the best.
-  const bool found_nearer =
-      state.previous == gjk::Phase::closest && gjk::detail::came_nearer(state);
-  const S& upper_sq = found_nearer ? state.p_sq : state.best_sq;
-  if constexpr (Traits::kExact) {
-    return {Traits::root_below(state.plane_distance_sq), Traits::root_above(upper_sq)};
-  } else {
-    const S lower =
-        gjk::detail::plane_bound(state.plane_distance_sq, state.plane_reach_sq, prepared);
-    const bool full = found_nearer ? gjk::vertex_count(state.region) == 3 : state.best.count == 3;
-    const gjk::Simplex<S, 2>& nearest = found_nearer ? state.simplex : state.best;
-    const bool inside = full && gjk::detail::surely_inside(nearest, prepared);
-    const S upper = inside ? S(0) : S(Traits::root_above(upper_sq) + prepared.simplex_error());
-    const double largest = std::numeric_limits<double>::max();
-    return {std::min(gjk::detail::scaled_below(widened(lower), prepared.exponent), largest),
-            gjk::detail::scaled_above(widened(upper), prepared.exponent)};
-  }
+/// In the world's unit, as far as doubles reach.
+template <class Real>
+DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
+  const double largest = std::numeric_limits<double>::max();
+  return {std::min(gjk::scaled_below(widened(bounds.lower), exponent), largest),
+          gjk::scaled_above(widened(bounds.upper), exponent)};
 }
 
 /// Where both shapes stand, and when.
@@ -90,7 +75,7 @@ PositionedRun run_query(const gjk::Query<S, 2>& query, const gjk::Options& optio
                     widened(trace),
                     {}};
   for (const gjk::Step<S, 2>& step : trace.steps)
-    run.bounds.push_back(bounds_after(step.after, trace.prepared));
+    run.bounds.push_back(in_world(step.bounds, trace.prepared.exponent));
   if (!run.bounds.empty() && trace.result.error == gjk::Error::none)
     run.bounds.back() = {widened(trace.result.lower), widened(trace.result.upper)};
   return run;
@@ -244,9 +229,8 @@ void add_frames(LessonRun& run, int index) {
       run.frames.push_back({index, last, -1});
       return;
     case Granularity::study: {
-      run.frames.push_back({index, last, -1});
-      const int shown = static_cast<int>(lesson.study->configurations.size());
-      for (int i = 0; i <= shown; ++i) run.frames.push_back({index, last, i});
+      const int frames = static_cast<int>(study_frames(*lesson.study).size());
+      for (int i = 0; i < frames; ++i) run.frames.push_back({index, last, i});
       return;
     }
     case Granularity::growth: {
@@ -278,6 +262,22 @@ double written_precision(double value) {
 }
 
 }  // namespace
+
+std::vector<StudyFrame> study_frames(const LessonStudy& study) {
+  const int all = static_cast<int>(study.marks.size());
+  const int first = std::min(2, all);
+  std::vector<StudyFrame> out;
+  for (const StudyStage stage : {StudyStage::shapes, StudyStage::gap, StudyStage::in_float,
+                                 StudyStage::in_double, StudyStage::error}) {
+    out.push_back({stage, 0});
+  }
+  out.push_back({StudyStage::error_axis, first});
+  out.push_back({StudyStage::time_axis, first});
+  for (int marks = first + 1; marks <= all; ++marks) out.push_back({StudyStage::mark, marks});
+  for (const StudyStage stage : {StudyStage::front, StudyStage::all, StudyStage::choice})
+    out.push_back({stage, all});
+  return out;
+}
 
 int support_calls(const WideTrace& trace) {
   return static_cast<int>(
@@ -312,6 +312,10 @@ bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
 
 const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
+}
+
+StudyFrame LessonRun::study(const Frame& frame) const {
+  return study_frames(*lesson.study)[static_cast<std::size_t>(frame.detail)];
 }
 
 double LessonRun::seconds(const Frame& frame) const {

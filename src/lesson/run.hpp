@@ -80,11 +80,19 @@ struct Frame {
                       ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
                       ///< Granularity::maps, orders: MapStage, OrderStage. Granularity::growth:
                       ///< index of the size, -1 in the lesson's own run; as many as there are:
-                      ///< the outcome.
+                      ///< the outcome. Granularity::study: index into study_frames.
   int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
                       ///< before it shows; the next frame that asks nothing answers.
   int answer = -1;    ///< Of a frame that asks: index of the step that answers.
 };
+
+/// What a frame of granularity `study` shows.
+struct StudyFrame {
+  StudyStage stage = StudyStage::shapes;
+  int marks = 0;  ///< The first so many marks of the lesson have been introduced.
+};
+/// All of them, in order.
+[[nodiscard]] std::vector<StudyFrame> study_frames(const LessonStudy& study);
 
 struct LessonRun {
   Lesson lesson;
@@ -97,6 +105,9 @@ struct LessonRun {
   /// The step of a frame, and what is proved by then; only where frame.step >= 0.
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
+
+  /// Only with granularity `study`.
+  [[nodiscard]] StudyFrame study(const Frame& frame) const;
 
   /// Time of a frame; only with granularity `time`.
   [[nodiscard]] double seconds(const Frame& frame) const;

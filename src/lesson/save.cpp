@@ -246,7 +246,12 @@ void write_study(TomlText& out, const LessonStudy& study) {
   out.table("[study]");
   out.text("results", study.results, "");
   out.text("family", study.family, "");
-  out.list("configurations", as_texts(study.configurations));
+  for (const StudyMark& mark : study.marks) {
+    out.table("[[study.marks]]");
+    out.text("configuration", mark.configuration, "");
+    out.text("about", mark.about, "");
+    out.text("note", mark.note, "");
+  }
 }
 
 void write_view(TomlText& out, const LessonView& view) {

@@ -126,8 +126,14 @@ std::vector<LessonKey> make_keys() {
        "accuracy.json of a study, as seen from the folder of the lesson"},
       {"study", "family", text_up_to(kNameLength), required,
        "family of pairs that is shown, one of the file's"},
-      {"study", "configurations", fmt::format("list of 1 to {} names of configurations", kStudied),
-       required, "those that get a frame each, in this order"},
+      {"study", "marks", fmt::format("1 to {} tables [[study.marks]]", kMarks), required,
+       "configurations that frames introduce, in this order"},
+      {"study.marks", "configuration", text_up_to(kNameLength), required,
+       "one of the family's configurations"},
+      {"study.marks", "about", text_up_to(kAboutLength), "none",
+       "what it does, for the panel `study`"},
+      {"study.marks", "note", text_up_to(kNoteLength), "none",
+       "a sentence about it, for the frame that introduces it"},
 
       {"views", "show", one_of<ViewKind>(), required,
        "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
@@ -150,9 +156,10 @@ std::vector<LessonKey> make_keys() {
 
       {"questions", "ask", one_of<Ask>(), required,
        "the next support point, the region that holds the query point, the vertices dropped, or "
-       "whether the run stops and why"},
+       "whether the run stops and why; of a study: whether the shapes overlap, or how much longer "
+       "the next mark takes than the one before"},
       {"questions", "at", fmt::format("whole number from 1 to {}", kCap), "each that can",
-       "iteration that answers"},
+       "iteration that answers; with `time` the mark that is asked about, from 1"},
 
       {"expect", "stop",
        "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "

@@ -31,13 +31,15 @@ StudyDot dot_of(const Json& row) {
   row.at("family").get_to(dot.family);
   row.at("configuration").get_to(dot.configuration);
   row.at("axis").get_to(dot.axis);
+  row.at("proof").get_to(dot.proof);
   row.at("pairs").get_to(dot.pairs);
   row.at("wrong").get_to(dot.wrong);
   row.at("undecided").get_to(dot.undecided);
+  row.at("settled").get_to(dot.settled);
   row.at("front").get_to(dot.on_front);
   row.at("ns").get_to(dot.ns);
   row.at("ratio").get_to(dot.ratio);
-  dot.error = number_or_none(row.at("error_scale"));
+  dot.error = number_or_none(row.at("error"));
   const Json& worst = row.at("worst");
   dot.answer = number_or_none(worst.at("answer"));
   worst.at("distance").get_to(dot.distance);
@@ -48,24 +50,29 @@ StudyDot dot_of(const Json& row) {
 
 }  // namespace
 
-std::vector<StudyDot> parse_study_results(std::string_view json) {
+StudyResults parse_study_results(std::string_view json) {
   constexpr const char* kExpected = "expected the accuracy.json of `gjkscope study accuracy`";
   const Json read = Json::parse(json, nullptr, false);
   if (read.is_discarded()) throw std::runtime_error(fmt::format("not JSON; {}", kExpected));
   if (!read.is_object() || !read.contains("rows") || !read["rows"].is_array())
     throw std::runtime_error(fmt::format("no rows; {}", kExpected));
-  std::vector<StudyDot> dots;
+  StudyResults out;
+  try {
+    read.at("machine").at("processor").get_to(out.processor);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("machine: {}; {}", error.what(), kExpected));
+  }
   int number = 0;
   for (const Json& row : read["rows"]) {
     ++number;
     try {
-      if (row.at("repetitions").get<int>() > 0) dots.push_back(dot_of(row));
+      if (row.at("repetitions").get<int>() > 0) out.dots.push_back(dot_of(row));
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("row {}: {}; {}", number, error.what(), kExpected));
     }
   }
-  if (dots.empty()) throw std::runtime_error(fmt::format("no row was timed; {}", kExpected));
-  return dots;
+  if (out.dots.empty()) throw std::runtime_error(fmt::format("no row was timed; {}", kExpected));
+  return out;
 }
 
 std::vector<StudyDot> of_family(const std::vector<StudyDot>& dots, std::string_view family) {
@@ -81,6 +88,28 @@ std::vector<StudyDot> front_of(const std::vector<StudyDot>& dots) {
                [](const StudyDot& dot) { return dot.on_front; });
   std::sort(out.begin(), out.end(),
             [](const StudyDot& a, const StudyDot& b) { return a.ns < b.ns; });
+  return out;
+}
+
+std::vector<bool> front_of(const std::vector<Cost>& costs) {
+  const auto has_place = [](const Cost& cost) {
+    return std::isfinite(cost.ns) && std::isfinite(cost.error);
+  };
+  const auto beats = [&](const Cost& a, const Cost& b) {
+    return has_place(a) && a.ns <= b.ns && a.error <= b.error && (a.ns < b.ns || a.error < b.error);
+  };
+  const auto stands_for = [&](const Cost& a, const Cost& b) {
+    return has_place(a) && a.ns <= kSameTime * b.ns && a.error <= b.error;
+  };
+  std::vector<bool> out(costs.size(), false);
+  for (const Cost& cost : costs) {
+    const bool is_beaten = std::any_of(costs.begin(), costs.end(),
+                                       [&](const Cost& other) { return beats(other, cost); });
+    if (is_beaten || !has_place(cost)) continue;
+    const auto plainest = std::find_if(costs.begin(), costs.end(),
+                                       [&](const Cost& other) { return stands_for(other, cost); });
+    out[static_cast<std::size_t>(plainest - costs.begin())] = true;
+  }
   return out;
 }
 

@@ -10,18 +10,22 @@
 
 namespace gjkscope {
 
-/// A way to answer on a family of pairs. No number: to some pair it gave no answer.
+/// A way to answer on a family of pairs.
 struct StudyDot {
   std::string family;
   std::string configuration;  ///< "float, loop only"
   std::string axis;           ///< What the configuration varies: "arithmetic", "cap", ...
+  std::string proof;          ///< How far answers are proved: "none", "bounds", "exact".
   int pairs = 0;
-  int wrong = 0;                ///< Pairs of which it says wrongly whether they overlap,
-  int undecided = 0;            ///< or leaves it open.
-  bool on_front = false;        ///< No other one of the family is as fast and as accurate.
-  double ns = 0.0;              ///< Per query, the median.
-  double ratio = 0.0;           ///< Of that to the default configuration's.
-  std::optional<double> error;  ///< Of the distance, the largest, as a share of the pair's scale.
+  int wrong = 0;          ///< Pairs of which it says wrongly whether they overlap,
+  int undecided = 0;      ///< or leaves it open,
+  int settled = 0;        ///< or which exact arithmetic settled.
+  bool on_front = false;  ///< No other one of the family is as fast and as accurate.
+  double ns = 0.0;        ///< Per query, the median.
+  double ratio = 0.0;     ///< Of its time to the default configuration's.
+  /// The largest seen: |answer - distance| as a share of the larger of the two. Nothing: to some
+  /// pair it gave no answer.
+  std::optional<double> error;
   // The pair with that error.
   std::vector<Eigen::Vector2d> x;
   std::vector<Eigen::Vector2d> y;
@@ -30,16 +34,31 @@ struct StudyDot {
   friend bool operator==(const StudyDot&, const StudyDot&) = default;
 };
 
-/// The timed rows of accuracy.json, in the order of the file. Throws std::runtime_error that says
-/// what is wrong with which row.
-[[nodiscard]] std::vector<StudyDot> parse_study_results(std::string_view json);
+struct StudyResults {
+  std::string processor;       ///< Of the machine that it was measured on.
+  std::vector<StudyDot> dots;  ///< The timed rows of accuracy.json, in the order of the file.
+};
+/// Throws std::runtime_error that says what is wrong with which row.
+[[nodiscard]] StudyResults parse_study_results(std::string_view json);
 
 /// Those of one family.
 [[nodiscard]] std::vector<StudyDot> of_family(const std::vector<StudyDot>& dots,
                                               std::string_view family);
 
-/// Those of them that nothing else beats in time and error together, from fast to accurate.
+/// Those on the front, from fast to accurate.
 [[nodiscard]] std::vector<StudyDot> front_of(const std::vector<StudyDot>& dots);
+
+/// What an answer costs: both are better when smaller.
+struct Cost {
+  double ns = 0.0;
+  double error = 0.0;
+};
+/// Times that differ by less than this factor count as the same.
+inline constexpr double kSameTime = 1.05;
+/// Which costs are on the front: no other one beats them, which would have to be as small in both
+/// and smaller in one. Of costs with no larger error that take the same time the first in the list
+/// stands for all: list the plainest way first. A cost that is no number has no place there.
+[[nodiscard]] std::vector<bool> front_of(const std::vector<Cost>& costs);
 
 /// "1.2e-16", "0", "none" (infinite), "" (no number).
 [[nodiscard]] std::string error_text(double error);

@@ -168,7 +168,7 @@ template <class S>
   const Widener<S> widen(exponent);
   out.initial = widen(trace.initial);
   for (const gjk::Step<S, 2>& step : trace.steps) {
-    out.steps.push_back({step.phase, step.iteration, widen(step.after), widen(step.record)});
+    out.steps.push_back({step.phase, step.iteration, widen(step.after), widen(step.record), {}});
   }
   out.result = widened(trace.result, exponent);
   return out;

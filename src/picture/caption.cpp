@@ -33,10 +33,8 @@ void write(const Story& story, FrameText& text) {
   if (granularity == Granularity::orders) return captions::orders(story, text);
   if (granularity == Granularity::growth && story.frame.detail >= 0)
     return captions::growth(story, text);
-  if (granularity == Granularity::study && story.frame.detail >= 0)
-    return captions::study(story, text);
-  if (granularity == Granularity::answer || granularity == Granularity::study)
-    return captions::answer(story, text);
+  if (granularity == Granularity::study) return captions::study(story, text);
+  if (granularity == Granularity::answer) return captions::answer(story, text);
   if (story.frame.detail >= 0) {
     if (granularity == Granularity::support) return captions::support_in_parts(story, text);
     if (granularity == Granularity::witness) return captions::witness(story, text);

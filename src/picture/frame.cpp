@@ -99,7 +99,9 @@ std::string position_of(const LessonRun& run, int index) {
   const int count = static_cast<int>(run.frames.size());
   const Granularity granularity = run.lesson.granularity;
   if (frame.question >= 0) {
-    if (granularity == Granularity::test) return fmt::format("step {} · question", index + 1);
+    const bool has_iterations =
+        granularity != Granularity::test && granularity != Granularity::study;
+    if (!has_iterations) return fmt::format("step {} · question", index + 1);
     // How many iterations there are would tell whether this is the last.
     return fmt::format("iteration {} · question",
                        run.run(frame).trace.steps[frame.answer].iteration);
@@ -113,12 +115,6 @@ std::string position_of(const LessonRun& run, int index) {
   if (grows && frame.detail >= 0) {
     return fmt::format("n = {} · {} of {}",
                        grouped(run.lesson.growth->vertices[static_cast<std::size_t>(frame.detail)]),
-                       index + 1, count);
-  }
-  if (granularity == Granularity::study && frame.detail >= 0) {
-    const std::vector<std::string>& shown = run.lesson.study->configurations;
-    const auto detail = static_cast<std::size_t>(frame.detail);
-    return fmt::format("{} · {} of {}", detail < shown.size() ? shown[detail] : "Pareto front",
                        index + 1, count);
   }
   if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
@@ -157,8 +153,7 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   if (view.kind == ViewKind::world)
     return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
   if (view.kind == ViewKind::growth) return "Iterations as polygons grow";
-  if (view.kind == ViewKind::study)
-    return fmt::format("Error against time: {}", run.lesson.study->family);
+  if (view.kind == ViewKind::study) return fmt::format("Pairs: {}", run.lesson.study->family);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
 }
 

@@ -51,6 +51,8 @@ void write_block(PanelBuilder& panel, PanelBlock kind) {
       return blocks::stop_tests(panel);
     case PanelBlock::two_runs:
       return blocks::two_runs(panel);
+    case PanelBlock::study:
+      return blocks::study(panel);
   }
 }
 

@@ -15,18 +15,19 @@ namespace gjkscope {
 namespace {
 
 constexpr double kNumberGap = 7.0;  // axis to its numbers
-constexpr double kTickRow = 18.0;   // numbers of the x axis
-constexpr double kTitleRow = 20.0;  // title of an axis
-constexpr double kTickRoom = 26.0;  // between numbers of the y axis
-constexpr double kSymbol = 4.0;     // half of a symbol's size
-constexpr double kHollow = 6.0;     // of one that goes around another
+constexpr double kTickRow = 22.0;   // numbers of the x axis
+constexpr double kTitleRow = 24.0;  // title of an axis
+constexpr double kTickRoom = 30.0;  // between numbers of the y axis
+constexpr double kSymbol = 5.0;     // half of a symbol's size
+constexpr double kHollow = 6.5;     // of one that goes around another
+constexpr double kSmall = 2.5;      // of one in the background
 constexpr double kCurrentWidth = 16.0;
 constexpr double kCurrentRadius = 11.0;
 constexpr double kNameIndent = 11.0;  // middle of a symbol to the name of its series
 constexpr double kNameGap = 20.0;     // from there to the next symbol
 
-constexpr std::array<std::string_view, 5> kRoles = {"plot.first", "plot.second", "plot.third",
-                                                    "plot.fourth", "plot.limit"};
+constexpr std::array<std::string_view, 6> kRoles = {"plot.first",  "plot.second", "plot.third",
+                                                    "plot.fourth", "plot.limit",  "plot.other"};
 
 std::string role_of(PlotStyle style, std::string_view part = "") {
   return std::string(kRoles[static_cast<std::size_t>(style)]) + std::string(part);
@@ -52,6 +53,8 @@ decltype(Mark::shape) symbol(PlotStyle style, const Point& at) {
                      {-1.4 * kSymbol, 0.0}});
     case PlotStyle::fourth:
       return around({{0.0, -kHollow}, {kHollow, 0.7 * kHollow}, {-kHollow, 0.7 * kHollow}});
+    case PlotStyle::other:
+      return Disk{at, kSmall};
   }
   return Disk{at, kSymbol};
 }
@@ -145,7 +148,10 @@ std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double ga
 
 }  // namespace
 
+Mark symbol_mark(PlotStyle style, const Point& at) { return {role_of(style), symbol(style, at)}; }
+
 std::vector<PlotTick> plot_ticks(const PlotAxis& axis, int most) {
+  if (!axis.is_shown) return {};
   return axis.is_logarithmic ? powers_of_ten(axis, most) : equal_steps(axis, most);
 }
 
@@ -169,7 +175,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
              area.min.y() + (plot.y.title.empty() ? 0.0 : kTitleRow) + 0.5 * kTitleRow);
   for (const PlotSeries& series : plot.series) {
     if (series.name.empty()) continue;
-    const double width = kNameIndent + fonts.width(type::kTickBold, series.name);
+    const double width = kNameIndent + fonts.width(type::kName, series.name);
     if (!names.empty() && next.x() + width > area.max.x()) {
       next = {area.min.x() + kHollow, next.y() + kTitleRow};
     }
@@ -182,12 +188,12 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
       ticks_along(plot.y, bottom - top, kTickRoom, [](const std::string&) { return 0.0; });
   double widest = 0.0;
   for (const PlotTick& tick : y_ticks)
-    widest = std::max(widest, fonts.width(type::kTick, tick.label));
+    widest = std::max(widest, fonts.width(type::kText, tick.label));
   const Rect inner{{area.min.x() + widest + kNumberGap, top},
                    {area.max.x() - kHollow - kNumberGap, bottom}};
   const std::vector<PlotTick> x_ticks =
       ticks_along(plot.x, inner.size().x(), kNumberGap,
-                  [&](const std::string& label) { return fonts.width(type::kTick, label); });
+                  [&](const std::string& label) { return fonts.width(type::kText, label); });
   const auto at = [&](double x, double y) {
     return Point(inner.min.x() + part(plot.x, x) * inner.size().x(),
                  inner.max.y() - part(plot.y, y) * inner.size().y());
@@ -212,19 +218,21 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   for (const PlotTick& tick : y_ticks) {
     const Point left = at(plot.x.low, tick.value);
     add("chart.grid", Polyline{{left, at(plot.x.high, tick.value)}});
-    write("body.muted", {left.x() - kNumberGap, left.y() + 4.0}, tick.label, type::kTick,
+    write("body.muted", {left.x() - kNumberGap, left.y() + 6.0}, tick.label, type::kText,
           Align::right);
   }
   for (const PlotTick& tick : x_ticks) {
     const Point foot = at(tick.value, plot.y.low);
     add("chart.grid", Polyline{{foot, at(tick.value, plot.y.high)}});
-    const double half = 0.5 * fonts.width(type::kTick, tick.label);
+    const double half = 0.5 * fonts.width(type::kText, tick.label);
     write("body.muted", {std::min(foot.x(), area.max.x() - half), foot.y() + kTickRow}, tick.label,
-          type::kTick, Align::center);
+          type::kText, Align::center);
   }
-  add("plot.axis", Polyline{{inner.min, {inner.min.x(), inner.max.y()}, inner.max}});
-  write("body.muted", {area.min.x(), area.min.y() + 9.0}, plot.y.title, type::kTick, Align::left);
-  write("body.muted", {inner.center().x(), area.max.y() - 4.0}, plot.x.title, type::kTick,
+  Polyline axes{{inner.min, {inner.min.x(), inner.max.y()}}};
+  if (plot.x.is_shown) axes.points.push_back(inner.max);
+  add("plot.axis", std::move(axes));
+  write("body.muted", {area.min.x(), area.min.y() + 11.0}, plot.y.title, type::kText, Align::left);
+  write("body.muted", {inner.center().x(), area.max.y() - 4.0}, plot.x.title, type::kText,
         Align::center);
 
   // The first series last, so that it lies on the others.
@@ -239,7 +247,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
         line.points.push_back(point);
       }
       if (!series->has_symbols) continue;
-      obstacles.circles.push_back({point, kHollow});
+      if (series->style != PlotStyle::other) obstacles.circles.push_back({point, kHollow});
       const Subject subject = series->subjects.empty() ? Subject{} : series->subjects[i];
       symbols.push_back({role_of(series->style), symbol(series->style, point), -1, subject});
     }
@@ -256,14 +264,14 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   placer.begin_frame(std::move(obstacles));
   for (std::size_t i = 0; i < plot.notes.size(); ++i) {
     const PlotNote& note = plot.notes[i];
-    marks.push_back(placer.place(
-        {fmt::format("note {}", i), note.text, role_of(note.style, ".label"), type::kTickBold,
-         at(note.at.x(), note.at.y()), kHollow, Point(-1.0, 1.0), true},
-        true));
+    marks.push_back(
+        placer.place({fmt::format("note {}", i), note.text, role_of(note.style, ".label"),
+                      type::kName, at(note.at.x(), note.at.y()), kHollow, Point(-1.0, 1.0), true},
+                     true));
   }
   for (const auto& [series, middle] : names) {
-    const Point start = middle + Point(kNameIndent, 0.5 * fonts.cap_height(type::kTickBold));
-    write(role_of(series->style, ".label"), start, series->name, type::kTickBold, Align::left);
+    const Point start = middle + Point(kNameIndent, 0.5 * fonts.cap_height(type::kName));
+    write(role_of(series->style, ".label"), start, series->name, type::kName, Align::left);
     if (series->has_symbols) {
       add(role_of(series->style), symbol(series->style, middle));
     } else {
@@ -274,7 +282,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   for (const PlotBand& band : plot.bands) {
     const Polygon box = strip(at(plot.x.low, band.low), at(plot.x.high, band.high));
     for (Mark& mark : placer.place_inside(
-             {"band " + band.name, band.name, "plot.band.label", type::kTickBold, box.points, {}}))
+             {"band " + band.name, band.name, "plot.band.label", type::kName, box.points, {}}))
       marks.push_back(std::move(mark));
   }
   return marks;

@@ -16,6 +16,7 @@ struct PlotAxis {
   double high = 1.0;
   bool is_logarithmic = false;
   std::string title;
+  bool is_shown = true;  ///< Else it has no numbers and no lines.
 };
 
 struct PlotTick {
@@ -29,8 +30,9 @@ struct PlotTick {
 
 /// How the points of a series look: each has its role in themes ("plot.first", its symbols;
 /// "plot.first.line", whose dash is its own; "plot.first.label") and its symbol: a disk, a hollow
-/// square around it, a diamond, a hollow triangle. `limit` is for a line around the others.
-enum class PlotStyle { first, second, third, fourth, limit };
+/// square around it, a diamond, a hollow triangle. `limit` is for a line around the others, `other`
+/// for small disks in the background.
+enum class PlotStyle { first, second, third, fourth, limit, other };
 
 /// What joins the points of a series, in the order given: nothing, lines, or the stairs that go
 /// along the x axis first (what can be had for so much and no more).
@@ -69,6 +71,9 @@ struct Plot {
   std::optional<double> current;  ///< The value on the x axis that the frame is about.
   std::optional<Eigen::Vector2d> current_point;  ///< Or the point.
 };
+
+/// The symbol of a style.
+[[nodiscard]] Mark symbol_mark(PlotStyle style, const Point& at);
 
 /// The plot with its axes, their numbers and titles inside of `area`. Notes and names of bands keep
 /// off lines and symbols and off each other.

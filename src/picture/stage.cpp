@@ -20,16 +20,6 @@ namespace gjkscope {
 
 using Eigen::Vector2d;
 
-namespace {
-
-/// The frame is about one configuration of the study.
-bool shows_configuration(const Lesson& lesson, const Frame& frame) {
-  return lesson.granularity == Granularity::study && frame.detail >= 0 &&
-         frame.detail < static_cast<int>(lesson.study->configurations.size());
-}
-
-}  // namespace
-
 Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
   constexpr double kSide = 64.0;
   constexpr double kTop = 64.0;
@@ -79,10 +69,6 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
   }
   if (view.kind == ViewKind::study) {
     layers::study(scene, fonts);
-    return std::move(scene.out);
-  }
-  if (shows_configuration(run.lesson, frame) && view.kind == ViewKind::world) {
-    layers::worst_pair(scene);
     return std::move(scene.out);
   }
   if (run.lesson.granularity == Granularity::growth && frame.detail >= 0 &&

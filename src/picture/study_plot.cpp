@@ -1,70 +1,155 @@
 #include "picture/study_plot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 
+#include "picture/study_words.hpp"
+
 namespace gjkscope {
 namespace {
 
-struct Axis {
+struct Group {
   PlotStyle style;
   std::string_view name;
 };
-constexpr std::array<Axis, 4> kAxes = {{{PlotStyle::first, "scalar and proof"},
-                                        {PlotStyle::second, "rules and start"},
-                                        {PlotStyle::third, "stop rule"},
-                                        {PlotStyle::fourth, "cap on iterations"}}};
+constexpr std::array<Group, 4> kGroups = {{{PlotStyle::second, "loop only"},
+                                           {PlotStyle::fourth, "bounds only"},
+                                           {PlotStyle::first, "proved"},
+                                           {PlotStyle::third, "stops early"}}};
+
+constexpr const char* kTimeTitle = "time of a query, nanoseconds";
+constexpr const char* kErrorTitle = "largest error seen";
+
+/// The plot of `dots` without a front: which of them has which subject, `subjects` says.
+Plot plot_of(const std::vector<StudyDot>& dots, const std::vector<int>& subjects) {
+  Plot plot;
+  for (const Group& group : kGroups)
+    plot.series.push_back({group.style, std::string(group.name), {}, PlotJoin::none});
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    if (!dots[i].error) continue;
+    const PlotStyle style = style_of(dots[i]);
+    PlotSeries& series = *std::find_if(plot.series.begin(), plot.series.end(),
+                                       [&](const PlotSeries& each) { return each.style == style; });
+    series.points.push_back(place_of(dots[i]));
+    series.subjects.push_back({Subject::Kind::study_dot, subjects[i]});
+  }
+  std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
+  return plot;
+}
+
+PlotSeries front_line(const std::vector<StudyDot>& front) {
+  PlotSeries line{PlotStyle::limit, "front", {}, PlotJoin::stairs, false};
+  for (const StudyDot& dot : front) line.points.push_back(place_of(dot));
+  return line;
+}
+
+int index_of(const std::vector<StudyDot>& family, const std::string& configuration) {
+  const auto found = std::find_if(family.begin(), family.end(), [&](const StudyDot& dot) {
+    return dot.configuration == configuration;
+  });
+  return static_cast<int>(found - family.begin());
+}
 
 }  // namespace
 
 void Decades::hold(double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return;
-  low_ = std::min(low_, std::floor(std::log10(value)));
-  high_ = std::max(high_, std::ceil(std::log10(value)));
+  least_ = std::min(least_, value);
+  most_ = std::max(most_, value);
 }
 
-double Decades::low() const { return std::pow(10.0, low_); }
+double Decades::low() const { return std::pow(10.0, std::floor(std::log10(least_))); }
 
 PlotAxis Decades::axis(std::string title) const {
-  const bool is_empty = high_ < low_;
-  const double low = is_empty ? 0.0 : low_;
-  const double high = is_empty ? 1.0 : std::max(high_, low + 1.0);
-  return {std::pow(10.0, low), std::pow(10.0, high), true, std::move(title)};
+  if (most_ < least_) return {1.0, 10.0, true, std::move(title)};
+  const double high = std::pow(10.0, std::ceil(std::log10(most_)));
+  return {low(), std::max(high, 10.0 * low()), true, std::move(title)};
+}
+
+PlotAxis Decades::close_axis(std::string title) const {
+  if (most_ < least_) return axis(std::move(title));
+  constexpr double kRoom = 1.4;
+  return {least_ / kRoom, most_ * kRoom, true, std::move(title)};
 }
 
 PlotStyle style_of(const StudyDot& dot) {
-  if (dot.axis == "arithmetic" || dot.axis == "effort") return PlotStyle::first;
-  if (dot.axis == "stop rule" || dot.axis == "bound gap") return PlotStyle::third;
-  if (dot.axis == "cap") return PlotStyle::fourth;
-  return PlotStyle::second;
+  if (dot.axis == "tolerance" || dot.axis == "cap") return PlotStyle::third;
+  if (dot.proof == "none") return PlotStyle::second;
+  return dot.proof == "bounds" ? PlotStyle::fourth : PlotStyle::first;
 }
 
 Eigen::Vector2d place_of(const StudyDot& dot) { return {dot.ns, std::max(*dot.error, kNoError)}; }
 
 Plot study_plot(const std::vector<StudyDot>& family) {
-  Plot plot;
+  std::vector<int> subjects;
   Decades ns;
   Decades error;
-  for (const Axis& axis : kAxes) {
-    plot.series.push_back({axis.style, std::string(axis.name), {}, PlotJoin::none});
+  for (const StudyDot& dot : family) {
+    subjects.push_back(static_cast<int>(subjects.size()));
+    if (!dot.error) continue;
+    ns.hold(dot.ns);
+    error.hold(*dot.error);
   }
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    if (!family[i].error) continue;
-    ns.hold(family[i].ns);
-    error.hold(*family[i].error);
-    PlotSeries& series = plot.series[static_cast<std::size_t>(style_of(family[i]))];
-    series.points.push_back(place_of(family[i]));
-    series.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
+  Plot plot = plot_of(family, subjects);
+  plot.series.push_back(front_line(front_of(family)));
+  plot.x = ns.axis(kTimeTitle);
+  plot.y = error.axis(kErrorTitle);
+  return plot;
+}
+
+Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
+  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> marks = introduced(study, frame.marks);
+  const bool has_all = frame.stage == StudyStage::all || frame.stage == StudyStage::choice;
+  const bool has_time = frame.stage != StudyStage::error_axis;
+  Decades ns;
+  Decades error;
+  for (const StudyDot& dot : family) {
+    if (!dot.error) continue;
+    ns.hold(dot.ns);
+    error.hold(*dot.error);
   }
-  std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
-  PlotSeries front{PlotStyle::limit, "Pareto front", {}, PlotJoin::stairs, false};
-  for (const StudyDot& dot : front_of(family)) front.points.push_back(place_of(dot));
-  plot.series.push_back(std::move(front));
-  plot.x = ns.axis("time of a query, nanoseconds");
-  plot.y =
-      error.axis("largest error of the distance / scale (the largest distance between vertices)");
+  const PlotAxis time = ns.close_axis(kTimeTitle);
+
+  std::vector<int> subjects;
+  std::vector<StudyDot> shown = marks;
+  for (StudyDot& dot : shown) {
+    subjects.push_back(index_of(family, dot.configuration));
+    if (!has_time) dot.ns = std::sqrt(time.low * time.high);
+  }
+  Plot plot = plot_of(shown, subjects);
+  plot.x = time;
+  plot.x.is_shown = has_time;
+  plot.y = error.axis(fmt::format("{} of {} pairs", kErrorTitle, family.front().pairs));
+  plot.y.high = std::max(plot.y.high, 1.0);
+  if (!has_all) {
+    for (const StudyDot& dot : shown) {
+      if (dot.error) plot.notes.push_back({style_of(dot), place_of(dot), dot.configuration});
+    }
+  }
+  if (frame.stage == StudyStage::mark && shown.back().error)
+    plot.current_point = place_of(shown.back());
+  if (frame.stage == StudyStage::front) plot.series.push_back(front_line(front_among(marks)));
+  if (has_all) {
+    PlotSeries others{PlotStyle::other, "the others", {}, PlotJoin::none};
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const auto is_same = [&](const StudyDot& dot) {
+        return dot.configuration == family[i].configuration;
+      };
+      if (!family[i].error || std::any_of(marks.begin(), marks.end(), is_same)) continue;
+      others.points.push_back(place_of(family[i]));
+      others.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
+    }
+    if (!others.points.empty()) plot.series.push_back(std::move(others));
+    const std::vector<StudyDot> front = front_of(family);
+    plot.series.push_back(front_line(front));
+    for (std::size_t i = 0; i < front.size(); ++i)
+      plot.notes.push_back({PlotStyle::limit, place_of(front[i]), std::to_string(i + 1)});
+  }
   return plot;
 }
 

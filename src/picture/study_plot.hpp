@@ -1,7 +1,7 @@
 #pragma once
 // Error against time, as the study of accuracy has measured them.
 
-#include "lesson/study_results.hpp"
+#include "lesson/run.hpp"
 #include "picture/plot.hpp"
 
 namespace gjkscope {
@@ -9,28 +9,35 @@ namespace gjkscope {
 /// Answers without error are drawn here, at the foot of the axis.
 inline constexpr double kNoError = 1e-36;
 
-/// The dots of one family by what they vary, and the Pareto front as a line; those that left a pair
+/// The dots of one family by how far they go, and the front as a line; those that left a pair
 /// without an answer have no place. Points have the subjects `study_dot`, by their index in
 /// `family`.
 [[nodiscard]] Plot study_plot(const std::vector<StudyDot>& family);
 
+/// What a frame shows of it; only from StudyStage::error_axis on. The axes are those of the whole
+/// family, so that marks stay where they are.
+[[nodiscard]] Plot study_plot(const LessonStudy& study, const StudyFrame& frame);
+
 /// Where a dot stands; only of dots with an error.
 [[nodiscard]] Eigen::Vector2d place_of(const StudyDot& dot);
 
-/// The style of the dots that vary the same.
+/// The style of dots that go as far: the loop alone, bounds, a proof; or that stop early.
 [[nodiscard]] PlotStyle style_of(const StudyDot& dot);
 
-/// Whole powers of ten around values.
+/// Ends of an axis around values.
 class Decades {
  public:
   /// Zeros, infinities and what is no number are left out.
   void hold(double value);
   [[nodiscard]] double low() const;
+  /// From one power of ten to another.
   [[nodiscard]] PlotAxis axis(std::string title) const;
+  /// Just around the values.
+  [[nodiscard]] PlotAxis close_axis(std::string title) const;
 
  private:
-  double low_ = 400.0;
-  double high_ = -400.0;
+  double least_ = 1e300;
+  double most_ = 0.0;
 };
 
 }  // namespace gjkscope

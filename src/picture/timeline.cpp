@@ -35,6 +35,40 @@ std::string short_count(int count) {
   return std::to_string(count);
 }
 
+std::string act_of(const StudyFrame& frame) {
+  if (frame.stage < StudyStage::error_axis) return "one pair";
+  return frame.stage < StudyStage::front ? "time and error" : "the front";
+}
+
+Tick tick_of(const LessonRun& run, const StudyFrame& frame) {
+  switch (frame.stage) {
+    case StudyStage::shapes:
+      return {"shapes", "", false};
+    case StudyStage::gap:
+      return {"gap", "", false};
+    case StudyStage::in_float:
+      return {"float", "", false};
+    case StudyStage::in_double:
+      return {"double", "", false};
+    case StudyStage::error:
+      return {"error", "", true};
+    case StudyStage::error_axis:
+      return {"errors", "", false};
+    case StudyStage::time_axis:
+      return {"times", "", false};
+    case StudyStage::mark:
+      return {run.lesson.study->marks[static_cast<std::size_t>(frame.marks - 1)].configuration, "",
+              false};
+    case StudyStage::front:
+      return {"of the marks", "", false};
+    case StudyStage::all:
+      return {"of all", "", false};
+    case StudyStage::choice:
+      return {"what to take", "", true};
+  }
+  return {};
+}
+
 std::vector<Group> timeline_groups(const LessonRun& run) {
   std::vector<Group> groups;
   const auto group = [&](const std::string& label) -> Group& {
@@ -49,8 +83,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
     if (frame.question >= 0) {
       // A question belongs to the group of its answer.
       const int iteration = run.run(frame).trace.steps[frame.answer].iteration;
-      const bool in_tests = granularity == Granularity::test;
-      (in_tests ? groups.back() : group(format("iteration {}", iteration)))
+      const bool stays = granularity == Granularity::test || granularity == Granularity::study;
+      (stays ? groups.back() : group(format("iteration {}", iteration)))
           .ticks.push_back({"question", "", false, true});
     } else if (granularity == Granularity::path) {
       const SimplexWords words(run, run.state(frame).simplex);
@@ -94,11 +128,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       } else {
         group("outcome").ticks.push_back({"all n", "", true});
       }
-    } else if (granularity == Granularity::study && frame.detail >= 0) {
-      const bool is_last =
-          frame.detail == static_cast<int>(run.lesson.study->configurations.size());
-      group(is_last ? "outcome" : "configurations")
-          .ticks.push_back({is_last ? "front" : std::to_string(frame.detail + 1), "", is_last});
+    } else if (granularity == Granularity::study) {
+      group(act_of(run.study(frame))).ticks.push_back(tick_of(run, run.study(frame)));
     } else if (granularity == Granularity::pairs) {
       if (frame.detail == 0) {
         group("start").ticks.push_back({});
@@ -120,8 +151,7 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "answer")
           .ticks.push_back({std::string(kParts[static_cast<std::size_t>(frame.detail)]), "",
                             frame.detail == kWitnessDistance});
-    } else if ((granularity == Granularity::answer || granularity == Granularity::study) &&
-               frame.step >= 0) {
+    } else if (granularity == Granularity::answer && frame.step >= 0) {
       const gjk::Result<double, 2>& result = run.run(frame).trace.result;
       const std::string closest = result.distance > 0.0
                                       ? format("{} – {}", feature_name(run, result.simplex, true),

@@ -142,8 +142,9 @@ FontFile read_first(const std::vector<std::string>& candidates, std::string_view
 }  // namespace
 
 std::vector<TextStyle> type::all_styles() {
-  return {kTitle,  kProse,   kPosition, kViewTitle, kVertex, kSmallVertex, kRegion, kCaption,
-          kDetail, kHeading, kBody,     kStrong,    kCode,   kCodeBold,    kTick,   kTickBold};
+  return {kTitle,   kProse,  kPosition, kViewTitle, kVertex,  kSmallVertex, kRegion,
+          kCaption, kDetail, kHeading,  kBody,      kStrong,  kCode,        kCodeBold,
+          kText,    kName,   kNumber,   kTick,      kTickBold};
 }
 
 std::u32string code_points(std::string_view utf8) {

@@ -35,6 +35,9 @@ inline constexpr TextStyle kBody{Face::regular, 14};
 inline constexpr TextStyle kStrong{Face::semibold, 15};
 inline constexpr TextStyle kCode{Face::mono, 14};
 inline constexpr TextStyle kCodeBold{Face::mono_bold, 14};
+inline constexpr TextStyle kText{Face::regular, 16};
+inline constexpr TextStyle kName{Face::semibold, 16};
+inline constexpr TextStyle kNumber{Face::mono, 16};
 inline constexpr TextStyle kTick{Face::regular, 12};
 inline constexpr TextStyle kTickBold{Face::semibold, 12};
 /// Every style above: what a painter prepares.

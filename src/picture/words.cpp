@@ -142,11 +142,10 @@ std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
 std::vector<gjk::RegionTerm<double>> SimplexWords::terms(
     const gjk::RegionTest<double>& test) const {
   std::vector<gjk::RegionTerm<double>> out = test.terms;
-  const gjk::detail::RegionList order =
-      gjk::detail::list_regions(simplex_.count, gjk::RegionOrder::vertices_first);
+  const gjk::FaceList order = gjk::tested_faces(simplex_.count, gjk::RegionOrder::vertices_first);
   const auto place = [&](const gjk::RegionTerm<double>& term) {
     int i = 0;
-    while (order.conditions[i].face != term.face) ++i;
+    while (order.faces[i] != term.face) ++i;
     const std::vector<int> named = this->order(term.face);
     return std::pair(i, std::find(named.begin(), named.end(), term.vertex) - named.begin());
   };

@@ -8,7 +8,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lesson/study_results.hpp"
 #include "study/counter.hpp"
+#include "study/less_work.hpp"
 #include "study/truth.hpp"
 
 namespace gjkscope::study {
@@ -69,6 +71,11 @@ class Truths {
   std::vector<Truth> half_;
 };
 
+/// |answer - distance| as a share of the larger of the two.
+double share_of_larger(double error, double distance, double answer) {
+  return error > 0.0 ? error / std::max(distance, answer) : 0.0;
+}
+
 /// All but the times.
 Row judged_row(const Configuration& configuration, const Family& family, const Asked& asked,
                Truths& truths, std::uint64_t seed) {
@@ -77,30 +84,29 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   row.vertices = family.vertices;
   row.configuration = name_of(configuration);
   row.axis = axis_of(configuration);
+  row.proof = proof_name(configuration.options.proof);
   row.pairs = static_cast<int>(family.pairs.size());
   const std::vector<Truth>& as_kept = truths.as_kept(configuration.arithmetic, asked.kept);
   std::vector<double> errors;
   std::size_t worst = 0;
-  double largest = -1.0;
+  std::pair<double, double> largest(-1.0, -1.0);  // error, error / scale
   long iterations = 0;
   bool has_bounds = false;
-  bool counts_iterations = true;
   for (std::size_t i = 0; i < family.pairs.size(); ++i) {
     const Answer& answer = asked.answers[i];
     const Truth& given = truths.given()[i];
     const Judgement found = judge(answer, {given, as_kept[i]});
-    double error = std::numeric_limits<double>::infinity();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::pair<double, double> error(kInfinity, kInfinity);
     const double scale = truths.scales()[i];
     if (!found.failed) {
-      error = scale > 0.0 ? found.error / scale : 0.0;
-      errors.push_back(error);
-      if (!given.overlap) {
-        row.relative_error = std::max(row.relative_error, found.error / given.distance);
-      }
-      if (!as_kept[i].overlap) {
-        row.relative_error_as_kept =
-            std::max(row.relative_error_as_kept, found.error_as_kept / as_kept[i].distance);
-      }
+      const auto distance = static_cast<double>(answer.distance);
+      error = {share_of_larger(found.error, given.distance, distance),
+               scale > 0.0 ? found.error / scale : 0.0};
+      errors.push_back(error.second);
+      row.error_as_kept =
+          std::max(row.error_as_kept,
+                   share_of_larger(found.error_as_kept, as_kept[i].distance, distance));
       if (scale > 0.0) {
         row.error_units = std::max(
             row.error_units, found.error_as_kept / scale / unit_roundoff(configuration.arithmetic));
@@ -108,26 +114,23 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
         if (answer.has_bounds) row.width_scale = std::max(row.width_scale, found.width / scale);
       }
       has_bounds = has_bounds || answer.has_bounds;
-    } else {
-      row.relative_error = std::numeric_limits<double>::infinity();
     }
     if (error > largest) {
       largest = error;
       worst = i;
     }
-    row.error_scale = std::max(row.error_scale, error);
+    row.error = std::max(row.error, error.first);
+    row.error_scale = std::max(row.error_scale, error.second);
     row.failed += found.failed;
     row.undecided += found.undecided;
     row.wrong += found.wrong;
     row.wrong_as_kept += found.wrong_as_kept;
     row.broken_bounds += found.broken_bounds;
     iterations += answer.iterations;
-    counts_iterations = counts_iterations && answer.iterations >= 0;
     row.most_iterations = std::max(row.most_iterations, answer.iterations);
+    row.settled += answer.settled;
   }
-  row.iterations = counts_iterations
-                       ? static_cast<double>(iterations) / static_cast<double>(family.pairs.size())
-                       : kNoNumber;
+  row.iterations = static_cast<double>(iterations) / static_cast<double>(family.pairs.size());
   row.middle_error_scale = errors.empty() ? kNoNumber : quartiles(errors).median;
   if (!has_bounds) row.width_scale = kNoNumber;
 
@@ -150,18 +153,22 @@ class FamilyStudy {
     timed_.pairs.resize(std::min(timed_.pairs.size(), most));
   }
 
-  /// Nothing when it was interrupted before all configurations were judged.
-  [[nodiscard]] std::vector<Row> rows() {
+  /// Adds rows, and comparisons, to `study`: nothing when it was interrupted before all
+  /// configurations were judged.
+  void add_to(Study& study) {
     const std::vector<Configuration> all =
         family_.vertices > 0 ? configurations_by_size() : configurations(plan_.quick);
     Truths truths(family_);
     std::vector<Row> out;
+    std::vector<Contender> contenders;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!watch_.go_on()) return {};
+      if (!watch_.go_on()) return;
       if (all[i].start == Start::warm && !family_.in_motion) continue;
       const Asked asked = ask(all[i], family_);
       out.push_back(judged_row(all[i], family_, asked, truths, plan_.seed));
-      contestants_.push_back(ask(all[i], timed_).contestant);
+      Asked timed = ask(all[i], timed_);
+      contestants_.push_back(std::move(timed.contestant));
+      contenders.push_back({all[i], work_of(timed.answers)});
       tell_(kJudgingShare * static_cast<double>(i + 1) / static_cast<double>(all.size()));
     }
     const std::vector<Timing> timings = timed();
@@ -171,9 +178,10 @@ class FamilyStudy {
       if (timings[i].ns.empty()) continue;
       out[i].ns = quartiles(timings[i].ns);
       out[i].ratio = ratio(timings[i], timings[0]);
-      out[i].instructions = instructions_of(contestants_[i]);
+      out[i].instructions = contenders[i].work.instructions = instructions_of(contestants_[i]);
     }
-    return out;
+    std::move(out.begin(), out.end(), std::back_inserter(study.rows));
+    compare_work(contenders, timings, family_, study);
   }
 
  private:
@@ -264,8 +272,7 @@ Study study_accuracy(const Plan& plan, const Watch& watch) {
       watch.tell((static_cast<double>(i) + share) / static_cast<double>(families.size()),
                  families[i].name);
     };
-    std::vector<Row> rows = FamilyStudy(plan, families[i], watch, tell).rows();
-    std::move(rows.begin(), rows.end(), std::back_inserter(out.rows));
+    FamilyStudy(plan, families[i], watch, tell).add_to(out);
     out.complete = watch.go_on();
   }
   mark_front(out.rows);
@@ -300,15 +307,15 @@ std::vector<std::vector<const Row*>> by_family(const std::vector<Row>& rows) {
 }
 
 void mark_front(std::vector<Row>& rows) {
-  const auto beats = [](const Row& a, const Row& b) {
-    return a.family == b.family && a.repetitions > 0 && a.ns.median <= b.ns.median &&
-           a.error_scale <= b.error_scale &&
-           (a.ns.median < b.ns.median || a.error_scale < b.error_scale);
-  };
-  for (Row& row : rows) {
-    row.on_front =
-        row.repetitions > 0 && std::isfinite(row.error_scale) &&
-        std::none_of(rows.begin(), rows.end(), [&](const Row& other) { return beats(other, row); });
+  std::map<std::string, std::vector<Row*>> families;
+  for (Row& row : rows) families[row.family].push_back(&row);
+  for (const auto& [name, family] : families) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::vector<Cost> costs;
+    for (const Row* row : family)
+      costs.push_back({row->repetitions > 0 ? row->ns.median : kNone, row->error});
+    const std::vector<bool> front = front_of(costs);
+    for (std::size_t i = 0; i < family.size(); ++i) family[i]->on_front = front[i];
   }
 }
 

@@ -22,13 +22,16 @@ struct WorstCase {
   double distance = 0.0;  ///< The exact one, rounded.
 };
 
-/// One configuration on one family. Errors are the largest over all pairs; those named `..._scale`
-/// are divided by the scale of their pair, the largest distance between a vertex of X and one of Y.
+/// One configuration on one family. Errors are the largest seen over all pairs. `error` is
+/// |answer - distance| as a share of the larger of the two: 0 is exact, 1 is not one digit right.
+/// Those named `..._scale` are divided by the scale of their pair, the largest distance between a
+/// vertex of X and one of Y.
 struct Row {
   std::string family;
   int vertices = 0;  ///< See Family.
   std::string configuration;
   std::string axis;
+  std::string proof;  ///< See proof_name.
 
   int pairs = 0;
   int timed_pairs = 0;  ///< The first so many were timed.
@@ -36,8 +39,9 @@ struct Row {
   Quartiles ns;         ///< Per query. Without repetitions all of these are 0.
   Quartiles ratio;      ///< To the default configuration, repetition by repetition.
   double instructions = std::numeric_limits<double>::quiet_NaN();  ///< Per query; see Counter.
-  double iterations = 0.0;  ///< On average; NaN where nobody counts them.
+  double iterations = 0.0;                                         ///< On average.
   int most_iterations = 0;
+  int settled = 0;  ///< Pairs on which exact arithmetic had to run on.
 
   int failed = 0;         ///< Pairs without an answer, or with one that is no number.
   int undecided = 0;      ///< The answer leaves open whether the shapes overlap.
@@ -45,18 +49,17 @@ struct Row {
   int wrong_as_kept = 0;  ///< of the pair as the configuration keeps it.
   int broken_bounds = 0;  ///< The distance does not lie between the bounds.
 
-  /// Of the distance of the pairs as they were given; infinity when there is a pair without answer.
+  /// Of the pairs as they were given; infinity when there is a pair without answer.
+  double error = 0.0;
   double error_scale = 0.0;
-  double relative_error = 0.0;      ///< Over pairs that are apart.
   double middle_error_scale = 0.0;  ///< The median over the pairs that have an answer.
-  /// Of the distance of the pairs as they are kept: what computing alone does.
-  double error_units = 0.0;  ///< In units of u * scale, u of the type of the answer.
-  double relative_error_as_kept = 0.0;
+  /// Of the pairs as they are kept: what computing alone does.
+  double error_as_kept = 0.0;
+  double error_units = 0.0;    ///< In units of u * scale, u of the type of the answer.
   double witness_scale = 0.0;  ///< See Judgement::witness.
   double width_scale = 0.0;    ///< Of the bounds; NaN where there are none.
 
-  bool on_front =
-      false;  ///< No other row of the family is as fast and as accurate, and better in one.
+  bool on_front = false;  ///< See mark_front.
   WorstCase worst;
 };
 
@@ -69,6 +72,15 @@ struct Machine {
   std::string commit;  ///< When the program was configured.
 };
 [[nodiscard]] Machine this_machine();
+
+/// A configuration that does part of another's work and takes longer; see less_work.hpp.
+struct Costlier {
+  std::string family;
+  std::string less;
+  std::string more;
+  Quartiles ratio;     ///< Of the time of `less` to that of `more`, repetition by repetition.
+  std::string reason;  ///< By what was counted.
+};
 
 struct Plan {
   std::uint64_t seed = 1;
@@ -89,6 +101,8 @@ struct Study {
   int families_planned = 0;
   double seconds = 0.0;
   std::vector<Row> rows;
+  int compared = 0;  ///< Pairs of configurations, family by family, of which one does less.
+  std::vector<Costlier> costlier;
 };
 
 struct Watch {
@@ -111,7 +125,8 @@ struct Watch {
                                            const std::vector<Configuration>& configurations,
                                            std::uint64_t seed);
 
-/// Sets `on_front` in the rows of each family: by error_scale and the median time.
+/// Sets `on_front` in the rows of each family: see front_of. Their order is that of
+/// `configurations`, the plainest first.
 void mark_front(std::vector<Row>& rows);
 
 /// Rows by family, in order of their first appearance.

@@ -2,10 +2,12 @@
 // sentence holds whatever they are.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "study/less_work.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope::study {
@@ -20,6 +22,26 @@ std::string times_text(const Row& row) {
 }
 
 std::string times_text(const Row& a, const Row& b) { return share_text(a.ns.median / b.ns.median); }
+
+constexpr const char* kWords = R"(## Words
+
+| in a name | means |
+| --- | --- |
+| `double` | Runs of the core as it is by default. Vertices and the run are in numbers of 53 bits, about 16 digits, and every answer is proved: it comes with bounds that include rounding, and exact arithmetic runs on where they are wide or leave open whether the shapes overlap (`Proof::exact`). |
+| `half`, `float` | The same in numbers of 11 and 24 bits, about 3 and 7 digits. Vertices are rounded to these, too. |
+| `float in double` | Vertices are rounded to float; the run computes in double. |
+| `long double`, `quad` | Vertices are doubles; the run computes in numbers of 64 and 113 bits, about 19 and 34 digits. |
+| `exact` | Fractions of whole numbers. Only the answer is rounded, to double. |
+| `bounds only` | No exact arithmetic afterwards (`Proof::bounds`). |
+| `loop only` | No bounds either (`Proof::none`): the answer is the length of P as the loop left it, as in a textbook. |
+| `tolerance t` | Stops as soon as its bounds differ by less than the share t of the upper one. |
+| `cap k` | Gives up after k iterations. |
+| `towards O` | Searches along O − P instead of perpendicular to the simplex. |
+| `edges first`, `regions unchecked` | Tests the regions of edges before those of vertices; believes every region test. |
+| `stop: repeated support`, `stop: no progress` | Leaves out the other of these two stop tests. |
+| `first vertices`, `warm start` | Starts from the first vertex of each shape; from the last simplex of the pair before. |
+
+)";
 
 class Advice {
  public:
@@ -37,7 +59,7 @@ class Advice {
     if (all_.empty() || all_.front()->repetitions == 0) {
       return "# What accuracy costs\n\nNo family was measured whole.\n";
     }
-    return introduction() + digits() + choices() + surprises() + vertices();
+    return introduction() + kWords + digits() + costlier() + choices() + questions() + vertices();
   }
 
  private:
@@ -51,11 +73,16 @@ class Advice {
     const Machine& machine = study_.machine;
     return fmt::format(
         "# What accuracy costs\n\n"
-        "{} configurations of the core answered {} pairs of shapes, easy and hard, and were judged "
-        "by exact runs.\nTime is the geometric mean over the families of pairs, of medians of at "
-        "least {} interleaved repetitions; × is the\nshare of the default's time, taken within "
-        "each "
-        "repetition. Errors are the largest over all pairs.\n\n"
+        "{} ways to run GJK, called configurations, answered {} pairs of shapes, easy and hard. "
+        "Exact arithmetic judged every\nanswer. All of them run through the same code, "
+        "`gjk::distance`; measuring the shapes is not in the times.\n\n"
+        "- *Error* is |answer − distance| as a share of the larger of the two: 1e-07 means that "
+        "about seven digits are right, 1 that\n  none is. *Error / scale* divides by the largest "
+        "distance between a vertex of X and one of Y instead. Both are the largest\n  seen over "
+        "all pairs.\n"
+        "- *Time* is the geometric mean over the families of pairs, of medians of at least {} "
+        "repetitions. × is the share of the\n  time of *double*, taken within each repetition, "
+        "in which all configurations take turns.\n\n"
         "Measured {}on {}, one thread, {}, `{}`, commit {}, seed {}.\n\n",
         all_.size(), all_.front()->pairs, all_.front()->repetitions,
         study_.complete ? "" : "in part, for the run was interrupted, ", machine.processor,
@@ -81,11 +108,9 @@ class Advice {
 
   [[nodiscard]] std::string digits() const {
     std::string out =
-        "## To be sure of k digits\n\n"
-        "The fastest configuration whose error was at most half a unit of digit k, on every pair: "
-        "of the scale (the largest\ndistance between a vertex of X and one of Y), and, which is "
-        "harder, of the distance itself. Of those that take at most a quarter more time, the "
-        "plainest.\n\n";
+        "## Which configuration gives k digits?\n\n"
+        "The fastest one whose error was at most half a unit of digit k on every pair. Of those "
+        "that take at most a quarter more\ntime, the plainest.\n\n";
     if (!ordinary_.empty()) {
       out += "### For ordinary shapes\n\n" + fmt::format("The family \"{}\".\n\n", kOrdinary) +
              digit_table(ordinary_) + "\n";
@@ -93,12 +118,11 @@ class Advice {
     out += "### For all shapes, hard ones included\n\n" + digit_table(all_);
     const auto is_right = [](const Row& row) { return row.wrong + row.undecided == 0; };
     const Row* verdict = fastest(all_, is_right);
-    const Row* proved = fastest(
-        all_, [&](const Row& row) { return is_right(row) && effort_of(row) == Effort::proof; });
+    const Row* proved =
+        fastest(all_, [&](const Row& row) { return is_right(row) && row.proof == "exact"; });
     if (verdict != nullptr) {
-      out += fmt::format(
-          "\nNever wrong or undecided on whether these shapes overlap, at the least cost: {}, {}.",
-          verdict->configuration, times_text(*verdict));
+      out += fmt::format("\nThe fastest that got \"overlap or not\" right for every pair: {}, {}.",
+                         verdict->configuration, times_text(*verdict));
       if (proved != nullptr && proved != verdict) {
         out += fmt::format(" With a proof for each pair: {}, {}.", proved->configuration,
                            times_text(*proved));
@@ -110,8 +134,8 @@ class Advice {
     }
     for (const Row* row : all_) {
       if (row->broken_bounds == 0) continue;
-      out += fmt::format("\nIts bounds did not hold for {} of {} pairs: {}.\n", row->broken_bounds,
-                         row->pairs, row->configuration);
+      out += fmt::format("\nThe bounds of *{}* did not hold for {} of {} pairs.\n",
+                         row->configuration, row->broken_bounds, row->pairs);
     }
     return out + "\n";
   }
@@ -121,32 +145,32 @@ class Advice {
     struct Line {
       int first = 0;
       int last = 0;
-      const Row* scale = nullptr;
-      const Row* relative = nullptr;
+      const Row* of_distance = nullptr;
+      const Row* of_scale = nullptr;
     };
     std::vector<Line> lines;
     for (int k = 1; k <= 33; ++k) {
       const double limit = 0.5 * std::pow(10.0, -k);
-      const Row* scale = fastest(rows, [&](const Row& row) { return row.error_scale <= limit; });
-      const Row* relative =
-          fastest(rows, [&](const Row& row) { return row.relative_error <= limit; });
-      if (scale == nullptr && relative == nullptr) break;
-      const bool same =
-          !lines.empty() && lines.back().scale == scale && lines.back().relative == relative;
+      const Row* of_distance = fastest(rows, [&](const Row& row) { return row.error <= limit; });
+      const Row* of_scale = fastest(rows, [&](const Row& row) { return row.error_scale <= limit; });
+      if (of_distance == nullptr && of_scale == nullptr) break;
+      const bool same = !lines.empty() && lines.back().of_distance == of_distance &&
+                        lines.back().of_scale == of_scale;
       if (same) {
         lines.back().last = k;
       } else {
-        lines.push_back({k, k, scale, relative});
+        lines.push_back({k, k, of_distance, of_scale});
       }
     }
     std::string out =
-        "| digits | of the scale | costs | of the distance | costs |\n"
+        "| digits | of the distance | costs | of the scale | costs |\n"
         "| --- | --- | --- | --- | --- |\n";
     for (const Line& line : lines) {
       const std::string digits = line.first == line.last
                                      ? std::to_string(line.first)
                                      : fmt::format("{} to {}", line.first, line.last);
-      out += fmt::format("| {} | {} | {} |\n", digits, cells(line.scale), cells(line.relative));
+      out +=
+          fmt::format("| {} | {} | {} |\n", digits, cells(line.of_distance), cells(line.of_scale));
     }
     return out;
   }
@@ -156,24 +180,54 @@ class Advice {
     return fmt::format("{} | {}", row->configuration, times_text(*row));
   }
 
+  [[nodiscard]] std::string costlier() const {
+    std::string out =
+        "## Does doing less ever cost more?\n\n" + wrapped(costlier_about(study_)) + "\n\n";
+    const std::vector<CostlierPair> pairs = costlier_pairs(study_);
+    if (pairs.empty()) return out;
+    out +=
+        "| does less | than | takes, × | in families | because |\n| --- | --- | --- | --- | --- "
+        "|\n";
+    for (const CostlierPair& pair : pairs) {
+      out += fmt::format("| {} | {} | {} | {} | {} |\n", pair.less, pair.more, ratios_text(pair),
+                         fmt::join(pair.families, ", "), pair.reason);
+    }
+    return out + "\n";
+  }
+
+  [[nodiscard]] static std::string wrapped(const std::string& text) {
+    constexpr std::size_t kWidth = 120;
+    std::string out;
+    std::size_t length = 0;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find(' ', begin), text.size());
+      const std::string word = text.substr(begin, end - begin);
+      const bool breaks = length > 0 && length + 1 + word.size() > kWidth;
+      out += length == 0 ? word : (breaks ? "\n" : " ") + word;
+      length = breaks || length == 0 ? word.size() : length + 1 + word.size();
+      begin = end + 1;
+    }
+    return out;
+  }
+
   [[nodiscard]] std::string choices() const {
     std::string out =
-        "## What each choice does\n\n"
-        "\"in u\" is what computing alone did, in units of u times the scale, u of the answer's "
-        "type. "
-        "Keeping coordinates in half\nor float rounds them, which is in the error and not in "
-        "these. "
-        "\"wrong\" and \"open\" count pairs whose overlap was told\nwrongly or left undecided; "
-        "\"none\" "
-        "means that some pair got no answer. * on the Pareto front of time and error.\n\n"
-        "| configuration | × | error | relative | in u | wrong | open | iterations | |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+        "## What each configuration does\n\n"
+        "\"in u\" is what computing alone did, in roundings: in units of u times the scale, u of "
+        "the answer's type. Rounding the\nvertices to half or float is in the error and not in "
+        "these. \"wrong\" and \"open\" count pairs whose overlap was told wrongly\nor left "
+        "undecided, \"settled\" those on which exact arithmetic ran on. Error \"none\": some pair "
+        "got no answer. * marks the\nfront: no other configuration is as fast and as accurate, and "
+        "better in one.\n\n"
+        "| configuration | × | error | error / scale | in u | wrong | open | settled | iterations "
+        "| |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Row* row : all_) {
-      out +=
-          fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row->configuration,
-                      share_text(row->ratio.median), error_text(row->error_scale),
-                      error_text(row->relative_error), error_text(row->error_units), row->wrong,
-                      row->undecided, iterations_text(row->iterations), row->on_front ? "*" : "");
+      out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {:.1f} | {} |\n",
+                         row->configuration, share_text(row->ratio.median), error_text(row->error),
+                         error_text(row->error_scale), error_text(row->error_units), row->wrong,
+                         row->undecided, row->settled, row->iterations, row->on_front ? "*" : "");
     }
     return out + "\n";
   }
@@ -186,41 +240,40 @@ class Advice {
     const Row* b = find(rows, with);
     if (a == nullptr || b == nullptr) return;
     const bool floats = name.starts_with("float") && with.starts_with("float");
-    const auto relative = [&](const Row& row) {
-      return error_text(floats ? row.relative_error_as_kept : row.relative_error);
+    const auto error = [&](const Row& row) {
+      return error_text(floats ? row.error_as_kept : row.error);
     };
     const auto wrong = [&](const Row& row) {
       return (floats ? row.wrong_as_kept : row.wrong) + row.undecided;
     };
     out += fmt::format(
-        "- **{}** *{}* takes {} of the time of *{}*.\n  {}argest error, as a share of the "
-        "distance: {} against {}. Overlaps told wrongly or left open: {} against {} of {}.\n",
-        question, name, times_text(*a, *b), with, floats ? "Of the pairs as floats: l" : "L",
-        relative(*a), relative(*b), wrong(*a), wrong(*b), a->pairs);
+        "- **{}** *{}* takes {} × the time of *{}*.\n  {} {} against {}. \"Overlap or not\" is "
+        "wrong or left open for {} against {} of {} pairs.\n",
+        question, name, times_text(*a, *b), with,
+        floats ? "Judged by the pairs as floats, its error is" : "Its error is", error(*a),
+        error(*b), wrong(*a), wrong(*b), a->pairs);
   }
 
-  [[nodiscard]] std::string surprises() const {
-    std::string out = "## Questions one would ask\n\n";
+  [[nodiscard]] std::string questions() const {
+    std::string out = "## Questions\n\n";
     compare(out, all_, "What does the proof cost?", "double", "double, loop only");
-    compare(out, all_, "Do more digits stand in for a proof?", "long double, loop only", "double");
+    compare(out, all_, "Do more digits replace a proof?", "long double, loop only", "double");
     compare(out, all_, "And twice the digits?", "quad, loop only", "double");
-    compare(out, all_, "Is float enough to compute in, once coordinates are floats?", "float",
+    compare(out, all_, "If vertices are floats, should the run compute in float?", "float",
             "float in double");
-    compare(out, all_, "Does the direction matter, where nothing checks the loop?",
+    compare(out, all_, "Does the direction matter if nothing checks the loop?",
             "double, loop only, towards O", "double, loop only");
-    compare(out, all_, "And where the answer is proved?", "double, towards O", "double");
+    compare(out, all_, "And if the answer is proved?", "double, towards O", "double");
     compare(out, all_, "Does the order of the region tests matter?",
             "float, loop only, edges first", "float, loop only");
     compare(out, all_, "Is a repeated support point enough to stop?",
             "double, stop: repeated support", "double");
-    compare(out, all_, "What does stopping early save?", "double, gap 1e-01", "double");
-    compare(out, motion_, "What does a warm start save, in motion?", "double, warm start",
-            "double");
+    compare(out, all_, "What does stopping early save?", "double, tolerance 1e-01", "double");
+    compare(out, motion_, "What does a warm start save in motion?", "double, warm start", "double");
     if (const Row* cap = least_cap(); cap != nullptr) {
       out += fmt::format(
-          "- **How many iterations are enough?** *{}* errs by no more than the run without a cap, "
-          "on all "
-          "of these pairs.\n",
+          "- **How many iterations are enough?** With *{}* no error is larger than without a cap, "
+          "on all of these pairs.\n",
           cap->configuration);
     }
     return out + "\n";
@@ -230,7 +283,7 @@ class Advice {
   [[nodiscard]] const Row* least_cap() const {
     for (const Row* row : all_) {
       if (row->axis == "cap" && row->failed == 0 && row->undecided <= all_.front()->undecided &&
-          row->error_scale <= all_.front()->error_scale) {
+          row->error <= all_.front()->error && row->error_scale <= all_.front()->error_scale) {
         return row;
       }
     }
@@ -239,7 +292,9 @@ class Advice {
 
   [[nodiscard]] std::string vertices() const {
     if (sizes_.empty()) return "";
-    std::string out = "## Larger polygons\n\n| vertices | pairs |";
+    std::string out =
+        "## Larger polygons\n\nThe time of a query, by the number of vertices of each of the two "
+        "polygons.\n\n| vertices | pairs |";
     std::string rule = "| --- | --- |";
     for (const Row* row : sizes_.front()) {
       out += fmt::format(" {} |", row->configuration);

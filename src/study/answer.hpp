@@ -9,7 +9,11 @@
 namespace gjkscope::study {
 
 struct Answer : Claim {
-  int iterations = 0;  ///< -1 where nobody counts them: in lockstep.
+  // What it took.
+  int iterations = 0;
+  int support_queries = 0;
+  int start_vertices = 1;  ///< Of the first simplex.
+  bool settled = false;    ///< Exact arithmetic ran on where rounding left something open.
 };
 
 /// A family's pairs, kept as a configuration keeps them and wrapped for queries (which measures

@@ -1,6 +1,6 @@
 #pragma once
-// What buys accuracy, as values: in which arithmetic a query is answered, how far its answer is
-// checked, by which rules the run decides, when it stops and where it starts.
+// What buys accuracy, as values: the arithmetic of a query, how far its answer is proved, the rules
+// by which the run decides, when it stops and where it starts.
 
 #include <cstdint>
 #include <optional>
@@ -24,13 +24,6 @@ enum class Arithmetic : std::uint8_t {
   exact,  ///< Rationals; the answer is rounded once, to double.
 };
 
-/// What is made of the simplex that a run ended with.
-enum class Effort : std::uint8_t {
-  loop,    ///< The distance is |P| as the loop left it: GJK as it stands in a textbook.
-  bounds,  ///< With bounds of what rounding can do; close distances are computed anew.
-  proof,   ///< Exact arithmetic runs on where the bounds are wide or leave the verdict open.
-};
-
 enum class Start : std::uint8_t {
   centres,         ///< The support point along the line between the centres.
   first_vertices,  ///< Vertex 0 of each shape.
@@ -39,28 +32,32 @@ enum class Start : std::uint8_t {
 
 struct Configuration {
   Arithmetic arithmetic = Arithmetic::double_;
-  Effort effort = Effort::proof;
   Start start = Start::centres;
-  gjk::Options options = {};  ///< `proof` and the start follow from the members above.
+  gjk::Options options = {};  ///< Its own start is not read: `start` says where a run begins.
 };
+[[nodiscard]] Configuration configuration(Arithmetic arithmetic,
+                                          gjk::Proof proof = gjk::Proof::exact);
 
-/// What the configuration does otherwise than the first one of `configurations()`: "float, loop
-/// only". Names are unique.
+/// How the configuration differs from the default, "double": "float, loop only". Names are unique.
+/// `advice` explains the words.
 [[nodiscard]] std::string name_of(const Configuration& configuration);
 
 /// The configuration of that name; nothing when none has it.
 [[nodiscard]] std::optional<Configuration> configuration_named(std::string_view name);
 
-/// The axis along which a configuration differs from the default: "arithmetic", "effort",
-/// "direction and regions", "stop rule", "bound gap", "cap", "start".
+/// The axis along which a configuration differs from the default: "arithmetic", "proof", "direction
+/// and regions", "stop rule", "tolerance", "cap", "start".
 [[nodiscard]] std::string_view axis_of(const Configuration& configuration);
+
+/// "none", "bounds" or "exact".
+[[nodiscard]] std::string_view proof_name(gjk::Proof proof);
 
 /// u, the largest relative error of a rounding to the type of the answer.
 [[nodiscard]] double unit_roundoff(Arithmetic arithmetic);
 
 /// The default first; then each axis by itself, and the combinations in which rounding has a say:
-/// every effort in every arithmetic, direction rule and region order in short arithmetic and
-/// without proof. `quick`: fewer gaps and caps.
+/// every proof level in every arithmetic, direction rule and region order in short arithmetic and
+/// without proof. `quick`: fewer tolerances and caps.
 [[nodiscard]] std::vector<Configuration> configurations(bool quick);
 
 /// Those that are compared over the number of vertices.

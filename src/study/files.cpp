@@ -36,6 +36,8 @@ const std::vector<Field>& fields() {
           "configuration", [](Row & row) -> auto& { return row.configuration; }),
       field<std::string>(
           "axis", [](Row & row) -> auto& { return row.axis; }),
+      field<std::string>(
+          "proof", [](Row & row) -> auto& { return row.proof; }),
       field<bool>(
           "front", [](Row & row) -> auto& { return row.on_front; }),
       field<int>(
@@ -63,6 +65,8 @@ const std::vector<Field>& fields() {
       field<int>(
           "most_iterations", [](Row & row) -> auto& { return row.most_iterations; }),
       field<int>(
+          "settled", [](Row & row) -> auto& { return row.settled; }),
+      field<int>(
           "failed", [](Row & row) -> auto& { return row.failed; }),
       field<int>(
           "undecided", [](Row & row) -> auto& { return row.undecided; }),
@@ -73,15 +77,15 @@ const std::vector<Field>& fields() {
       field<int>(
           "broken_bounds", [](Row & row) -> auto& { return row.broken_bounds; }),
       field<double>(
-          "error_scale", [](Row & row) -> auto& { return row.error_scale; }),
+          "error", [](Row & row) -> auto& { return row.error; }),
       field<double>(
-          "relative_error", [](Row & row) -> auto& { return row.relative_error; }),
+          "error_scale", [](Row & row) -> auto& { return row.error_scale; }),
       field<double>(
           "middle_error_scale", [](Row & row) -> auto& { return row.middle_error_scale; }),
       field<double>(
           "error_units", [](Row & row) -> auto& { return row.error_units; }),
       field<double>(
-          "relative_error_as_kept", [](Row & row) -> auto& { return row.relative_error_as_kept; }),
+          "error_as_kept", [](Row & row) -> auto& { return row.error_as_kept; }),
       field<double>(
           "witness_scale", [](Row & row) -> auto& { return row.witness_scale; }),
       field<double>(
@@ -110,16 +114,23 @@ struct Note {
   std::string value;
 };
 std::vector<Note> notes(const Study& study) {
-  return {{"processor", study.machine.processor},
-          {"threads", std::to_string(study.machine.threads)},
-          {"compiler", study.machine.compiler},
-          {"flags", study.machine.flags},
-          {"commit", study.machine.commit},
-          {"seed", std::to_string(study.seed)},
-          {"quick", study.quick ? "1" : "0"},
-          {"complete", study.complete ? "1" : "0"},
-          {"families_planned", std::to_string(study.families_planned)},
-          {"seconds", fmt::format("{:.1f}", study.seconds)}};
+  std::vector<Note> out = {{"processor", study.machine.processor},
+                           {"threads", std::to_string(study.machine.threads)},
+                           {"compiler", study.machine.compiler},
+                           {"flags", study.machine.flags},
+                           {"commit", study.machine.commit},
+                           {"seed", std::to_string(study.seed)},
+                           {"quick", study.quick ? "1" : "0"},
+                           {"complete", study.complete ? "1" : "0"},
+                           {"families_planned", std::to_string(study.families_planned)},
+                           {"seconds", fmt::format("{:.1f}", study.seconds)},
+                           {"compared", std::to_string(study.compared)}};
+  for (const Costlier& pair : study.costlier) {
+    out.push_back({"costlier",
+                   fmt::format(R"("{}","{}","{}",{},{},{},"{}")", pair.family, pair.less, pair.more,
+                               pair.ratio.low, pair.ratio.median, pair.ratio.high, pair.reason)});
+  }
+  return out;
 }
 
 template <class Number>
@@ -161,6 +172,18 @@ std::vector<std::string_view> split(std::string_view line) {
   return out;
 }
 
+bool read_costlier(std::string_view value, Study& study) {
+  const std::vector<std::string_view> values = split(value);
+  Costlier pair;
+  const bool good = values.size() == 7 && CsvReader{values[0]}(pair.family) &&
+                    CsvReader{values[1]}(pair.less) && CsvReader{values[2]}(pair.more) &&
+                    CsvReader{values[3]}(pair.ratio.low) &&
+                    CsvReader{values[4]}(pair.ratio.median) &&
+                    CsvReader{values[5]}(pair.ratio.high) && CsvReader{values[6]}(pair.reason);
+  if (good) study.costlier.push_back(std::move(pair));
+  return good;
+}
+
 bool read_note(std::string_view name, std::string_view value, Study& study) {
   const auto flag = [&](bool& out) { return CsvReader{value}(out); };
   const auto text = [&](std::string& out) {
@@ -177,6 +200,8 @@ bool read_note(std::string_view name, std::string_view value, Study& study) {
   if (name == "complete") return flag(study.complete);
   if (name == "families_planned") return read(value, study.families_planned);
   if (name == "seconds") return read(value, study.seconds);
+  if (name == "compared") return read(value, study.compared);
+  if (name == "costlier") return read_costlier(value, study);
   return false;
 }
 
@@ -258,6 +283,17 @@ std::string to_json(const Study& study) {
   out["complete"] = study.complete;
   out["families_planned"] = study.families_planned;
   out["seconds"] = study.seconds;
+  out["compared"] = study.compared;
+  out["costlier"] = Json::array();
+  for (const Costlier& pair : study.costlier) {
+    out["costlier"].push_back({{"family", pair.family},
+                               {"less", pair.less},
+                               {"more", pair.more},
+                               {"ratio_low", pair.ratio.low},
+                               {"ratio", pair.ratio.median},
+                               {"ratio_high", pair.ratio.high},
+                               {"reason", pair.reason}});
+  }
   std::string rows;  // one a line
   for (Row row : study.rows) {
     Json one;

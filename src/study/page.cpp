@@ -1,11 +1,13 @@
 // The page: for each family a chart of error against time, as inline SVG.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "lesson/html.hpp"
+#include "study/less_work.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope::study {
@@ -42,7 +44,7 @@ struct Axes {
     };
     for (const Row& row : rows) {
       widen(ns, row.ns.median);
-      widen(error, row.error_scale);
+      widen(error, row.error);
     }
     for (Decades* decades : {&ns, &error}) {
       if (decades->high <= decades->low) decades->high = decades->low + 1;
@@ -66,12 +68,12 @@ std::string arithmetic_of(const Row& row) {
   return out;
 }
 
-/// Square: the loop only; triangle: without proof; circle: with.
+/// Square: the loop only; triangle: bounds only; circle: proved.
 std::string mark(const Row& row, double x, double y) {
-  if (effort_of(row) == Effort::loop) {
+  if (row.proof == "none") {
     return fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="9" height="9"/>)", x - 4.5, y - 4.5);
   }
-  if (effort_of(row) == Effort::bounds) {
+  if (row.proof == "bounds") {
     return fmt::format(R"(<path d="M{:.1f} {:.1f}l5.5 9.5h-11z"/>)", x, y - 6);
   }
   return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="5"/>)", x, y);
@@ -109,7 +111,7 @@ std::string frame(const Axes& axes) {
       fmt::format(R"(<text class="name" x="{}" y="{}" text-anchor="end">time of a query →</text>)",
                   kWidth - kRight, floor + 44);
   out += fmt::format(
-      R"svg(<text class="name" transform="translate(14 {}) rotate(-90)" text-anchor="end">largest error / scale →</text>)svg",
+      R"svg(<text class="name" transform="translate(14 {}) rotate(-90)" text-anchor="end">largest error seen →</text>)svg",
       kTop);
   return out;
 }
@@ -128,14 +130,12 @@ std::string stairs(const Axes& axes, const std::vector<const Row*>& front) {
 
 std::string values_of(const Row& row) {
   return fmt::format(
-             "{} ({} to {}), {} × the default\nlargest error: {} of the scale, {} of the distance\n"
-             "{} iterations; overlaps wrong {}, undecided {}; no answer {}; {} pairs, {} "
-             "repetitions",
+             "{} ({} to {}), {:.2f} × the time of double\nlargest error: {}; {} of the scale\n"
+             "{:.1f} iterations; overlap or not wrong for {}, open for {}, settled for {}, no "
+             "answer for {} of {} pairs; {} repetitions",
              time_text(row.ns.median), time_text(row.ns.low), time_text(row.ns.high),
-             fmt::format("{:.2f}", row.ratio.median), error_text(row.error_scale),
-             error_text(row.relative_error),
-             std::isnan(row.iterations) ? "uncounted" : iterations_text(row.iterations), row.wrong,
-             row.undecided, row.failed, row.pairs, row.repetitions) +
+             row.ratio.median, error_text(row.error), error_text(row.error_scale), row.iterations,
+             row.wrong, row.undecided, row.settled, row.failed, row.pairs, row.repetitions) +
          (std::isnan(row.instructions) ? ""
                                        : fmt::format("; {:.0f} instructions", row.instructions));
 }
@@ -152,7 +152,7 @@ std::string dot(const Axes& axes, const Row& row) {
       arithmetic_of(row), row.on_front ? " on-front" : "",
       escape_html(row.configuration + ": " + values + "; " + worst), escape_html(row.configuration),
       escape_html(values), escape_html(worst), escape_html(row.worst.json),
-      mark(row, axes.x(row.ns.median), axes.y(row.error_scale)));
+      mark(row, axes.x(row.ns.median), axes.y(row.error)));
 }
 
 /// The places of rows in the list of the front, below left of their marks: "3", or "3–5" where
@@ -209,6 +209,21 @@ std::string chart(const Axes& axes, const std::vector<const Row*>& rows) {
       fmt::arg("numbers", numbers(axes, front)), fmt::arg("list", front_list(front)));
 }
 
+/// Where doing less costs more.
+std::string costlier(const Study& study) {
+  std::string out = "<p>" + escape_html(costlier_about(study)) + "</p>";
+  const std::vector<CostlierPair> pairs = costlier_pairs(study);
+  if (pairs.empty()) return out;
+  out += "<ul>";
+  for (const CostlierPair& pair : pairs) {
+    out += fmt::format("<li>{} takes {} times as long as {} ({}): {}.</li>", escape_html(pair.less),
+                       ratios_text(pair), escape_html(pair.more),
+                       escape_html(fmt::format("{}", fmt::join(pair.families, ", "))),
+                       escape_html(pair.reason));
+  }
+  return out + "</ul>";
+}
+
 }  // namespace
 
 std::string page(const Study& study, std::string html) {
@@ -227,8 +242,9 @@ std::string page(const Study& study, std::string html) {
       study.families_planned, study.seconds, escape_html(machine.processor),
       escape_html(machine.compiler), escape_html(machine.flags), escape_html(machine.commit),
       study.seed);
-  return with_content(with_content(std::move(html), "<!-- about -->", about), "<!-- charts -->",
-                      charts);
+  html = with_content(std::move(html), "<!-- about -->", about);
+  html = with_content(std::move(html), "<!-- charts -->", charts);
+  return with_content(std::move(html), "<!-- costlier -->", costlier(study));
 }
 
 }  // namespace gjkscope::study

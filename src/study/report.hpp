@@ -28,10 +28,7 @@ inline constexpr std::string_view kOrdinary = "random";
 /// motion, stay as they are.
 [[nodiscard]] Study summary(const Study& study);
 
-/// Of the configuration that a row names.
-[[nodiscard]] Effort effort_of(const Row& row);
-
-/// For a terminal: the summary, and the Pareto front of each family.
+/// For a terminal: the summary, and the front of each family.
 [[nodiscard]] std::string table(const Study& study);
 
 /// What to use to be sure of so many digits, what it costs, and what each choice does, as Markdown.
@@ -41,8 +38,5 @@ inline constexpr std::string_view kOrdinary = "random";
 /// One page that needs nothing else: error against time for each family. `html`: the template
 /// (assets/accuracy.html).
 [[nodiscard]] std::string page(const Study& study, std::string html);
-
-/// "3.1"; "" (no number).
-[[nodiscard]] std::string iterations_text(double iterations);
 
 }  // namespace gjkscope::study

@@ -1,7 +1,8 @@
 #pragma once
-// Runs in every arithmetic. One source file for each group of them, since each takes the compiler
-// its time.
+// Runs in every arithmetic: all of them are gjk::distance and nothing else. One source file for
+// each group of them, since each takes the compiler its time.
 
+#include <algorithm>
 #include <memory>
 
 #include "gjk/gjk.hpp"
@@ -17,55 +18,25 @@ namespace gjkscope::study {
 
 namespace detail {
 
-/// The same pairs in S, wrapped once.
+/// The same pairs in S, and queries about them. Shapes are measured here: not where runs are timed.
 template <class S>
 struct Kept {
   std::vector<families::Pair<S>> pairs;
+  std::vector<gjk::MeasuredShape<S, 2>> shapes;  ///< X and Y of each pair.
   std::vector<gjk::Query<S, 2>> queries;
 
   explicit Kept(const std::vector<DoublePair>& given) {
-    for (const DoublePair& pair : given) pairs.push_back(families::converted<S>(pair));
-    for (const families::Pair<S>& pair : pairs) queries.push_back(pair.query());
-  }
-};
-
-/// What the loop itself comes to, without anything that checks it.
-template <class R>
-struct LoopAnswer {
-  gjk::Error error = gjk::Error::none;
-  R distance = R(0);
-  gjk::Vec<R, 2> x = gjk::Vec<R, 2>::Zero();
-  gjk::Vec<R, 2> y = gjk::Vec<R, 2>::Zero();
-  int iterations = 0;
-  gjk::Simplex<R, 2> simplex;
-};
-
-/// |P| of the simplex that came nearest, and witness points as weighted sums of its vertices (Catto
-/// 2010, slide "Witness points").
-template <class R, class S>
-[[nodiscard, gnu::flatten]] LoopAnswer<R> loop_only(const gjk::Query<S, 2>& query,
-                                                    const gjk::Options& options) {
-  using Traits = gjk::ScalarTraits<R>;
-  const gjk::Prepared<R, 2> prepared = gjk::prepare<R>(query, options);
-  gjk::State<R, 2> state = gjk::start(query, options, prepared);
-  gjk::NoRecord none;
-  while (state.stop == gjk::StopReason::running) gjk::step(state, query, options, prepared, none);
-  LoopAnswer<R> out;
-  out.error = state.error;
-  if (state.error != gjk::Error::none) return out;
-  out.simplex = state.best;
-  out.iterations = state.iteration;
-  out.distance = Traits::root(state.best_sq);
-  if (prepared.exponent != 0) out.distance = Traits::scaled(out.distance, prepared.exponent);
-  for (int i = 0; i < state.best.count; ++i) {
-    const gjk::VertexPair pair = state.best.vertices[i].pair;
-    for (int k = 0; k < 2; ++k) {
-      out.x[k] = out.x[k] + R(state.best.weights[i] * Traits::from(query.x.vertices[pair.x][k]));
-      out.y[k] = out.y[k] + R(state.best.weights[i] * Traits::from(query.y.vertices[pair.y][k]));
+    shapes.reserve(2 * given.size());
+    for (const DoublePair& pair : given) {
+      pairs.push_back(families::converted<S>(pair));
+      const gjk::MeasuredShape<S, 2>& x = shapes.emplace_back(pairs.back().x);
+      const gjk::MeasuredShape<S, 2>& y = shapes.emplace_back(pairs.back().y);
+      queries.push_back({{x, pairs.back().x_pose}, {y, pairs.back().y_pose}});
     }
   }
-  return out;
-}
+  Kept(const Kept&) = delete;  // the queries borrow the shapes
+  Kept& operator=(const Kept&) = delete;
+};
 
 template <class S>
 [[nodiscard]] Quad widened(const S& value) {
@@ -78,34 +49,36 @@ template <class S>
   }
 }
 
-template <class R>
-[[nodiscard]] Answer answer_of(const LoopAnswer<R>& result) {
-  Answer out;
-  out.refused = result.error != gjk::Error::none;
-  out.verdict = result.distance == R(0) ? gjk::Verdict::overlapping : gjk::Verdict::separated;
-  out.distance = widened(result.distance);
-  out.x = {widened<R>(result.x[0]), widened<R>(result.x[1])};
-  out.y = {widened<R>(result.y[0]), widened<R>(result.y[1])};
-  out.iterations = result.iterations;
-  return out;
+/// How often a run looked for a support point, counted from above: the start between the centres is
+/// one search, and each iteration has one unless the run is known to have ended before it.
+template <class Result>
+[[nodiscard]] int support_queries(const Result& result, const gjk::Options& options) {
+  const bool ended_before = result.stop == gjk::StopReason::origin_inside ||
+                            result.stop == gjk::StopReason::zero_direction;
+  return result.iterations - (ended_before ? 1 : 0) + (options.start.count == 0 ? 1 : 0);
 }
 
-/// Of a result with bounds, in a scalar that rounds.
+/// Of a result in a scalar that rounds.
 template <class Result>
-[[nodiscard]] Answer answer_of(const Result& result) {
+[[nodiscard]] Answer answer_of(const Result& result, const gjk::Options& options) {
   Answer out;
   out.refused = result.error != gjk::Error::none;
   out.verdict = result.verdict;
-  out.has_bounds = true;
+  out.has_bounds = options.proof != gjk::Proof::none;
   out.distance = widened(result.distance);
-  out.lower = widened(result.lower);
-  out.upper = widened(result.upper);
+  if (out.has_bounds) {
+    out.lower = widened(result.lower);
+    out.upper = widened(result.upper);
+  }
   for (std::size_t i = 0; i < 2; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     out.x[i] = widened(result.x[k]);
     out.y[i] = widened(result.y[k]);
   }
   out.iterations = result.iterations;
+  out.support_queries = support_queries(result, options);
+  out.start_vertices = std::max(options.start.count, 1);
+  out.settled = result.settled;
   return out;
 }
 
@@ -113,15 +86,14 @@ template <class Result>
 template <class S, class Run>
 [[nodiscard]] Asked asked(const Configuration& configuration, const Family& family, Run run) {
   const auto kept = std::make_shared<const Kept<S>>(family.pairs);
-  gjk::Options options = configuration.options;
-  options.proof = configuration.effort == Effort::proof ? gjk::Proof::exact : gjk::Proof::bounds;
-  options.start.count = configuration.start == Start::first_vertices ? 1 : 0;
-  const auto next = std::make_shared<gjk::Options>(options);
-  const auto query = [=, warm = configuration.start == Start::warm](std::size_t i) {
-    if (!warm) return run(kept->queries[i], *next);
-    if (i == 0) next->start.count = 0;
-    auto result = run(kept->queries[i], *next);
-    next->start = gjk::warm_start(result.simplex);
+  const auto options = std::make_shared<gjk::Options>(configuration.options);
+  options->start.count = configuration.start == Start::first_vertices ? 1 : 0;
+  const bool is_warm = configuration.start == Start::warm;
+  const auto query = [=](std::size_t i) {
+    if (!is_warm) return run(kept->queries[i], *options);
+    if (i == 0) options->start.count = 0;
+    auto result = run(kept->queries[i], *options);
+    options->start = result.warm();
     return result;
   };
   Asked out;
@@ -129,7 +101,9 @@ template <class S, class Run>
     if constexpr (!std::is_same_v<S, double>) {
       out.kept.push_back(families::converted<double>(kept->pairs[i]));
     }
-    out.answers.push_back(answer_of(query(i)));
+    gjk::Options before = *options;
+    if (is_warm && i == 0) before.start.count = 0;
+    out.answers.push_back(answer_of(query(i), before));
   }
   if constexpr (std::is_same_v<S, double>) out.kept = family.pairs;
   out.contestant = contestant(kept->pairs.size(), query, [](const auto& result) {
@@ -141,11 +115,6 @@ template <class S, class Run>
 /// R: the scalar of the run. S: that of the coordinates.
 template <class R, class S>
 [[nodiscard]] Asked ask_in(const Configuration& configuration, const Family& family) {
-  if (configuration.effort == Effort::loop) {
-    return asked<S>(configuration, family, [](const auto& query, const auto& options) {
-      return loop_only<R>(query, options);
-    });
-  }
   return asked<S>(configuration, family, [](const auto& query, const auto& options) {
     return gjk::distance<R>(query, options);
   });

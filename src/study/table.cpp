@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "study/less_work.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope::study {
@@ -10,20 +12,21 @@ namespace {
 
 std::string line_of(const Row& row) {
   return fmt::format(
-      "{} {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>6}\n",
+      "{} {:<42} {:>9} {:>7} {:>6.1f} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>7} "
+      "{:>6}\n",
       row.on_front ? '*' : ' ', row.configuration,
       row.repetitions > 0 ? time_text(row.ns.median) : "",
-      row.repetitions > 0 ? fmt::format("{:.2f}", row.ratio.median) : "",
-      iterations_text(row.iterations), error_text(row.error_scale), error_text(row.relative_error),
-      error_text(row.error_units), error_text(row.witness_scale), error_text(row.width_scale),
-      row.wrong, row.wrong_as_kept, row.undecided, row.failed);
+      row.repetitions > 0 ? fmt::format("{:.2f}", row.ratio.median) : "", row.iterations,
+      error_text(row.error), error_text(row.error_scale), error_text(row.error_units),
+      error_text(row.witness_scale), error_text(row.width_scale), row.wrong, row.wrong_as_kept,
+      row.undecided, row.settled, row.failed);
 }
 
 std::string heading() {
   return fmt::format(
-      "  {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>6}\n", "",
-      "time", "times", "iter.", "error", "relative", "in u", "witness", "bounds", "wrong", "own",
-      "undec.", "failed");
+      "  {:<42} {:>9} {:>7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>7} {:>6}\n",
+      "", "time", "times", "iter.", "error", "/ scale", "in u", "witness", "bounds", "wrong", "own",
+      "undec.", "settled", "failed");
 }
 
 /// Rows of one configuration over all families.
@@ -33,10 +36,11 @@ Row merged(const std::vector<const Row*>& rows) {
   out.pairs = 0;
   out.timed_pairs = 0;
   out.failed = out.undecided = out.wrong = out.wrong_as_kept = out.broken_bounds = 0;
+  out.settled = 0;
   out.instructions = 0.0;
   out.iterations = 0.0;
   out.worst = {};
-  double largest = -1.0;
+  std::pair<double, double> largest(-1.0, -1.0);
   std::vector<double> middles;
   Quartiles log_ns;
   Quartiles log_ratio;
@@ -58,18 +62,19 @@ Row merged(const std::vector<const Row*>& rows) {
     out.wrong += row->wrong;
     out.wrong_as_kept += row->wrong_as_kept;
     out.broken_bounds += row->broken_bounds;
+    out.settled += row->settled;
     out.instructions += row->instructions / static_cast<double>(rows.size());
     out.iterations += row->iterations * row->pairs;
     out.most_iterations = std::max(out.most_iterations, row->most_iterations);
     widen(out.error_scale, row->error_scale);
-    widen(out.relative_error, row->relative_error);
+    widen(out.error, row->error);
     widen(out.error_units, row->error_units);
-    widen(out.relative_error_as_kept, row->relative_error_as_kept);
+    widen(out.error_as_kept, row->error_as_kept);
     widen(out.witness_scale, row->witness_scale);
     widen(out.width_scale, row->width_scale);
     if (!std::isnan(row->middle_error_scale)) middles.push_back(row->middle_error_scale);
-    if (row->error_scale > largest) {
-      largest = row->error_scale;
+    if (const std::pair error(row->error, row->error_scale); error > largest) {
+      largest = error;
       out.worst = row->worst;
     }
     add_log(log_ns, row->ns);
@@ -98,18 +103,6 @@ std::string broken_lines(const std::vector<const Row*>& rows) {
 }
 
 }  // namespace
-
-Effort effort_of(const Row& row) {
-  const auto names = [&](std::string_view part) {
-    return row.configuration.find(part) != std::string::npos;
-  };
-  if (names("loop only")) return Effort::loop;
-  return names("no proof") ? Effort::bounds : Effort::proof;
-}
-
-std::string iterations_text(double iterations) {
-  return std::isnan(iterations) ? "" : fmt::format("{:.1f}", iterations);
-}
 
 Study summary(const Study& study) {
   Study out = study;
@@ -149,13 +142,13 @@ Study summary(const Study& study) {
 
 std::string table(const Study& study) {
   if (study.rows.empty()) return "Nothing was measured.\n";
-  std::string out = fmt::format(
-      "error: largest error of the distance, as a share of the scale; relative: as a share of the "
-      "distance\nin u: what computing alone does, in roundings (u * scale) of the answer's type; "
-      "witness, bounds: shares of\nthe scale; times: of the default. wrong: overlaps told wrongly, "
-      "own: of the pair as the "
-      "arithmetic keeps it.\n* on the Pareto front of time and error. none: some pair has no "
-      "answer.\n");
+  std::string out =
+      "error: |answer - distance| as a share of the larger of the two; / scale: as a share of the "
+      "largest distance between\nvertices; in u: what computing alone does, in roundings (u * "
+      "scale) of the answer's type; witness, bounds: shares of the\nscale. All of these are the "
+      "largest seen. times: of the default. wrong: overlaps told wrongly; own: of the pair as the\n"
+      "arithmetic keeps it; settled: by exact arithmetic. * on the front: nothing else is as fast "
+      "and as accurate, and better\nin one. none: some pair has no answer.\n";
   const Study all = summary(study);
   for (const auto& group : by_family(all.rows)) {
     if (group.front()->family != kAllFamilies) continue;
@@ -173,6 +166,11 @@ std::string table(const Study& study) {
     std::sort(rows.begin(), rows.end(),
               [](const Row* a, const Row* b) { return a->ns.median < b->ns.median; });
     for (const Row* row : rows) out += line_of(*row);
+  }
+  out += "\nDoes doing less ever cost more? " + costlier_about(study) + "\n";
+  for (const CostlierPair& pair : costlier_pairs(study)) {
+    out += fmt::format("  {} takes {} times as long as {} ({}): {}\n", pair.less, ratios_text(pair),
+                       pair.more, fmt::join(pair.families, ", "), pair.reason);
   }
   return out;
 }

@@ -28,9 +28,9 @@ constexpr double kListGap = 28.0;
 constexpr double kRowHeight = 44.0;
 
 /// A page with a title and a line about it; plots and lists are added.
-class Page {
+class FigurePage {
  public:
-  explicit Page(const Fonts& fonts) : fonts_(fonts) {
+  explicit FigurePage(const Fonts& fonts) : fonts_(fonts) {
     picture_.width = kWidth;
     picture_.height = kHeight;
   }
@@ -59,7 +59,7 @@ std::string file_name(std::string_view kind, std::string name) {
 }
 
 bool is_timed(const Row& row) { return row.repetitions > 0; }
-bool has_error(const Row& row) { return std::isfinite(row.error_scale); }
+bool has_error(const Row& row) { return std::isfinite(row.error); }
 
 class Figures {
  public:
@@ -68,7 +68,7 @@ class Figures {
     for (const Row& row : study.rows) {
       if (!is_timed(row)) continue;
       ns_.hold(row.ns.median);
-      if (has_error(row)) error_.hold(row.error_scale);
+      if (has_error(row)) error_.hold(row.error);
     }
   }
 
@@ -100,7 +100,7 @@ class Figures {
     const auto left_out = count([](const StudyDot& dot) { return !dot.error; });
     const auto without_error = count([](const StudyDot& dot) { return dot.error == 0.0; });
     const std::vector<StudyDot> best = front_of(dots);
-    Page page(fonts_);
+    FigurePage page(fonts_);
     const double step =
         std::min(kRowHeight, (kHeight - kMargin - kPlotTop) / static_cast<double>(best.size()));
     for (std::size_t i = 0; i < best.size(); ++i) {
@@ -133,17 +133,18 @@ class Figures {
     dot.family = row.family;
     dot.configuration = row.configuration;
     dot.axis = row.axis;
+    dot.proof = row.proof;
     dot.on_front = row.on_front;
     dot.ns = row.ns.median;
-    if (has_error(row)) dot.error = row.error_scale;
+    if (has_error(row)) dot.error = row.error;
     return dot;
   }
 
   /// Bounds and error against the cap on iterations.
   [[nodiscard]] std::optional<Figure> iterations(const RowList& rows) const {
-    PlotSeries width{PlotStyle::third, "width of the bounds, at most", {}};
-    PlotSeries worst{PlotStyle::first, "error, at most", {}};
-    PlotSeries middle{PlotStyle::second, "error, median", {}};
+    PlotSeries width{PlotStyle::third, "largest width of the bounds", {}};
+    PlotSeries worst{PlotStyle::first, "largest error", {}};
+    PlotSeries middle{PlotStyle::second, "median error", {}};
     Decades decades;
     double most = 0.0;
     for (const Row* row : rows) {
@@ -165,7 +166,7 @@ class Figures {
     plot.x = {1.0, most, false, "iterations allowed"};
     plot.y = decades.axis("share of the scale");
     plot.series = {std::move(worst), std::move(middle), std::move(width)};
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     const Row& first = *rows.front();
     return std::move(page).figure(
@@ -177,23 +178,23 @@ class Figures {
     const std::string_view word = "cap ";
     return std::atoi(row.configuration.c_str() + row.configuration.rfind(word) + word.size());
   }
-  [[nodiscard]] static double gap_of(const Row& row) {
-    const std::string_view word = "gap ";
+  [[nodiscard]] static double tolerance_of(const Row& row) {
+    const std::string_view word = "tolerance ";
     return std::strtod(row.configuration.c_str() + row.configuration.rfind(word) + word.size(),
                        nullptr);
   }
 
-  /// Over all families, with the gap from large to small.
+  /// Over all families, with the tolerance from large to small.
   template <class Value>
-  [[nodiscard]] PlotSeries by_gap(PlotStyle style, std::string_view arithmetic, std::string name,
-                                  Value value) const {
+  [[nodiscard]] PlotSeries by_tolerance(PlotStyle style, std::string_view arithmetic,
+                                        std::string name, Value value) const {
     PlotSeries out{style, std::move(name), {}};
     for (const Row& row : summary_.rows) {
-      if (row.family != study::kAllFamilies || row.axis != "bound gap" || !is_timed(row) ||
+      if (row.family != study::kAllFamilies || row.axis != "tolerance" || !is_timed(row) ||
           !row.configuration.starts_with(std::string(arithmetic) + ",") || !has_error(row)) {
         continue;
       }
-      out.points.emplace_back(gap_of(row), value(row));
+      out.points.emplace_back(tolerance_of(row), value(row));
     }
     return out;
   }
@@ -201,48 +202,45 @@ class Figures {
   [[nodiscard]] std::optional<Figure> tolerance(std::string name, std::string title,
                                                 std::string about, PlotAxis y,
                                                 std::vector<PlotSeries> series) const {
-    Decades gaps;
+    Decades tolerances;
     for (const PlotSeries& each : series) {
-      for (const Eigen::Vector2d& point : each.points) gaps.hold(point.x());
+      for (const Eigen::Vector2d& point : each.points) tolerances.hold(point.x());
     }
     if (series.front().points.size() < 2) return {};
     Plot plot;
-    plot.x =
-        gaps.axis("gap between the bounds at which a run may stop, as a share of the distance");
+    plot.x = tolerances.axis("tolerance: a run stops when its bounds differ by less, as a share");
     plot.y = std::move(y);
     plot.series = std::move(series);
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     return std::move(page).figure(std::move(name), std::move(title), std::move(about));
   }
 
   [[nodiscard]] std::optional<Figure> tolerance_time() const {
     const auto time = [](const Row& row) { return row.ns.median; };
-    std::vector<PlotSeries> series = {by_gap(PlotStyle::first, "double", "double", time),
-                                      by_gap(PlotStyle::third, "float", "float", time)};
+    std::vector<PlotSeries> series = {by_tolerance(PlotStyle::first, "double", "double", time),
+                                      by_tolerance(PlotStyle::third, "float", "float", time)};
     double most = 0.0;
     for (const PlotSeries& each : series) {
       for (const Eigen::Vector2d& point : each.points) most = std::max(most, point.y());
     }
     return tolerance("tolerance-time", "Time against tolerance",
-                     "Mean over all families. A run stops once its bounds are that close.",
+                     "Mean over all families. A run stops when its bounds are that close.",
                      {0.0, 1.2 * most, false, "time of a query, nanoseconds"}, std::move(series));
   }
 
   [[nodiscard]] std::optional<Figure> tolerance_error() const {
-    const auto error = [](const Row& row) {
-      return std::max(row.relative_error_as_kept, kNoError);
-    };
-    std::vector<PlotSeries> series = {by_gap(PlotStyle::first, "double", "double", error),
-                                      by_gap(PlotStyle::third, "float", "float", error)};
+    const auto error = [](const Row& row) { return std::max(row.error_as_kept, kNoError); };
+    std::vector<PlotSeries> series = {by_tolerance(PlotStyle::first, "double", "double", error),
+                                      by_tolerance(PlotStyle::third, "float", "float", error)};
     Decades decades;
     for (const PlotSeries& each : series) {
       for (const Eigen::Vector2d& point : each.points) decades.hold(point.y());
     }
     return tolerance(
         "tolerance-error", "Error against tolerance",
-        "The largest over the pairs of all families, as doubles and as floats keep them.",
-        decades.axis("largest error, as a share of the distance"), std::move(series));
+        "The largest seen of the pairs of all families, as doubles and as floats keep them.",
+        decades.axis("largest error seen"), std::move(series));
   }
 
   /// Time against the number of vertices, for at most four configurations.
@@ -266,7 +264,7 @@ class Figures {
     if (plot.series.front().points.size() < 2) return {};
     plot.x = {2.0, 2.0 * most, true, "vertices of each polygon"};
     plot.y = ns.axis("time of a query, nanoseconds");
-    Page page(fonts_);
+    FigurePage page(fonts_);
     page.add(plot, plot_area(kWidth - kMargin));
     return std::move(page).figure(std::move(name), std::move(title),
                                   "Two polygons with the same number of vertices; medians.");

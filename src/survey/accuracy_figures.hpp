@@ -16,7 +16,7 @@ struct Figure {
   Picture picture;
 };
 
-/// For each family the error against the time with its Pareto front, and bounds and error against
+/// For each family the error against the time with its front, and bounds and error against
 /// the cap on iterations; over all families time and error against the bound gap; time against the
 /// number of vertices. What a study that was interrupted has nothing for is left out.
 [[nodiscard]] std::vector<Figure> accuracy_figures(const study::Study& study, const Fonts& fonts);

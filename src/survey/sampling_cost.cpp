@@ -12,14 +12,14 @@
 namespace gjkscope {
 namespace {
 
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
+constexpr int kFrameWidth = 1280;
+constexpr int kFrameHeight = 720;
 constexpr int kSmaller = 4;
 constexpr int kFinest = 16;
 
 std::unique_ptr<Canvas> canvas(const Fonts& fonts, const Theme& theme, int smaller, int factor) {
-  return std::make_unique<Canvas>(fonts, theme, kWidth / smaller, kHeight / smaller, factor,
-                                  1.0 / smaller);
+  return std::make_unique<Canvas>(fonts, theme, kFrameWidth / smaller, kFrameHeight / smaller,
+                                  factor, 1.0 / smaller);
 }
 
 void compare(const Image& image, const Image& finest, SamplingCost& row) {
@@ -47,7 +47,8 @@ void compare(const Image& image, const Image& finest, SamplingCost& row) {
 
 SamplingStudy::SamplingStudy(const Fonts& fonts, const Theme& theme)
     : fonts_(fonts),
-      finest_(fonts, theme, kWidth / kSmaller, kHeight / kSmaller, kFinest, 1.0 / kSmaller) {
+      finest_(fonts, theme, kFrameWidth / kSmaller, kFrameHeight / kSmaller, kFinest,
+              1.0 / kSmaller) {
   for (const int factor : kFactors) {
     small_.push_back(canvas(fonts, theme, kSmaller, factor));
     full_.push_back(canvas(fonts, theme, 1, factor));

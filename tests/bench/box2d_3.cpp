@@ -1,4 +1,5 @@
 #include <box2d/collision.h>
+#include <box2d/math_functions.h>
 
 #include <memory>
 
@@ -29,6 +30,17 @@ auto proxy(const std::vector<Point>& shape) {
   return b2MakeProxy(points.data(), static_cast<int>(points.size()), 0.0F);
 }
 
+/// Up to 3.1 the input has a pose for each shape, after it one: that of Y in the frame of X.
+template <class Input>
+void set_poses(Input& input, const b2Transform& x, const b2Transform& y) {
+  if constexpr (requires { input.transform; }) {
+    input.transform = b2InvMulTransforms(x, y);
+  } else {
+    input.transformA = x;
+    input.transformB = y;
+  }
+}
+
 /// From 3.1 on.
 template <class Cache, class Simplex>
 b2DistanceOutput ask(b2DistanceOutput (*distance)(const b2DistanceInput*, Cache*, Simplex*, int),
@@ -57,8 +69,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
       pairs.size(),
       [prepared](std::size_t i) {
         Prepared& pair = (*prepared)[i];
-        pair.input.transformA = pair.x_pose;
-        pair.input.transformB = pair.y_pose;
+        set_poses(pair.input, pair.x_pose, pair.y_pose);
         return ask(b2ShapeDistance, pair.input);
       },
       [](const b2DistanceOutput& output) { return output.distance; });

@@ -484,11 +484,15 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   const LoadedLesson loaded = parse_lesson(text, file, testing::effects_of_views());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const LessonStudy& study = *loaded.lesson->study;
-  for (const std::string& name : study.configurations)
-    EXPECT_EQ(study.dot(name).configuration, name);
+  for (const StudyMark& mark : study.marks)
+    EXPECT_EQ(study.dot(mark.configuration).configuration, mark.configuration);
+  EXPECT_FALSE(study.processor.empty());
   const LessonRun run = run_lesson(*loaded.lesson);
-  EXPECT_EQ(run.frames.size(), study.configurations.size() + 2);
-  EXPECT_EQ(run.frames.back().detail, static_cast<int>(study.configurations.size()));
+  const std::vector<StudyFrame> frames = study_frames(study);
+  EXPECT_EQ(frames.size(), 5 + study.marks.size() + 3);
+  EXPECT_EQ(run.frames.size(), frames.size() + loaded.lesson->questions.size());
+  EXPECT_EQ(run.study(run.frames.front()).stage, StudyStage::shapes);
+  EXPECT_EQ(run.study(run.frames.back()).stage, StudyStage::choice);
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
   const Edits refused = {
@@ -497,7 +501,8 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
       {results, "", "'results'"},
       {family, "family = \"nearly parallell\"", "did you mean 'nearly parallel'?"},
       {"\"double\"", "\"doubel\"", "unknown configuration 'doubel'"},
-      {"\"double\"", "\"double\", \"double\"", "configuration 'double' is named twice"},
+      {"\"double, cap 3\"", "\"double\"", "configuration 'double' is named twice"},
+      {"ask = \"overlap\"", "ask = \"stop\"", "question 'stop' with granularity 'study'"},
       {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'study' with a path"},
       {"show = \"study\"", "show = \"study\"\neffects = [\"history\"]",
        "'effects' in a view of study"}};

@@ -397,7 +397,7 @@ Lesson any_lesson(Random& random) {
              .lesson->study;
     LessonStudy& study = out.study.emplace(kShipped);
     study.results = std::filesystem::absolute(testing::lessons_folder() / study.results).string();
-    study.configurations.resize(1 + below(random, study.configurations.size()));
+    study.marks.resize(1 + below(random, study.marks.size()));
   }
   for (LessonView& view : out.views) {
     const bool has_results = (view.kind == ViewKind::growth && out.growth) ||

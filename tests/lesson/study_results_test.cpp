@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
-
-#include "lesson/study_times.hpp"
 
 namespace gjkscope {
 namespace {
@@ -13,14 +13,16 @@ namespace {
 std::string row(const std::string& family, const std::string& configuration, double ns,
                 const std::string& error, bool front, int repetitions = 5) {
   return fmt::format(
-      R"({{"family": "{}", "configuration": "{}", "axis": "cap", "front": {}, "pairs": 7,
-          "repetitions": {}, "ns": {}, "ratio": 0.5, "undecided": 2, "wrong": 1, "error_scale": {},
+      R"({{"family": "{}", "configuration": "{}", "axis": "cap", "proof": "exact", "front": {}, "pairs": 7,
+          "repetitions": {}, "ns": {}, "ratio": 0.5, "undecided": 2, "wrong": 1, "settled": 3, "error": {},
           "worst": {{"answer": null, "distance": 2.0,
                      "case": {{"dimension": 2, "a": [[0, 0]], "b": [[2, 0], [3, 1]]}}}}}})",
       family, configuration, front, repetitions, ns, error);
 }
 
-std::string results(const std::string& rows) { return R"({"seed": 1, "rows": [)" + rows + "]}"; }
+std::string results(const std::string& rows) {
+  return R"({"machine": {"processor": "abacus"}, "rows": [)" + rows + "]}";
+}
 
 std::string complaint(const std::string& text) {
   try {
@@ -32,9 +34,12 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(StudyResults, HoldWhatTheRowsSay) {
-  const auto dots = parse_study_results(results(row("needles", "double", 90.0, "1e-16", true) +
-                                                "," + row("random", "half", 80.0, "null", false) +
-                                                "," + row("random", "quad", 70.0, "0", true, 0)));
+  const StudyResults read =
+      parse_study_results(results(row("needles", "double", 90.0, "1e-16", true) + "," +
+                                  row("random", "half", 80.0, "null", false) + "," +
+                                  row("random", "quad", 70.0, "0", true, 0)));
+  EXPECT_EQ(read.processor, "abacus");
+  const std::vector<StudyDot>& dots = read.dots;
   ASSERT_EQ(dots.size(), 2u) << "what was not timed has no place";
   EXPECT_EQ(dots[0].family, "needles");
   EXPECT_EQ(dots[0].configuration, "double");
@@ -42,6 +47,8 @@ TEST(StudyResults, HoldWhatTheRowsSay) {
   EXPECT_EQ(dots[0].pairs, 7);
   EXPECT_EQ(dots[0].wrong, 1);
   EXPECT_EQ(dots[0].undecided, 2);
+  EXPECT_EQ(dots[0].settled, 3);
+  EXPECT_EQ(dots[0].proof, "exact");
   EXPECT_TRUE(dots[0].on_front);
   EXPECT_EQ(dots[0].ns, 90.0);
   EXPECT_EQ(dots[0].ratio, 0.5);
@@ -56,37 +63,54 @@ TEST(StudyResults, HoldWhatTheRowsSay) {
 }
 
 TEST(StudyResults, FrontGoesFromFastToAccurate) {
-  const auto front = front_of(parse_study_results(
-      results(row("a", "slow", 90.0, "1e-16", true) + "," + row("a", "not", 50.0, "1", false) +
-              "," + row("a", "fast", 10.0, "0.1", true))));
+  const auto front =
+      front_of(parse_study_results(results(row("a", "slow", 90.0, "1e-16", true) + "," +
+                                           row("a", "not", 50.0, "1", false) + "," +
+                                           row("a", "fast", 10.0, "0.1", true)))
+                   .dots);
   ASSERT_EQ(front.size(), 2u);
   EXPECT_EQ(front[0].configuration, "fast");
   EXPECT_EQ(front[1].configuration, "slow");
 }
 
-TEST(StudyResults, TimesByRatioPutTheFrontRightThatNoiseTurned) {
-  const auto dot = [](const char* family, const char* configuration, double ns, double ratio) {
-    StudyDot out;
-    out.family = family;
-    out.configuration = configuration;
-    out.ns = ns;
-    out.ratio = ratio;
-    return out;
+TEST(Front, HoldsWhatNothingBeats) {
+  EXPECT_EQ(front_of({{100.0, 1e-3}, {200.0, 1e-9}, {150.0, 1e-3}, {300.0, 1e-6}}),
+            (std::vector<bool>{true, true, false, false}));
+  EXPECT_EQ(front_of({{100.0, 0.0}, {50.0, INFINITY}, {INFINITY, 0.0}}),
+            (std::vector<bool>{true, false, false}));
+  EXPECT_TRUE(front_of(std::vector<Cost>{}).empty());
+}
+
+TEST(Front, OfEqualTimesIsThePlainest) {
+  // 104 is as long as 100, as far as a measurement can tell; 106 is longer.
+  EXPECT_EQ(front_of({{104.0, 1e-3}, {100.0, 1e-3}}), (std::vector<bool>{true, false}));
+  EXPECT_EQ(front_of({{106.0, 1e-3}, {100.0, 1e-3}}), (std::vector<bool>{false, true}));
+  EXPECT_EQ(front_of({{104.0, 1e-2}, {100.0, 1e-3}}), (std::vector<bool>{false, true}));
+}
+
+TEST(Front, HoldsExactlyTheCostsThatNoneBeats) {
+  std::uint32_t state = 1;
+  const auto among = [&](std::uint32_t count) {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>((state >> 16) % count);
   };
-  std::vector<StudyDot> measured = {dot("a", "double", 100.0, 1.0), dot("a", "loop", 105.0, 0.8),
-                                    dot("b", "alone", 7.0, 0.5)};
-  measured[0].on_front = true;
-  // "loop" was timed in slower turns than "double", but took 0.8 of its time in each of them.
-  for (int i = 0; i < 2; ++i) measured[static_cast<std::size_t>(i)].error = 1e-16;
-  const std::vector<StudyDot> dots = timed_by_ratio(measured);
-  EXPECT_EQ(dots[0].ns, 100.0);
-  EXPECT_EQ(dots[1].ns, 80.0);
-  EXPECT_EQ(dots[2].ns, 7.0) << "there is nothing that it could be compared with";
-  EXPECT_FALSE(dots[0].on_front);
-  EXPECT_TRUE(dots[1].on_front);
-  EXPECT_FALSE(dots[2].on_front);
-  EXPECT_EQ(default_of(dots, "a"), &dots[0]);
-  EXPECT_EQ(default_of(dots, "b"), nullptr);
+  std::vector<Cost> costs;
+  for (int i = 0; i < 200; ++i) costs.push_back({std::pow(1.1, among(60)), among(60)});
+  const std::vector<bool> front = front_of(costs);
+  int on_front = 0;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    bool beaten = false;
+    bool has_twin = false;
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+      const bool equal = costs[k].ns == costs[i].ns && costs[k].error == costs[i].error;
+      beaten = beaten || (costs[k].ns <= costs[i].ns && costs[k].error <= costs[i].error && !equal);
+      has_twin = has_twin || (equal && k < i);
+    }
+    EXPECT_EQ(front[i], !beaten && !has_twin) << i;
+    on_front += front[i];
+  }
+  EXPECT_GT(on_front, 3);
+  EXPECT_LT(on_front, 30);
 }
 
 TEST(StudyResults, SayWhatIsWrongAndWhere) {
@@ -101,6 +125,7 @@ TEST(StudyResults, SayWhatIsWrongAndWhere) {
   EXPECT_NE(complaint("{\"rows\": 3}").find("no rows"), std::string::npos);
   EXPECT_NE(complaint(results("")).find("no row was timed"), std::string::npos);
   EXPECT_NE(complaint(results("3")).find("row 1: "), std::string::npos);
+  EXPECT_NE(complaint("{\"rows\": [" + good + "]}").find("machine: "), std::string::npos);
   EXPECT_NE(complaint(with("\"pairs\": 7", "\"pears\": 7")).find("row 2: "), std::string::npos);
   EXPECT_NE(complaint(with("\"pairs\": 7", "\"pairs\": \"7\"")).find("row 2: "), std::string::npos);
   EXPECT_NE(complaint(with("[[0, 0]]", "[]")).find("row 2: "), std::string::npos);

@@ -62,7 +62,8 @@ TEST(Docs, AccuracySaysWhatItsNumbersSay) {
 TEST(Docs, NumbersAreThoseOfTheCore) {
   std::vector<Configuration> some;
   for (const Arithmetic arithmetic : {Arithmetic::double_, Arithmetic::single_in_double}) {
-    for (const Effort effort : {Effort::proof, Effort::loop}) some.push_back({arithmetic, effort});
+    for (const gjk::Proof proof : {gjk::Proof::exact, gjk::Proof::none})
+      some.push_back(configuration(arithmetic, proof));
   }
   some.push_back({});
   some.back().start = Start::warm;
@@ -83,12 +84,13 @@ TEST(Docs, NumbersAreThoseOfTheCore) {
     ASSERT_NE(then, nullptr) << kHint;
     EXPECT_EQ(then->pairs, row.pairs) << kHint;
     EXPECT_EQ(then->error_scale, row.error_scale) << kHint;
-    EXPECT_EQ(then->relative_error, row.relative_error) << kHint;
+    EXPECT_EQ(then->error, row.error) << kHint;
     EXPECT_EQ(then->error_units, row.error_units) << kHint;
     EXPECT_EQ(then->witness_scale, row.witness_scale) << kHint;
     EXPECT_EQ(then->iterations, row.iterations) << kHint;
     EXPECT_EQ(then->wrong, row.wrong) << kHint;
     EXPECT_EQ(then->undecided, row.undecided) << kHint;
+    EXPECT_EQ(then->settled, row.settled) << kHint;
     EXPECT_EQ(then->failed, row.failed) << kHint;
     ++compared;
   }
@@ -97,11 +99,11 @@ TEST(Docs, NumbersAreThoseOfTheCore) {
 
 TEST(Docs, TheLessonShowsWhatTheCoreAnswers) {
   const std::vector<StudyDot> dots =
-      parse_study_results(read_file(kSource / "lessons" / "accuracy-cost.json"));
+      parse_study_results(read_file(kSource / "lessons" / "accuracy-cost.json")).dots;
   std::vector<Configuration> some;
-  for (const Effort effort : {Effort::proof, Effort::loop}) {
+  for (const gjk::Proof proof : {gjk::Proof::exact, gjk::Proof::none}) {
     for (const Arithmetic arithmetic : {Arithmetic::double_, Arithmetic::single})
-      some.push_back({arithmetic, effort});
+      some.push_back(configuration(arithmetic, proof));
   }
   Plan asked = plan(false);
   asked.families = families_in(dots);
@@ -114,9 +116,10 @@ TEST(Docs, TheLessonShowsWhatTheCoreAnswers) {
       });
       ASSERT_NE(dot, dots.end());
       EXPECT_EQ(dot->pairs, row.pairs);
-      EXPECT_EQ(dot->error, row.error_scale);
+      EXPECT_EQ(dot->error, row.error);
       EXPECT_EQ(dot->wrong, row.wrong);
       EXPECT_EQ(dot->undecided, row.undecided);
+      EXPECT_EQ(dot->settled, row.settled);
       EXPECT_EQ(dot->answer, row.worst.answer);
       EXPECT_EQ(dot->distance, row.worst.distance);
       ++compared;

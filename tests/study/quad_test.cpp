@@ -60,7 +60,7 @@ TEST(Quad, RunsErrByRoundingsOfItsOwn) {
     study::Family family{"one", "", {pair}};
     const Truth truth = truth_of(pair);
     const study::Answer answer =
-        study::ask({study::Arithmetic::quad, study::Effort::proof}, family).answers[0];
+        study::ask(study::configuration(study::Arithmetic::quad), family).answers[0];
     EXPECT_EQ(answer.verdict != gjk::Verdict::separated, truth.overlap);
     EXPECT_LE(std::abs(difference(answer.distance, truth)),
               4 * 0x1p-113 * families::scale_of(pair));

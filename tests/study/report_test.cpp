@@ -48,13 +48,13 @@ TEST(Words, NumbersHaveTheUnitsThatReadBest) {
   EXPECT_EQ(error_text(0.0), "0");
   EXPECT_EQ(error_text(std::numeric_limits<double>::infinity()), "none");
   EXPECT_EQ(error_text(std::numeric_limits<double>::quiet_NaN()), "");
-  EXPECT_EQ(iterations_text(2.96), "3.0");
-  EXPECT_EQ(iterations_text(std::numeric_limits<double>::quiet_NaN()), "");
 }
 
 TEST(Json, IsWhatLessonsRead) {
   const Study& study = small_study();
-  const std::vector<StudyDot> dots = parse_study_results(to_json(study));
+  const StudyResults results = parse_study_results(to_json(study));
+  EXPECT_EQ(results.processor, study.machine.processor);
+  const std::vector<StudyDot>& dots = results.dots;
   std::size_t timed = 0;
   for (const Row& row : study.rows) {
     if (row.repetitions == 0) continue;
@@ -63,18 +63,34 @@ TEST(Json, IsWhatLessonsRead) {
     EXPECT_EQ(dot.family, row.family);
     EXPECT_EQ(dot.configuration, row.configuration);
     EXPECT_EQ(dot.axis, row.axis);
+    EXPECT_EQ(dot.proof, row.proof);
+    EXPECT_EQ(dot.settled, row.settled);
     EXPECT_EQ(dot.ns, row.ns.median);
     EXPECT_EQ(dot.ratio, row.ratio.median);
     EXPECT_EQ(dot.on_front, row.on_front);
     EXPECT_EQ(dot.distance, row.worst.distance);
-    EXPECT_EQ(dot.error.value_or(std::numeric_limits<double>::infinity()), row.error_scale);
+    EXPECT_EQ(dot.error.value_or(std::numeric_limits<double>::infinity()), row.error);
   }
   EXPECT_EQ(timed, dots.size());
 }
 
+/// Two rows in which doing less costs more, told in every form.
+Study with_costlier() {
+  Study study = small_study();
+  study.compared = 12;
+  study.costlier = {{"random", "double, cap 3", "double", {1.25, 1.5, 1.75}, "a reason, two"},
+                    {"needles", "double, cap 3", "double", {1.0625, 1.25, 2.0}, "another"}};
+  return study;
+}
+
 TEST(Csv, ReadBackIsTheSame) {
-  const std::string text = to_csv(small_study());
+  const std::string text = to_csv(with_costlier());
   const Study back = from_csv(text);
+  EXPECT_EQ(back.compared, 12);
+  ASSERT_EQ(back.costlier.size(), 2u);
+  EXPECT_EQ(back.costlier[0].less, "double, cap 3");
+  EXPECT_EQ(back.costlier[0].reason, "a reason, two");
+  EXPECT_EQ(back.costlier[1].ratio.low, 1.0625);
   ASSERT_EQ(back.rows.size(), small_study().rows.size());
   EXPECT_EQ(to_csv(back), text);
   EXPECT_EQ(back.seed, small_study().seed);
@@ -90,7 +106,7 @@ TEST(Csv, SaysWhichLineIsWrong) {
   EXPECT_NE(complaint("family,error\n").find("line 1: expected the names of the fields"),
             std::string::npos);
   const std::size_t rows = text.find("\n\"") + 1;
-  EXPECT_EQ(complaint(text.substr(0, rows) + "\"random\",1\n"), "line 13: 2 fields, expected 29");
+  EXPECT_EQ(complaint(text.substr(0, rows) + "\"random\",1\n"), "line 14: 2 fields, expected 31");
   std::string bad = text;
   bad.replace(text.find(",1,12,", rows), 6, ",2,12,");
   EXPECT_NE(complaint(bad).find("'2' is no value of front"), std::string::npos) << complaint(bad);
@@ -174,7 +190,7 @@ TEST(Advice, OffersOnlyWhatIsAccurateEnough) {
   Study study = summary(small_study());
   for (Row& row : study.rows) {
     row.failed = row.configuration == "double" ? 0 : 1;
-    if (row.configuration == "double") row.error_scale = 3e-7;
+    if (row.configuration == "double") row.error = 3e-7;
   }
   const std::string text = advice(study);
   EXPECT_NE(text.find("| 1 to 6 | double | 1.00 ×"), std::string::npos) << text;
@@ -182,8 +198,46 @@ TEST(Advice, OffersOnlyWhatIsAccurateEnough) {
   EXPECT_NE(text.find(" | nothing here |  | double | 1.00 ×"), std::string::npos) << text;
 }
 
+TEST(Costlier, IsInTheTableThePageTheAdviceAndTheJson) {
+  const Study study = with_costlier();
+  EXPECT_NE(table(study).find("  double, cap 3 takes 1.25 to 1.50 times as long as double (random, "
+                              "needles): a reason, two\n"),
+            std::string::npos)
+      << table(study);
+  EXPECT_NE(
+      advice(summary(study))
+          .find("| double, cap 3 | double | 1.25 to 1.50 | random, needles | a reason, two |"),
+      std::string::npos);
+  EXPECT_NE(page(study, "<!-- costlier -->").find("<li>double, cap 3 takes 1.25 to 1.50 times"),
+            std::string::npos);
+  const auto json = nlohmann::json::parse(to_json(study));
+  EXPECT_EQ(json["compared"], 12);
+  ASSERT_EQ(json["costlier"].size(), 2u);
+  EXPECT_EQ(json["costlier"][1]["reason"], "another");
+  Study none = study;
+  none.costlier.clear();
+  for (const std::string& text : {table(none), page(none, "<!-- costlier -->")})
+    EXPECT_NE(text.find("None does."), std::string::npos) << text;
+}
+
+TEST(Advice, ExplainsTheWordsInNames) {
+  const std::string text = advice(summary(small_study()));
+  for (const Configuration& each : configurations(false)) {
+    std::string name = name_of(each);
+    for (std::size_t begin = 0; begin < name.size();) {
+      const std::size_t end = std::min(name.find(", ", begin), name.size());
+      std::string word = name.substr(begin, end - begin);
+      for (const char* counted : {"tolerance ", "cap "}) {
+        if (word.starts_with(counted)) word = counted;
+      }
+      EXPECT_NE(text.find("`" + word), std::string::npos) << word;
+      begin = end + 2;
+    }
+  }
+}
+
 TEST(Advice, IsMadeFromItsNumbersAlone) {
-  const Study study = summary(small_study());
+  const Study study = summary(with_costlier());
   EXPECT_EQ(advice(from_csv(to_csv(study))), advice(study));
 }
 

@@ -57,4 +57,8 @@ void growth(PanelBuilder& panel);
 /// In place of `counters` where a frame is about many runs.
 void growth_counters(PanelBuilder& panel);
 
+// study.cpp
+/// What a frame of the study knows: the answers to one pair, the marks, the front, what to take.
+void study(PanelBuilder& panel);
+
 }  // namespace gjkscope::blocks

@@ -146,10 +146,10 @@ void orders(PanelBuilder& panel) {
   panel.heading(format("{} first, {} tests of the edges",
                        chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices",
                        chain.whole ? "whole" : "short"));
-  const gjk::detail::RegionList list = gjk::detail::list_regions(3, chain.order);
+  const gjk::FaceList list = gjk::tested_faces(3, chain.order);
   const int tried = static_cast<int>(chain.tests.size());
   for (int i = 0; i < list.count; ++i) {
-    const gjk::Face face = list.conditions[i].face;
+    const gjk::Face face = list.faces[i];
     const TestMark mark = i >= tried             ? TestMark::untried
                           : chain.tests[i].holds ? TestMark::holds
                                                  : TestMark::fails;

@@ -12,8 +12,8 @@ namespace {
 
 using namespace rows;
 
-std::string condition(const PanelBuilder& panel, const gjk::detail::RegionList& order, int index) {
-  const gjk::Face face = order.conditions[index].face;
+std::string condition(const PanelBuilder& panel, const gjk::FaceList& order, int index) {
+  const gjk::Face face = order.faces[index];
   const int size = gjk::vertex_count(face);
   const int count = panel.state.simplex.count;
   if (size == count) return count == 1 ? "only region" : "else";
@@ -101,8 +101,8 @@ void tests(PanelBuilder& panel) {
   before.y = panel.y;
   const bool asks_now = asked.step == panel.frame.step;
   before.heading("First true test wins");
-  const gjk::detail::RegionList order =
-      gjk::detail::list_regions(before.state.simplex.count, before.run.lesson.options.region_order);
+  const gjk::FaceList order =
+      gjk::tested_faces(before.state.simplex.count, before.run.lesson.options.region_order);
   const auto& tried = before.region_tests();
   const bool leaves_room = before.gradual() && before.state.simplex.count == 3;
   bool has_weights = false;
@@ -112,7 +112,7 @@ void tests(PanelBuilder& panel) {
                           : tried[i].holds ? TestMark::holds
                                            : TestMark::fails;
     test_row(before, mark, asks_now && reached && i == before.tests_reached(),
-             before.words.face(order.conditions[i].face), condition(before, order, i),
+             before.words.face(order.faces[i]), condition(before, order, i),
              reached ? before.test_values(tried[i]) : "");
     if (!leaves_room || !reached || !tried[i].holds || gjk::vertex_count(tried[i].region) != 2)
       continue;
@@ -203,12 +203,11 @@ void regions(PanelBuilder& panel) {
   panel.heading("Closest feature");
   const int count = panel.state.simplex.count;
   constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
-  gjk::detail::RegionList order =
-      gjk::detail::list_regions(count, gjk::RegionOrder::vertices_first);
+  gjk::FaceList order = gjk::tested_faces(count, gjk::RegionOrder::vertices_first);
   if (count == 2)
-    std::swap(order.conditions[0], order.conditions[1]);  // A before B: this is no order of tests
+    std::swap(order.faces[0], order.faces[1]);  // A before B: this is no order of tests
   for (int i = 0; i < order.count; ++i) {
-    const gjk::Face face = order.conditions[i].face;
+    const gjk::Face face = order.faces[i];
     const bool current = panel.phase() && face == panel.state.region;
     if (current) panel.highlight("highlight.pass");
     panel.write(current ? "pass" : "untried", panel.left, current ? "●" : "○", type::kBody);

@@ -11,7 +11,6 @@ namespace gjkscope::blocks {
 namespace {
 
 using gjk::Phase;
-using gjk::State;
 using namespace rows;
 
 /// One column: a run, and its state at the frame.
@@ -19,7 +18,7 @@ struct Column {
   std::string title;
   double x = 0.0;  ///< Right edge.
   const PositionedRun& run;
-  const State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
+  const gjk::State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
   Numbers numbers;
 };
 
@@ -30,7 +29,7 @@ void two_runs(PanelBuilder& panel) {
   const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
   const gjk::Step<double, 2>* beside = step_beside(second, panel.run, panel.frame);
   const PositionedRun& first = panel.run.run(panel.frame);
-  const State<double, 2>* state = panel.phase() ? &panel.state : nullptr;
+  const gjk::State<double, 2>* state = panel.phase() ? &panel.state : nullptr;
   Lesson other = lesson;
   other.scalar = *lesson.beside;
   const double half = 0.5 * (panel.right - panel.left - 62.0);

@@ -65,12 +65,12 @@ class Asking {
   }
 
   void region() {
-    const gjk::detail::RegionList order =
-        gjk::detail::list_regions(before_.simplex.count, run_.lesson.options.region_order);
+    const gjk::FaceList order =
+        gjk::tested_faces(before_.simplex.count, run_.lesson.options.region_order);
     // Those that the frame does not rule out.
     const bool gradual = run_.lesson.granularity == Granularity::test;
     for (int i = gradual ? story_.frame.detail + 1 : 0; i < order.count; ++i)
-      asked_.choices.push_back(words_.face(order.conditions[i].face));
+      asked_.choices.push_back(words_.face(order.faces[i]));
     // In the order of the tests the first one left would be the answer.
     if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());
     asked_.answer = words_.face(step_.after.region);
@@ -126,6 +126,7 @@ class Asking {
 void question(const Story& story, FrameText& text) {
   const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   text.question = FrameQuestion{std::string(name_of(ask)), {}, {}};
+  if (is_about_study(ask)) return study_question(story, text);
   Asking asking(story, text);
   switch (ask) {
     case Ask::support:
@@ -136,6 +137,9 @@ void question(const Story& story, FrameText& text) {
       return asking.dropped();
     case Ask::stop:
       return asking.stop();
+    case Ask::overlap:
+    case Ask::time:
+      return;
   }
 }
 

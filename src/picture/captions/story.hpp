@@ -101,8 +101,9 @@ void slab(const Story& story, FrameText& text);
 void growth(const Story& story, FrameText& text);
 
 // study.cpp
-/// A configuration of the study, or, after the last one, the Pareto front.
 void study(const Story& story, FrameText& text);
+/// The question of a frame of the study.
+void study_question(const Story& story, FrameText& text);
 
 // answer.cpp
 void answer(const Story& story, FrameText& text);

@@ -107,11 +107,8 @@ void growth(SceneBuilder& scene, const Fonts& fonts);
 void growth_example(SceneBuilder& scene);
 
 // study.cpp
-/// A view of the study: error against time.
+/// A view of the study: X and Y with their gap enlarged, or error against time.
 void study(SceneBuilder& scene, const Fonts& fonts);
-/// In the world, in a unit of length of its own: the pair that the frame's configuration answers
-/// worst.
-void worst_pair(SceneBuilder& scene);
 
 /// A plot that fills the view. (growth.cpp)
 void add_plot(SceneBuilder& scene, const Plot& plot, const Fonts& fonts);

@@ -1,59 +1,230 @@
 #include <fmt/format.h>
 
-#include "effects/worst_pair.hpp"
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "effects/rounded_pair.hpp"
 #include "geometry/polygon.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/stage.hpp"
 #include "picture/study_plot.hpp"
+#include "picture/study_words.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope::layers {
+namespace {
 
-void study(SceneBuilder& scene, const Fonts& fonts) {
-  const LessonStudy& shown = *scene.run.lesson.study;
-  Plot plot = study_plot(of_family(shown.dots, shown.family));
-  const auto index = static_cast<std::size_t>(scene.frame.detail);
-  if (scene.frame.detail >= 0 && index < shown.configurations.size()) {
-    const StudyDot& dot = shown.dot(shown.configurations[index]);
-    if (dot.error) {
-      plot.current_point = place_of(dot);
-      plot.notes = {{style_of(dot), place_of(dot), dot.configuration}};
-    }
-  }
-  add_plot(scene, plot, fonts);
+using Eigen::Vector2d;
+using Gap = RoundedPair::Gap;
+
+constexpr double kMargin = 14.0;
+constexpr double kInsetHeight = 0.43;  ///< Of the card.
+constexpr double kDimension = 40.0;    ///< From a vertex to the line that tells its gap.
+
+std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
+  std::vector<Vector2d> out;
+  for (const int i : convex_hull(points)) out.push_back(points[static_cast<std::size_t>(i)]);
+  return out;
 }
 
-void worst_pair(SceneBuilder& scene) {
-  using namespace sizes;
-  const LessonStudy& shown = *scene.run.lesson.study;
-  const StudyDot& dot =
-      shown.dot(shown.configurations[static_cast<std::size_t>(scene.frame.detail)]);
-  const WorstPair::Value& pair = scene.effects.get<WorstPair>(scene.frame);
-  Eigen::AlignedBox2d seen;
-  for (const auto* corners : {&pair.x, &pair.y}) {
-    for (const Eigen::Vector2d& corner : *corners) seen.extend(corner);
+/// The part of a segment that lies in a box.
+std::optional<std::array<Vector2d, 2>> clipped(const Vector2d& a, const Vector2d& b,
+                                               const Eigen::AlignedBox2d& box) {
+  double enter = 0.0;
+  double leave = 1.0;
+  const Vector2d d = b - a;
+  for (int k = 0; k < 2; ++k) {
+    const double low = box.min()[k] - a[k];
+    const double high = box.max()[k] - a[k];
+    if (d[k] == 0.0) {
+      if (low > 0.0 || high < 0.0) return std::nullopt;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / d[k], high / d[k]));
+    leave = std::min(leave, std::max(low / d[k], high / d[k]));
   }
-  const StageMap map(scene.map.area(), camera_around(seen, scene.map.area()));
-  const auto draw = [&](const std::vector<Eigen::Vector2d>& corners, const std::string& role,
-                        const std::string& name) {
+  if (enter >= leave) return std::nullopt;
+  return std::array<Vector2d, 2>{a + enter * d, a + leave * d};
+}
+
+/// A part of the world, enlarged.
+class Inset {
+ public:
+  Inset(SceneBuilder& scene, const Rect& card, const Vector2d& center, double scale)
+      : scene_(scene), map_(card, {center, card.size().y() / scale}) {
+    for (const Vector2d& corner : map_.visible()) seen_.extend(corner);
+    scene_.add("inset", Box{card, 8.0});
+  }
+
+  void area(const std::string& role, const std::vector<Vector2d>& corners) {
+    std::vector<Vector2d> rest = corners;
+    const std::array<HalfPlane, 4> sides = {{{seen_.min(), {-1.0, 0.0}},
+                                             {seen_.min(), {0.0, -1.0}},
+                                             {seen_.max(), {1.0, 0.0}},
+                                             {seen_.max(), {0.0, 1.0}}}};
+    for (const HalfPlane& side : sides) rest = clip(rest, side);
     std::vector<Point> points;
-    for (const Eigen::Vector2d& corner : corners) points.push_back(map(corner));
-    if (points.size() > 1) scene.area(role, points);
-    scene.outline(points);
-    for (const Point& point : points) scene.disk(role + ".vertex", point, kVertexRadius);
-    const Point middle = centroid(points);
-    scene.out.moving_labels.push_back(
-        scene.label("worst " + name, name, role + ".label", type::kVertex, middle, 0.0, {0, -1}));
-  };
-  draw(pair.x, "shape.x", scene.run.lesson.x.name);
-  draw(pair.y, "shape.y", scene.run.lesson.y.name);
-  scene.line("closest.line", map(pair.on_x), map(pair.on_y));
-  for (const Eigen::Vector2d& point : {pair.on_x, pair.on_y})
-    scene.disk("closest", map(point), kSimplexRadius);
-  const Rect& card = scene.map.area();
-  scene.add("body.muted",
-            Text{{card.min.x() + 14.0, card.max.y() - 14.0},
-                 fmt::format("the worst of {} pairs for: {}", dot.pairs, dot.configuration),
-                 type::kBody});
+    for (const Vector2d& corner : rest) points.push_back(map_(corner));
+    if (points.size() > 2) scene_.area(role, points);
+  }
+  void outline(const std::string& role, const std::vector<Vector2d>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto seen = clipped(corners[i], corners[(i + 1) % corners.size()], seen_);
+      if (seen) scene_.line(role, map_((*seen)[0]), map_((*seen)[1]));
+    }
+  }
+  /// The points that floats can be, unless there are too many to tell apart.
+  void grid() {
+    constexpr double kMost = 100.0;  // along each axis
+    for (int k = 0; k < 2; ++k) {
+      const double nearest = std::min(std::abs(seen_.min()[k]), std::abs(seen_.max()[k]));
+      if (seen_.sizes()[k] > kMost * spacing_of_floats(nearest)) return;
+    }
+    for (float y = first_float(seen_.min().y()); y <= seen_.max().y(); y = next(y)) {
+      for (float x = first_float(seen_.min().x()); x <= seen_.max().x(); x = next(x))
+        scene_.add("rounded.grid", Disk{map_({x, y}), 1.5});
+    }
+  }
+  void vertex(const std::string& role, const Vector2d& vertex) {
+    if (seen_.contains(vertex)) scene_.disk(role, map_(vertex), sizes::kVertexRadius + 1.0);
+  }
+  void move(const Vector2d& from, const Vector2d& to) {
+    constexpr double kShortest = 16.0;
+    const Point a = map_(from);
+    const Point b = map_(to);
+    const Point way = b - a;
+    if (way.norm() < kShortest) return;
+    scene_.arrow("rounded.arrow", a, b - 5.0 / way.norm() * way);
+  }
+  /// A gap as a line beside it, on the side `side` (-1 or 1), and its length.
+  void gap(const std::string& role, const Gap& gap, double side, const std::string& text) {
+    const Point a = map_(gap.vertex);
+    const Point b = map_(gap.other);
+    const Point along = (b - a).norm() > 1e-6 ? Point((b - a).normalized()) : Point(0.0, 1.0);
+    Point across(along.y(), -along.x());
+    if (across.x() * side < 0.0) across = -across;
+    const Point shift = kDimension * across;
+    constexpr double kTick = 7.0;
+    scene_.line(role, a + shift, b + shift);
+    for (const Point& end : {Point(a + shift), Point(b + shift)})
+      scene_.line(role, end - kTick * across, end + kTick * across);
+    const Point middle = 0.5 * (a + b) + shift + 13.0 * across;
+    scene_.add(role + ".label", Text{middle + Point(0.0, 6.0), text, type::kName,
+                                     side < 0.0 ? Align::right : Align::left});
+  }
+  void title(const std::string& text) {
+    const Rect& card = map_.area();
+    scene_.add("inset.label", Text{card.min + Point(10.0, 22.0), text, type::kText});
+  }
+
+ private:
+  static float first_float(double at) {
+    auto out = static_cast<float>(at);
+    return static_cast<double>(out) < at ? next(out) : out;
+  }
+  static float next(float value) { return std::nextafter(value, INFINITY); }
+
+  SceneBuilder& scene_;
+  StageMap map_;
+  Eigen::AlignedBox2d seen_;
+};
+
+/// X and Y from afar, and from close by where they are closest, and where a run in float finds them
+/// so.
+class PairPicture {
+ public:
+  PairPicture(SceneBuilder& scene, StudyStage stage)
+      : scene_(scene),
+        stage_(stage),
+        pair_(scene.effects.get<RoundedPair>(scene.frame)),
+        x_(corners_of(pair_.exact.x_world)),
+        y_(corners_of(pair_.exact.y_world)) {
+    const Rect& card = scene.map.area();
+    insets_top_ = card.max.y() - kMargin - kInsetHeight * card.size().y();
+    from_afar_ = {{card.min.x(), card.min.y()}, {card.max.x(), insets_top_ + 14.0}};
+  }
+
+  void draw() {
+    Eigen::AlignedBox2d seen;
+    for (const auto* corners : {&x_, &y_}) {
+      for (const Vector2d& corner : *corners) seen.extend(corner);
+    }
+    const StageMap map(from_afar_, camera_around(seen, from_afar_));
+    shape(map, x_, "shape.x", scene_.run.lesson.x.name);
+    shape(map, y_, "shape.y", scene_.run.lesson.y.name);
+    if (stage_ == StudyStage::shapes) return;
+    const auto& ends = pair_.ends;
+    const bool is_one = ends[0].exact.vertex == ends[1].exact.vertex;
+    const bool in_order = ends[0].exact.vertex.x() < ends[1].exact.vertex.x();
+    const Rect& card = scene_.map.area();
+    const double width = 0.5 * (card.size().x() - 3.0 * kMargin);
+    for (std::size_t i = 0; i < (is_one ? 1u : 2u); ++i) {
+      const bool is_left = is_one || (i == 0) == in_order;
+      const double left = card.min.x() + kMargin + (is_left ? 0.0 : width + kMargin);
+      const Rect box{{left, insets_top_}, {left + width, card.max.y() - kMargin}};
+      const Point at = map(ends[i].exact.vertex);
+      scene_.line("inset.line", at, {box.center().x(), box.min.y()});
+      scene_.add("inset.line", Disk{at, 9.0});
+      inset(box, i, map.scale(), is_one ? "here" : is_left ? "left end" : "right end");
+    }
+  }
+
+ private:
+  void shape(const StageMap& map, const std::vector<Vector2d>& corners, const std::string& role,
+             const std::string& name) {
+    std::vector<Point> points;
+    for (const Vector2d& corner : corners) points.push_back(map(corner));
+    if (points.size() > 1) scene_.area(role, points);
+    for (const Point& point : points) scene_.add(role + ".vertex", Disk{point, 3.5});
+    scene_.add(role + ".label",
+               Text{centroid(points) + Point(0.0, 6.0), name, type::kVertex, Align::center});
+  }
+
+  void inset(const Rect& box, std::size_t end, double scale, const std::string& where) {
+    const RoundedPair::End& shown = pair_.ends[end];
+    const bool rounds = stage_ == StudyStage::in_float || stage_ == StudyStage::error;
+    const Vector2d center = 0.25 * (shown.exact.vertex + shown.exact.other + shown.in_float.vertex +
+                                    shown.in_float.other);
+    Inset inset(scene_, box, center, pair_.magnification() * scale);
+    inset.area("shape.x.fill", x_);
+    inset.area("shape.y.fill", y_);
+    if (rounds) inset.grid();
+    inset.outline("shape.x", x_);
+    inset.outline("shape.y", y_);
+    if (rounds) {
+      inset.outline("rounded.x", corners_of(pair_.in_float.x_world));
+      inset.outline("rounded.y", corners_of(pair_.in_float.y_world));
+      inset.move(shown.exact.vertex, shown.in_float.vertex);
+      inset.vertex("rounded.y.vertex", shown.in_float.vertex);
+    }
+    inset.vertex("shape.y.vertex", shown.exact.vertex);
+    const bool is_distance = end == 0;
+    if (stage_ != StudyStage::error || is_distance) {
+      inset.gap("gap.exact", shown.exact, -1.0, power_text(shown.exact.length, 3));
+    }
+    if (rounds && (stage_ != StudyStage::error || !is_distance)) {
+      inset.gap("gap.float", shown.in_float, 1.0, "float: " + power_text(shown.in_float.length, 3));
+    }
+    inset.title(fmt::format("{}, {} times larger{}", where, grouped(pair_.magnification()),
+                            is_distance ? ": the distance" : ""));
+  }
+
+  SceneBuilder& scene_;
+  StudyStage stage_;
+  const RoundedPair::Value& pair_;
+  std::vector<Vector2d> x_;
+  std::vector<Vector2d> y_;
+  Rect from_afar_;
+  double insets_top_ = 0.0;
+};
+
+}  // namespace
+
+void study(SceneBuilder& scene, const Fonts& fonts) {
+  const StudyFrame shown = scene.run.study(scene.frame);
+  if (shown.stage < StudyStage::error_axis) return PairPicture(scene, shown.stage).draw();
+  add_plot(scene, study_plot(*scene.run.lesson.study, shown), fonts);
 }
 
 }  // namespace gjkscope::layers

@@ -1,0 +1,159 @@
+#pragma once
+// From the end of a run to its answer.
+//
+// The loop rounds, and rounding can fool it. But its answer can be checked: P bounds the distance
+// from above, the best support plane from below. Where these bounds do not prove whether the shapes
+// overlap, or are wider than rounding explains, the last simplex starts another run in exact
+// arithmetic. So in the plane the verdict is exact.
+
+#include "gjk/settle.hpp"
+#include "gjk/witness.hpp"
+
+namespace gjk {
+namespace detail {
+
+/// Bounds of a floating-point run in the plane, as far as `options` ask to prove them.
+template <class R, class S>
+[[nodiscard]] Bounds<R> certify(const State<R, 2>& state, const Query<S, 2>& query,
+                                const Options& options, const Prepared<R, 2>& prepared,
+                                Result<R, 2>& out) {
+  const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
+  Bounds<R> bounds;
+  bool tight = true;
+  if (state.best.count == 3) {
+    if (surely_inside(state.best, prepared)) {
+      out.verdict = Verdict::overlapping;
+    } else {
+      bounds.upper = prepared.simplex_error();
+    }
+  } else {
+    const bool by_itself = ended && state.stop != StopReason::within_tolerance;
+    OutsideBounds<R, S> outside(state, query, prepared);
+    bounds = outside.prove(by_itself);
+    if (R(0) < bounds.lower) out.verdict = Verdict::separated;
+    tight = !by_itself || outside.is_tight(bounds);
+  }
+  constexpr bool kCanSettle = std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits;
+  if constexpr (kCanSettle) {
+    const bool settles = options.proof == Proof::exact && ended;
+    if (settles && (out.verdict == Verdict::undecided || !tight)) {
+      settle(state, query, prepared, out, bounds);
+    }
+    if (out.simplex.count == 3 && !out.settled && !is_at_origin(out.simplex)) {
+      set_careful_weights(out.simplex, query, prepared);
+    }
+  }
+  return bounds;
+}
+
+/// In space: P as the run has it, and the best support plane.
+template <class R, class S>
+[[nodiscard]] Bounds<R> certify(const State<R, 3>& state, const Query<S, 3>&, const Options&,
+                                const Prepared<R, 3>& prepared, Result<R, 3>& out) {
+  Bounds<R> bounds;
+  if (state.best.count == 4) {
+    if (surely_inside(state.best, prepared)) {
+      out.verdict = Verdict::overlapping;
+    } else {
+      bounds.upper = prepared.simplex_error();
+    }
+    return bounds;
+  }
+  bounds.lower = plane_bound(state, prepared);
+  bounds.distance = larger(bounds.lower, ScalarTraits<R>::root(state.best_sq));
+  bounds.upper = bounds.distance + prepared.simplex_error();
+  if (R(0) < bounds.lower) out.verdict = Verdict::separated;
+  return bounds;
+}
+
+/// The distance, its bounds and the verdict of an exact run.
+template <class R, class S, int D>
+void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
+                      const Prepared<R, D>& prepared, Result<R, D>& out) {
+  using Traits = ScalarTraits<R>;
+  const bool at_origin = state.best_sq == R(0);
+  out.distance_sq = state.best_sq;
+  out.distance = Traits::root(state.best_sq);
+  out.lower = Traits::root_below(state.plane_distance_sq);
+  out.upper = Traits::root_above(state.best_sq);
+  out.verdict = at_origin                        ? Verdict::overlapping
+                : R(0) < state.plane_distance_sq ? Verdict::separated
+                                                 : Verdict::undecided;
+  if constexpr (D == 2) {
+    if (at_origin && touches(state, query, prepared)) out.verdict = Verdict::touching;
+  }
+}
+
+/// Those of a floating-point run.
+template <class R, class S, int D>
+void set_rounded_answer(const State<R, D>& state, const Query<S, D>& query, const Options& options,
+                        const Prepared<R, D>& prepared, Result<R, D>& out) {
+  using Traits = ScalarTraits<R>;
+  if (options.proof == Proof::none) {
+    out.distance = Traits::root(state.best_sq);
+    out.verdict = out.distance == R(0) ? Verdict::overlapping : Verdict::separated;
+  } else {
+    const Bounds<R> bounds = certify(state, query, options, prepared, out);
+    out.distance = bounds.distance;
+    out.lower = bounds.lower;
+    out.upper = bounds.upper;
+  }
+  if (prepared.exponent != 0) {
+    out.distance = Traits::scaled(out.distance, prepared.exponent);
+    out.lower = scaled_below(out.lower, prepared.exponent);
+    out.upper = scaled_above(out.upper, prepared.exponent);
+  }
+  out.distance_sq = out.distance * out.distance;
+}
+
+}  // namespace detail
+
+/// Reads the answer from a state; before the run has ended, the best answer so far.
+template <class R, class S, int D>
+[[nodiscard]] Result<R, D> result(const State<R, D>& state, const Query<S, D>& query,
+                                  const Options& options, const Prepared<R, D>& prepared) {
+  Result<R, D> out;
+  out.error = state.error;
+  out.stop = state.stop;
+  if (state.error != Error::none || state.best.count == 0) return out;
+  out.verdict = Verdict::undecided;
+  out.iterations = state.iteration;
+  out.simplex = state.best;
+  if constexpr (ScalarTraits<R>::kExact) {
+    detail::set_exact_answer(state, query, prepared, out);
+  } else {
+    detail::set_rounded_answer(state, query, options, prepared, out);
+  }
+  detail::set_witness_points(out, query, prepared);
+  if (!ScalarTraits<typename Result<R, D>::Real>::is_finite(out.distance) || !is_finite(out.x) ||
+      !is_finite(out.y)) {
+    out = {};
+    out.error = Error::overflow;
+    out.stop = StopReason::failed;
+  }
+  return out;
+}
+
+/// What a state proves by its support planes and by the nearest point of its simplices, in the
+/// run's unit: the bounds closing step by step.
+template <class R, int D>
+[[nodiscard]] Bounds<typename ScalarTraits<R>::Real> bounds_so_far(const State<R, D>& state,
+                                                                   const Prepared<R, D>& prepared) {
+  using Traits = ScalarTraits<R>;
+  // Phase closest has found P, cull makes it the best.
+  const bool found_nearer = state.previous == Phase::closest && detail::came_nearer(state);
+  const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.best;
+  const R& nearest_sq = found_nearer ? state.p_sq : state.best_sq;
+  if constexpr (Traits::kExact) {
+    return {Traits::root_below(state.plane_distance_sq), Traits::root(nearest_sq),
+            Traits::root_above(nearest_sq)};
+  } else {
+    const bool full = found_nearer ? state.region == (1 << (D + 1)) - 1 : nearest.count == D + 1;
+    const R distance = Traits::root(nearest_sq);
+    if (full && detail::surely_inside(nearest, prepared)) return {R(0), distance, R(0)};
+    return {detail::plane_bound(state, prepared), distance,
+            Traits::root_above(nearest_sq) + prepared.simplex_error()};
+  }
+}
+
+}  // namespace gjk

@@ -1,0 +1,82 @@
+#pragma once
+// The GJK distance algorithm: a loop over phases (Catto 2010, slide "GJK algorithm"; Gilbert,
+// Johnson, Keerthi 1988).
+//
+//   pick an initial simplex S
+//   loop
+//     closest    compute the closest point P on S
+//     cull       drop the vertices that do not contribute to P
+//     direction  build d, pointing from P to O
+//     support    find the support point of Z = Y - X in direction d
+//     stop       decide whether the answer is found
+//     add        add the support point to S
+//
+// Each phase decides from the state alone, so recording what it does cannot change a decision.
+
+#include "gjk/closest_point.hpp"
+#include "gjk/direction.hpp"
+#include "gjk/stop.hpp"
+#include "gjk/support.hpp"
+
+namespace gjk {
+
+/// The state before the first phase.
+template <class R, class S, int D>
+[[nodiscard]] State<R, D> start(const Query<S, D>& query, const Options& options,
+                                const Prepared<R, D>& prepared) {
+  State<R, D> state;
+  if (prepared.error != Error::none) {
+    state.error = prepared.error;
+    state.stop = StopReason::failed;
+    state.phase = Phase::stop;
+    return state;
+  }
+  state.simplex.count = std::max(options.start.count, 1);
+  for (int i = 0; i < options.start.count; ++i) {
+    state.simplex.vertices[i] = support_point(query, prepared, options.start.pairs[i]);
+  }
+  if (options.start.count == 0) {
+    const VertexPair first = detail::farthest_pair(query, prepared, Vec<R, D>(-prepared.offset));
+    state.simplex.vertices[0] = support_point(query, prepared, first);
+  }
+  state.region = state.simplex.all();
+  return state;
+}
+
+/// Runs the phase `state.phase`. The run goes on while `state.stop` is StopReason::running.
+template <class R, class S, int D, class Rec>
+void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
+          const Prepared<R, D>& prepared, Rec& record) {
+  switch (state.phase) {
+    case Phase::closest:
+      return detail::find_closest_point(state, options, record);
+    case Phase::cull:
+      return detail::cull(state, options, record);
+    case Phase::direction:
+      return detail::build_direction(state, options, record);
+    case Phase::support:
+      return detail::find_support(state, query, prepared, record);
+    case Phase::stop:
+      return detail::run_stop_tests(state, options, prepared, record);
+    case Phase::add:
+      return detail::add_support(state);
+  }
+}
+
+/// Runs all phases until the run ends, recording nothing. The same as calling `step` in a loop, but
+/// compilers see which phase follows which.
+template <class R, class S, int D>
+void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
+         const Prepared<R, D>& prepared) {
+  NoRecord none;
+  while (state.stop == StopReason::running) {
+    detail::find_closest_point(state, options, none);
+    detail::cull(state, options, none);
+    if (state.phase == Phase::direction) detail::build_direction(state, options, none);
+    if (state.phase == Phase::support) detail::find_support(state, query, prepared, none);
+    detail::run_stop_tests(state, options, prepared, none);
+    if (state.stop == StopReason::running) detail::add_support(state);
+  }
+}
+
+}  // namespace gjk

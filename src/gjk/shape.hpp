@@ -1,0 +1,169 @@
+#pragma once
+// What is asked about: convex shapes, and where they stand.
+
+#include <ranges>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "gjk/linear.hpp"
+#include "gjk/measures.hpp"
+
+namespace gjk {
+
+/// How a shape is turned: any matrix. One that rounding, or intent, left short of orthonormal
+/// stretches the shape, and the answer is that of the stretched shape. Measured once, when it is
+/// set, so that queries need not look at it again.
+template <class S, int D>
+class Rotation {
+ public:
+  using Matrix = Eigen::Matrix<S, D, D>;
+  /// What sizes are measured in.
+  using Size = RunScalar<Default, S>;
+
+  Rotation() = default;
+  /// From a matrix, or an expression of Eigen's that makes one.
+  template <class Derived>
+  // NOLINTNEXTLINE(google-explicit-constructor): a matrix stands for what it does.
+  Rotation(const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {
+    for (int i = 0; i < D; ++i) {
+      const bool is_unit = is_zero(Vec<S, D>(col(i) - Matrix::Identity().col(i)));
+      turns_ = turns_ || !is_unit;
+    }
+    if constexpr (!ScalarTraits<S>::kExact) {
+      if (turns_) measure();
+    }
+  }
+
+  [[nodiscard]] const Matrix& matrix() const { return matrix_; }
+  [[nodiscard]] const S& operator()(int row, int column) const { return matrix_(row, column); }
+  [[nodiscard]] auto col(int i) const { return matrix_.col(i); }
+
+  /// It is not the identity.
+  [[nodiscard]] bool turns() const { return turns_; }
+  /// How much longer than a vector its image can be: 1 for a rotation; a NaN or an infinity where
+  /// an entry is one. Not of exact scalars.
+  [[nodiscard]] const Size& stretch() const { return stretch_; }
+
+ private:
+  void measure() {
+    const auto column = [&](int i) -> Vec<Size, D> {
+      return converted<Size, S, D>(Vec<S, D>(col(i)));
+    };
+    Size longest_sq(1);
+    Size skewed(0);
+    for (int i = 0; i < D; ++i) {
+      longest_sq = larger(longest_sq, dot(column(i), column(i)));  // a NaN comes through `skewed`
+      for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
+    }
+    stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // at least the root
+  }
+
+  Matrix matrix_ = Matrix::Identity();
+  Size stretch_ = Size(1);
+  bool turns_ = false;
+};
+
+/// Where a shape stands: world = rotation * local + translation.
+template <class S, int D>
+struct Pose {
+  Rotation<S, D> rotation;
+  Vec<S, D> translation = Vec<S, D>::Zero();
+
+  /// rotation * local, computed in R.
+  template <class R = S>
+  [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
+    if (!rotation.turns()) return local;
+    Vec<R, D> world;
+    for (int row = 0; row < D; ++row) {
+      world[row] = ScalarTraits<R>::from(rotation(row, 0)) * local[0];
+      for (int k = 1; k < D; ++k) {
+        world[row] = world[row] + R(ScalarTraits<R>::from(rotation(row, k)) * local[k]);
+      }
+    }
+    return world;
+  }
+  /// rotation^T * world: what a direction looks like to the shape.
+  template <class R = S>
+  [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
+    if (!rotation.turns()) return world;
+    Vec<R, D> local;
+    for (int column = 0; column < D; ++column) {
+      local[column] = ScalarTraits<R>::from(rotation(0, column)) * world[0];
+      for (int k = 1; k < D; ++k) {
+        local[column] = local[column] + R(ScalarTraits<R>::from(rotation(k, column)) * world[k]);
+      }
+    }
+    return local;
+  }
+};
+
+/// A list of points that is kept, and what queries need to know of all of them, found out once. For
+/// shapes that are asked about often, at one pose or many.
+template <class S, int D>
+class MeasuredShape {
+ public:
+  /// Order and repetition of points do not matter.
+  explicit MeasuredShape(std::vector<Vec<S, D>> points)
+      : points_(std::move(points)), measures_(measured<S, D>(points_)) {}
+
+  [[nodiscard]] const std::vector<Vec<S, D>>& points() const { return points_; }
+  [[nodiscard]] const Measures<S, D>& measures() const { return measures_; }
+
+ private:
+  std::vector<Vec<S, D>> points_;
+  Measures<S, D> measures_;
+};
+template <class S, int D>
+MeasuredShape(std::vector<Vec<S, D>>) -> MeasuredShape<S, D>;
+
+/// A convex shape that stands somewhere: the hull of some points (a point, a segment, a polygon, a
+/// point set; order and repetition do not matter), borrowed from where they are kept. Refuses
+/// temporaries, which would be gone before the query is answered.
+template <class S, int D>
+class Shape {
+ public:
+  using Scalar = S;
+  static constexpr int kDimension = D;
+
+  Pose<S, D> pose = {};
+
+  Shape() = default;
+  // NOLINTBEGIN(google-explicit-constructor): a list of points stands for its hull.
+  /// Of anything that a span can view: std::vector, std::array, std::span. Each query measures the
+  /// points anew, so they may change in between.
+  template <std::ranges::borrowed_range Range>
+  requires(std::is_convertible_v<Range, std::span<const Vec<S, D>>>)
+      Shape(Range&& points, const Pose<S, D>& at = {})
+      : pose(at), vertices_(points) {}
+  Shape(const MeasuredShape<S, D>& shape, const Pose<S, D>& at = {})
+      : pose(at), vertices_(shape.points()), measures_(&shape.measures()) {}
+  Shape(const MeasuredShape<S, D>&& shape, const Pose<S, D>& at = {}) = delete;
+  // NOLINTEND(google-explicit-constructor)
+
+  [[nodiscard]] std::span<const Vec<S, D>> vertices() const { return vertices_; }
+  /// Null where each query has to find them out.
+  [[nodiscard]] const Measures<S, D>* measures() const { return measures_; }
+
+ private:
+  std::span<const Vec<S, D>> vertices_;
+  const Measures<S, D>* measures_ = nullptr;
+};
+namespace detail {
+template <class S, int D>
+Shape<S, D> shape_of(const Vec<S, D>* points);
+template <class Range>
+using ShapeOf = decltype(shape_of(std::ranges::data(std::declval<Range&>())));
+}  // namespace detail
+template <class Range>
+Shape(Range&&)
+    -> Shape<typename detail::ShapeOf<Range>::Scalar, detail::ShapeOf<Range>::kDimension>;
+template <class Range, class S, int D>
+Shape(Range&&, Pose<S, D>) -> Shape<S, D>;
+template <class S, int D>
+Shape(const MeasuredShape<S, D>&) -> Shape<S, D>;
+template <class S, int D>
+Shape(const MeasuredShape<S, D>&, Pose<S, D>) -> Shape<S, D>;
+
+}  // namespace gjk

@@ -1,0 +1,99 @@
+#pragma once
+// Witness points: the points of X and Y that are as far apart as the result says (Catto 2010, slide
+// "Witness points").
+
+#include <algorithm>
+
+#include "gjk/careful.hpp"
+#include "gjk/result.hpp"
+
+namespace gjk::detail {
+
+/// The weights put P at O, but for the least that rounding can do.
+template <class R, int D>
+[[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex) {
+  const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
+  return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+}
+
+/// The place of from + beyond in the world, with about twice the digits before the last rounding:
+/// for shapes that lie far from their own origin, where a rotation rounds by more than Z is large.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
+                                                     const Vec<R, D>& beyond, int exponent) {
+  const R unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  Vec<R, D> world;
+  for (int row = 0; row < D; ++row) {
+    CarefulSum<R> sum(ScalarTraits<R>::from(pose.translation[row]) * unit);
+    for (int k = 0; k < D; ++k) {
+      const R entry = ScalarTraits<R>::from(pose.rotation(row, k));
+      sum.add_product(entry, R(from[k] * unit));
+      sum.add_product(entry, R(beyond[k] * unit));
+    }
+    world[row] = ScalarTraits<R>::scaled(normalised(sum.sum()).hi, exponent);
+  }
+  return world;
+}
+
+/// True when all pairs of the simplex have the same vertex of a shape.
+template <class R, int D>
+[[nodiscard]] bool has_one_vertex_of(int VertexPair::*shape, const Simplex<R, D>& simplex) {
+  return std::all_of(simplex.vertices.begin() + 1, simplex.vertices.begin() + simplex.count,
+                     [&](const SupportPoint<R, D>& vertex) {
+                       return vertex.pair.*shape == simplex.vertices[0].pair.*shape;
+                     });
+}
+
+/// The point of one shape that the weights of the simplex make, put together from the vertex of the
+/// largest weight, so that little rounds but the last addition.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> witness_point(const Simplex<R, D>& simplex, const Shape<S, D>& shape,
+                                      int VertexPair::*index, const Prepared<R, D>& prepared) {
+  using W = RunScalar<Default, R>;
+  int base = 0;
+  for (int i = 1; i < simplex.count; ++i) {
+    if (simplex.weights[base] < simplex.weights[i]) base = i;
+  }
+  const auto vertex = [&](int i) -> decltype(auto) {
+    return converted<W, S, D>(shape.vertices()[simplex.vertices[i].pair.*index]);
+  };
+  const auto& from = vertex(base);
+  Vec<W, D> beyond = Vec<W, D>::Zero();
+  for (int i = 0; i < simplex.count; ++i) {
+    if (i == base) continue;
+    const W weight = ScalarTraits<W>::from(simplex.weights[i]);
+    beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
+  }
+  if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
+    if (shape.pose.rotation.turns() && prepared.centred) {
+      return careful_place<R>(shape.pose, from, beyond, prepared.exponent);
+    }
+  }
+  const Vec<W, D> local = from + beyond;
+  const Vec<W, D> world =
+      shape.pose.template rotated<W>(local) + converted<W, S, D>(shape.pose.translation);
+  Vec<R, D> out;
+  for (int i = 0; i < D; ++i) out[i] = static_cast<R>(world[i]);
+  return out;
+}
+
+/// Both witness points, in the world. Those of shapes that meet are one point, which only rounding
+/// sets apart: halfway between both, or the one that is a vertex.
+template <class R, class S, int D>
+void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
+                        const Prepared<R, D>& prepared) {
+  const Simplex<R, D>& simplex = out.simplex;
+  out.x = witness_point(simplex, query.x, &VertexPair::x, prepared);
+  out.y = witness_point(simplex, query.y, &VertexPair::y, prepared);
+  if constexpr (!ScalarTraits<R>::kExact) {
+    if (out.verdict != Verdict::overlapping && out.verdict != Verdict::touching) return;
+    if (has_one_vertex_of(&VertexPair::y, simplex)) {
+      out.x = out.y;
+    } else if (!has_one_vertex_of(&VertexPair::x, simplex)) {
+      out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
+    }
+    out.y = out.x;
+  }
+}
+
+}  // namespace gjk::detail

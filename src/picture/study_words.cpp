@@ -1,0 +1,82 @@
+#include "picture/study_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/words.hpp"
+
+namespace gjkscope {
+namespace {
+
+/// The plainest of the fastest that suit.
+template <class Suits>
+const StudyDot* fastest(const std::vector<StudyDot>& family, Suits suits) {
+  double least = INFINITY;
+  for (const StudyDot& dot : family) {
+    if (dot.error && suits(dot)) least = std::min(least, dot.ns);
+  }
+  const auto found = std::find_if(family.begin(), family.end(), [&](const StudyDot& dot) {
+    return dot.error && suits(dot) && dot.ns <= kSameTime * least;
+  });
+  return found == family.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string power_text(double value, int digits) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size >= 0.01 && size < 1000.0) return fmt::format("{:.{}g}", value, digits);
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const std::size_t e = text.find('e');
+  return fmt::format("{}·10{}", text.substr(0, e), raised(std::stoi(text.substr(e + 1))));
+}
+
+std::string error_words(const StudyDot& dot) {
+  return dot.error ? power_text(*dot.error, 2) : "none";
+}
+
+std::vector<StudyDot> introduced(const LessonStudy& study, int count) {
+  std::vector<StudyDot> out;
+  for (int i = 0; i < count; ++i)
+    out.push_back(study.dot(study.marks[static_cast<std::size_t>(i)].configuration));
+  return out;
+}
+
+std::vector<StudyDot> front_among(std::vector<StudyDot> dots) {
+  std::vector<Cost> costs;
+  for (const StudyDot& dot : dots) costs.push_back({dot.ns, dot.error.value_or(INFINITY)});
+  const std::vector<bool> front = front_of(costs);
+  for (std::size_t i = 0; i < dots.size(); ++i) dots[i].on_front = front[i];
+  return front_of(dots);
+}
+
+std::optional<StudyDot> beaten_by(const StudyDot& dot, const std::vector<StudyDot>& others) {
+  std::optional<StudyDot> out;
+  for (const StudyDot& other : others) {
+    if (!other.error || (out && out->ns <= other.ns)) continue;
+    const bool beats = other.ns <= dot.ns && (!dot.error || *other.error <= *dot.error) &&
+                       (other.ns < dot.ns || other.error < dot.error);
+    if (beats) out = other;
+  }
+  return out;
+}
+
+std::vector<Choice> choices(const std::vector<StudyDot>& family) {
+  std::vector<Choice> out;
+  for (const int digits : {3, 7, 15, 18, 30}) {
+    const double limit = 0.5 * std::pow(10.0, -digits);
+    const StudyDot* dot =
+        fastest(family, [&](const StudyDot& each) { return *each.error <= limit; });
+    if (dot) out.push_back({fmt::format("{} right digits", digits), *dot});
+  }
+  const StudyDot* proved = fastest(family, [](const StudyDot& each) {
+    return each.proof == "exact" && each.wrong + each.undecided == 0;
+  });
+  if (proved) out.push_back({"a proved \"overlap or not\"", *proved});
+  return out;
+}
+
+}  // namespace gjkscope
