@@ -38,7 +38,7 @@ struct Truth {
 struct Claim {
   bool refused = false;  ///< There is no answer: the query was refused.
   gjk::Verdict verdict = gjk::Verdict::none;
-  bool has_bounds = false;
+  bool has_bounds = false;  ///< Else `lower` and `upper` say nothing.
   Quad distance;
   Quad lower;
   Quad upper;
@@ -61,10 +61,12 @@ template <class R>
   Claim out;
   out.refused = result.error != gjk::Error::none;
   out.verdict = result.verdict;
-  out.has_bounds = true;
+  out.has_bounds = result.lower == result.lower;
   out.distance = wide(result.distance);
-  out.lower = wide(result.lower);
-  out.upper = wide(result.upper);
+  if (out.has_bounds) {
+    out.lower = wide(result.lower);
+    out.upper = wide(result.upper);
+  }
   out.x = {wide(result.x[0]), wide(result.x[1])};
   out.y = {wide(result.y[0]), wide(result.y[1])};
   out.unit_roundoff = static_cast<double>(gjk::ScalarTraits<R>::unit_roundoff());
