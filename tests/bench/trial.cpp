@@ -58,7 +58,7 @@ void count(const Library& library, const Case& one, double answer, Tally& tally)
   const double smallest = in_double ? std::numeric_limits<double>::denorm_min()
                                     : std::numeric_limits<float>::denorm_min();
   const double limit = in_double ? kDoubleLimit : kFloatLimit;
-  const double error = std::abs(difference(Quad(answer), one.truth));
+  const double error = std::abs(difference(gjkscope::Quad(answer), one.truth));
   ++tally.asked;
   if (answer == kCrashed) {
     ++tally.crashed;

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "gjk/gjk.hpp"
-#include "oracle.hpp"
 #include "small_study.hpp"
 #include "study/counter.hpp"
 #include "study/interleave.hpp"
@@ -17,22 +16,8 @@ namespace {
 using test::small_plan;
 using test::small_study;
 
-std::vector<RationalPoint> rationals(const std::vector<Eigen::Vector2d>& points) {
-  std::vector<RationalPoint> out;
-  for (const Eigen::Vector2d& p : points) out.push_back(rational(p[0], p[1]));
-  return out;
-}
-
-/// Of a pair of nearest features, by trying all of them: no GJK.
-Rational oracle_distance_sq(const DoublePair& pair) {
-  return exact_answer(rationals(pair.x), rationals(pair.y)).distance_sq;
-}
-
-/// |value - root(distance_sq)|
-double error_of(double value, const Rational& distance_sq) {
-  if (distance_sq == 0) return std::abs(value);
-  const Rational sum = Rational(value) + Rational(root_nearest(distance_sq));
-  return std::abs(to_double(Rational((Rational(value) * Rational(value) - distance_sq) / sum)));
+double error_of(double value, const Truth& truth) {
+  return std::abs(difference(Quad(value), truth));
 }
 
 const Row* find(const Study& study, std::string_view family, std::string_view configuration) {
@@ -129,10 +114,10 @@ TEST(Study, WorstCasesAreWhatAnOracleSaysTheyAre) {
     ASSERT_EQ(cases.size(), 1u);
     ASSERT_TRUE(cases[0].value);
     const DoublePair pair{cases[0].value->a, cases[0].value->b, {}, {}};
-    const Rational distance_sq = oracle_distance_sq(pair);
-    EXPECT_EQ(row.worst.distance, root_nearest(distance_sq));
+    const Truth truth = truth_of(pair);
+    EXPECT_EQ(row.worst.distance, truth.distance);
     if (row.failed > 0 || has_more_digits_than_double(row)) continue;
-    const double error = error_of(row.worst.answer, distance_sq);
+    const double error = error_of(row.worst.answer, truth);
     const double share = error > 0.0 ? error / std::max(row.worst.answer, row.worst.distance) : 0.0;
     EXPECT_NEAR(row.error, share, 1e-9 * share);
     ++checked;
@@ -149,15 +134,15 @@ TEST(Study, ErrorsAreTheLargestOfAllPairs) {
     double in_float = 0.0;
     int wrong = 0;
     for (const DoublePair& pair : family.pairs) {
-      const Rational distance_sq = oracle_distance_sq(pair);
+      const Truth truth = truth_of(pair);
       const double scale = families::scale_of(pair);
       const auto narrow = families::converted<float>(pair);
       const double wide_answer = gjk::distance(pair.query()).distance;
       const auto float_answer = gjk::distance<float>(narrow.query());
-      in_double = std::max(in_double, error_of(wide_answer, distance_sq) / scale);
-      in_float = std::max(
-          in_float, error_of(static_cast<double>(float_answer.distance), distance_sq) / scale);
-      wrong += (float_answer.verdict == gjk::Verdict::separated) != (distance_sq != 0);
+      in_double = std::max(in_double, error_of(wide_answer, truth) / scale);
+      in_float =
+          std::max(in_float, error_of(static_cast<double>(float_answer.distance), truth) / scale);
+      wrong += (float_answer.verdict == gjk::Verdict::separated) != !truth.overlap;
     }
     const Row* row = find(small_study(), family.name, "double");
     ASSERT_NE(row, nullptr);
