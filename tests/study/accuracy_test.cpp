@@ -9,6 +9,7 @@
 #include "small_study.hpp"
 #include "study/counter.hpp"
 #include "study/interleave.hpp"
+#include "study/truth.hpp"
 
 namespace gjkscope::study {
 namespace {
