@@ -12,14 +12,14 @@
 namespace gjkscope {
 namespace {
 
-struct Group {
+struct DotGroup {
   PlotStyle style;
   std::string_view name;
 };
-constexpr std::array<Group, 4> kGroups = {{{PlotStyle::second, "loop only"},
-                                           {PlotStyle::fourth, "bounds only"},
-                                           {PlotStyle::first, "proved"},
-                                           {PlotStyle::third, "stops early"}}};
+constexpr std::array<DotGroup, 4> kGroups = {{{PlotStyle::second, "loop only"},
+                                              {PlotStyle::fourth, "bounds only"},
+                                              {PlotStyle::first, "proved"},
+                                              {PlotStyle::third, "stops early"}}};
 
 constexpr const char* kTimeTitle = "time of a query, nanoseconds";
 constexpr const char* kErrorTitle = "largest error seen";
@@ -27,7 +27,7 @@ constexpr const char* kErrorTitle = "largest error seen";
 /// The plot of `dots` without a front: which of them has which subject, `subjects` says.
 Plot plot_of(const std::vector<StudyDot>& dots, const std::vector<int>& subjects) {
   Plot plot;
-  for (const Group& group : kGroups)
+  for (const DotGroup& group : kGroups)
     plot.series.push_back({group.style, std::string(group.name), {}, PlotJoin::none});
   for (std::size_t i = 0; i < dots.size(); ++i) {
     if (!dots[i].error) continue;

@@ -46,21 +46,20 @@ struct Rival {
 std::vector<Rival> own_variants() {
   return {{core_float_in_double()},
           {core_float()},
-          {core_many_digits()},
-          {core_setting_rotations()},
-          {.library = core_uncertified(), .mean = 1.10},
-          {.library = core_stepping(), .mean = 1.02}};
+          {.library = core_bounds(), .mean = 1.10},
+          {core_no_proof()},
+          {core_stepping()}};
 }
 
 std::vector<Rival> peers([[maybe_unused]] Report& report) {
   std::vector<Rival> out;
 #ifdef GJKSCOPE_BOX2D_2
-  out.push_back({.library = box2d_2(), .mean = 0.80});
+  out.push_back({.library = box2d_2(), .mean = 1.00});
 #else
   report.print("Box2D 2.4 was not found when this was built.\n\n");
 #endif
 #ifdef GJKSCOPE_BOX2D_3
-  out.push_back({.library = box2d_3(), .mean = 0.75, .worst = 0.90});
+  out.push_back({.library = box2d_3(), .mean = 1.00});
 #else
   report.print("Box2D 3 was not found when this was built.\n\n");
 #endif

@@ -8,25 +8,31 @@ namespace {
 /// A pair whose shapes have been measured; poses are set query by query, as they are for all.
 template <class S>
 struct Prepared {
-  families::Pair<S> pair;
-  gjk::Query<S, 2> query;
+  gjk::MeasuredShape<S, 2> x;
+  gjk::MeasuredShape<S, 2> y;
+  gjk::Pose<S, 2> x_pose;
+  gjk::Pose<S, 2> y_pose;
+  gjk::Query<S, 2> query = {};
 };
 
 /// `run(query)` answers in any scalar.
 template <class S, class Run>
 Contestant prepare_with(std::span<const Pair> pairs, Run run) {
-  const auto prepared = std::make_shared<std::vector<Prepared<S>>>(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Prepared<S>& out = (*prepared)[i];
-    out.pair = families::converted<S>(pairs[i]);
-    out.query = out.pair.query();
+  const auto prepared = std::make_shared<std::vector<Prepared<S>>>();
+  prepared->reserve(pairs.size());  // queries view what stands here
+  for (const Pair& given : pairs) {
+    const families::Pair<S> pair = families::converted<S>(given);
+    Prepared<S>& out = prepared->emplace_back(Prepared<S>{gjk::MeasuredShape<S, 2>(pair.x),
+                                                          gjk::MeasuredShape<S, 2>(pair.y),
+                                                          pair.x_pose, pair.y_pose});
+    out.query = {{out.x, out.x_pose}, {out.y, out.y_pose}};
   }
   return contestant(
       pairs.size(),
       [=](std::size_t i) {
-        auto& [pair, query] = (*prepared)[i];
-        query.x.pose = pair.x_pose;
-        query.y.pose = pair.y_pose;
+        auto& [x, y, x_pose, y_pose, query] = (*prepared)[i];
+        query.x.pose = x_pose;
+        query.y.pose = y_pose;
         return run(query);
       },
       [](const auto& result) {
@@ -41,29 +47,10 @@ Contestant prepare_all(std::span<const Pair> pairs) {
   return prepare_with<S>(pairs, [](const auto& query) { return gjk::distance<R>(query); });
 }
 
-/// The same pairs, as good as: no product of their coordinates is exact.
-Contestant prepare_many_digits(std::span<const Pair> pairs) {
-  std::vector<Pair> longer(pairs.begin(), pairs.end());
-  for (Pair& pair : longer) {
-    for (std::vector<Point>* shape : {&pair.x, &pair.y}) {
-      for (Point& point : *shape) point *= 1.0 + 0x1p-30;
-    }
-  }
-  return prepare_all<double, double>(longer);
-}
-
-Contestant prepare_setting_rotations(std::span<const Pair> pairs) {
-  return prepare_with<double>(pairs, [](gjk::Query<double, 2>& query) {
-    for (gjk::Shape<double, 2>* shape : {&query.x, &query.y}) {
-      shape->pose.rotation = shape->pose.rotation.matrix();
-    }
-    return gjk::distance(query);
-  });
-}
-
-Contestant prepare_uncertified(std::span<const Pair> pairs) {
+template <gjk::Proof kProof>
+Contestant prepare_proving(std::span<const Pair> pairs) {
   gjk::Options options;
-  options.proof = gjk::Proof::bounds;
+  options.proof = kProof;
   return prepare_with<double>(pairs,
                               [=](const auto& query) { return gjk::distance(query, options); });
 }
@@ -103,25 +90,18 @@ Library core_float() {
           .prepare = prepare_all<float, float>};
 }
 
-Library core_many_digits() {
-  return {.name = "many digits",
-          .how = "gjk::distance, coordinates of all digits",
-          .in_double = true,
-          .prepare = prepare_many_digits};
-}
-
-Library core_setting_rotations() {
-  return {.name = "rotations set",
-          .how = "gjk::distance, both rotations set anew",
-          .in_double = true,
-          .prepare = prepare_setting_rotations};
-}
-
-Library core_uncertified() {
-  return {.name = "no proof",
+Library core_bounds() {
+  return {.name = "bounds alone",
           .how = "gjk::distance, Proof::bounds",
           .in_double = true,
-          .prepare = prepare_uncertified};
+          .prepare = prepare_proving<gjk::Proof::bounds>};
+}
+
+Library core_no_proof() {
+  return {.name = "no proof",
+          .how = "gjk::distance, Proof::none",
+          .in_double = true,
+          .prepare = prepare_proving<gjk::Proof::none>};
 }
 
 Library core_stepping() {

@@ -30,9 +30,8 @@ struct Library {
 [[nodiscard]] Library core_double();
 [[nodiscard]] Library core_float_in_double();
 [[nodiscard]] Library core_float();
-[[nodiscard]] Library core_many_digits();
-[[nodiscard]] Library core_setting_rotations();
-[[nodiscard]] Library core_uncertified();
+[[nodiscard]] Library core_bounds();
+[[nodiscard]] Library core_no_proof();
 [[nodiscard]] Library core_stepping();
 
 // Those that were found when this was built; see peers.cmake.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/rational.hpp"
+#include "study/answer.hpp"
 #include "study/families.hpp"
 #include "study/truth.hpp"
 
@@ -14,7 +16,7 @@ using study::truth_of;
 using Traits = gjk::ScalarTraits<Quad>;
 
 Truth of_points(double x, double y) {
-  study::DoublePair pair;
+  families::Pair<double> pair;
   pair.x.emplace_back(0.0, 0.0);
   pair.y.emplace_back(x, y);
   return truth_of(pair);
@@ -44,8 +46,13 @@ TEST(Quad, LimitsAreThoseOfTheFormat) {
 
 TEST(Truth, DistancesAreGoodToQuadsDigits) {
   const Truth two = of_points(1.0, 1.0);
-  Rational sum = 0;
-  for (const double part : two.distance) sum += Rational(part);
+  Rational sum(two.distance);
+  Quad rest = two.rest;
+  for (int part = 0; part < 3; ++part) {
+    const auto rounded = static_cast<double>(rest);
+    sum += Rational(rounded);
+    rest = rest - Quad(rounded);
+  }
   const Rational off = abs(Rational(sum * sum - 2));
   EXPECT_LT(to_double(off), 0x1p-148);
   EXPECT_EQ(difference(Quad(5), of_points(3.0, 4.0)), 0.0);
