@@ -59,8 +59,8 @@ std::string told_apart(const study::Configuration& configuration) {
 /// Those on the front, or the first of all: as many as a lesson may introduce.
 std::vector<StudyMark> marks_to_show(const std::vector<StudyDot>& family) {
   std::vector<StudyMark> marks;
-  for (const StudyDot& dot : front_of(family)) marks.push_back({dot.configuration, "", ""});
-  if (marks.empty()) marks.push_back({family.front().configuration, "", ""});
+  for (const StudyDot& dot : front_of(family)) marks.push_back({dot.configuration, "", "", ""});
+  if (marks.empty()) marks.push_back({family.front().configuration, "", "", ""});
   if (marks.size() > limits::kMarks) marks.resize(limits::kMarks);
   return marks;
 }

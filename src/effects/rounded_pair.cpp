@@ -9,12 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Gap = RoundedPair::Gap;
-
-/// A vertex of X or of Y.
-struct Vertex {
-  bool of_x = false;
-  int index = 0;
-};
+using Vertex = RoundedPair::Vertex;
 
 /// The vertex that the closest points of a run are at: that of Y, unless only X has a single one.
 Vertex closest_vertex(const PositionedRun& run) {
@@ -38,22 +33,19 @@ Gap gap_at(const PositionedRun& run, const Vertex& vertex) {
   return {point[0], result.y, result.distance};
 }
 
-/// Between an edge of one shape, on which the run ended, and the one between two vertices of the
-/// other.
-std::optional<double> tilt_of(const PositionedRun& run, const Vertex& a, const Vertex& b) {
+/// The edge of one shape on which the run ended, and the one between two vertices of the other.
+std::vector<Vertex> facing_edges(const PositionedRun& run, const Vertex& a, const Vertex& b) {
   const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
-  if (a.of_x != b.of_x || a.index == b.index || simplex.count != 2) return std::nullopt;
-  const std::vector<Vector2d>& own = a.of_x ? run.x_world : run.y_world;
-  const std::vector<Vector2d>& other = a.of_x ? run.y_world : run.x_world;
-  const auto end = [&](int i) {
+  if (a.of_x != b.of_x || a.index == b.index || simplex.count != 2) return {};
+  std::vector<Vertex> out;
+  for (int i = 0; i < 2; ++i) {
     const gjk::VertexPair pair = simplex.vertices[static_cast<std::size_t>(i)].pair;
-    return other[static_cast<std::size_t>(a.of_x ? pair.y : pair.x)];
-  };
-  const Vector2d u = end(1) - end(0);
-  const Vector2d v =
-      own[static_cast<std::size_t>(b.index)] - own[static_cast<std::size_t>(a.index)];
-  if (u.norm() == 0.0 || v.norm() == 0.0) return std::nullopt;
-  return std::abs(u.x() * v.y() - u.y() * v.x()) / (u.norm() * v.norm());
+    out.push_back({!a.of_x, a.of_x ? pair.y : pair.x});
+  }
+  if (out[0].index == out[1].index) return {};
+  out.push_back(a);
+  out.push_back(b);
+  return out;
 }
 
 }  // namespace
@@ -62,20 +54,30 @@ EffectKey RoundedPair::key(const LessonRun&, const Frame&) { return {-1, -1, -1}
 
 RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, const Frame&) {
   const PositionedRun& given = run.runs.front();
-  gjk::Options loop = run.lesson.options;
-  loop.proof = gjk::Proof::none;
-  Value value{run_again(given, run.lesson.options, ScalarKind::exact),
-              run_again(given, loop, ScalarKind::single),
-              run_again(given, loop, ScalarKind::double_),
+  const gjk::Options& options = run.lesson.options;
+  Value value{run_again(given, options, ScalarKind::exact),
+              run_again(given, options, ScalarKind::single),
+              run_again(given, options, ScalarKind::double_),
               {},
               {}};
   const PositionedRun* ends[] = {&value.exact, &value.in_float};
   for (std::size_t i = 0; i < 2; ++i) {
     const Vertex vertex = closest_vertex(*ends[i]);
-    value.ends[i] = {gap_at(value.exact, vertex), gap_at(value.in_float, vertex)};
+    value.ends[i] = {vertex, gap_at(value.exact, vertex), gap_at(value.in_float, vertex)};
   }
-  value.tilt = tilt_of(value.exact, closest_vertex(value.exact), closest_vertex(value.in_float));
+  value.facing =
+      facing_edges(value.exact, closest_vertex(value.exact), closest_vertex(value.in_float));
+  if (!value.facing.empty()) {
+    const auto at = [&](std::size_t i) { return place_of(value.exact, value.facing[i]); };
+    const Vector2d u = (at(1) - at(0)).normalized();
+    const Vector2d v = (at(3) - at(2)).normalized();
+    value.tilt = std::abs(u.x() * v.y() - u.y() * v.x());
+  }
   return value;
+}
+
+Vector2d place_of(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
+  return (vertex.of_x ? run.x_world : run.y_world)[static_cast<std::size_t>(vertex.index)];
 }
 
 double spacing_of_floats(double value) {
@@ -84,7 +86,7 @@ double spacing_of_floats(double value) {
 }
 
 double RoundedPair::Value::magnification() const {
-  constexpr double kShare = 0.1;  // of the shapes' size that the spacing shall look like
+  constexpr double kShare = 0.25;  // of the shapes' size that the spacing shall look like
   const double spacing = spacing_of_floats(ends[0].exact.vertex.lpNorm<Eigen::Infinity>());
   Eigen::AlignedBox2d seen;
   for (const auto* points : {&exact.x_world, &exact.y_world}) {

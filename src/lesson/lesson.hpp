@@ -191,8 +191,9 @@ struct LessonGrowth {
 /// A configuration of the study that a lesson introduces.
 struct StudyMark {
   std::string configuration;  ///< One of the family's.
-  std::string about;          ///< What it does, in a few words.
-  std::string note;           ///< A sentence about it, for the frame that introduces it.
+  std::string beside;  ///< An earlier mark's, which it is compared with; empty: the one before.
+  std::string about;   ///< What it does, in a few words.
+  std::string note;    ///< A sentence about it, for the frame that introduces it.
   friend bool operator==(const StudyMark&, const StudyMark&) = default;
 };
 

@@ -571,15 +571,15 @@ void LessonReader::read_study(const Table& study) {
     if (!table || read.family.empty()) continue;
     const Field configuration = (*table)["configuration"];
     StudyMark mark;
+    std::vector<std::string> earlier;
+    for (const StudyMark& other : read.marks) earlier.push_back(other.configuration);
+    mark.beside = reader_.name((*table)["beside"], "earlier mark", earlier).value_or("");
     mark.about = reader_.text((*table)["about"], kAboutLength).value_or("");
     mark.note = reader_.text((*table)["note"], kNoteLength).value_or("");
     const std::optional<std::string> name = reader_.name(configuration, "configuration", known);
     if (!name) continue;
     mark.configuration = *name;
-    const bool is_known = std::any_of(
-        read.marks.begin(), read.marks.end(),
-        [&](const StudyMark& other) { return other.configuration == mark.configuration; });
-    if (is_known) {
+    if (std::find(earlier.begin(), earlier.end(), *name) != earlier.end()) {
       problems_.add(configuration.place(), fmt::format("configuration '{}' is named twice", *name),
                     "each configuration once");
     }

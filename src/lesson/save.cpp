@@ -249,6 +249,7 @@ void write_study(TomlText& out, const LessonStudy& study) {
   for (const StudyMark& mark : study.marks) {
     out.table("[[study.marks]]");
     out.text("configuration", mark.configuration, "");
+    out.text("beside", mark.beside, "");
     out.text("about", mark.about, "");
     out.text("note", mark.note, "");
   }

@@ -130,6 +130,8 @@ std::vector<LessonKey> make_keys() {
        "configurations that frames introduce, in this order"},
       {"study.marks", "configuration", text_up_to(kNameLength), required,
        "one of the family's configurations"},
+      {"study.marks", "beside", text_up_to(kNameLength), "the mark before",
+       "an earlier mark, which it is compared with"},
       {"study.marks", "about", text_up_to(kAboutLength), "none",
        "what it does, for the panel `study`"},
       {"study.marks", "note", text_up_to(kNoteLength), "none",
@@ -137,7 +139,7 @@ std::vector<LessonKey> make_keys() {
 
       {"views", "show", one_of<ViewKind>(), required,
        "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
-       "error against time from [study]"},
+       "what [study] shows: one pair, then error against time"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
       {"views", "camera", "table { center = [x, y], height = h }", "fits what is drawn",
        "the part of the world that is seen"},

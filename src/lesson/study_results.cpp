@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -92,25 +93,27 @@ std::vector<StudyDot> front_of(const std::vector<StudyDot>& dots) {
 }
 
 std::vector<bool> front_of(const std::vector<Cost>& costs) {
-  const auto has_place = [](const Cost& cost) {
-    return std::isfinite(cost.ns) && std::isfinite(cost.error);
-  };
-  const auto beats = [&](const Cost& a, const Cost& b) {
-    return has_place(a) && a.ns <= b.ns && a.error <= b.error && (a.ns < b.ns || a.error < b.error);
-  };
-  const auto stands_for = [&](const Cost& a, const Cost& b) {
-    return has_place(a) && a.ns <= kSameTime * b.ns && a.error <= b.error;
-  };
   std::vector<bool> out(costs.size(), false);
-  for (const Cost& cost : costs) {
-    const bool is_beaten = std::any_of(costs.begin(), costs.end(),
-                                       [&](const Cost& other) { return beats(other, cost); });
-    if (is_beaten || !has_place(cost)) continue;
-    const auto plainest = std::find_if(costs.begin(), costs.end(),
-                                       [&](const Cost& other) { return stands_for(other, cost); });
+  double wanted = kNoDigit;
+  while (true) {
+    double fastest = std::numeric_limits<double>::infinity();
+    for (const Cost& cost : costs) {
+      if (cost.error <= wanted) fastest = std::min(fastest, cost.ns);
+    }
+    if (std::isinf(fastest)) return out;
+    const auto is_as_fast = [&](const Cost& cost) { return cost.ns <= kSameTime * fastest; };
+    double least = wanted;
+    for (const Cost& cost : costs) {
+      if (is_as_fast(cost)) least = std::min(least, cost.error);
+    }
+    const double most = std::min(wanted, kSameError * least);
+    const auto plainest = std::find_if(costs.begin(), costs.end(), [&](const Cost& cost) {
+      return is_as_fast(cost) && cost.error <= most;
+    });
     out[static_cast<std::size_t>(plainest - costs.begin())] = true;
+    if (plainest->error == 0.0) return out;
+    wanted = plainest->error / kSameError;
   }
-  return out;
 }
 
 std::vector<std::string> families_in(const std::vector<StudyDot>& dots) {

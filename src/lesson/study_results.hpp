@@ -53,11 +53,16 @@ struct Cost {
   double ns = 0.0;
   double error = 0.0;
 };
-/// Times that differ by less than this factor count as the same.
-inline constexpr double kSameTime = 1.05;
-/// Which costs are on the front: no other one beats them, which would have to be as small in both
-/// and smaller in one. Of costs with no larger error that take the same time the first in the list
-/// stands for all: list the plainest way first. A cost that is no number has no place there.
+/// Times that differ by no more than this factor count as the same, and so do errors: the one could
+/// be another on the next machine, the other with the next pair.
+inline constexpr double kSameTime = 1.1;
+inline constexpr double kSameError = 2.0;
+/// Of an answer whose error is above this not one digit is right.
+inline constexpr double kNoDigit = 0.5;
+/// Which costs are on the front: nothing takes less time and errs no more. From the fastest on,
+/// each errs less than the one before, and stands for all that take the same time and err as much:
+/// it is the first of these in the list, so list the plainest way first. Costs of which not one
+/// digit is right have no place there.
 [[nodiscard]] std::vector<bool> front_of(const std::vector<Cost>& costs);
 
 /// "1.2e-16", "0", "none" (infinite), "" (no number).

@@ -1,5 +1,7 @@
 #include "picture/caption.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "picture/captions/story.hpp"
+#include "picture/study_words.hpp"
 
 namespace gjkscope {
 namespace {
@@ -65,6 +68,15 @@ std::vector<std::pair<std::string, std::string>> values_of(const Story& story) {
   const auto put = [&](std::string name, std::string value) {
     out.emplace_back(std::move(name), std::move(value));
   };
+  if (story.run.lesson.granularity == Granularity::study) {
+    put("x", story.run.lesson.x.name);
+    put("y", story.run.lesson.y.name);
+    for (const StudyDot& dot :
+         introduced(*story.run.lesson.study, story.run.study(story.frame).marks)) {
+      put(dot.configuration, fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
+    }
+    return out;
+  }
   const gjk::Result<double, 2>& result = story.trace.result;
   const bool running = story.frame.step >= 0;
   put("x", story.run.lesson.x.name);

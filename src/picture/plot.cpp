@@ -23,7 +23,7 @@ constexpr double kHollow = 6.5;     // of one that goes around another
 constexpr double kSmall = 2.5;      // of one in the background
 constexpr double kCurrentWidth = 16.0;
 constexpr double kCurrentRadius = 11.0;
-constexpr double kNameIndent = 11.0;  // middle of a symbol to the name of its series
+constexpr double kNameIndent = 14.0;  // middle of a symbol to the name of its series
 constexpr double kNameGap = 20.0;     // from there to the next symbol
 
 constexpr std::array<std::string_view, 6> kRoles = {"plot.first",  "plot.second", "plot.third",
@@ -73,6 +73,7 @@ std::string number(int factor, int exponent, bool written_out) {
     const double value = factor * std::pow(10.0, exponent);
     return exponent < 0 ? fixed(value, -exponent) : grouped(value);
   }
+  if (factor == 1 && exponent == 0) return "1";
   return factor == 1 ? "10" + raised(exponent) : fmt::format("{}·10{}", factor, raised(exponent));
 }
 
@@ -98,8 +99,10 @@ std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
     ticks.clear();
   }
   const int each = (last - first) / most + 1;
+  constexpr int kLinesBetween = 2;  // more would look like a pattern
   for (int exponent = first; exponent <= last; ++exponent) {
-    const bool labelled = (exponent - first) % each == 0;
+    const bool labelled = exponent % each == 0;
+    if (!labelled && each > kLinesBetween) continue;
     ticks.push_back(
         {std::pow(10.0, exponent), labelled ? number(1, exponent, written_out) : std::string()});
   }

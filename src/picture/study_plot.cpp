@@ -17,11 +17,11 @@ struct DotGroup {
   std::string_view name;
 };
 constexpr std::array<DotGroup, 4> kGroups = {{{PlotStyle::second, "loop only"},
-                                              {PlotStyle::fourth, "bounds only"},
-                                              {PlotStyle::first, "proved"},
-                                              {PlotStyle::third, "stops early"}}};
+                                           {PlotStyle::first, "bounds only"},
+                                           {PlotStyle::third, "proved"},
+                                           {PlotStyle::fourth, "stops early"}}};
 
-constexpr const char* kTimeTitle = "time of a query, nanoseconds";
+constexpr const char* kTimeTitle = "time for one pair, nanoseconds";
 constexpr const char* kErrorTitle = "largest error seen";
 
 /// The plot of `dots` without a front: which of them has which subject, `subjects` says.
@@ -77,9 +77,9 @@ PlotAxis Decades::close_axis(std::string title) const {
 }
 
 PlotStyle style_of(const StudyDot& dot) {
-  if (dot.axis == "tolerance" || dot.axis == "cap") return PlotStyle::third;
+  if (dot.axis == "tolerance" || dot.axis == "cap") return PlotStyle::fourth;
   if (dot.proof == "none") return PlotStyle::second;
-  return dot.proof == "bounds" ? PlotStyle::fourth : PlotStyle::first;
+  return dot.proof == "bounds" ? PlotStyle::first : PlotStyle::third;
 }
 
 Eigen::Vector2d place_of(const StudyDot& dot) { return {dot.ns, std::max(*dot.error, kNoError)}; }
@@ -103,20 +103,25 @@ Plot study_plot(const std::vector<StudyDot>& family) {
 
 Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
-  const std::vector<StudyDot> marks = introduced(study, frame.marks);
+  const std::vector<StudyDot> all_marks = introduced(study, static_cast<int>(study.marks.size()));
+  const std::vector<StudyDot> front = front_of(family);
   const bool has_all = frame.stage == StudyStage::all || frame.stage == StudyStage::choice;
   const bool has_time = frame.stage != StudyStage::error_axis;
+
+  // Room for whatever a frame names, and a little above an error of 1.
   Decades ns;
   Decades error;
-  for (const StudyDot& dot : family) {
-    if (!dot.error) continue;
-    ns.hold(dot.ns);
-    error.hold(*dot.error);
+  for (const auto* dots : {&all_marks, &front}) {
+    for (const StudyDot& dot : *dots) {
+      ns.hold(dot.ns);
+      error.hold(dot.error.value_or(1.0));
+    }
   }
   const PlotAxis time = ns.close_axis(kTimeTitle);
+  constexpr double kAbove = 30.0;
 
   std::vector<int> subjects;
-  std::vector<StudyDot> shown = marks;
+  std::vector<StudyDot> shown = introduced(study, frame.marks);
   for (StudyDot& dot : shown) {
     subjects.push_back(index_of(family, dot.configuration));
     if (!has_time) dot.ns = std::sqrt(time.low * time.high);
@@ -124,8 +129,9 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   Plot plot = plot_of(shown, subjects);
   plot.x = time;
   plot.x.is_shown = has_time;
-  plot.y = error.axis(fmt::format("{} of {} pairs", kErrorTitle, family.front().pairs));
-  plot.y.high = std::max(plot.y.high, 1.0);
+  if (!has_time) plot.x.title.clear();
+  plot.y = error.close_axis(fmt::format("{} on {} pairs", kErrorTitle, family.front().pairs));
+  plot.y.high = kAbove;
   if (!has_all) {
     for (const StudyDot& dot : shown) {
       if (dot.error) plot.notes.push_back({style_of(dot), place_of(dot), dot.configuration});
@@ -133,19 +139,20 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   }
   if (frame.stage == StudyStage::mark && shown.back().error)
     plot.current_point = place_of(shown.back());
-  if (frame.stage == StudyStage::front) plot.series.push_back(front_line(front_among(marks)));
+  if (frame.stage == StudyStage::front) plot.series.push_back(front_line(front_among(shown)));
   if (has_all) {
-    PlotSeries others{PlotStyle::other, "the others", {}, PlotJoin::none};
+    PlotSeries others{PlotStyle::other, "other ways", {}, PlotJoin::none};
     for (std::size_t i = 0; i < family.size(); ++i) {
-      const auto is_same = [&](const StudyDot& dot) {
-        return dot.configuration == family[i].configuration;
+      const StudyDot& dot = family[i];
+      const auto is_same = [&](const StudyDot& mark) {
+        return mark.configuration == dot.configuration;
       };
-      if (!family[i].error || std::any_of(marks.begin(), marks.end(), is_same)) continue;
-      others.points.push_back(place_of(family[i]));
+      const bool has_place = dot.error && dot.ns <= time.high;
+      if (!has_place || std::any_of(shown.begin(), shown.end(), is_same)) continue;
+      others.points.push_back(place_of(dot));
       others.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
     }
     if (!others.points.empty()) plot.series.push_back(std::move(others));
-    const std::vector<StudyDot> front = front_of(family);
     plot.series.push_back(front_line(front));
     for (std::size_t i = 0; i < front.size(); ++i)
       plot.notes.push_back({PlotStyle::limit, place_of(front[i]), std::to_string(i + 1)});

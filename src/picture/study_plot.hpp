@@ -14,8 +14,8 @@ inline constexpr double kNoError = 1e-36;
 /// `family`.
 [[nodiscard]] Plot study_plot(const std::vector<StudyDot>& family);
 
-/// What a frame shows of it; only from StudyStage::error_axis on. The axes are those of the whole
-/// family, so that marks stay where they are.
+/// What a frame shows of it; only from StudyStage::error_axis on. The axes have room for all marks
+/// and the front, so these stay where they are; what takes longer is left out.
 [[nodiscard]] Plot study_plot(const LessonStudy& study, const StudyFrame& frame);
 
 /// Where a dot stands; only of dots with an error.

@@ -57,23 +57,42 @@ std::optional<StudyDot> beaten_by(const StudyDot& dot, const std::vector<StudyDo
   std::optional<StudyDot> out;
   for (const StudyDot& other : others) {
     if (!other.error || (out && out->ns <= other.ns)) continue;
-    const bool beats = other.ns <= dot.ns && (!dot.error || *other.error <= *dot.error) &&
-                       (other.ns < dot.ns || other.error < dot.error);
+    const bool beats = other.ns <= kSameTime * dot.ns &&
+                       (!dot.error || *other.error <= kSameError * *dot.error) &&
+                       other.configuration != dot.configuration;
     if (beats) out = other;
   }
   return out;
 }
 
 std::vector<Choice> choices(const std::vector<StudyDot>& family) {
-  std::vector<Choice> out;
-  for (const int digits : {3, 7, 15, 18, 30}) {
+  constexpr int kMostDigits = 34;
+  struct Range {
+    int first;
+    int last;
+    const StudyDot* dot;
+  };
+  std::vector<Range> ranges;
+  for (int digits = 1; digits <= kMostDigits; ++digits) {
     const double limit = 0.5 * std::pow(10.0, -digits);
     const StudyDot* dot =
         fastest(family, [&](const StudyDot& each) { return *each.error <= limit; });
-    if (dot) out.push_back({fmt::format("{} right digits", digits), *dot});
+    if (!dot) break;
+    if (!ranges.empty() && ranges.back().dot == dot) {
+      ranges.back().last = digits;
+    } else {
+      ranges.push_back({digits, digits, dot});
+    }
   }
-  const StudyDot* proved = fastest(family, [](const StudyDot& each) {
-    return each.proof == "exact" && each.wrong + each.undecided == 0;
+  std::vector<Choice> out;
+  for (const Range& range : ranges) {
+    out.push_back({range.first == range.last
+                       ? fmt::format("{} right digits", range.last)
+                       : fmt::format("{} to {} right digits", range.first, range.last),
+                   *range.dot});
+  }
+  const StudyDot* proved = fastest(family, [](const StudyDot& dot) {
+    return dot.proof == "exact" && dot.wrong + dot.undecided == 0;
   });
   if (proved) out.push_back({"a proved \"overlap or not\"", *proved});
   return out;

@@ -21,8 +21,8 @@ namespace gjkscope {
 /// Those of some dots that none of them beats, from fast to accurate.
 [[nodiscard]] std::vector<StudyDot> front_among(std::vector<StudyDot> dots);
 
-/// The fastest of `others` that is no slower and no less accurate than a dot, and better in one;
-/// nothing when there is none.
+/// The fastest of `others` that is as fast and as accurate as a dot, or better; nothing when there
+/// is none.
 [[nodiscard]] std::optional<StudyDot> beaten_by(const StudyDot& dot,
                                                 const std::vector<StudyDot>& others);
 

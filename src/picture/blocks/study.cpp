@@ -7,6 +7,7 @@
 #include "picture/blocks/blocks.hpp"
 #include "picture/study_plot.hpp"
 #include "picture/study_words.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -23,8 +24,38 @@ void heading(PanelBuilder& panel, const std::string& text) {
 void row(PanelBuilder& panel, const std::string& name, const std::string& value,
          const std::string& role = "body") {
   panel.write("body.muted", panel.left, name, type::kText);
-  panel.write(role, panel.right, value, type::kNumber, Align::right);
+  panel.write(role, panel.right, value, type::kText, Align::right);
   panel.y += kLine + kBetween;
+}
+
+/// Decimals of a height that tell it from its neighbours in float.
+std::string height(double value) { return fixed(value, 8); }
+
+/// The ends of the facing edges, and what a float makes of them.
+void heights(PanelBuilder& panel, const RoundedPair::Value& found, StudyStage stage) {
+  if (found.facing.empty()) return;
+  const bool rounds = stage == StudyStage::in_float || stage == StudyStage::error;
+  const double column = panel.right - (rounds ? 140.0 : 0.0);
+  heading(panel, "Heights of the facing edges");
+  panel.write("body.muted", panel.left, "vertex", type::kText);
+  panel.write("body.muted", column, "given", type::kText, Align::right);
+  if (rounds) panel.write("body.muted", panel.right, "as float", type::kText, Align::right);
+  panel.y += kLine + kBetween;
+  for (const RoundedPair::Vertex& vertex : found.facing) {
+    const LessonShape& shape = vertex.of_x ? panel.run.lesson.x : panel.run.lesson.y;
+    panel.write(vertex.of_x ? "shape.x.label" : "shape.y.label", panel.left,
+                fmt::format("{} of {}", shape.vertex_names[static_cast<std::size_t>(vertex.index)],
+                            shape.name),
+                type::kName);
+    panel.write("body", column, height(place_of(found.exact, vertex).y()), type::kText,
+                Align::right);
+    if (rounds) {
+      panel.write("body", panel.right, height(place_of(found.in_float, vertex).y()), type::kText,
+                  Align::right);
+    }
+    panel.y += kLine + 4.0;
+  }
+  panel.rule();
 }
 
 /// The answers to one pair, as far as the frame knows them.
@@ -32,17 +63,18 @@ void pair(PanelBuilder& panel, StudyStage stage) {
   const RoundedPair::Value& found = panel.effects.get<RoundedPair>(panel.frame);
   const double distance = found.distance();
   const auto answer = [&](const PositionedRun& run) { return run.trace.result.distance; };
-  heading(panel, "The distance of this pair");
-  row(panel, "exact", stage == StudyStage::shapes ? "?" : power_text(distance, 10));
+  heights(panel, found, stage);
+  heading(panel, "Their distance");
+  row(panel, "exact", stage == StudyStage::shapes ? "?" : power_text(distance, 8));
   if (stage >= StudyStage::in_float)
-    row(panel, "GJK in float", power_text(answer(found.in_float), 10));
+    row(panel, "answer in float", power_text(answer(found.in_float), 8));
   if (stage >= StudyStage::in_double)
-    row(panel, "GJK in double", power_text(answer(found.in_double), 10));
+    row(panel, "answer in double", power_text(answer(found.in_double), 8));
   if (stage < StudyStage::error) return;
   panel.rule();
-  heading(panel, "Error: |answer − distance| / the larger");
-  row(panel, "GJK in float", power_text(error_of(answer(found.in_float), distance), 2));
-  row(panel, "GJK in double", power_text(error_of(answer(found.in_double), distance), 2));
+  heading(panel, "Error");
+  row(panel, "in float", power_text(error_of(answer(found.in_float), distance), 2));
+  row(panel, "in double", power_text(error_of(answer(found.in_double), distance), 2));
 }
 
 void symbol(PanelBuilder& panel, const StudyDot& dot) {
@@ -75,7 +107,7 @@ void legend(PanelBuilder& panel, const LessonStudy& study, const StudyFrame& fra
 void beaten(PanelBuilder& panel, const LessonStudy& study) {
   const std::vector<StudyDot> marks = introduced(study, static_cast<int>(study.marks.size()));
   const std::vector<StudyDot> best = front_among(marks);
-  heading(panel, "On the front, or beaten");
+  heading(panel, "On the front, or beaten by which");
   for (const StudyDot& dot : marks) {
     const bool on_front = std::any_of(best.begin(), best.end(), [&](const StudyDot& each) {
       return each.configuration == dot.configuration;
@@ -87,7 +119,8 @@ void beaten(PanelBuilder& panel, const LessonStudy& study) {
     const std::optional<StudyDot> by = beaten_by(dot, best);
     panel.write("body.muted", panel.left + kIndent,
                 on_front ? fmt::format("{}, error {}", time_text(dot.ns), error_words(dot))
-                         : "beaten by " + (by ? by->configuration : std::string("?")),
+                : by     ? "beaten by " + by->configuration
+                         : "not one digit is right",
                 type::kText);
     panel.y += kLine + 3.0;
   }
@@ -112,13 +145,13 @@ void front(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 }
 
 void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
-  heading(panel, "If you need …, take …");
+  heading(panel, "You need … so take …");
   for (const Choice& choice : choices(family)) {
     panel.write("body.muted", panel.left, choice.need, type::kText);
-    panel.y += kLine - 1.0;
+    panel.y += kLine;
     panel.write("strong", panel.left + kIndent, choice.dot.configuration, type::kName);
     panel.write("body", panel.right, time_text(choice.dot.ns), type::kText, Align::right);
-    panel.y += kLine + kBetween;
+    panel.y += kLine + 2.0 * kBetween;
   }
 }
 

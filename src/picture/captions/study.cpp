@@ -27,14 +27,28 @@ std::string small_number(double value) {
   return fixed(value, std::clamp(decimals, 0, 16));
 }
 
-std::string of_pairs(const StudyDot& dot) {
+/// What `who` says wrongly, or not at all.
+std::string of_pairs(const std::string& who, const StudyDot& dot) {
   std::string out;
   if (dot.wrong > 0)
-    out = format("It gets \"overlap or not\" wrong for {} of {} pairs. ", dot.wrong, dot.pairs);
+    out =
+        format("{} gets \"overlap or not\" wrong for {} of {} pairs. ", who, dot.wrong, dot.pairs);
   if (dot.undecided > 0)
-    out +=
-        format("It cannot tell \"overlap or not\" for {} of {} pairs. ", dot.undecided, dot.pairs);
+    out += format("{} cannot tell \"overlap or not\" for {} of {} pairs. ", who, dot.undecided,
+                  dot.pairs);
   return out;
+}
+
+std::string capitalized(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+  return text;
+}
+
+/// What the mark number `mark`, from 1, is compared with.
+const StudyDot& compared_with(const LessonStudy& study, int mark) {
+  const auto index = static_cast<std::size_t>(mark - 1);
+  const std::string& beside = study.marks[index].beside;
+  return study.dot(beside.empty() ? study.marks[index - 1].configuration : beside);
 }
 
 /// "1.9 times as long as", "as long as", "0.75 of the time of"
@@ -49,13 +63,12 @@ std::string compared(double ns, double with) {
 
 void shapes(const Story& story, const RoundedPair::Value& pair, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = pair.tilt ? format(
-                                 "{} and {}: the edges that face each other are parallel but for "
-                                 "{} degrees.",
-                                 lesson.x.name, lesson.y.name,
-                                 small_number(*pair.tilt * 180.0 / std::numbers::pi))
-                           : format("{} and {}.", lesson.x.name, lesson.y.name);
-  text.detail = "From afar they seem to touch.";
+  text.caption = format("Two shapes, {} and {}.", lesson.x.name, lesson.y.name);
+  if (!pair.facing.empty()) {
+    text.caption += format(" The edges that face each other are parallel but for {} degrees.",
+                           small_number(pair.tilt * 180.0 / std::numbers::pi));
+  }
+  text.detail = "From afar it looks as if they touched all along these edges.";
 }
 
 void gap(const RoundedPair::Value& pair, FrameText& text) {
@@ -64,37 +77,36 @@ void gap(const RoundedPair::Value& pair, FrameText& text) {
     return;
   }
   text.caption = format(
-      "{} times larger, there is a gap. The distance is the shortest way across "
-      "it: {}.",
+      "{} times larger, one sees a gap. The distance is the shortest way across it: "
+      "{}.",
       grouped(pair.magnification()), power_text(pair.distance(), 3));
   const double other = pair.ends[1].exact.length;
   if (other > pair.distance()) {
     text.detail = format(
-        "At the other end the gap is {}, only {} more: which end is closer "
-        "depends on the last digits of the vertices.",
-        power_text(other, 3), power_text(other - pair.distance(), 2));
+        "At the other end the gap is {}, hardly more: which end is closer depends "
+        "on the last digits of the vertices.",
+        power_text(other, 3));
   }
 }
 
 void in_float(const RoundedPair::Value& pair, FrameText& text) {
   const double at = pair.ends[0].exact.vertex.y();
-  const double answer = pair.in_float.trace.result.distance;
   text.caption = format(
-      "The same pair in float: 24 binary digits. Near {:.2g} one float is {} from "
-      "the next (dots), so vertices move to the nearest dot.",
+      "A float has 24 binary digits. Near {:.2g} it is {} to the next float: the "
+      "vertices move to the nearest dots.",
       at, power_text(spacing_of_floats(at), 2));
   text.detail = format(
-      "GJK in float answers {}{}: the right answer for the moved shapes (dotted), "
-      "but not for the given ones.",
-      power_text(answer, 3),
-      pair.ends[0].exact.vertex == pair.ends[1].exact.vertex ? "" : ", and at the other end");
+      "GJK in float answers {}{}. That is the distance of the moved shapes (dotted); "
+      "GJK is not told of any others.",
+      power_text(pair.in_float.trace.result.distance, 3),
+      pair.ends[0].exact.vertex == pair.ends[1].exact.vertex ? "" : ", at the other end");
 }
 
 void in_double(const RoundedPair::Value& pair, FrameText& text) {
   const double error = error_of(pair.in_double.trace.result.distance, pair.distance());
   text.caption =
-      "The same pair in double: 53 binary digits. The dots are 500 million times closer "
-      "together, too close to draw: no vertex moves.";
+      "A double has 53 binary digits: its dots are 500 million times closer together, too "
+      "close to draw. No vertex moves.";
   text.detail =
       format("GJK in double answers {}: {}.", power_text(pair.in_double.trace.result.distance, 3),
              error == 0.0 ? "every digit that a double can hold is right"
@@ -108,86 +120,96 @@ void error(const RoundedPair::Value& pair, FrameText& text) {
   text.caption =
       "The error of an answer: how far it is off, as a share of the distance or of the "
       "answer, whichever is larger.";
-  text.detail =
-      format("In float: |{} − {}| / {} = {}: {} is right. In double: {}.", power_text(answer, 3),
-             power_text(pair.distance(), 3), power_text(std::max(answer, pair.distance()), 3),
-             power_text(of_float, 2), right_digits(of_float), power_text(of_double, 2));
+  text.detail = format("In float: |{} − {}| / {} = {}. {} is right. In double: {}.",
+                       power_text(answer, 3), power_text(pair.distance(), 3),
+                       power_text(std::max(answer, pair.distance()), 3), power_text(of_float, 2),
+                       capitalized(right_digits(of_float)), power_text(of_double, 2));
 }
 
 // The plot.
 
 void error_axis(const LessonStudy& study, FrameText& text) {
-  const std::vector<StudyDot> marks = introduced(study, 2);
+  const StudyDot first = introduced(study, 1).front();
   text.caption = format(
-      "One pair says little. Now {} pairs like it: each mark is a way to run GJK, "
-      "at the largest error seen on them.",
-      marks.front().pairs);
-  text.detail =
-      "Each line of the axis is a power of ten: at 10⁻⁸ eight digits are right, at 1 not "
-      "one. " +
-      of_pairs(marks.front());
+      "Now {} pairs like this one. Each mark is a way to run GJK, at the largest "
+      "error seen on them: down is more accurate.",
+      first.pairs);
+  const std::string wrong = of_pairs(first.configuration, first);
+  text.detail = "At 10⁻⁸ eight digits are right, at 1 not one. " + wrong;
 }
 
 void time_axis(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> marks = introduced(study, 2);
   text.caption = format(
-      "The second axis: how long one query takes, measured on one thread of an {}. "
-      "Left is faster, down is more accurate.",
+      "The second axis: the time for one pair, on one thread of an {}. Farther left "
+      "is faster.",
       study.processor);
-  if (marks.size() < 2) return;
-  text.detail = format("{} takes {}, {} {}, {} {}.", marks[0].configuration, time_text(marks[0].ns),
-                       marks[1].configuration, time_text(marks[1].ns),
-                       compared(marks[1].ns, marks[0].ns), marks[0].configuration);
+  for (const StudyDot& dot : marks) {
+    text.detail += format("{}{} takes {}", text.detail.empty() ? "" : ", ", dot.configuration,
+                          time_text(dot.ns));
+  }
+  text.detail += ".";
+  const auto most =
+      std::max_element(marks.begin(), marks.end(),
+                       [](const StudyDot& a, const StudyDot& b) { return a.settled < b.settled; });
+  if (most->settled > 0) {
+    text.detail += format(
+        " In {} rounding leaves {} of {} pairs open; exact arithmetic settles them, "
+        "and that takes long.",
+        most->configuration, most->settled, most->pairs);
+  }
 }
 
-/// The last mark beside the second, the loop in double, or the one that it goes on from.
 void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
-  const std::vector<StudyDot> marks = introduced(study, frame.marks);
-  const StudyMark& shown = study.marks[marks.size() - 1];
-  const StudyDot& dot = marks.back();
-  const StudyDot& before = marks[marks.size() - 2];
+  const StudyMark& shown = study.marks[static_cast<std::size_t>(frame.marks - 1)];
+  const StudyDot& dot = study.dot(shown.configuration);
+  const StudyDot& beside = compared_with(study, frame.marks);
   text.caption =
-      format("{}: {} a query, {} {}. {}.", dot.configuration, time_text(dot.ns),
-             compared(dot.ns, before.ns), before.configuration,
-             dot.error ? format("Largest error seen of {} pairs: {}", dot.pairs, error_words(dot))
+      format("{}: {} for a pair, {} {}. {}.", dot.configuration, time_text(dot.ns),
+             compared(dot.ns, beside.ns), beside.configuration,
+             dot.error ? format("Largest error seen on {} pairs: {}", dot.pairs, error_words(dot))
                        : "To some pair it has no answer");
-  text.detail = of_pairs(dot) + shown.note;
+  text.detail = of_pairs("It", dot) + shown.note;
 }
 
 void front(const LessonStudy& study, FrameText& text) {
-  const std::vector<StudyDot> marks = introduced(study, static_cast<int>(study.marks.size()));
-  const std::vector<StudyDot> best = front_among(marks);
+  const std::vector<StudyDot> best =
+      front_among(introduced(study, static_cast<int>(study.marks.size())));
   std::vector<std::string> names;
   for (const StudyDot& dot : best) names.push_back(dot.configuration);
   text.caption =
-      "Which would you take? A mark is beaten if another one is faster and at least as "
-      "accurate. The line joins those that are not beaten: the front.";
-  text.detail = format("On the front: {}. Whoever takes another mark pays more than needed.",
-                       fmt::join(names, "; "));
+      "Which would you take? A mark is beaten if another one is as fast and as accurate, or "
+      "better.";
+  text.detail = format(
+      "The dotted line joins the marks that nothing beats, the front: {}. To go on to "
+      "a smaller error costs time.",
+      fmt::join(names, "; "));
 }
 
 void all(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   const std::vector<StudyDot> best = front_of(family);
-  const auto others = family.size() - study.marks.size();
   text.caption = format(
-      "The study measured {} more ways (pale dots): other tolerances, caps, "
-      "directions, region tests, starts, and the half format.",
-      others);
+      "All {} ways that were measured, {} of them new: other tolerances and caps, "
+      "other rules, other starts.",
+      family.size(), family.size() - study.marks.size());
   text.detail = format(
-      "The front of all {}: {} ways. Every other way is beaten by one of these, or "
-      "takes the same time and is no plainer.",
-      family.size(), best.size());
+      "{} of them are the front: every other way is as slow or slower than one of "
+      "these, and as inaccurate or more so. (Times within 10 % are the same, errors "
+      "within a factor of 2.)",
+      best.size());
 }
 
 void choice(const LessonStudy& study, FrameText& text) {
-  const std::vector<Choice> found = choices(of_family(study.dots, study.family));
-  text.caption = "What to take: the fastest way on the front that gives the digits that you need.";
-  if (found.empty()) return;
+  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  text.caption =
+      "Take the fastest way that gives the digits that you need, and a proved one if a wrong "
+      "answer would do harm.";
+  // The rule of three: 0 of n leaves room for 3 / n, with 95 % confidence.
   text.detail = format(
-      "For {}: {}, {}. These are pairs that are hard for rounding; ordinary ones "
-      "are faster and more accurate.",
-      found.back().need, found.back().dot.configuration, time_text(found.back().dot.ns));
+      "Without a proof nothing tells when an answer is wrong: what none of {} pairs "
+      "showed may still happen to one pair in {}.",
+      family.front().pairs, family.front().pairs / 3);
 }
 
 // Questions.
@@ -195,7 +217,7 @@ void choice(const LessonStudy& study, FrameText& text) {
 constexpr std::array<double, 6> kRatios = {1.0, 3.0, 10.0, 30.0, 100.0, 300.0};
 
 std::string ratio_words(double ratio) {
-  return ratio == 1.0 ? "as long" : format("{} times", ratio);
+  return ratio == 1.0 ? "as long" : format("about {} times", ratio);
 }
 
 }  // namespace
@@ -208,24 +230,23 @@ void study_question(const Story& story, FrameText& text) {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
     asked.choices = {"yes", "no"};
     asked.answer = pair.distance() > 0.0 ? "no" : "yes";
-    text.caption =
-        format("Question: do {} and {} touch?", story.run.lesson.x.name, story.run.lesson.y.name);
-    text.detail = "What would you want to see before you answer?";
+    text.caption = format("Question: do {} and {} have a point in common?", story.run.lesson.x.name,
+                          story.run.lesson.y.name);
+    text.detail = "yes  ·  no";
     return;
   }
-  const std::vector<StudyDot> marks = introduced(study, before.marks + 1);
-  const StudyDot& dot = marks.back();
-  const StudyDot& with = marks[marks.size() - 2];
+  const StudyMark& next = study.marks[static_cast<std::size_t>(before.marks)];
+  const StudyDot& dot = study.dot(next.configuration);
+  const StudyDot& with = compared_with(study, before.marks + 1);
   for (const double ratio : kRatios) asked.choices.push_back(ratio_words(ratio));
   const double ratio = std::log(dot.ns / with.ns);
   const auto nearest = std::min_element(kRatios.begin(), kRatios.end(), [&](double a, double b) {
     return std::abs(std::log(a) - ratio) < std::abs(std::log(b) - ratio);
   });
   asked.answer = ratio_words(*nearest);
-  const std::string& about = study.marks[marks.size() - 1].about;
-  text.caption =
-      format("Question: next comes {}{}. About how many times as long as {} does it take?",
-             dot.configuration, about.empty() ? "" : format(" ({})", about), with.configuration);
+  text.caption = format("Question: next comes {}{}. How many times as long as {} does it take?",
+                        dot.configuration, next.about.empty() ? "" : format(" ({})", next.about),
+                        with.configuration);
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 

@@ -89,6 +89,15 @@ class Inset {
   void vertex(const std::string& role, const Vector2d& vertex) {
     if (seen_.contains(vertex)) scene_.disk(role, map_(vertex), sizes::kVertexRadius + 1.0);
   }
+  /// Above a vertex, on the side `side` (-1 or 1).
+  void name(const std::string& role, const Vector2d& vertex, const std::string& text, double side) {
+    scene_.add(role, Text{map_(vertex) + Point(10.0 * side, -9.0), text, type::kVertex,
+                          side < 0.0 ? Align::right : Align::left});
+  }
+  void unknown() {
+    scene_.add("inset.label",
+               Text{map_.area().center() + Point(0.0, 10.0), "?", type::kTitle, Align::center});
+  }
   void move(const Vector2d& from, const Vector2d& to) {
     constexpr double kShortest = 16.0;
     const Point a = map_(from);
@@ -153,7 +162,14 @@ class PairPicture {
     const StageMap map(from_afar_, camera_around(seen, from_afar_));
     shape(map, x_, "shape.x", scene_.run.lesson.x.name);
     shape(map, y_, "shape.y", scene_.run.lesson.y.name);
-    if (stage_ == StudyStage::shapes) return;
+    for (const RoundedPair::Vertex& vertex : pair_.facing) {
+      const std::string role = vertex.of_x ? "shape.x.label" : "shape.y.label";
+      const Vector2d middle = centroid(vertex.of_x ? x_ : y_);
+      const Point at = map(place_of(pair_.exact, vertex));
+      scene_.out.fixed_labels.push_back(scene_.label("pair " + name_of(vertex), name_of(vertex),
+                                                     role, type::kVertex, at, 6.0,
+                                                     at - map(middle)));
+    }
     const auto& ends = pair_.ends;
     const bool is_one = ends[0].exact.vertex == ends[1].exact.vertex;
     const bool in_order = ends[0].exact.vertex.x() < ends[1].exact.vertex.x();
@@ -166,7 +182,7 @@ class PairPicture {
       const Point at = map(ends[i].exact.vertex);
       scene_.line("inset.line", at, {box.center().x(), box.min.y()});
       scene_.add("inset.line", Disk{at, 9.0});
-      inset(box, i, map.scale(), is_one ? "here" : is_left ? "left end" : "right end");
+      inset(box, i, map.scale(), is_left ? -1.0 : 1.0);
     }
   }
 
@@ -181,33 +197,48 @@ class PairPicture {
                Text{centroid(points) + Point(0.0, 6.0), name, type::kVertex, Align::center});
   }
 
-  void inset(const Rect& box, std::size_t end, double scale, const std::string& where) {
+  [[nodiscard]] const std::string& name_of(const RoundedPair::Vertex& vertex) const {
+    const Lesson& lesson = scene_.run.lesson;
+    return (vertex.of_x ? lesson.x : lesson.y).vertex_names[static_cast<std::size_t>(vertex.index)];
+  }
+
+  /// `side`: -1 for the left end, 1 for the right one.
+  void inset(const Rect& box, std::size_t end, double scale, double side) {
     const RoundedPair::End& shown = pair_.ends[end];
-    const bool rounds = stage_ == StudyStage::in_float || stage_ == StudyStage::error;
+    const bool is_distance = end == 0;
     const Vector2d center = 0.25 * (shown.exact.vertex + shown.exact.other + shown.in_float.vertex +
                                     shown.in_float.other);
     Inset inset(scene_, box, center, pair_.magnification() * scale);
+    if (stage_ == StudyStage::shapes) return inset.unknown();
+    const bool rounds = stage_ == StudyStage::in_float || stage_ == StudyStage::error;
     inset.area("shape.x.fill", x_);
     inset.area("shape.y.fill", y_);
     if (rounds) inset.grid();
     inset.outline("shape.x", x_);
     inset.outline("shape.y", y_);
+    const std::string role = shown.of.of_x ? "shape.x" : "shape.y";
     if (rounds) {
       inset.outline("rounded.x", corners_of(pair_.in_float.x_world));
       inset.outline("rounded.y", corners_of(pair_.in_float.y_world));
       inset.move(shown.exact.vertex, shown.in_float.vertex);
-      inset.vertex("rounded.y.vertex", shown.in_float.vertex);
+      inset.vertex(shown.of.of_x ? "rounded.x.vertex" : "rounded.y.vertex", shown.in_float.vertex);
     }
-    inset.vertex("shape.y.vertex", shown.exact.vertex);
-    const bool is_distance = end == 0;
-    if (stage_ != StudyStage::error || is_distance) {
+    inset.vertex(role + ".vertex", shown.exact.vertex);
+    inset.name(role + ".label", shown.exact.vertex, name_of(shown.of), side);
+    if (stage_ != StudyStage::error || is_distance)
       inset.gap("gap.exact", shown.exact, -1.0, power_text(shown.exact.length, 3));
-    }
     if (rounds && (stage_ != StudyStage::error || !is_distance)) {
-      inset.gap("gap.float", shown.in_float, 1.0, "float: " + power_text(shown.in_float.length, 3));
+      inset.gap("gap.answer", shown.in_float, 1.0,
+                "float: " + power_text(shown.in_float.length, 3));
     }
-    inset.title(fmt::format("{}, {} times larger{}", where, grouped(pair_.magnification()),
-                            is_distance ? ": the distance" : ""));
+    if (stage_ == StudyStage::in_double && is_distance) {
+      inset.gap("gap.answer", shown.exact, 1.0,
+                "double: " + power_text(pair_.in_double.trace.result.distance, 3));
+    }
+    const std::string_view told = is_distance ? ": the closest points"
+                                  : rounds    ? ": closest in float"
+                                              : "";
+    inset.title(fmt::format("{} times larger{}", grouped(pair_.magnification()), told));
   }
 
   SceneBuilder& scene_;
