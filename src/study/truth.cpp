@@ -238,6 +238,7 @@ void set_distance(Truth& out, const Nearest& p, long exponent) {
   Integer rest = sqrt(Integer(times_power(above, 2 * shift) / p.length_sq));
   const long unit = exponent - shift;
   out.distance = static_cast<double>(rounded(rest, unit));
+  if (!std::isfinite(out.distance)) return;  // no double holds it, nor what it leaves out
   rest -= on_grid(dyadic(out.distance), unit);
   const long drop = std::max(0L, size_of(rest) - 64);
   const Integer high = times_power(rest >> static_cast<mp_bitcnt_t>(drop), drop);

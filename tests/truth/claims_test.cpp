@@ -29,7 +29,6 @@ std::vector<Asked> ways_to_ask() {
     change(out.back().options);
   };
   add("default", true, [](gjk::Options&) {});
-  add("no proof", true, [](auto& o) { o.proof = gjk::Proof::none; });
   add("bounds alone", false, [](auto& o) { o.proof = gjk::Proof::bounds; });
   add("towards O", true, [](auto& o) { o.direction_rule = gjk::DirectionRule::towards_origin; });
   add("edges first", true, [](auto& o) { o.region_order = gjk::RegionOrder::edges_first; });
