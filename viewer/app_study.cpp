@@ -173,8 +173,9 @@ void App::draw_study() {
     return;
   }
   ImGui::TextWrapped(
-      "Each line opens the worst run behind it. * is on the front: no other way is as "
-      "fast and as accurate, and better in one.");
+      "Each line opens the worst run behind it. * is on the front: nothing takes less time and "
+      "errs no "
+      "more.");
   std::vector<StudyDot> family_dots = dots();
   std::vector<std::size_t> order(family_dots.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
