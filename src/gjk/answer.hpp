@@ -4,7 +4,7 @@
 // The loop rounds, and rounding can fool it. But its answer can be checked: P bounds the distance
 // from above, the best support plane from below. Where these bounds do not prove whether the shapes
 // overlap, or are wider than rounding explains, the last simplex starts another run in exact
-// arithmetic. So in the plane the verdict is exact.
+// arithmetic. So the verdict is exact.
 
 #include "gjk/settle.hpp"
 #include "gjk/witness.hpp"
@@ -12,15 +12,15 @@
 namespace gjk {
 namespace detail {
 
-/// Bounds of a floating-point run in the plane, as far as `options` ask to prove them.
-template <class R, class S>
-[[nodiscard]] Bounds<R> certify(const State<R, 2>& state, const Query<S, 2>& query,
-                                const Options& options, const Prepared<R, 2>& prepared,
-                                Result<R, 2>& out) {
+/// Bounds of a floating-point run, as far as `options` ask to prove them.
+template <class R, class S, int D>
+[[nodiscard]] Bounds<R> certify(const State<R, D>& state, const Query<S, D>& query,
+                                const Options& options, const Prepared<R, D>& prepared,
+                                Result<R, D>& out) {
   const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
   Bounds<R> bounds;
   bool tight = true;
-  if (state.best.count == 3) {
+  if (state.best.count == D + 1) {
     if (surely_inside(state.best, prepared)) {
       out.verdict = Verdict::overlapping;
     } else {
@@ -28,41 +28,22 @@ template <class R, class S>
     }
   } else {
     const bool by_itself = ended && state.stop != StopReason::within_tolerance;
-    OutsideBounds<R, S> outside(state, query, prepared);
-    bounds = outside.prove(by_itself);
+    OutsideBounds<R, S, D> outside(state, query, prepared);
+    bounds = outside.prove(by_itself, out.simplex);
     if (R(0) < bounds.lower) out.verdict = Verdict::separated;
-    tight = !by_itself || outside.is_tight(bounds);
+    tight = !by_itself || outside.is_tight();
   }
   constexpr bool kCanSettle = std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits;
   if constexpr (kCanSettle) {
     const bool settles = options.proof == Proof::exact && ended;
     if (settles && (out.verdict == Verdict::undecided || !tight)) {
-      settle(state, query, prepared, out, bounds);
-    }
-    if (out.simplex.count == 3 && !out.settled && !is_at_origin(out.simplex)) {
-      set_careful_weights(out.simplex, query, prepared);
+      settle(query, prepared, out, bounds);
     }
   }
-  return bounds;
-}
-
-/// In space: P as the run has it, and the best support plane.
-template <class R, class S>
-[[nodiscard]] Bounds<R> certify(const State<R, 3>& state, const Query<S, 3>&, const Options&,
-                                const Prepared<R, 3>& prepared, Result<R, 3>& out) {
-  Bounds<R> bounds;
-  if (state.best.count == 4) {
-    if (surely_inside(state.best, prepared)) {
-      out.verdict = Verdict::overlapping;
-    } else {
-      bounds.upper = prepared.simplex_error();
-    }
-    return bounds;
+  // In a thin simplex the run's own weights put P visibly beside O.
+  if (out.simplex.count == D + 1 && !out.settled && !is_at_origin(out.simplex)) {
+    out.simplex.weights = weights_of<R>(careful_simplex(out.simplex, query, prepared));
   }
-  bounds.lower = plane_bound(state, prepared);
-  bounds.distance = larger(bounds.lower, ScalarTraits<R>::root(state.best_sq));
-  bounds.upper = bounds.distance + prepared.simplex_error();
-  if (R(0) < bounds.lower) out.verdict = Verdict::separated;
   return bounds;
 }
 
@@ -79,9 +60,7 @@ void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
   out.verdict = at_origin                        ? Verdict::overlapping
                 : R(0) < state.plane_distance_sq ? Verdict::separated
                                                  : Verdict::undecided;
-  if constexpr (D == 2) {
-    if (at_origin && touches(state, query, prepared)) out.verdict = Verdict::touching;
-  }
+  if (at_origin && touches(state, query, prepared)) out.verdict = Verdict::touching;
 }
 
 /// Those of a floating-point run.

@@ -1,5 +1,6 @@
 #pragma once
-// Vertices and distances with about twice the digits of the run, for where its own are too few.
+// Vertices, distances and weights with about twice the digits of the run, or exactly, for where its
+// own digits are too few.
 
 #include <array>
 
@@ -10,8 +11,25 @@
 template <class R>
 struct Eigen::NumTraits<gjk::DoubleWord<R>> : Eigen::GenericNumTraits<R> {};
 
-namespace gjk::detail {
+namespace gjk {
 
+/// What turning a vertex asks of a scalar, and no more.
+template <class R>
+struct ScalarTraits<DoubleWord<R>> {
+  using Real = R;
+  static constexpr bool kExact = false;
+  template <class From>
+  [[nodiscard]] static DoubleWord<R> from(const From& value) {
+    return ScalarTraits<R>::from(value);
+  }
+};
+
+namespace detail {
+
+template <class R>
+[[nodiscard]] R rounded(const R& value) {
+  return value;
+}
 template <class R>
 [[nodiscard]] R rounded(const Expansion& value) {
   return value.estimate<R>();
@@ -20,136 +38,104 @@ template <class R>
 [[nodiscard]] R rounded(const DoubleWord<R>& value) {
   return value.hi;
 }
+template <class R, class N, int D>
+[[nodiscard]] Vec<R, D> rounded(const Vec<N, D>& a) {
+  Vec<R, D> out;
+  for (int i = 0; i < D; ++i) out[i] = rounded<R>(a[i]);
+  return out;
+}
 
-/// Adds up numbers and products of two, with what rounding loses kept beside them.
-template <class R>
-class CarefulSum {
- public:
-  explicit CarefulSum(const R& first) : sum_{first, R(0)} {}
-  void add(const R& a) {
-    const DoubleWord<R> next = exact_sum(sum_.hi, a);
-    sum_ = {next.hi, R(sum_.lo + next.lo)};
-  }
-  void add_product(const R& a, const R& b) {
-    const DoubleWord<R> product = exact_product(a, b);
-    add(product.hi);
-    sum_.lo = sum_.lo + product.lo;
-  }
-  /// Not normalised.
-  [[nodiscard]] const DoubleWord<R>& sum() const { return sum_; }
-
- private:
-  DoubleWord<R> sum_;
-};
-
-/// A vertex of Z, and the way from there to another one.
-template <class N>
-struct Edge {
-  Vec<N, 2> from;
-  Vec<N, 2> way;
-};
-
-/// The edge from a to b, from the vertices themselves, in the run's unit, with about twice the
-/// digits. Nearly always a and b have the vertex of one shape in common: that comes first, and the
-/// way is the other shape's.
-template <class R, class S>
-[[nodiscard, gnu::noinline]] Edge<DoubleWord<R>> careful_edge(const Query<S, 2>& query,
-                                                              const Prepared<R, 2>& prepared,
-                                                              VertexPair a, VertexPair b) {
-  const auto in_unit = [&](const S& value) {
-    return R(ScalarTraits<R>::from(value) * prepared.unit);
+/// The vertices of a simplex, from the shapes' own, in the run's unit.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
+    const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
+  using Word = DoubleWord<R>;
+  const auto in_unit = [&](const Vec<S, D>& a) {
+    Vec<Word, D> out;
+    for (int k = 0; k < D; ++k) out[k] = Word(ScalarTraits<R>::from(a[k]) * prepared.unit);
+    return out;
   };
-  const auto add = [&](CarefulSum<R>& sum, int row, bool of_x, VertexPair pair, R sign) {
-    const Shape<S, 2>& shape = of_x ? query.x : query.y;
-    const Vec<S, 2>& local = shape.vertices()[of_x ? pair.x : pair.y];
-    if (of_x) sign = -sign;
-    if (!shape.pose.rotation.turns()) return sum.add(sign * in_unit(local[row]));
-    for (int k = 0; k < 2; ++k) {
-      sum.add_product(ScalarTraits<R>::from(shape.pose.rotation(row, k)), sign * in_unit(local[k]));
-    }
+  const auto placed = [&](const Shape<S, D>& shape, int i) {
+    return shape.pose.template rotated<Word>(in_unit(shape.vertices()[i]));
   };
-  const bool x_moves = a.y == b.y;
-  Edge<DoubleWord<R>> edge;
-  for (int row = 0; row < 2; ++row) {
-    CarefulSum<R> from(in_unit(query.y.pose.translation[row]));
-    from.add(-in_unit(query.x.pose.translation[row]));
-    add(from, row, !x_moves, a, R(1));
-    add(from, row, x_moves, a, R(1));
-    CarefulSum<R> way(R(0));
-    if (a.x != b.x && a.y != b.y) {
-      add(way, row, !x_moves, b, R(1));
-      add(way, row, !x_moves, a, R(-1));
-    }
-    add(way, row, x_moves, b, R(1));
-    add(way, row, x_moves, a, R(-1));
-    edge.from[row] = from.sum();
-    edge.way[row] = normalised(way.sum());
+  const Vec<Word, D> offset = in_unit(query.y.pose.translation) - in_unit(query.x.pose.translation);
+  Simplex<Word, D> out;
+  out.count = simplex.count;
+  for (int i = 0; i < simplex.count; ++i) {
+    const VertexPair pair = simplex.vertices[i].pair;
+    out.vertices[i] = {(placed(query.y, pair.y) - placed(query.x, pair.x)) + offset, pair};
   }
-  return edge;
-}
-template <class R, class S>
-[[nodiscard]] Vec<DoubleWord<R>, 2> careful_vertex(const Query<S, 2>& query,
-                                                   const Prepared<R, 2>& prepared,
-                                                   VertexPair pair) {
-  Vec<DoubleWord<R>, 2> vertex = careful_edge(query, prepared, pair, pair).from;
-  for (int row = 0; row < 2; ++row) vertex[row] = normalised(vertex[row]);
-  return vertex;
+  return out;
 }
 
-/// cross(a, b), rounded.
-template <class R>
-[[nodiscard]] R rounded_cross(const Vec<Expansion, 2>& a, const Vec<Expansion, 2>& b) {
-  return rounded<R>(cross(a, b));
-}
-/// The same within some 10 u^2 |a| |b| before the last rounding.
-template <class R>
-[[nodiscard]] R rounded_cross(const Vec<DoubleWord<R>, 2>& a, const Vec<DoubleWord<R>, 2>& b) {
-  const DoubleWord<R> left = exact_product(a[0].hi, b[1].hi);
-  const DoubleWord<R> right = exact_product(a[1].hi, b[0].hi);
-  const R left_rest = left.lo + R(R(a[0].hi * b[1].lo) + R(a[0].lo * b[1].hi));
-  const R right_rest = right.lo + R(R(a[1].hi * b[0].lo) + R(a[1].lo * b[0].hi));
-  const DoubleWord<R> difference = exact_sum(left.hi, R(-right.hi));
-  return difference.hi + R(difference.lo + R(left_rest - right_rest));
-}
-
-/// How often `careful_distance` rounds, and its bounds do, at worst: both coordinates of the edge,
-/// the determinant, three times in the length, the quotient, and the bound.
+/// How often a distance rounds in `foot_of`, and its bounds do, at worst, after the vertices: twice
+/// in a coordinate of the normal, the product, the length of the normal, the quotient, the bound.
 inline constexpr int kCarefulRoundings = 6;
 
-/// Distance of O from a vertex of Z, or from the line through an edge, in the run's unit: nothing
-/// rounds before the last few operations when N is exact, and little when it is a DoubleWord. The
-/// latter is negative when O lies on that side of the edge to which perpendicular(way) points.
-template <class R, class N>
-[[nodiscard]] R careful_distance(const Vec<N, 2>& vertex) {
-  return careful_length(Vec<R, 2>(rounded<R>(vertex[0]), rounded<R>(vertex[1])));
-}
-template <class R, class N>
-[[nodiscard]] R careful_distance(const Edge<N>& edge) {
-  return R(rounded_cross<R>(edge.from, edge.way) / careful_distance<R>(edge.way));
+/// Where the perpendicular from O meets a vertex of Z, or the line or plane through some vertices.
+template <class R, int D>
+struct Foot {
+  R distance = R(0);
+  Vec<R, D> d = Vec<R, D>::Zero();  ///< From there to O, of any length; see search_direction.
+  R longest = R(0);                 ///< Of two edges of the face.
+  /// Of a triangle, over the longer of the two; of an edge, its length. A change of the vertices by
+  /// some length moves the foot within the face by no more than that, and turns d by no more than
+  /// twice as much, as a share of this.
+  R height = R(0);
+};
+
+/// The foot on a simplex of 1 to D vertices in N, which is R or has more digits. Where products
+/// round, they round least from the vertex `nearest` to O.
+template <class R, class N, int D>
+[[nodiscard]] Foot<R, D> foot_of(const Simplex<N, D>& simplex, int nearest = 0) {
+  Foot<R, D> out;
+  const Vec<N, D>& a = simplex.vertices[nearest].w;
+  if (simplex.count == 1) {
+    out.d = rounded<R, N, D>(-a);
+    out.distance = careful_length(out.d);
+    out.height = out.distance;
+    return out;
+  }
+  const Vec<N, D> edge = simplex.vertices[1].w - simplex.vertices[0].w;
+  out.longest = careful_length(rounded<R, N, D>(edge));
+  out.height = out.longest;
+  if constexpr (D == 3) {
+    if (simplex.count == 2) {
+      const Vec<N, D> moment = cross(edge, a);
+      out.d = rounded<R, N, D>(cross(edge, moment));
+      out.distance = careful_length(rounded<R, N, D>(moment)) / out.longest;
+      return out;
+    }
+  }
+  std::array<Vec<N, D>, D> vertices;
+  for (int i = 0; i < D; ++i) vertices[i] = simplex.vertices[i].w;
+  const std::array<Vec<N, D>, D - 1> edges = edges_of(vertices);
+  const Vec<N, D> normal = perpendicular<N, D>(edges);
+  const R side = rounded<R>(dot(normal, a));
+  const R size = careful_length(rounded<R, N, D>(normal));
+  out.d = rounded<R, N, D>(side < R(0) ? normal : Vec<N, D>(-normal));
+  out.distance = magnitude(side) / size;
+  if constexpr (D == 3) {
+    out.longest = larger(out.longest, careful_length(rounded<R, N, D>(edges[1])));
+    out.height = size / out.longest;
+  }
+  return out;
 }
 
-/// Weights of the vertices of a triangle around O: the areas across from them, as shares of all.
-template <class R, class N>
-[[nodiscard]] std::array<R, 3> shares_of_area(const std::array<Vec<N, 2>, 3>& w) {
-  std::array<R, 3> weights{};
+/// Barycentric coordinates of O, or of its foot, in a simplex in N; of a foot beside the simplex,
+/// those of a point of it.
+template <class R, class N, int D>
+[[nodiscard, gnu::noinline]] std::array<R, D + 1> weights_of(const Simplex<N, D>& simplex) {
+  const Barycentric<N, D> coordinates = barycentric(simplex, simplex.all());
+  std::array<R, D + 1> weights{};
   R sum(0);
-  for (int i = 0; i < 3; ++i) {
-    weights[i] = magnitude(rounded_cross<R>(w[(i + 1) % 3], w[(i + 2) % 3]));
+  for (int i = 0; i < simplex.count; ++i) {
+    weights[i] = larger(rounded<R>(coordinates.numerator[i]), R(0));
     sum = sum + weights[i];
   }
   for (R& weight : weights) weight = weight / sum;
   return weights;
 }
 
-/// Weights of a simplex around O, with about twice the digits: in a thin one the run's own put P
-/// visibly beside O.
-template <class R, class S>
-void set_careful_weights(Simplex<R, 2>& simplex, const Query<S, 2>& query,
-                         const Prepared<R, 2>& prepared) {
-  std::array<Vec<DoubleWord<R>, 2>, 3> w;
-  for (int i = 0; i < 3; ++i) w[i] = careful_vertex(query, prepared, simplex.vertices[i].pair);
-  const std::array<R, 3> weights = shares_of_area<R>(w);
-  std::copy(weights.begin(), weights.end(), simplex.weights.begin());
-}
-
-}  // namespace gjk::detail
+}  // namespace detail
+}  // namespace gjk

@@ -50,17 +50,35 @@ template <class R, int D>
   return true;
 }
 
-/// True when, for all that rounding lets one know, no vertex of the shape but i and j lies as far
-/// along d as either of them. `error`: of a difference of two dot products with d.
+/// The vertices of one shape that a simplex is made of, each once.
+struct Corners {
+  std::array<int, kMaxDimension + 1> index = {};
+  int count = 0;
+
+  template <class R, int D>
+  Corners(const Simplex<R, D>& simplex, int VertexPair::*shape) {
+    for (int i = 0; i < simplex.count; ++i) {
+      const int found = simplex.vertices[i].pair.*shape;
+      if (!has(found)) index[count++] = found;
+    }
+  }
+  [[nodiscard]] bool has(int i) const {
+    return std::find(index.begin(), index.begin() + count, i) != index.begin() + count;
+  }
+};
+
+/// True when, for all that rounding lets one know, no other vertex of the shape lies as far along d
+/// as any of `corners`. `error`: of a difference of two dot products with d.
 template <class R, class S, int D>
 [[nodiscard]] bool are_alone(const Vec<R, D>& d, const Shape<S, D>& shape,
-                             const Prepared<R, D>& prepared, const Body<R, D>& body, int i, int j,
-                             const R& error) {
+                             const Prepared<R, D>& prepared, const Body<R, D>& body,
+                             const Corners& corners, const R& error) {
   return look_along(d, shape, prepared, body, [&](int count, const auto& along) {
-    const R certainly_nearer = smaller(R(along(i)), R(along(j))) - error;
+    R nearest = along(corners.index[0]);
+    for (int k = 1; k < corners.count; ++k) nearest = smaller(nearest, along(corners.index[k]));
     int as_far = 0;
-    for (int k = 0; k < count; ++k) as_far += along(k) < certainly_nearer ? 0 : 1;
-    return as_far == (i == j ? 1 : 2);
+    for (int k = 0; k < count; ++k) as_far += along(k) < nearest - error ? 0 : 1;
+    return as_far == corners.count;
   });
 }
 
@@ -76,128 +94,164 @@ inline constexpr int kFarFromEdge = 2;
 /// have led the run astray. Just below 16, which is what tests/truth demands.
 inline constexpr double kAllowedWidth = 15.5;
 /// How often a distance in the run's own digits rounds at worst: from a vertex, or from the line of
-/// an edge; there the edge itself has rounded, too, and its product with the nearer end.
+/// an edge; there the edge itself has rounded, too, and its product with the nearer end. In space
+/// two edges have, and their product.
 inline constexpr int kRoundings = 4;
-inline constexpr int kEdgeRoundings = 3;
+template <int D>
+inline constexpr int kEdgeRoundings = D == 2 ? 3 : 8;
 
-/// Proves bounds for a run in the plane that ended outside of Z: at vertex a, or between a and b.
+/// Proves bounds for a run that ended outside of Z, with P on a face of its last simplex.
 ///
 /// Mostly the numbers of the run do. The nearer P is, the more of its distance is the rounding of
 /// vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
-/// vertices that P lies between may be the wrong ones, unless all others are certainly farther.
-template <class R, class S>
+/// face may be the wrong one, unless all other vertices are certainly farther.
+template <class R, class S, int D>
 class OutsideBounds {
  public:
-  OutsideBounds(const State<R, 2>& state, const Query<S, 2>& query, const Prepared<R, 2>& prepared)
-      : state_(state), query_(query), prepared_(prepared) {
-    length_a_ = length(a_.w);
-    if (on_edge_) {
-      way_ = b_.w - a_.w;
-      length_b_ = length(b_.w);
-      edge_length_ = length(way_);
+  OutsideBounds(const State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared)
+      : query_(query), prepared_(prepared), face_(state.best) {
+    lower_ = plane_bound(state, prepared_);
+    R most_sq(0);
+    R least_sq(0);
+    for (int i = 0; i < face_.count; ++i) {
+      const R to_vertex_sq = dot(face_.vertices[i].w, face_.vertices[i].w);
+      most_sq = larger(most_sq, to_vertex_sq);
+      if (i > 0 && !(to_vertex_sq < least_sq)) continue;
+      nearest_ = i;
+      least_sq = to_vertex_sq;
     }
+    size_ = ScalarTraits<R>::root(most_sq);
+    to_nearest_ = ScalarTraits<R>::root(least_sq);
   }
 
-  /// `ended`: by itself, so that wide bounds mean that rounding has led it astray.
-  [[nodiscard]] Bounds<R> prove(bool ended) {
-    Bounds<R> out;
-    out.lower = plane_bound(state_, prepared_);
-    distance_ = on_edge_ ? R(cross(a_.w, way_) / edge_length_) : length_a_;
-    error_ = prepared_.vertex_error + R(kRoundings) * u_ * magnitude(distance_);
-    if (on_edge_) {
-      error_ = error_ + u_ * (size() + R(kEdgeRoundings) * smaller(length_a_, length_b_));
+  /// `ended`: by itself, so that wide bounds mean that rounding has led the run astray. Sets the
+  /// weights of `simplex`, which is the run's last, anew where they have too few digits.
+  [[nodiscard]] Bounds<R> prove(bool ended, Simplex<R, D>& simplex) {
+    measure();
+    near_ = R(kNear) * foot_.distance < prepared_.reach;
+    const auto is_wide = [&] { return !(upper_ < no_bound()) || (ended && !is_allowed()); };
+    if (near_ || is_too_rounded() || is_wide()) measure_anew(simplex);
+    if ((near_ || is_wide()) && is_certainly_farthest()) {
+      lower_ = larger(R(foot_.distance - error_), lower_);
     }
-    near_ = R(kNear) * magnitude(distance_) < prepared_.reach;
-    const R width = magnitude(distance_) + error_ - out.lower;
-    const bool wide = ended && !near_ && !is_allowed(width);
-    if (near_ || wide || is_too_rounded()) compute_anew();
-    out.distance = magnitude(distance_);
-    out.upper = reach_of_foot(out.distance);
-    if ((near_ || wide) && is_certainly_farthest()) {
-      out.lower = larger(R(out.distance - error_), R(0));
-    }
-    out.distance = larger(out.distance, out.lower);
-    out.upper = larger(out.distance, out.upper);
-    return out;
+    const R distance = larger(foot_.distance, lower_);
+    return {lower_, distance, larger(distance, upper_)};
   }
 
   /// As close as rounding lets bounds be. Else rounding led the run astray.
-  [[nodiscard]] bool is_tight(const Bounds<R>& bounds) const {
-    const R width = bounds.upper - bounds.lower;
-    return near_ ? width <= R(4) * error_ : is_allowed(width);
+  [[nodiscard]] bool is_tight() const {
+    return near_ ? upper_ - lower_ <= R(4) * error_ : is_allowed();
   }
 
  private:
-  /// Of the vertices that P is made of, the farthest from O.
-  [[nodiscard]] R size() const { return on_edge_ ? larger(length_a_, length_b_) : length_a_; }
-  [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size(); }
-  /// Of the direction from P to O.
-  [[nodiscard]] R d_length() const { return on_edge_ ? edge_length_ : length_a_; }
-  [[nodiscard]] R angle() const { return R(2) * u_ + R(2) * vertex_error() / d_length(); }
+  /// In the run's own digits.
+  void measure() {
+    foot_ = foot_of<R>(face_, nearest_);
+    error_ = prepared_.vertex_error + R(kRoundings) * u_ * foot_.distance;
+    if (face_.count > 1) {
+      const R of_vertices = vertex_error();
+      const R flatness = foot_.longest / foot_.height;
+      error_ = error_ + u_ * (size_ + R(kEdgeRoundings<D>) * to_nearest_ * flatness);
+      const R angle = R(2) * u_ + R(2) * of_vertices / foot_.height;
+      const R beyond = of_vertices + R(4) * u_ * size_ * flatness + angle * foot_.distance;
+      for (int i = 0; i < face_.count; ++i) {
+        is_inside_ = is_inside_ && beyond < foot_.height * face_.weights[i];
+      }
+    }
+    upper_ = is_inside_ ? R(foot_.distance + error_) : no_bound();
+  }
 
-  /// The squared distance from O to the farthest of four vertices of Z: those that are made of the
-  /// points of X, and of Y, that lie far apart.
-  [[nodiscard]] R corner_reach_sq() const {
+  /// With about twice the digits.
+  void measure_anew(Simplex<R, D>& simplex) {
+    const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
+    foot_ = foot_of<R>(face);
+    if (!(R(0) < foot_.height)) {  // it has no inside: what is left is a vertex
+      foot_.distance = to_nearest_;
+      error_ = prepared_.vertex_error + R(kRoundings) * u_ * to_nearest_;
+      upper_ = to_nearest_ + error_;
+      return;
+    }
+    const R few = R(kCarefulRoundings) * u_;
+    R to_p = foot_.distance;
+    if (!is_inside_ || face.count > 2) {
+      simplex.weights = weights_of<R>(face);
+      face_.weights = simplex.weights;
+      if (!is_inside_) to_p = larger(to_p, distance_of_p(face));
+    }
+    R moved = careful_error();
+    if (face.count > 1) {
+      const R beside_sq = (to_p - foot_.distance) * (to_p + foot_.distance);
+      moved = moved * (foot_.longest + ScalarTraits<R>::root(beside_sq)) / foot_.height;
+    }
+    error_ = few * foot_.distance + moved;
+    upper_ = to_p * (R(1) + few) + moved;
+  }
+  /// Of O from the point of the face that its weights make.
+  [[nodiscard]] R distance_of_p(const Simplex<DoubleWord<R>, D>& face) const {
+    const Vec<DoubleWord<R>, D>& a = face.vertices[0].w;
+    Vec<DoubleWord<R>, D> p = a;
+    for (int i = 1; i < face.count; ++i) {
+      const R weight = face_.weights[i] * (R(1) - R(4) * u_);  // so that the sum is less than 1
+      for (int k = 0; k < D; ++k) {
+        p[k] = p[k] + DoubleWord<R>(weight) * (face.vertices[i].w[k] - a[k]);
+      }
+    }
+    return length(rounded<R, DoubleWord<R>, D>(p));
+  }
+
+  /// Of the vertices, in the run's own digits, and computed anew.
+  [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
+  [[nodiscard]] R careful_error() const {
+    return smaller(prepared_.careful_error(), vertex_error());
+  }
+  [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
+  /// The distance from O to the farthest of four vertices of Z: those that are made of the points
+  /// of X, and of Y, that lie far apart.
+  [[nodiscard]] R corner_reach() const {
     R most(0);
     for (const int x : prepared_.x.far_apart) {
       for (const int y : prepared_.y.far_apart) {
-        const Vec<R, 2> w = support_point(query_, prepared_, {x, y}).w;
-        most = larger(most, dot(w, w));
+        most = larger(most, length(support_point(query_, prepared_, {x, y}).w));
       }
     }
     return most;
   }
-  [[nodiscard]] bool is_allowed(const R& width) const {
+  [[nodiscard]] bool is_allowed() const {
     const R allowed = ScalarTraits<R>::from(kAllowedWidth) * u_;
-    return width <= allowed * larger(prepared_.least_reach, size()) ||
-           width <= allowed * ScalarTraits<R>::root(corner_reach_sq());
+    const R width = upper_ - lower_;
+    return width <= allowed * larger(prepared_.least_reach, size_) ||
+           (upper_ < no_bound() && width <= allowed * corner_reach());
   }
   [[nodiscard]] bool is_too_rounded() const {
-    return (prepared_.same_frame && R(kNearInOneFrame) * magnitude(distance_) < prepared_.reach) ||
-           (on_edge_ && prepared_.reach < R(kFarFromEdge) * magnitude(distance_));
+    return (prepared_.same_frame && R(kNearInOneFrame) * foot_.distance < prepared_.reach) ||
+           (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot_.distance);
   }
-  void compute_anew() {
-    distance_ = on_edge_ ? careful_distance<R>(careful_edge(query_, prepared_, a_.pair, b_.pair))
-                         : careful_distance<R>(careful_vertex(query_, prepared_, a_.pair));
-    error_ = R(kCarefulRoundings) * u_ * magnitude(distance_) + prepared_.careful_error();
-  }
-  /// An upper bound. The foot of the perpendicular from O may lie a little beyond an end of the
-  /// edge.
-  [[nodiscard]] R reach_of_foot(const R& distance) const {
-    const R upper = distance + error_;
-    if (!on_edge_) return upper;
-    const R beyond = vertex_error() + R(4) * u_ * size() + angle() * distance;
-    const R least_weight = smaller(state_.best.weights[0], state_.best.weights[1]);
-    if (!(edge_length_ * least_weight < beyond)) return upper;
-    return length(Vec<R, 2>(upper, smaller(beyond, edge_length_)));
-  }
-  /// Certainly no vertex of Z but those that P is made of lies as far along the direction to O.
+  /// Certainly no vertex of Z but those that the face is made of lies as far along the direction to
+  /// O; and these lie equally far, because pairs that share a vertex join them all.
   [[nodiscard]] bool is_certainly_farthest() const {
-    const R side = sign_of(distance_);
-    const Vec<R, 2> d = on_edge_ ? Vec<R, 2>(-side * way_[1], side * way_[0]) : Vec<R, 2>(-a_.w);
-    const R error = d_length() * prepared_.scan_error_within(angle());
-    const VertexPair a = a_.pair;
-    const VertexPair b = on_edge_ ? b_.pair : a;
-    if (on_edge_ && a.x != b.x && a.y != b.y) return false;
-    return are_alone(Vec<R, 2>(-d), query_.x, prepared_, prepared_.x, a.x, b.x, error) &&
-           are_alone(d, query_.y, prepared_, prepared_.y, a.y, b.y, error);
+    const Corners of_x(face_, &VertexPair::x);
+    const Corners of_y(face_, &VertexPair::y);
+    if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot_.height)) return false;
+    const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
+    const R lever = is_space_edge ? smaller(foot_.height, foot_.distance) : foot_.height;
+    const R angle = R(4) * u_ + R(4) * careful_error() / lever;
+    const R error = length(foot_.d) * prepared_.scan_error_within(angle);
+    return are_alone(Vec<R, D>(-foot_.d), query_.x, prepared_, prepared_.x, of_x, error) &&
+           are_alone(foot_.d, query_.y, prepared_, prepared_.y, of_y, error);
   }
 
-  const State<R, 2>& state_;
-  const Query<S, 2>& query_;
-  const Prepared<R, 2>& prepared_;
-  const SupportPoint<R, 2>& a_ = state_.best.vertices[0];
-  const SupportPoint<R, 2>& b_ = state_.best.vertices[1];
-  bool on_edge_ = state_.best.count == 2;
+  const Query<S, D>& query_;
+  const Prepared<R, D>& prepared_;
+  Simplex<R, D> face_;  ///< The run's last simplex.
   R u_ = ScalarTraits<R>::unit_roundoff();
-  Vec<R, 2> way_ = Vec<R, 2>::Zero();
-  R length_a_;
-  R length_b_ = R(0);
-  R edge_length_ = R(0);
-  /// From the vertex, or from the edge's line: negative when O lies on that side of the edge to
-  /// which perpendicular(way) points.
-  R distance_ = R(0);
-  R error_ = R(0);
+  R size_ = R(0);  ///< From O to the farthest of its vertices.
+  int nearest_ = 0;
+  R to_nearest_ = R(0);
+  Foot<R, D> foot_;
+  R error_ = R(0);         ///< Of its distance.
+  bool is_inside_ = true;  ///< It certainly lies on the face.
+  R lower_ = R(0);
+  R upper_ = R(0);
   bool near_ = false;
 };
 

@@ -40,24 +40,20 @@ struct FaceList {
   [[nodiscard]] constexpr const Face* end() const { return faces.data() + count; }
 };
 
-/// The order of the tests for a simplex of so many vertices.
+/// The order of the tests for simplices of 1 to 4 vertices: on the slides u <= 0 comes first.
+inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
+    {{{0b1}, 1},
+     {{0b10, 0b01, 0b11}, 3},
+     {{0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111}, 7},
+     {{0b0001, 0b0010, 0b0100, 0b1000, 0b0011, 0b0101, 0b0110, 0b1001, 0b1010, 0b1100, 0b0111,
+       0b1011, 0b1101, 0b1110, 0b1111},
+      15}}};
 [[nodiscard]] constexpr FaceList tested_faces(int vertices, RegionOrder order) {
-  FaceList sorted;
-  if (vertices == 2) {
-    for (const Face face : {0b10, 0b01, 0b11}) sorted.add(face);  // u <= 0 first, as on the slides
-  } else if (vertices == 3) {
-    for (const Face face : {0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111}) sorted.add(face);
-  } else {
-    for (int size = 1; size <= vertices; ++size) {
-      for (Face face = 1; face < (1 << vertices); ++face) {
-        if (vertex_count(face) == size) sorted.add(face);
-      }
-    }
-  }
-  if (order != RegionOrder::edges_first) return sorted;
+  const FaceList& vertices_first = kVerticesFirst[vertices - 1];
+  if (order != RegionOrder::edges_first) return vertices_first;
   FaceList edges_first;
   for (const bool edges : {true, false}) {
-    for (const Face face : sorted) {
+    for (const Face face : vertices_first) {
       if ((vertex_count(face) == 2) == edges) edges_first.add(face);
     }
   }
@@ -115,9 +111,8 @@ struct Coordinates {
       }
     }
     if constexpr (kCount > 2 && D > 2) {
-      for (Face face = 7; face < of_face.size(); ++face) {
-        if (vertex_count(face) > 2 && vertex_count(face) <= D)
-          note(face, barycentric(simplex, face));
+      for (const Face face : {0b0111, 0b1011, 0b1101, 0b1110}) {
+        if (face <= simplex.all()) note(face, barycentric(simplex, face));
       }
     }
     if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
@@ -204,27 +199,41 @@ template <class S, int D>
   }
 }
 
+/// The squared distance of O from the line or plane through `face`, of 2 to D vertices. Unlike that
+/// of P it needs no weights, and is exactly 0 when O lies there.
+template <class S, int D>
+[[nodiscard]] S distance_sq(const Simplex<S, D>& simplex, Face face) {
+  const FaceVertices& in_face = vertices_of(face);
+  const Vec<S, D>& a = simplex.vertices[in_face.index[0]].w;
+  if constexpr (D == 3) {
+    if (in_face.count == 2) {
+      const Vec<S, D> edge = simplex.vertices[in_face.index[1]].w - a;
+      const Vec<S, D> moment = cross(edge, a);
+      return dot(moment, moment) / dot(edge, edge);
+    }
+  }
+  std::array<Vec<S, D>, D> facet;
+  for (int k = 0; k < D; ++k) facet[k] = simplex.vertices[in_face.index[k]].w;
+  const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
+  const S side = dot(normal, a);
+  return side * S(side / dot(normal, normal));
+}
+
 /// P on `face`, by its coordinates. Where O lies in the face P is O itself; the weighted sum would
 /// only say so up to rounding.
 template <class S, int D>
 void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
                  DirectionRule rule) {
-  const FaceVertices& in_face = vertices_of(face);
-  const int size = in_face.count;
+  const int size = vertex_count(face);
   state.region = face;
   set_weights(state.simplex, face, coordinates);
-  std::array<Vec<S, D>, D> facet;  // of a smaller face, some vertices: not asked about
-  for (int k = 0; k < D; ++k) facet[k] = state.simplex.vertices[in_face.index[k]].w;
-  const S volume = size == D ? determinant<S, D>(facet) : S(0);  // that O spans with it
-  const bool at_origin = size == D + 1 || (size == D && volume == S(0));
+  const bool has_line = 1 < size && size <= D && S(0) < coordinates.denominator;
+  const S from_line_sq = has_line ? distance_sq(state.simplex, face) : S(1);
+  const bool at_origin = size == D + 1 || from_line_sq == S(0);
   state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
   state.p_sq = dot(state.p, state.p);
-  if constexpr (!ScalarTraits<S>::kExact) {
-    // From the facet's own line or plane, as its normal: neither divides by a length.
-    if (size == D && !at_origin && rule == DirectionRule::perpendicular) {
-      const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
-      state.p_sq = volume * S(volume / dot(normal, normal));
-    }
+  if (has_line && !ScalarTraits<S>::kExact && rule == DirectionRule::perpendicular) {
+    state.p_sq = from_line_sq;
   }
 }
 

@@ -7,23 +7,35 @@ namespace gjk {
 
 /// The direction that `rule` builds from a culled simplex and its closest point.
 ///
-/// perpendicular: a facet's normal does not depend on P, needs no division, and is as perpendicular
-/// to the facet as one rounding allows. Its sign is fixed so that dot(d, O - A) > 0 (Catto 2010,
-/// slide "Fixing the sign"). Below a facet (a vertex; in space also an edge) the normal is not
-/// unique, and a facet of coinciding points has none: then d = O - P.
+/// perpendicular: from the simplex alone, without a division, and so as perpendicular to it as one
+/// rounding allows.
+///   vertex A            -A
+///   edge in space       e x (e x A) with e = B - A: of the normals of the edge, that towards O
+///   edge in the plane,  its normal, with the sign that makes dot(d, O - A) > 0 (Catto 2010, slide
+///   triangle in space   "Fixing the sign")
+/// A simplex of coinciding or collinear points has no normal: then d = O - P.
 template <class S, int D>
 [[nodiscard]] DirectionNote<S, D> search_direction(const Simplex<S, D>& simplex, const Vec<S, D>& p,
                                                    DirectionRule rule) {
   DirectionNote<S, D> note;
   note.d = -p;
-  if (rule != DirectionRule::perpendicular || simplex.count != D) return note;
+  if (rule != DirectionRule::perpendicular || simplex.count == 1) return note;
+  const Vec<S, D>& a = simplex.vertices[0].w;
+  if constexpr (D == 3) {
+    if (simplex.count == 2) {
+      const Vec<S, D> edge = simplex.vertices[1].w - a;
+      const Vec<S, D> towards_origin = cross(edge, cross(edge, a));
+      if (!is_zero(towards_origin)) note.d = towards_origin;
+      return note;
+    }
+  }
   std::array<Vec<S, D>, D> facet;
   for (int i = 0; i < D; ++i) facet[i] = simplex.vertices[i].w;
   const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
   if (is_zero(normal)) return note;
   note.from_normal = true;
   note.normal = normal;
-  note.side = -dot(normal, simplex.vertices[0].w);
+  note.side = -dot(normal, a);
   note.flipped = note.side < S(0);
   note.sign_is_arbitrary = note.side == S(0);
   note.d = note.flipped ? Vec<S, D>(-normal) : normal;

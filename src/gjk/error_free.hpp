@@ -12,8 +12,12 @@ namespace gjk {
 /// 1971, "A floating-point technique for extending the available precision").
 template <class R>
 struct DoubleWord {
-  R hi{};
-  R lo{};
+  R hi = R(0);
+  R lo = R(0);
+  DoubleWord() = default;
+  explicit DoubleWord(int value) : hi(static_cast<R>(value)) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a number is a sum of itself and nothing.
+  DoubleWord(const R& value, const R& rest = R(0)) : hi(value), lo(rest) {}
 };
 
 /// a + b, exactly (Knuth 1969, "The Art of Computer Programming", vol. 2, section 4.2.2).
@@ -69,6 +73,14 @@ template <class R>
 [[nodiscard]] DoubleWord<R> operator*(const DoubleWord<R>& a, const DoubleWord<R>& b) {
   const DoubleWord<R> product = exact_product(a.hi, b.hi);
   return normalised<R>({product.hi, product.lo + R(R(a.hi * b.lo) + R(a.lo * b.hi))});
+}
+template <class R>
+[[nodiscard]] bool operator<(const DoubleWord<R>& a, const DoubleWord<R>& b) {
+  return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+}
+template <class R>
+[[nodiscard]] bool operator==(const DoubleWord<R>& a, const DoubleWord<R>& b) {
+  return a.hi == b.hi && a.lo == b.lo;
 }
 
 }  // namespace gjk

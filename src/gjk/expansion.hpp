@@ -107,7 +107,11 @@ struct ScalarTraits<Expansion> {
   static constexpr bool kExact = true;
   template <class From>
   [[nodiscard]] static Expansion from(const From& value) {
-    return Expansion(static_cast<double>(value));
+    if constexpr (std::is_same_v<From, Expansion>) {
+      return value;
+    } else {
+      return Expansion(static_cast<double>(value));
+    }
   }
   [[nodiscard]] static bool is_finite(const Expansion&) { return true; }
   [[nodiscard]] static Real root(const Expansion& a) { return std::sqrt(a.estimate()); }

@@ -13,6 +13,11 @@ namespace gjk {
 /// directions are turned into its frame.
 inline constexpr int kMaxPlaced = 8;
 
+/// Products of so many lengths are the largest that a run makes: |d|^2. In the plane d is as long
+/// as an edge; in space it may be a product of three.
+template <int D>
+inline constexpr int kDegree = D == 2 ? 2 : 6;
+
 /// One shape as a run sees it. R: the scalar of the run, not of the query.
 template <class R, int D>
 struct Body {
@@ -296,7 +301,8 @@ template <class R, class S, int D>
     prepared = in_unit(prepared.exponent + Traits::exponent(prepared.reach));
   }
   if (!Traits::is_finite(prepared.reach)) return refused(Error::overflow);
-  return Traits::is_in_range(prepared.reach) ? prepared : refused(Error::underflow);
+  return Traits::template is_in_range<kDegree<D>>(prepared.reach) ? prepared
+                                                                  : refused(Error::underflow);
 }
 
 template <class R, class S, int D>
@@ -307,7 +313,7 @@ void prepare(const Bodies<S, D>& bodies, const Options& options, Prepared<R, D>&
     set_frames(bodies, 0, prepared);
   } else {
     prepare_in_unit(bodies, 0, prepared);
-    if (ScalarTraits<R>::is_in_range(prepared.reach)) [[likely]]
+    if (ScalarTraits<R>::template is_in_range<kDegree<D>>(prepared.reach)) [[likely]]
       return;
     prepared = prepared_in_good_unit<R>(bodies);
   }

@@ -62,26 +62,30 @@ struct ScalarTraits {
     return static_cast<S>(std::ldexp(a, exponent));
   }
 
-  /// Sizes from 2^kLeastExponent to 2^kLargestExponent, whose products keep all digits that could
-  /// matter: those of two numbers as small as u^kSmallest times the size lose none, and sums of
-  /// some products of two stay finite. (long double has room for more; the powers are made as
-  /// doubles.)
-  static constexpr int kSmallest = std::numeric_limits<S>::max_exponent < 1024 ? 1 : 3;
-  static constexpr int kLeastExponent =
-      std::clamp((std::numeric_limits<S>::min_exponent +
-                  (2 * kSmallest + 1) * std::numeric_limits<S>::digits) /
-                     2,
-                 -1000, -1);
-  static constexpr int kLargestExponent =
-      std::min((std::numeric_limits<S>::max_exponent - 6) / 2, 1000);
+  /// Is this a size of Z at which products of `degree` lengths keep all digits that could matter?
+  /// Those of numbers as small as u^kSmallest times the size lose none, and sums of some stay
+  /// finite.
+  template <int degree = 2>
   [[nodiscard]] static bool is_in_range(const S& size) {
-    return S(kLeastSize) <= size && size <= S(kLargestSize);
+    return S(kLeast<degree>) <= size && size <= S(kLargest<degree>);
+  }
+  static constexpr int kSmallest = std::numeric_limits<S>::max_exponent < 1024 ? 1 : 3;
+  /// Such sizes are 2^least_exponent to 2^largest_exponent. (long double has room for more; the
+  /// powers are made as doubles.)
+  [[nodiscard]] static constexpr int least_exponent(int degree = 2) {
+    const int kept = (2 * kSmallest + 1) * std::numeric_limits<S>::digits;
+    return std::clamp((std::numeric_limits<S>::min_exponent + kept) / degree, -1000, -1);
+  }
+  [[nodiscard]] static constexpr int largest_exponent(int degree = 2) {
+    return std::min((std::numeric_limits<S>::max_exponent - 6) / degree, 1000);
   }
 
  private:
   static constexpr double kRoundoff = detail::power_of_two(-std::numeric_limits<S>::digits);
-  static constexpr double kLeastSize = detail::power_of_two(kLeastExponent);
-  static constexpr double kLargestSize = detail::power_of_two(kLargestExponent);
+  template <int degree>
+  static constexpr double kLeast = detail::power_of_two(least_exponent(degree));
+  template <int degree>
+  static constexpr double kLargest = detail::power_of_two(largest_exponent(degree));
 };
 
 /// Stands for the scalar in which `distance` and `trace` run unless told otherwise: that of the

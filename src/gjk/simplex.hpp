@@ -35,11 +35,9 @@ struct FaceVertices {
 namespace detail {
 inline constexpr auto kFaceVertices = [] {
   std::array<FaceVertices, 1 << (kMaxDimension + 1)> out = {};
-  for (int face = 0; face < static_cast<int>(out.size()); ++face) {
-    for (int i = 0; i <= kMaxDimension; ++i) {
-      if (contains(static_cast<Face>(face), i)) {
-        out[face].index[out[face].count++] = static_cast<std::uint8_t>(i);
-      }
+  for (unsigned face = 0; face < out.size(); ++face) {
+    for (std::uint8_t i = 0; i <= kMaxDimension; ++i) {
+      if (contains(static_cast<Face>(face), i)) out[face].index[out[face].count++] = i;
     }
   }
   return out;
@@ -114,43 +112,43 @@ template <class S, int D>
   return out;
 }
 
+// Triangle ABC in space: the same areas, of O's projection onto the plane, measured along the
+// triangle's normal n = (B - A) x (C - A) (Ericson 2005, "Real-Time Collision Detection", 3.4).
+template <class S>
+[[nodiscard]] Barycentric<S, 3> triangle_coordinates(const Simplex<S, 3>& simplex, int a, int b,
+                                                     int c) {
+  const Vec<S, 3>& point_a = simplex.vertices[a].w;
+  const Vec<S, 3>& point_b = simplex.vertices[b].w;
+  const Vec<S, 3>& point_c = simplex.vertices[c].w;
+  const Vec<S, 3> edge_ab = point_b - point_a;
+  const Vec<S, 3> edge_ca = point_a - point_c;
+  const Vec<S, 3> normal = cross(edge_ca, edge_ab);
+  Barycentric<S, 3> out{};
+  if (is_zero(normal)) return out;
+  out.denominator = dot(normal, normal);
+  out.numerator[a] = dot(normal, cross(point_b, Vec<S, 3>(point_c - point_b)));
+  out.numerator[b] = dot(normal, cross(point_c, edge_ca));
+  out.numerator[c] = dot(normal, cross(point_a, edge_ab));
+  return out;
+}
+
 }  // namespace detail
 
 /// Coordinates of O in `face`, which has at least one vertex.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
-  Barycentric<S, D> out{};
-  const int size = vertex_count(face);
-  int first = 0;
-  while (!contains(face, first)) ++first;
-  if (size == 1) {
-    out.numerator[first] = S(1);
-    out.denominator = S(1);
-  } else if (size == 2) {
-    int second = first + 1;
-    while (!contains(face, second)) ++second;
-    return detail::segment_coordinates(simplex, first, second);
-  } else if (size == D + 1) {
-    return detail::volume_coordinates(simplex);
-  } else {
-    // Between a segment and a full simplex: Johnson's recursion (Gilbert, Johnson, Keerthi 1988),
-    // which gives the coordinate of vertex j from those of the face without j.
-    for (int j = 0; j < simplex.count; ++j) {
-      if (!contains(face, j)) continue;
-      const Face rest = static_cast<Face>(face & ~face_of(j));
-      const Barycentric<S, D> part = barycentric(simplex, rest);
-      int k = 0;
-      while (!contains(rest, k)) ++k;
-      const Vec<S, D> difference = simplex.vertices[k].w - simplex.vertices[j].w;
-      for (int i = 0; i < simplex.count; ++i) {
-        if (!contains(rest, i)) continue;
-        const S term = part.numerator[i] * dot(simplex.vertices[i].w, difference);
-        out.numerator[j] = out.numerator[j] + term;
-      }
-      out.denominator = out.denominator + out.numerator[j];
+  const auto& [vertex, count] = vertices_of(face);
+  if (count == 2) return detail::segment_coordinates(simplex, vertex[0], vertex[1]);
+  if (count == D + 1) return detail::volume_coordinates(simplex);
+  if constexpr (D == 3) {
+    if (count == 3) {
+      return detail::triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
     }
   }
-  return out;
+  Barycentric<S, D> point{};
+  point.numerator[vertex[0]] = S(1);
+  point.denominator = S(1);
+  return point;
 }
 
 /// The largest coordinate of the simplex.

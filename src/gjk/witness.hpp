@@ -21,16 +21,15 @@ template <class R, int D>
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
                                                      const Vec<R, D>& beyond, int exponent) {
+  using Word = DoubleWord<R>;
   const R unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  Vec<Word, D> local;
+  for (int k = 0; k < D; ++k) local[k] = exact_sum(R(from[k] * unit), R(beyond[k] * unit));
+  const Vec<Word, D> turned = pose.template rotated<Word>(local);
   Vec<R, D> world;
   for (int row = 0; row < D; ++row) {
-    CarefulSum<R> sum(ScalarTraits<R>::from(pose.translation[row]) * unit);
-    for (int k = 0; k < D; ++k) {
-      const R entry = ScalarTraits<R>::from(pose.rotation(row, k));
-      sum.add_product(entry, R(from[k] * unit));
-      sum.add_product(entry, R(beyond[k] * unit));
-    }
-    world[row] = ScalarTraits<R>::scaled(normalised(sum.sum()).hi, exponent);
+    const Word place = ScalarTraits<R>::from(pose.translation[row]) * unit;
+    world[row] = ScalarTraits<R>::scaled((turned[row] + place).hi, exponent);
   }
   return world;
 }

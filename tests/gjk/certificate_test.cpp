@@ -44,9 +44,10 @@ Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
     const bool inside = gjk::detail::surely_inside(state.best, prepared);
     return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
   }
-  gjk::detail::OutsideBounds<R, S> outside(state, query, prepared);
-  const gjk::Bounds<R> bounds = outside.prove(ended);
-  return {bounds, outside.is_tight(bounds)};
+  gjk::Simplex<R, 2> simplex = state.best;
+  gjk::detail::OutsideBounds<R, S, 2> outside(state, query, prepared);
+  const gjk::Bounds<R> bounds = outside.prove(ended, simplex);
+  return {bounds, outside.is_tight()};
 }
 
 /// O against some points of Z = Y, and the state of a run that found them all.
@@ -95,7 +96,9 @@ TEST(at_origin, "weights put P at O when it is as close as two roundings of the 
   CHECK(!gjk::detail::is_at_origin(simplex_of<double>({{-2, 2.0001 * most}, {2, 0}})));
 }
 
-TEST(room, "exact products have room from 2^-400 to 2^400 of the unit; under poses, to 2^-200") {
+TEST(room,
+     "exact products have room from 2^-400 to 2^400 of the unit; under poses, and in space, to "
+     "2^-200; under poses in space, to 2^-80") {
   const auto has_room = [](double number, int place, bool same_frame) {
     Pair<double> pair{{{1, 1}}, {{1, 1}, {2, 0}}};
     if (place < 2) pair.x[0][place] = std::ldexp(number, 7);
@@ -121,12 +124,33 @@ TEST(room, "exact products have room from 2^-400 to 2^400 of the unit; under pos
   }
 }
 
+TEST(room_in_space, "in space products are of twice as many numbers") {
+  const auto has_room = [](double number, bool turned) {
+    const std::vector<Vec<double, 3>> x = {{1, 1, number}};
+    gjk::Pose<double, 3> pose;
+    if (turned) pose.rotation = Eigen::Matrix3d{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+    return gjk::detail::has_exact_products(gjk::Query<double, 3>{{x, pose}, {x}}, !turned, 0);
+  };
+  for (const bool turned : {false, true}) {
+    const int most = turned ? 80 : 200;
+    CHECK(has_room(std::ldexp(1.0, -most), turned) && has_room(std::ldexp(1.0, most), turned));
+    CHECK(!has_room(std::ldexp(0.99, -most), turned) && !has_room(std::ldexp(1.01, most), turned));
+  }
+}
+
 TEST(alone, "vertices are alone when no other lies less than the error nearer") {
   const Case<double> points({{0, 0}, {4, 0}, {4, 1}, {3, 7}}, 1);
   const auto alone = [&](int i, int j, double error) {
     const gjk::Query<double, 2> query = points.query();
     const auto prepared = points.prepared();
-    return gjk::detail::are_alone(Vec<double, 2>(1, 0), query.y, prepared, prepared.y, i, j, error);
+    gjk::Simplex<double, 2> simplex;
+    simplex.count = 2;
+    simplex.vertices[0].pair.y = i;
+    simplex.vertices[1].pair.y = j;
+    const gjk::detail::Corners corners(simplex, &gjk::VertexPair::y);
+    CHECK_EQ(i == j ? 1 : 2, corners.count);
+    return gjk::detail::are_alone(Vec<double, 2>(1, 0), query.y, prepared, prepared.y, corners,
+                                  error);
   };
   CHECK(alone(1, 2, 0.0));
   CHECK(alone(1, 2, 0.99));
@@ -184,20 +208,21 @@ TEST(far_plane, "farther off the plane of the run is what proves the lower bound
   CHECK(edge.bounds().upper > 30.0 + 2 * kDoubleU * 30);
 }
 
-TEST(beyond_end,
-     "where the foot on an edge may lie beyond its end, the upper bound allows for it") {
-  constexpr float kHeight = kFloatU;
-  Case<float> edge({{0, kHeight}, {2, kHeight}, {1, 2}}, 2);
-  edge.state.best.weights = {0.5f, 0.5f, 0};
-  const float upper = edge.bounds().upper;
-  CHECK_NEAR(kHeight, upper, 0.01f * kHeight);
-  for (const bool first : {true, false}) {
-    edge.state.best.weights = {first ? 1.0f : 0.0f, first ? 0.0f : 1.0f, 0};
-    CHECK(edge.bounds().upper > 4 * kHeight);
-    CHECK(edge.bounds().upper < 32 * kHeight);
-    const float inside = 100 * kFloatU;
-    edge.state.best.weights = {first ? 1 - inside : inside, first ? inside : 1 - inside, 0};
-    CHECK_EQ(upper, edge.bounds().upper);
+TEST(beyond_end, "an upper bound is the distance of a point of the edge, not of its line") {
+  for (int k = -40; k <= 16; ++k) {  // the foot lies so far beyond the end, in u times the edge
+    for (const float height : {0x1p-24f, 0x1p-12f, 1.0f, 30.0f}) {
+      const float beside = static_cast<float>(k) * 2 * kFloatU;
+      Case<float> edge({{beside, height}, {beside + 2, height}, {beside + 1, 80}}, 2);
+      const double exact = std::hypot(std::max(double{beside}, 0.0), double{height});
+      const float weight = std::max(-beside / 2, 0.0f);
+      for (const float rounding : {0.0f, kFloatU, 4 * kFloatU}) {
+        const check::Context context("beside", k, "height", height, "rounding", rounding);
+        edge.state.best.weights = {1 - (weight + rounding), weight + rounding, 0};
+        const auto bounds = edge.bounds();
+        CHECK(exact <= double{bounds.upper});
+        CHECK(double{bounds.upper} <= exact + 64 * kFloatU * (1 + exact));
+      }
+    }
   }
 }
 
@@ -290,97 +315,121 @@ TEST(near_width, "close to O, bounds are tight that are no wider than four times
   CHECK(!is_tight(16));
 }
 
-using Wide = Vec<long double, 2>;
-Wide difference(const Pair<double>& pair, gjk::VertexPair at) {
-  const Wide x =
-      pair.x_pose.rotation.matrix().cast<long double>() * pair.x[at.x].cast<long double>();
-  const Wide y =
-      pair.y_pose.rotation.matrix().cast<long double>() * pair.y[at.y].cast<long double>();
-  return (y - x) + (pair.y_pose.translation.cast<long double>() -
-                    pair.x_pose.translation.cast<long double>());
+template <int D>
+using Wide = Vec<long double, D>;
+template <int D>
+struct PosedPair {
+  std::vector<Vec<float, D>> x;
+  std::vector<Vec<float, D>> y;
+  gjk::Pose<float, D> x_pose;
+  gjk::Pose<float, D> y_pose;
+
+  explicit PosedPair(families::Source& random) {
+    const auto anywhere = [&](double size) {
+      Vec<float, D> out;
+      for (int k = 0; k < D; ++k) out[k] = static_cast<float>(size * random.between(-1, 1));
+      return out;
+    };
+    const double size_of_y = random.magnitude(1e-3, 1);
+    for (int i = 0; i < D; ++i) x.push_back(anywhere(1));
+    for (int i = 0; i < D; ++i) y.push_back(anywhere(size_of_y));
+    x_pose.translation = anywhere(random.magnitude(0.1, 100));
+    y_pose.translation = anywhere(1) + x_pose.translation;
+    Eigen::Matrix<float, D, D> turn;
+    for (int k = 0; k < D; ++k) turn.col(k) = anywhere(1);
+    y_pose.rotation = turn;
+  }
+  [[nodiscard]] gjk::Query<float, D> query() const { return {{x, x_pose}, {y, y_pose}}; }
+  [[nodiscard]] Wide<D> vertex(gjk::VertexPair at) const {
+    const Wide<D> turned = y_pose.rotation.matrix().template cast<long double>() *
+                           y[at.y].template cast<long double>();
+    return (turned - x[at.x].template cast<long double>()) +
+           (y_pose.translation.template cast<long double>() -
+            x_pose.translation.template cast<long double>());
+  }
+};
+/// Any face of Z; that of a triangle in space at least so far from flat.
+template <int D>
+gjk::Simplex<float, D> any_face(const PosedPair<D>& pair, families::Source& random) {
+  gjk::Simplex<float, D> face;
+  face.count = random.among(1, D);
+  for (int i = 0; i < face.count; ++i) {
+    face.vertices[i].pair = {random.among(0, D - 1), random.among(0, D - 1)};
+    face.vertices[i].w = pair.vertex(face.vertices[i].pair).template cast<float>();
+  }
+  return face;
+}
+template <int D>
+long double exact_distance(const PosedPair<D>& pair, const gjk::Simplex<float, D>& face) {
+  gjk::Simplex<long double, D> wide;
+  wide.count = face.count;
+  for (int i = 0; i < face.count; ++i) wide.vertices[i].w = pair.vertex(face.vertices[i].pair);
+  return gjk::detail::foot_of<long double>(wide).distance;
 }
 
-TEST(careful, "a careful distance errs by no more than 4 u of itself and the careful error") {
+template <int D>
+void check_careful_distances() {
   families::Source random(kSeed);
-  int edges = 0;
-  int vertices = 0;
+  std::array<int, D + 1> faces = {};
   long double most = 0;
   for (int i = 0; i < 40000; ++i) {
-    const int family = i % kFamilyCount;
-    const check::Context context("seed", kSeed, "pair", i, kFamilyNames[family]);
-    const auto pair = random.pair<float>(static_cast<Family>(family));
-    const auto wide = families::converted<double>(pair);
-    const gjk::Query<float, 2> query = pair.query();
-    const auto prepared = gjk::prepare<float>(query, {});
-    const auto any = [&] {
-      return gjk::VertexPair{random.among(0, static_cast<int>(pair.x.size()) - 1),
-                             random.among(0, static_cast<int>(pair.y.size()) - 1)};
-    };
-    gjk::Simplex<float, 2> simplex;
-    simplex.count = random.among(1, 2);
-    simplex.vertices[0].pair = any();
-    simplex.vertices[1].pair = any();
-    const Wide a =
-        difference(wide, simplex.vertices[0].pair) * std::ldexp(1.0L, -prepared.exponent);
-    const Wide b =
-        difference(wide, simplex.vertices[1].pair) * std::ldexp(1.0L, -prepared.exponent);
-    const Wide edge = b - a;
-    if (simplex.count == 2 && edge.norm() <= 0x1p-10L * prepared.reach) continue;
-    if (static_cast<Family>(family) == Family::speck) continue;
-    const long double exact =
-        simplex.count == 1 ? a.norm() : (a[0] * edge[1] - a[1] * edge[0]) / edge.norm();
-    const gjk::VertexPair at_a = simplex.vertices[0].pair;
-    const float found = simplex.count == 1
-                            ? gjk::detail::careful_distance<float>(
-                                  gjk::detail::careful_vertex(query, prepared, at_a))
-                            : gjk::detail::careful_distance<float>(gjk::detail::careful_edge(
-                                  query, prepared, at_a, simplex.vertices[1].pair));
-    const long double bound = 4 * kFloatU * std::abs(exact) + prepared.careful_error();
-    CHECK_NEAR(exact, static_cast<long double>(found), bound);
-    if (bound > 0) most = std::max(most, std::abs(exact - found) / bound);
-    ++(simplex.count == 1 ? vertices : edges);
+    const check::Context context("seed", kSeed, "pair", i);
+    const PosedPair<D> pair(random);
+    const auto prepared = gjk::prepare<float>(pair.query(), {});
+    const auto face = any_face(pair, random);
+    const auto careful = gjk::detail::careful_simplex(face, pair.query(), prepared);
+    const auto foot = gjk::detail::foot_of<float>(careful);
+    const float flatness = face.count == 1 ? 0 : foot.longest / foot.height;
+    if (!(foot.height > 0x1p-10f) || !(flatness < 1024)) continue;  // some are one point
+    const long double exact = exact_distance<D>(pair, face);
+    const long double bound = gjk::detail::kCarefulRoundings * kFloatU * exact +
+                              prepared.careful_error() * (1 + flatness + 1 / foot.height);
+    CHECK_NEAR(exact, static_cast<long double>(foot.distance), bound);
+    most = std::max(most, std::abs(exact - foot.distance) / bound);
+    ++faces[face.count];
+    // d is normal to the face, and points from there to O.
+    const Vec<long double, D> d = foot.d.template cast<long double>();
+    const Wide<D> a = pair.vertex(face.vertices[0].pair);
+    CHECK_NEAR(-exact, a.dot(d) / d.norm(), 16 * kFloatU * a.norm() * (1 + flatness));
+    for (int k = 1; k < face.count; ++k) {
+      const Wide<D> edge = pair.vertex(face.vertices[k].pair) - a;
+      CHECK_NEAR(0.0L, edge.dot(d) / d.norm(), 16 * kFloatU * edge.norm());
+    }
   }
   std::printf("  error up to %.2Lf of its bound\n", most);
   CHECK(most > 0.25L);
-  CHECK(edges > 10000);
-  CHECK(vertices > 10000);
+  for (int count = 1; count <= D; ++count) CHECK(faces[count] > 5000);
 }
-
-TEST(careful_sides,
-     "a careful distance is negative on the side to which the perpendicular points") {
-  for (const double height : {0.5, -0.5}) {
-    const Case<double> edge({{-1, height}, {3, height}}, 2);
-    const auto query = edge.query();
-    const auto prepared = edge.prepared();
-    const double signed_distance = gjk::detail::careful_distance<double>(
-        gjk::detail::careful_edge(query, prepared, {0, 0}, {0, 1}));
-    const Vec<double, 2> normal = gjk::perpendicular<double, 2>({edge.y[1] - edge.y[0]});
-    const double towards_o = gjk::dot(normal, Vec<double, 2>(-edge.y[0]));
-    CHECK_EQ(towards_o > 0 ? -0.5 : 0.5, signed_distance);
-  }
+TEST(careful, "a careful distance errs by no more than a few u of itself and the careful error") {
+  check_careful_distances<2>();
+  check_careful_distances<3>();
 }
 
 TEST(careful_weights, "weights of a thin simplex have nearly all digits, and add up to 1") {
   families::Source random(kSeed);
+  int around_origin = 0;
   for (int i = 0; i < 5000; ++i) {
     const check::Context context("seed", kSeed, "triangle", i);
     const auto width = static_cast<float>(random.magnitude(1e-6, 1));
     const auto x = static_cast<float>(random.between(-1, 1));
     const auto y = static_cast<float>(random.between(-1, 1));
     Case<float> thin({{-x, -y}, {x + width, y}, {x, y + width}}, 3);
-    gjk::detail::set_careful_weights(thin.state.best, thin.query(), thin.prepared());
+    const auto weights = gjk::detail::weights_of<float>(
+        gjk::detail::careful_simplex(thin.state.best, thin.query(), thin.prepared()));
     std::array<long double, 3> parts;
     for (int k = 0; k < 3; ++k) {
-      const Wide b = thin.y[(k + 1) % 3].cast<long double>();
-      const Wide c = thin.y[(k + 2) % 3].cast<long double>();
-      parts[k] = std::abs(b[0] * c[1] - b[1] * c[0]);
+      const Wide<2> b = thin.y[(k + 1) % 3].cast<long double>();
+      const Wide<2> c = thin.y[(k + 2) % 3].cast<long double>();
+      parts[k] = b[0] * c[1] - b[1] * c[0];
     }
     const long double sum = parts[0] + parts[1] + parts[2];
+    if (std::min({parts[0] / sum, parts[1] / sum, parts[2] / sum}) < 0) continue;
+    ++around_origin;
     for (int k = 0; k < 3; ++k) {
-      CHECK_NEAR(parts[k] / sum, static_cast<long double>(thin.state.best.weights[k]),
-                 8.0L * kFloatU);
+      CHECK_NEAR(parts[k] / sum, static_cast<long double>(weights[k]), 8.0L * kFloatU);
     }
   }
+  CHECK(around_origin > 1000);
 }
 
 TEST(witnesses,

@@ -79,7 +79,7 @@ TEST(floats, "the same in float, where double holds every sum and product") {
 
 TEST(room, "products of the least numbers that a run's unit allows lose nothing") {
   // u times the size; 1 + 2u has its last digit set, and so has its square.
-  constexpr int kLeast = gjk::ScalarTraits<double>::kLeastExponent - 53;
+  constexpr int kLeast = gjk::ScalarTraits<double>::least_exponent() - 53;
   const double all_digits = 1.0 + 0x1p-52;
   const DoubleWord<double> expected = gjk::exact_product(all_digits, all_digits);
   const double least = std::ldexp(all_digits, kLeast);

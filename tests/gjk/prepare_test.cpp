@@ -95,7 +95,7 @@ void check_units() {
     const Pair<S> pair = points_apart(Traits::scaled(S(1), e));
     const gjk::Prepared<S, 2> found = prepared<S>(pair);
     CHECK_EQ(Error::none, found.error);
-    const bool good = Traits::kLeastExponent <= e && e <= Traits::kLargestExponent;
+    const bool good = Traits::least_exponent() <= e && e <= Traits::largest_exponent();
     const int limit = Limits::max_exponent - 3;
     CHECK_EQ(good ? 0 : std::clamp(e, -limit, limit), found.exponent);
     CHECK_EQ(S(1), Traits::scaled(found.unit, found.exponent));

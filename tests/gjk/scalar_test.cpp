@@ -91,25 +91,25 @@ bool keeps_products(int exponent) {
 template <class S>
 void check_good_sizes(bool smallest_keeps) {
   using Traits = gjk::ScalarTraits<S>;
-  CHECK_EQ(smallest_keeps, keeps_products<S>(Traits::kLeastExponent));
+  CHECK_EQ(smallest_keeps, keeps_products<S>(Traits::least_exponent()));
   const bool has_more_room = std::is_same_v<S, long double>;
-  CHECK_EQ(has_more_room, keeps_products<S>(Traits::kLeastExponent - 2));
+  CHECK_EQ(has_more_room, keeps_products<S>(Traits::least_exponent() - 2));
   const auto squares_are_finite = [](int exponent) {
     const S size = Traits::scaled(S(1.75), exponent);
     return Traits::is_finite(S(S(4) * S(size * size)));
   };
-  CHECK(squares_are_finite(Traits::kLargestExponent));
-  CHECK_EQ(has_more_room, squares_are_finite(Traits::kLargestExponent + 3));
+  CHECK(squares_are_finite(Traits::largest_exponent()));
+  CHECK_EQ(has_more_room, squares_are_finite(Traits::largest_exponent() + 3));
 
   const auto is_good = [](int exponent) {
     return Traits::is_in_range(Traits::scaled(S(1), exponent));
   };
-  CHECK(!is_good(Traits::kLeastExponent - 1) && is_good(Traits::kLeastExponent));
-  CHECK(is_good(Traits::kLargestExponent) && !is_good(Traits::kLargestExponent + 1));
+  CHECK(!is_good(Traits::least_exponent() - 1) && is_good(Traits::least_exponent()));
+  CHECK(is_good(Traits::largest_exponent()) && !is_good(Traits::largest_exponent() + 1));
   CHECK(is_good(-1) && is_good(0));  // as where the size is the unit of length
 }
 
-TEST(good_sizes, "sizes between 2^kLeastExponent and 2^kLargestExponent square without loss") {
+TEST(good_sizes, "sizes between 2^least_exponent and 2^largest_exponent square without loss") {
   check_good_sizes<float>(true);
   check_good_sizes<double>(true);
   check_good_sizes<long double>(true);
