@@ -149,7 +149,9 @@ struct gjk::ScalarTraits<gjkscope::Quad> {
   /// underflow here.
   static constexpr int kLeastExponent = -1080;
   static constexpr int kLargestExponent = 1030;
+  template <int degree = 2>
   [[nodiscard]] static bool is_in_range(const Quad& size) {
+    static_assert(degree == 2, "quad is asked about the plane");
     return Quad::power_of_two(kLeastExponent) <= size &&
            size <= Quad::power_of_two(kLargestExponent);
   }
