@@ -8,21 +8,7 @@
 #include "gjk/prepare.hpp"
 #include "gjk/simplex.hpp"
 
-template <class R>
-struct Eigen::NumTraits<gjk::DoubleWord<R>> : Eigen::GenericNumTraits<R> {};
-
 namespace gjk {
-
-/// What turning a vertex asks of a scalar, and no more.
-template <class R>
-struct ScalarTraits<DoubleWord<R>> {
-  using Real = R;
-  static constexpr bool kExact = false;
-  template <class From>
-  [[nodiscard]] static DoubleWord<R> from(const From& value) {
-    return ScalarTraits<R>::from(value);
-  }
-};
 
 namespace detail {
 

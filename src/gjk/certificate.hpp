@@ -86,7 +86,7 @@ template <class R, class S, int D>
 /// with about twice the digits, and so is the support of their plane.
 inline constexpr int kNear = 4096;
 /// The same for vertices of one frame, which round so little that distances of a sixteenth of the
-/// reach gain by it,
+/// reach gain by it, and in space, where turned vertices round more often,
 inline constexpr int kNearInOneFrame = 16;
 /// and for those from an edge that are over half of the reach: they round up to six times.
 inline constexpr int kFarFromEdge = 2;
@@ -140,7 +140,7 @@ class OutsideBounds {
 
   /// As close as rounding lets bounds be. Else rounding led the run astray.
   [[nodiscard]] bool is_tight() const {
-    return near_ ? upper_ - lower_ <= R(4) * error_ : is_allowed();
+    return is_allowed() && (!near_ || upper_ - lower_ <= R(4) * error_);
   }
 
  private:
@@ -223,7 +223,8 @@ class OutsideBounds {
            (upper_ < no_bound() && width <= allowed * corner_reach());
   }
   [[nodiscard]] bool is_too_rounded() const {
-    return (prepared_.same_frame && R(kNearInOneFrame) * foot_.distance < prepared_.reach) ||
+    const bool gains = prepared_.same_frame || D == 3;
+    return (gains && R(kNearInOneFrame) * foot_.distance < prepared_.reach) ||
            (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot_.distance);
   }
   /// Certainly no vertex of Z but those that the face is made of lies as far along the direction to

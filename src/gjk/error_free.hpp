@@ -83,4 +83,18 @@ template <class R>
   return a.hi == b.hi && a.lo == b.lo;
 }
 
+/// What turning a vertex asks of a scalar, and no more.
+template <class R>
+struct ScalarTraits<DoubleWord<R>> {
+  using Real = R;
+  static constexpr bool kExact = false;
+  template <class From>
+  [[nodiscard]] static DoubleWord<R> from(const From& value) {
+    return ScalarTraits<R>::from(value);
+  }
+};
+
 }  // namespace gjk
+
+template <class R>
+struct Eigen::NumTraits<gjk::DoubleWord<R>> : Eigen::GenericNumTraits<R> {};

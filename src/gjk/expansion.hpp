@@ -1,7 +1,8 @@
 #pragma once
-// Exact arithmetic on doubles: a number is a sum of doubles that do not overlap, smallest first
-// (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
-// predicates"). Slow beside double, and only asked where double cannot decide.
+// Exact arithmetic on doubles: a number is a sum of long doubles that do not overlap, smallest
+// first (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
+// predicates"). Slow beside double, and only asked where double cannot decide. Where long double
+// has a larger exponent than double, no product of some doubles leaves its range.
 
 #include <vector>
 
@@ -10,26 +11,26 @@
 namespace gjk {
 
 /// Sums, differences, products and comparisons are exact while no product of two inputs underflows
-/// or overflows. Division rounds to double: the core divides only for weights, and decides nothing
-/// by them.
+/// or overflows. Division rounds to long double: the core divides only for weights, and decides
+/// nothing by them.
 class Expansion {
  public:
   Expansion() = default;
-  explicit Expansion(double value) {
+  explicit Expansion(long double value) {
     if (value != 0.0) components_.push_back(value);
   }
 
-  /// The nearest number of R, or a neighbour of it. R: double or wider.
+  /// The nearest number of R, or a neighbour of it.
   template <class R = double>
   [[nodiscard]] R estimate() const {
-    R sum(0.0);
-    for (const double component : components_) sum = sum + R(component);
-    return sum;
+    std::conditional_t<std::is_floating_point_v<R>, long double, R> sum(0);
+    for (const long double component : components_) sum += component;
+    return static_cast<R>(sum);
   }
   /// This * 2^exponent.
   [[nodiscard]] Expansion scaled(int exponent) const {
     Expansion out = *this;
-    for (double& component : out.components_) component = std::ldexp(component, exponent);
+    for (long double& component : out.components_) component = std::ldexp(component, exponent);
     return out;
   }
   /// -1, 0 or 1: the largest component decides.
@@ -40,7 +41,7 @@ class Expansion {
 
   friend Expansion operator-(const Expansion& a) {
     Expansion out = a;
-    for (double& component : out.components_) component = -component;
+    for (long double& component : out.components_) component = -component;
     return out;
   }
 
@@ -48,11 +49,11 @@ class Expansion {
     Expansion out;
     auto next_a = a.components_.begin();
     auto next_b = b.components_.begin();
-    double sum = 0.0;
+    long double sum = 0.0;
     while (next_a != a.components_.end() || next_b != b.components_.end()) {
       const bool from_a = next_b == b.components_.end() ||
                           (next_a != a.components_.end() && std::abs(*next_a) < std::abs(*next_b));
-      const DoubleWord<double> step = exact_sum(sum, from_a ? *next_a++ : *next_b++);
+      const DoubleWord<long double> step = exact_sum(sum, from_a ? *next_a++ : *next_b++);
       out.append(step.lo);
       sum = step.hi;
     }
@@ -63,11 +64,11 @@ class Expansion {
 
   friend Expansion operator*(const Expansion& a, const Expansion& b) {
     Expansion out;
-    for (const double factor : b.components_) out = out + a.times(factor);
+    for (const long double factor : b.components_) out = out + a.times(factor);
     return out;
   }
   friend Expansion operator/(const Expansion& a, const Expansion& b) {
-    return Expansion(a.estimate() / b.estimate());
+    return Expansion(a.estimate<long double>() / b.estimate<long double>());
   }
 
   Expansion& operator+=(const Expansion& b) { return *this = *this + b; }
@@ -79,17 +80,17 @@ class Expansion {
   friend bool operator==(const Expansion& a, const Expansion& b) { return (a - b).sign() == 0; }
 
  private:
-  void append(double component) {
+  void append(long double component) {
     if (component != 0.0) components_.push_back(component);
   }
 
-  [[nodiscard]] Expansion times(double factor) const {
+  [[nodiscard]] Expansion times(long double factor) const {
     Expansion out;
-    double carry = 0.0;
-    for (const double component : components_) {
-      const DoubleWord<double> product = exact_product(component, factor);
-      const DoubleWord<double> low = exact_sum(carry, product.lo);
-      const DoubleWord<double> high = exact_sum(product.hi, low.hi);
+    long double carry = 0.0;
+    for (const long double component : components_) {
+      const DoubleWord<long double> product = exact_product(component, factor);
+      const DoubleWord<long double> low = exact_sum(carry, product.lo);
+      const DoubleWord<long double> high = exact_sum(product.hi, low.hi);
       out.append(low.lo);
       out.append(high.lo);
       carry = high.hi;
@@ -98,7 +99,7 @@ class Expansion {
     return out;
   }
 
-  std::vector<double> components_;
+  std::vector<long double> components_;
 };
 
 template <>

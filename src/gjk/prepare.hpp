@@ -150,27 +150,41 @@ template <class S, int D>
   return bad_options ? Error::bad_options : Error::bad_start;
 }
 
+/// From the origin of X's frame to that of Y's, in the run's unit. What both have in common cancels
+/// before it could leave the range of R.
+template <class R, class S, int D>
+[[nodiscard]] Vec<DoubleWord<R>, D> offset_of_origins(const Query<S, D>& query,
+                                                      const Prepared<R, D>& prepared) {
+  const R first = prepared.exponent > 0 ? prepared.unit : R(1);
+  const R last = prepared.exponent > 0 ? R(1) : prepared.unit;
+  Vec<DoubleWord<R>, D> out;
+  for (int i = 0; i < D; ++i) {
+    const R x = ScalarTraits<R>::from(query.x.pose.translation[i]) * first;
+    const R y = ScalarTraits<R>::from(query.y.pose.translation[i]) * first;
+    const DoubleWord<R> offset = exact_sum(y, R(-x));
+    out[i] = DoubleWord<R>(offset.hi * last, offset.lo * last);
+  }
+  return out;
+}
+
 /// From the centre of X to that of Y, with about twice the digits before the last rounding.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
                                                          const Prepared<R, D>& prepared) {
-  const R& unit = prepared.unit;
   const Vec<R, D>& x_centre = prepared.x.centre;
   const Vec<R, D>& y_centre = prepared.y.centre;
   // In one frame nothing is moved by it: it says where to begin, and how far Z may reach.
   if (prepared.same_frame) return prepared.in_unit(y_centre - x_centre);
+  const Vec<DoubleWord<R>, D> origins = offset_of_origins(query, prepared);
+  const auto turned = [&](const Shape<S, D>& shape, const Vec<R, D>& centre) {
+    Vec<DoubleWord<R>, D> in_unit;
+    for (int i = 0; i < D; ++i) in_unit[i] = DoubleWord<R>(centre[i] * prepared.unit);
+    return shape.pose.template rotated<DoubleWord<R>>(in_unit);
+  };
+  const Vec<DoubleWord<R>, D> x = turned(query.x, x_centre);
+  const Vec<DoubleWord<R>, D> y = turned(query.y, y_centre);
   Vec<R, D> out;
-  const auto exact = [](const R& value) { return DoubleWord<R>{value}; };
-  const auto from = [](const S& value) { return DoubleWord<R>{ScalarTraits<R>::from(value)}; };
-  for (int row = 0; row < D; ++row) {
-    DoubleWord<R> offset = exact(ScalarTraits<R>::from(query.y.pose.translation[row]) * unit) -
-                           exact(ScalarTraits<R>::from(query.x.pose.translation[row]) * unit);
-    for (int k = 0; k < D; ++k) {
-      offset = offset + (from(query.y.pose.rotation(row, k)) * exact(y_centre[k] * unit) -
-                         from(query.x.pose.rotation(row, k)) * exact(x_centre[k] * unit));
-    }
-    out[row] = offset.hi;
-  }
+  for (int i = 0; i < D; ++i) out[i] = (origins[i] + (y[i] - x[i])).hi;
   return out;
 }
 
@@ -182,10 +196,9 @@ void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepar
   if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
   prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
                         query.x.pose.translation == query.y.pose.translation;
-  const Vec<R, D> x_place = prepared.in_unit(converted<R, S, D>(query.x.pose.translation));
-  const Vec<R, D> y_place = prepared.in_unit(converted<R, S, D>(query.y.pose.translation));
   if constexpr (ScalarTraits<R>::kExact) {
-    prepared.offset = y_place - x_place;
+    prepared.offset = prepared.in_unit(converted<R, S, D>(query.y.pose.translation) -
+                                       converted<R, S, D>(query.x.pose.translation));
   } else {
     prepared.centred = bodies.x.is_centred || bodies.y.is_centred;
     if (prepared.centred) {
@@ -194,10 +207,10 @@ void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepar
       prepared.offset = offset_of_centres<R>(query, prepared);
       prepared.offset_error = ScalarTraits<R>::unit_roundoff() * length(prepared.offset);
     } else {
+      const Vec<DoubleWord<R>, D> offset = offset_of_origins(query, prepared);
       for (int i = 0; i < D; ++i) {
-        const DoubleWord<R> offset = exact_sum(y_place[i], R(-x_place[i]));
-        prepared.offset[i] = offset.hi;
-        prepared.offset_error = prepared.offset_error + magnitude(offset.lo);
+        prepared.offset[i] = offset[i].hi;
+        prepared.offset_error = prepared.offset_error + magnitude(offset[i].lo);
       }
     }
   }
@@ -290,12 +303,9 @@ template <class R, class S, int D>
     prepare_in_unit(bodies, std::clamp(exponent, -kLimit, kLimit), prepared);
     return prepared;
   };
-  const auto exponent_of = [](const Measures<S, D>& measures, const Pose<S, D>& pose) {
-    const S largest = std::max(measures.largest, norm_max(pose.translation));
-    return Traits::exponent(Traits::from(largest));
-  };
-  Prepared<R, D> prepared = in_unit(std::max(exponent_of(bodies.x, bodies.query.x.pose),
-                                             exponent_of(bodies.y, bodies.query.y.pose)));
+  const Vec<S, D> apart = bodies.query.y.pose.translation - bodies.query.x.pose.translation;
+  const S largest = std::max({bodies.x.largest, bodies.y.largest, norm_max(apart)});
+  Prepared<R, D> prepared = in_unit(Traits::exponent(Traits::from(largest)));
   if (prepared.reach == R(0)) return prepared;
   if (Traits::is_finite(prepared.reach)) {
     prepared = in_unit(prepared.exponent + Traits::exponent(prepared.reach));

@@ -102,7 +102,8 @@ enum class Error : std::uint8_t {
   x_not_finite,  ///< A vertex or the pose of X holds a NaN or an infinity.
   y_not_finite,
   overflow,     ///< The distance, a witness point, or a pose's entries exceed the scalar's range.
-  underflow,    ///< Coordinates so small that no unit of length saves their products: Eigen::half.
+  underflow,    ///< Coordinates so small that no unit of length saves their products: those of
+                ///< Eigen::half, and denormal ones of float in space.
   bad_start,    ///< A start pair names no vertex, or their count is not 0 to D+1.
   bad_options,  ///< The iteration cap is below 1, or the tolerance is not in [0, 1).
 };

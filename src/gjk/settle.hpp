@@ -84,20 +84,18 @@ template <class R, class S, int D>
 }
 
 /// Exact products need room for all their digits: true when no coordinate is so much smaller than
-/// 2^exponent that a product of it could underflow, or so much larger that it could overflow.
-/// Products are of up to two coordinates in the plane and of four in space, and of as many entries
-/// of rotations. 2^-kRoom is the least coordinate.
-template <int D>
-inline constexpr int kRoom = D == 2 ? 400 : 200;
-template <int D>
-inline constexpr int kTurnedRoom = D == 2 ? 200 : 80;
-template <class S, int D>
+/// 2^exponent that a product could underflow, or so much larger that it could overflow. Products
+/// are of up to two coordinates in the plane and four in space, and of as many entries of
+/// rotations. Where long double has more exponents than double, as nearly everywhere, there is room
+/// for all but products of eight of the smallest doubles.
+template <class Component = long double, class S, int D>
 [[nodiscard]] bool has_exact_products(const Query<S, D>& query, bool same_frame, int exponent) {
-  const double least = power_of_two(same_frame ? -kRoom<D> : -kTurnedRoom<D>);
+  using Limits = std::numeric_limits<Component>;
+  const int factors = (D == 2 ? 2 : 4) * (same_frame ? 1 : 2);
+  const int room = -Limits::min_exponent / factors - Limits::digits;
   const auto has_room = [&](const Vec<S, D>& a, int unit) {
     return std::all_of(a.data(), a.data() + D, [&](const S& value) {
-      const double size = std::abs(std::ldexp(static_cast<double>(value), -unit));
-      return value == S(0) || (least <= size && size <= 1.0 / least);
+      return value == S(0) || std::abs(ScalarTraits<S>::exponent(magnitude(value)) - unit) <= room;
     });
   };
   const auto shape_has_room = [&](const Shape<S, D>& shape) {
@@ -137,10 +135,8 @@ template <class R, class S, int D>
   const State<Expansion, D> end = exact_run(query, exact, out.warm());
   if (end.stop == StopReason::iteration_cap) return;
 
-  // float cannot square the length of a short edge.
-  using Wide =
-      std::conditional_t<(std::numeric_limits<double>::digits < std::numeric_limits<R>::digits), R,
-                         double>;
+  // Even double cannot square the length of a short edge.
+  using Wide = std::conditional_t<std::is_floating_point_v<R>, long double, R>;
   const std::array<Wide, D + 1> weights = weights_of<Wide>(end.best);
   out.settled = true;
   out.simplex.count = end.best.count;

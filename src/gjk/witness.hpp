@@ -22,14 +22,14 @@ template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
                                                      const Vec<R, D>& beyond, int exponent) {
   using Word = DoubleWord<R>;
-  const R unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // for large ones only
   Vec<Word, D> local;
   for (int k = 0; k < D; ++k) local[k] = exact_sum(R(from[k] * unit), R(beyond[k] * unit));
   const Vec<Word, D> turned = pose.template rotated<Word>(local);
   Vec<R, D> world;
   for (int row = 0; row < D; ++row) {
     const Word place = ScalarTraits<R>::from(pose.translation[row]) * unit;
-    world[row] = ScalarTraits<R>::scaled((turned[row] + place).hi, exponent);
+    world[row] = ScalarTraits<R>::scaled((turned[row] + place).hi, std::max(exponent, 0));
   }
   return world;
 }

@@ -97,8 +97,8 @@ TEST(at_origin, "weights put P at O when it is as close as two roundings of the 
 }
 
 TEST(room,
-     "exact products have room from 2^-400 to 2^400 of the unit; under poses, and in space, to "
-     "2^-200; under poses in space, to 2^-80") {
+     "in double exact products would have room from 2^-457 to 2^457 of the unit; under poses to "
+     "2^-202; in long double nothing is too small or large") {
   const auto has_room = [](double number, int place, bool same_frame) {
     Pair<double> pair{{{1, 1}}, {{1, 1}, {2, 0}}};
     if (place < 2) pair.x[0][place] = std::ldexp(number, 7);
@@ -107,18 +107,23 @@ TEST(room,
     if (place == 5) pair.y_pose.translation[1] = std::ldexp(number, 7);
     if (place == 6) pair.x_pose.rotation = Eigen::Matrix2d{{1, number}, {0, 1}};
     if (place == 7) pair.y_pose.rotation = Eigen::Matrix2d{{number, 0}, {0, 1}};
-    return gjk::detail::has_exact_products(pair.query(), same_frame, 7);
+    const bool in_wide = gjk::detail::has_exact_products(pair.query(), same_frame, 7);
+    constexpr bool kIsWide =
+        std::numeric_limits<double>::max_exponent < std::numeric_limits<long double>::max_exponent;
+    const bool in_double = gjk::detail::has_exact_products<double>(pair.query(), same_frame, 7);
+    CHECK(in_wide == (in_double || kIsWide));
+    return in_double;
   };
   for (int place = 0; place < 8; ++place) {
     for (const bool same_frame : {true, false}) {
       const check::Context context("place", place, "same frame", same_frame);
-      const int most = same_frame ? 400 : 200;
+      const int most = same_frame ? 457 : 202;
       CHECK(has_room(0, place, same_frame));
       for (const int sign : {1, -1}) {
         CHECK(has_room(sign * std::ldexp(1.0, -most), place, same_frame));
         CHECK(!has_room(sign * std::ldexp(0.99, -most), place, same_frame));
-        CHECK(has_room(sign * std::ldexp(1.0, most), place, same_frame));
-        CHECK(!has_room(sign * std::ldexp(1.01, most), place, same_frame));
+        CHECK(has_room(sign * std::ldexp(1.99, most), place, same_frame));
+        CHECK(!has_room(sign * std::ldexp(2.0, most), place, same_frame));
       }
     }
   }
@@ -129,12 +134,13 @@ TEST(room_in_space, "in space products are of twice as many numbers") {
     const std::vector<Vec<double, 3>> x = {{1, 1, number}};
     gjk::Pose<double, 3> pose;
     if (turned) pose.rotation = Eigen::Matrix3d{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-    return gjk::detail::has_exact_products(gjk::Query<double, 3>{{x, pose}, {x}}, !turned, 0);
+    const gjk::Query<double, 3> query{{x, pose}, {x}};
+    return gjk::detail::has_exact_products<double>(query, !turned, 0);
   };
   for (const bool turned : {false, true}) {
-    const int most = turned ? 80 : 200;
+    const int most = turned ? 74 : 202;
     CHECK(has_room(std::ldexp(1.0, -most), turned) && has_room(std::ldexp(1.0, most), turned));
-    CHECK(!has_room(std::ldexp(0.99, -most), turned) && !has_room(std::ldexp(1.01, most), turned));
+    CHECK(!has_room(std::ldexp(0.99, -most), turned) && !has_room(std::ldexp(2.0, most), turned));
   }
 }
 
