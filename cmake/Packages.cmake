@@ -1,6 +1,7 @@
 # Everything beyond Eigen, which the core finds for itself. scripts/packages.txt lists the Debian packages.
 
 find_package(PkgConfig REQUIRED)
+find_package(Boost REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
@@ -11,5 +12,3 @@ pkg_check_modules(deflate REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
-find_library(GMP_LIBRARY gmp REQUIRED)
-find_library(GMPXX_LIBRARY gmpxx REQUIRED)

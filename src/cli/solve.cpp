@@ -93,7 +93,7 @@ Json solve(const Case& value, Json answer) {
   answer["lower"] = widened(result.lower);
   answer["upper"] = widened(result.upper);
   if constexpr (std::is_same_v<S, Rational>) {
-    answer["distance_squared"] = result.distance_sq.get_str();
+    answer["distance_squared"] = to_string(result.distance_sq);
   }
   answer["overlap"] = overlap(result, x, y);
   answer["verdict"] = name_of(result.verdict);

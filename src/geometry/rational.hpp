@@ -1,18 +1,63 @@
 #pragma once
 // Exact rational numbers as a scalar of the core: no step of such a run rounds, and only the
 // lengths of its result do.
-//
-// Products and sums of mpq_class are expression templates: never keep one in an `auto` variable.
 
-#include <gmpxx.h>
+#include <compare>
+#include <string>
 
+#include "geometry/integer.hpp"
 #include "gjk/scalar.hpp"
 
 namespace gjkscope {
 
-using Rational = mpq_class;
+/// numerator / denominator * 2^exponent, in lowest terms: both odd, or 0 / 1 * 2^0; the denominator
+/// positive. Sums and products of doubles have the denominator 1, and nothing of them is divided.
+class Rational {
+ public:
+  Rational() = default;
+  Rational(int value) : Rational(Integer(value)) {}  // NOLINT: as every scalar
+  /// The double exactly; it must be finite.
+  explicit Rational(double value);
+  explicit Rational(Integer numerator, Integer denominator = 1);
 
-/// The nearest double; ties to even. mpq_class::get_d truncates instead.
+  Rational& operator+=(const Rational& b) { return *this = *this + b; }
+  Rational& operator-=(const Rational& b) { return *this = *this - b; }
+  Rational& operator*=(const Rational& b) { return *this = *this * b; }
+  Rational& operator/=(const Rational& b) { return *this = *this / b; }
+
+  friend Rational operator-(Rational a) {
+    a.numerator_ = -a.numerator_;
+    return a;
+  }
+  friend Rational operator+(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a, const Rational& b);
+  friend Rational operator*(Rational a, Rational b);
+  /// `b` is not 0.
+  friend Rational operator/(const Rational& a, const Rational& b);
+  friend bool operator==(const Rational& a, const Rational& b) = default;
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+
+  /// -1, 0 or 1.
+  [[nodiscard]] int sign() const { return numerator_.sign(); }
+  [[nodiscard]] Rational times_power_of_two(int exponent) const;
+  /// The fraction as two whole numbers.
+  [[nodiscard]] std::pair<Integer, Integer> fraction() const;
+  friend std::string to_string(const Rational& value);
+  friend double to_double(const Rational& value);
+
+ private:
+  Rational(Integer numerator, Integer denominator, long exponent);
+  void reduce();
+
+  Integer numerator_ = 0;
+  Integer denominator_ = 1;
+  long exponent_ = 0;
+};
+[[nodiscard]] inline Rational abs(const Rational& a) { return a.sign() < 0 ? -a : a; }
+
+/// "-3/4", "7".
+[[nodiscard]] std::string to_string(const Rational& value);
+/// The nearest double; ties to even.
 [[nodiscard]] double to_double(const Rational& value);
 
 /// Square root of a non-negative rational, rounded to nearest, down, up. The three are equal
@@ -24,11 +69,11 @@ using Rational = mpq_class;
 }  // namespace gjkscope
 
 template <>
-struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
-  using Real = mpq_class;
-  using NonInteger = mpq_class;
-  using Nested = mpq_class;
-  using Literal = mpq_class;
+struct Eigen::NumTraits<gjkscope::Rational> : Eigen::GenericNumTraits<gjkscope::Rational> {
+  using Real = gjkscope::Rational;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
   // NOLINTBEGIN(readability-identifier-naming): the names are those that Eigen reads.
   enum {
     IsComplex = 0,
@@ -46,26 +91,24 @@ struct Eigen::NumTraits<mpq_class> : Eigen::GenericNumTraits<mpq_class> {
 };
 
 template <>
-struct gjk::ScalarTraits<mpq_class> {
+struct gjk::ScalarTraits<gjkscope::Rational> {
+  using Rational = gjkscope::Rational;
   using Real = double;
   static constexpr bool kExact = true;
   template <class From>
-  [[nodiscard]] static mpq_class from(const From& value) {
-    if constexpr (std::is_same_v<From, mpq_class>) {
+  [[nodiscard]] static Rational from(const From& value) {
+    if constexpr (std::is_same_v<From, Rational>) {
       return value;
     } else {
-      return mpq_class(static_cast<double>(value));
+      return Rational(static_cast<double>(value));
     }
   }
-  [[nodiscard]] static bool is_finite(const mpq_class&) { return true; }
-  [[nodiscard]] static Real root(const mpq_class& a) { return gjkscope::root_nearest(a); }
-  [[nodiscard]] static Real root_below(const mpq_class& a) { return gjkscope::root_down(a); }
-  [[nodiscard]] static Real root_above(const mpq_class& a) { return gjkscope::root_up(a); }
-  [[nodiscard]] static mpq_class scaled(const mpq_class& a, int exponent) {
-    mpq_class out = a;
-    if (exponent > 0) mpq_mul_2exp(out.get_mpq_t(), a.get_mpq_t(), exponent);
-    if (exponent < 0) mpq_div_2exp(out.get_mpq_t(), a.get_mpq_t(), -exponent);
-    return out;
+  [[nodiscard]] static bool is_finite(const Rational&) { return true; }
+  [[nodiscard]] static Real root(const Rational& a) { return gjkscope::root_nearest(a); }
+  [[nodiscard]] static Real root_below(const Rational& a) { return gjkscope::root_down(a); }
+  [[nodiscard]] static Real root_above(const Rational& a) { return gjkscope::root_up(a); }
+  [[nodiscard]] static Rational scaled(const Rational& a, int exponent) {
+    return a.times_power_of_two(exponent);
   }
   [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
 };

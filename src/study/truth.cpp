@@ -1,11 +1,13 @@
 #include "study/truth.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+
+#include "geometry/integer.hpp"
 
 // Floating-point numbers are integers times a power of two, and so are vertices moved by poses.
 // Where X and Y stand on such a common grid nothing divides and nothing rounds. The simplex that
@@ -18,44 +20,35 @@
 namespace gjkscope::study {
 namespace {
 
-using Integer = mpz_class;
-
-// What is asked of an integer beyond arithmetic.
-long size_of(const Integer& a) { return static_cast<long>(mpz_sizeinbase(a.get_mpz_t(), 2)); }
-Integer times_power(const Integer& a, long exponent) {
-  assert(exponent >= 0);
-  return a << static_cast<mp_bitcnt_t>(exponent);
-}
 /// a * 2^exponent, of which 64 digits are left. Where that drops any the last one is odd, so that a
 /// double comes of it as from the whole.
 long double rounded(const Integer& a, long exponent) {
-  static_assert(std::numeric_limits<long double>::digits >= 64 && sizeof(unsigned long) == 8);
-  Integer digits = abs(a);
-  const long drop = std::max(0L, size_of(a) - 64);
-  const bool is_exact = mpz_scan1(digits.get_mpz_t(), 0) >= static_cast<mp_bitcnt_t>(drop);
-  digits >>= static_cast<mp_bitcnt_t>(drop);
-  const auto size = static_cast<long double>(digits.get_ui() | (is_exact ? 0UL : 1UL));
-  return std::ldexp(sgn(a) < 0 ? -size : size, static_cast<int>(drop + exponent));
+  static_assert(std::numeric_limits<long double>::digits >= 64);
+  if (a.is_zero()) return 0;
+  const long drop = std::max(0L, digit_count(a) - 64);
+  const bool is_exact = trailing_zeros(a) >= drop;
+  const auto digits = static_cast<std::uint64_t>(abs(a) >> drop);
+  const auto size = static_cast<long double>(digits | (is_exact ? 0 : 1));
+  return std::ldexp(a.sign() < 0 ? -size : size, static_cast<int>(drop + exponent));
 }
 
 /// mantissa * 2^exponent, the mantissa odd or 0.
 struct Dyadic {
-  long mantissa = 0;
+  std::int64_t mantissa = 0;
   int exponent = 0;
 };
 Dyadic dyadic(double value) {
   if (value == 0) return {};
   Dyadic out;
-  out.mantissa = static_cast<long>(std::ldexp(std::frexp(value, &out.exponent), 53));
-  const int zeros = __builtin_ctzl(static_cast<unsigned long>(out.mantissa));
+  out.mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &out.exponent), 53));
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(out.mantissa));
   out.mantissa >>= zeros;
   out.exponent += zeros - 53;
   return out;
 }
 /// On the grid of multiples of 2^exponent.
 Integer on_grid(const Dyadic& value, long exponent) {
-  return value.mantissa == 0 ? Integer(0)
-                             : times_power(Integer(value.mantissa), value.exponent - exponent);
+  return value.mantissa == 0 ? Integer(0) : Integer(value.mantissa) << (value.exponent - exponent);
 }
 
 /// A product of two numbers that is to be added to others of its kind.
@@ -79,7 +72,7 @@ Integer on_grid(const Sum& sum, long exponent) {
     if (term.is_zero()) continue;
     Integer product = term.a.mantissa;
     product *= term.b.mantissa;
-    total += times_power(product, term.exponent() - exponent);
+    total += product << (term.exponent() - exponent);
   }
   return total;
 }
@@ -90,9 +83,9 @@ struct Point {
 };
 Integer dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 Integer cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-Point minus(const Point& a, const Point& b) { return {Integer(a.x - b.x), Integer(a.y - b.y)}; }
-Point perpendicular(const Point& a) { return {Integer(-a.y), a.x}; }
-Point opposite(const Point& a) { return {Integer(-a.x), Integer(-a.y)}; }
+Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+Point perpendicular(const Point& a) { return {-a.y, a.x}; }
+Point opposite(const Point& a) { return {-a.x, -a.y}; }
 
 /// Two shapes, moved by their poses, on a common grid.
 struct OnGrid {
@@ -110,9 +103,9 @@ struct OnGrid {
       Integer best_value;
       for (int i = 0; i < static_cast<int>(points.size()); ++i) {
         Integer value = dot(normal, points[static_cast<std::size_t>(i)]);
-        if (i == 0 || cmp(value, best_value) * sign > 0) {
+        if (i == 0 || value.compare(best_value) * sign > 0) {
           best = i;
-          swap(best_value, value);
+          best_value = std::move(value);
         }
       }
       return best;
@@ -199,8 +192,8 @@ Nearest nearest(const std::vector<Point>& z) {
     }
   }
   if (count == 3) {
-    const int side = sgn(cross(z[0], z[1]));
-    if (side != 0 && side == sgn(cross(z[1], z[2])) && side == sgn(cross(z[2], z[0]))) {
+    const int side = cross(z[0], z[1]).sign();
+    if (side != 0 && side == cross(z[1], z[2]).sign() && side == cross(z[2], z[0]).sign()) {
       out.found_origin({0, 1, 2});
     }
   }
@@ -234,14 +227,14 @@ bool touches(const OnGrid& shapes, const std::vector<gjk::VertexPair>& pairs) {
 void set_distance(Truth& out, const Nearest& p, long exponent) {
   constexpr long kDigits = 192;
   const Integer above = p.reach * p.reach;
-  const long shift = std::max(0L, kDigits + (size_of(p.length_sq) - size_of(above)) / 2);
-  Integer rest = sqrt(Integer(times_power(above, 2 * shift) / p.length_sq));
+  const long shift = std::max(0L, kDigits + (digit_count(p.length_sq) - digit_count(above)) / 2);
+  Integer rest = root_down((above << (2 * shift)) / p.length_sq);
   const long unit = exponent - shift;
   out.distance = static_cast<double>(rounded(rest, unit));
   if (!std::isfinite(out.distance)) return;  // no double holds it, nor what it leaves out
   rest -= on_grid(dyadic(out.distance), unit);
-  const long drop = std::max(0L, size_of(rest) - 64);
-  const Integer high = times_power(rest >> static_cast<mp_bitcnt_t>(drop), drop);
+  const long drop = std::max(0L, digit_count(rest) - 64);
+  const Integer high = (rest >> drop) << drop;
   out.rest = Quad(rounded(high, unit)) + Quad(rounded(rest - high, unit));
 }
 

@@ -53,7 +53,7 @@ TEST(Truth, DistancesAreGoodToQuadsDigits) {
     sum += Rational(rounded);
     rest = rest - Quad(rounded);
   }
-  const Rational off = abs(Rational(sum * sum - 2));
+  const Rational off = abs(sum * sum - 2);
   EXPECT_LT(to_double(off), 0x1p-148);
   EXPECT_EQ(difference(Quad(5), of_points(3.0, 4.0)), 0.0);
   EXPECT_EQ(difference(Quad(5) + Quad(0x1p-90), of_points(3.0, 4.0)), 0x1p-90);

@@ -33,6 +33,14 @@ struct HardCase {
   }
 };
 
+/// "81/25" or "9".
+Rational fraction(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const Integer numerator(text.substr(0, slash));
+  return slash == std::string::npos ? Rational(numerator)
+                                    : Rational(numerator, Integer(text.substr(slash + 1)));
+}
+
 /// In both orders of arguments.
 template <int D>
 std::vector<HardCase<D>> cases() {
@@ -56,7 +64,7 @@ std::vector<HardCase<D>> cases() {
     read(told.at("b"), one.b);
     one.overlap = told.at("expected_overlap");
     one.touching = told.contains("touching") && told["touching"].is_boolean() && told["touching"];
-    one.distance_sq = Rational(told.at("expected_distance_squared_exact").get<std::string>());
+    one.distance_sq = fraction(told.at("expected_distance_squared_exact"));
     out.push_back(one);
     out.push_back(one.swapped());
   }

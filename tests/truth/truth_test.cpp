@@ -53,7 +53,7 @@ bool has_plane_through_origin(const RationalPoints<2>& z) {
     bool left = false;
     bool right = false;
     for (const auto& b : z) {
-      const int side = sgn(Rational(a[0] * b[1] - a[1] * b[0]));
+      const int side = (a[0] * b[1] - a[1] * b[0]).sign();
       left = left || side > 0;
       right = right || side < 0;
     }
@@ -114,7 +114,7 @@ TEST(Truth, HasTheDigitsOfQuad) {
   const auto high = static_cast<double>(two.rest);
   const auto middle = static_cast<double>(two.rest - Quad(high));
   const Rational sum = Rational(two.distance) + Rational(high) + Rational(middle);
-  EXPECT_LT(std::abs(to_double(Rational(sum * sum - 2))), 0x1p-148);
+  EXPECT_LT(std::abs(to_double(sum * sum - 2)), 0x1p-148);
   const Truth five = truth_of({{{0, 0}}, {{3, 4}}});
   EXPECT_EQ(difference(Quad(5), five), 0.0);
   EXPECT_EQ(difference(Quad(5) + Quad(0x1p-90), five), 0x1p-90);
