@@ -1,0 +1,236 @@
+// Asks for the depth of random overlapping pairs of every family and holds the answers against all
+// edges of the exact hull of Z. Exit code 1 when a claim is broken; then some pairs that break it
+// are printed as cases for `gjkscope solve` (which have no poses).
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "pairs.hpp"
+#include "truth.hpp"
+
+namespace test {
+namespace {
+
+using families::kFamilyNames;
+using families::Representation;
+
+/// A scalar of the query and one of the run.
+enum class Mode { in_double, float_in_double, in_float };
+constexpr std::array<const char*, 3> kModeNames = {"double", "float in double", "float"};
+
+std::string json_of(const std::vector<Eigen::Vector2d>& points) {
+  std::string out;
+  for (const Eigen::Vector2d& p : points) {
+    out += fmt::format("{}[\"{:a}\",\"{:a}\"]", out.empty() ? "" : ",", p[0], p[1]);
+  }
+  return "[" + out + "]";
+}
+
+struct Failure {
+  long pair = 0;
+  std::string text;
+};
+
+/// What became of the pairs of one family, one representation and one mode.
+struct Row {
+  static constexpr std::size_t kKept = 2;  ///< Failures to be shown.
+  enum Count { pairs, broken, touching, separated, settled, repeated, kCounts };
+  std::array<long, kCounts> counts = {};
+  Judgement most;
+  int iterations = 0;
+  std::vector<Failure> failures;
+
+  void widen(const Judgement& found) {
+    for (const auto length :
+         {&Judgement::error, &Judgement::width, &Judgement::touch, &Judgement::contact}) {
+      most.*length = std::max(most.*length, found.*length);
+    }
+  }
+  void add(const Row& other) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
+    widen(other.most);
+    iterations = std::max(iterations, other.iterations);
+    failures.insert(failures.end(), other.failures.begin(), other.failures.end());
+    std::sort(failures.begin(), failures.end(),
+              [](const Failure& a, const Failure& b) { return a.pair < b.pair; });
+    if (failures.size() > kKept) failures.resize(kKept);
+  }
+};
+using Rows = std::array<Row, 3>;  ///< One for each mode.
+
+struct Work {
+  families::Family family = families::Family::random;
+  Representation representation = Representation::full_doubles;
+  std::uint64_t seed = 0;
+  long pairs = 0;
+  long first = 0;
+};
+
+class Worker {
+ public:
+  explicit Worker(const Work& work) : work_(work), source_(work.seed) {}
+
+  Rows run() {
+    while (done_ < work_.pairs) {
+      const Pair pair = meeting_pair(source_, work_.family, work_.representation);
+      check(pair);
+      check(families::swapped(pair));
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  void check(const Pair& pair) {
+    const Truth truth = truth_of(pair);
+    const auto result = depth::penetration<double>(pair.query());
+    note(pair, truth, result, Mode::in_double, kBars);
+    if (work_.representation == Representation::float_values) {
+      const auto narrow = families::converted<float>(pair);
+      note(pair, truth, depth::penetration<double>(narrow.query()), Mode::float_in_double, kBars);
+      note(pair, truth, depth::penetration<float>(narrow.query()), Mode::in_float, kBars);
+    }
+    if (!keeps_bits_when_scaled(pair, result, source_.among(-90, 90))) {
+      fail(rows_[0], pair, "bits of the pair times a power of two");
+    }
+    // Rounding may have left a pair that was to meet apart.
+    if (truth.verdict != gjk::Verdict::separated) ++done_;
+  }
+
+  template <class R>
+  void note(const Pair& pair, const Truth& truth, const depth::Result<R>& result, Mode mode,
+            const Judgement& bars) {
+    Row& row = rows_[static_cast<std::size_t>(mode)];
+    ++row.counts[truth.verdict == gjk::Verdict::separated ? Row::separated : Row::pairs];
+    row.counts[Row::touching] += truth.verdict == gjk::Verdict::touching;
+    row.counts[Row::settled] += result.settled;
+    row.counts[Row::repeated] += result.stop == depth::StopReason::repeated_support;
+    row.iterations = std::max(row.iterations, result.iterations);
+    // A named error is an answer to denormal numbers.
+    if (result.error != gjk::Error::none && work_.family == families::Family::denormals) return;
+    const Judgement found = judge(result, truth);
+    row.widen(found);
+    const std::string broken = broken_bar(result, found, bars);
+    if (broken.empty()) return;
+    fail(row, pair,
+         fmt::format("{}: depth {:.17g} in [{:.17g}, {:.17g}], off by {:.3Lg}, {:.3Lg} wide, "
+                     "touch {:.3Lg}, contact {:.3Lg}",
+                     broken, double{result.depth}, double{result.lower}, double{result.upper},
+                     found.error, found.width, found.touch, found.contact));
+  }
+
+  void fail(Row& row, const Pair& pair, const std::string& what) {
+    if (++row.counts[Row::broken] > static_cast<long>(Row::kKept)) return;
+    const bool posed = pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns();
+    row.failures.push_back(
+        {work_.first + done_,
+         fmt::format("{}\n  {{\"name\":\"{}, seed {}{}\",\"a\":{},\"b\":{}}}", what,
+                     kFamilyNames[static_cast<int>(work_.family)], work_.seed,
+                     posed ? ", posed" : "", json_of(pair.x), json_of(pair.y))});
+  }
+
+  Work work_;
+  families::Source source_;
+  long done_ = 0;
+  Rows rows_;
+};
+
+struct Job {
+  families::Family family;
+  Representation representation;
+  Rows rows = {};
+};
+
+/// Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
+void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
+  constexpr long kPiece = 1000;
+  const long job_count = static_cast<long>(jobs.size());
+  const long each = (pairs + job_count - 1) / job_count;
+  const long pieces = (each + kPiece - 1) / kPiece;
+  std::atomic<long> next = 0;
+  std::mutex merging;
+  const auto work = [&] {
+    for (long i = next++; i < pieces * job_count; i = next++) {
+      Job& job = jobs[static_cast<std::size_t>(i % job_count)];
+      const long first = i / job_count * kPiece;
+      const Rows rows =
+          Worker({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
+                  std::min(kPiece, each - first), first})
+              .run();
+      const std::scoped_lock lock(merging);
+      for (std::size_t mode = 0; mode < rows.size(); ++mode) job.rows[mode].add(rows[mode]);
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+}
+
+/// Prints a row for each family, representation and mode; returns how many claims are broken.
+long print(const std::vector<Job>& jobs) {
+  fmt::print("{:<15}{:<8}{:<16}{:>9}{:>8}{:>9}{:>10}{:>9}{:>10}{:>6}{:>8}{:>8}{:>8}{:>9}\n",
+             "family", "values", "run", "pairs", "broken", "touching", "separated", "settled",
+             "repeated", "most", "error", "width", "touch", "contact");
+  long broken = 0;
+  long pairs = 0;
+  std::string failures;
+  for (const Job& job : jobs) {
+    for (std::size_t mode = 0; mode < job.rows.size(); ++mode) {
+      const Row& row = job.rows[mode];
+      if (row.counts[Row::pairs] == 0) continue;
+      const std::string_view family = kFamilyNames[static_cast<std::size_t>(job.family)];
+      fmt::print(
+          "{:<15}{:<8}{:<16}{:>9}{:>8}{:>9}{:>10}{:>9}{:>10}{:>6}{:>8.3Lg}{:>8.3Lg}"
+          "{:>8.3Lg}{:>9.3Lg}\n",
+          family, job.representation == Representation::float_values ? "float" : "double",
+          kModeNames[mode], row.counts[Row::pairs], row.counts[Row::broken],
+          row.counts[Row::touching], row.counts[Row::separated], row.counts[Row::settled],
+          row.counts[Row::repeated], row.iterations, row.most.error, row.most.width, row.most.touch,
+          row.most.contact);
+      broken += row.counts[Row::broken];
+      if (mode == 0) pairs += row.counts[Row::pairs];
+      for (const Failure& failure : row.failures) {
+        failures += fmt::format("\n{} in {}: {}\n", family, kModeNames[mode], failure.text);
+      }
+    }
+  }
+  fmt::print("{}\n{} overlapping or touching pairs, {} claims broken\n", failures, pairs, broken);
+  return broken;
+}
+
+int main_of(int argc, char** argv) {
+  long pairs = 50000;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  std::uint64_t seed = 1;
+  std::vector<std::string> names;
+  CLI::App app("Holds penetration depths of random pairs against the exact truth");
+  app.add_option("--pairs", pairs, "Overlapping pairs over all families")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", threads, "Threads; they do not change the answer")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", seed, "Seed");
+  app.add_option("--families", names, "Families; all if none is named")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(kFamilyNames.begin(), kFamilyNames.end())));
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<Job> jobs;
+  for (int family = 0; family < families::kFamilyCount; ++family) {
+    const std::string_view name = kFamilyNames[static_cast<std::size_t>(family)];
+    if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
+    for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
+      jobs.push_back({static_cast<families::Family>(family), representation});
+    }
+  }
+  run(jobs, pairs, threads, seed);
+  return print(jobs) == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace test
+
+int main(int argc, char** argv) { return test::main_of(argc, argv); }
