@@ -10,6 +10,12 @@
 
 namespace gjk {
 
+/// R, or long double where that has more digits.
+template <class R>
+using Wider =
+    std::conditional_t<(std::numeric_limits<long double>::digits < std::numeric_limits<R>::digits),
+                       R, long double>;
+
 /// Sums, differences, products and comparisons are exact while no product of two inputs underflows
 /// or overflows. Division rounds to long double: the core divides only for weights, and decides
 /// nothing by them.
@@ -23,8 +29,8 @@ class Expansion {
   /// The nearest number of R, or a neighbour of it.
   template <class R = double>
   [[nodiscard]] R estimate() const {
-    std::conditional_t<std::is_floating_point_v<R>, long double, R> sum(0);
-    for (const long double component : components_) sum += component;
+    Wider<R> sum(0);
+    for (const long double component : components_) sum = sum + Wider<R>(component);
     return static_cast<R>(sum);
   }
   /// This * 2^exponent.

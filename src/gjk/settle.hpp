@@ -135,8 +135,7 @@ template <class R, class S, int D>
   const State<Expansion, D> end = exact_run(query, exact, out.warm());
   if (end.stop == StopReason::iteration_cap) return;
 
-  // Even double cannot square the length of a short edge.
-  using Wide = std::conditional_t<std::is_floating_point_v<R>, long double, R>;
+  using Wide = Wider<R>;  // even double cannot square the length of a short edge
   const std::array<Wide, D + 1> weights = weights_of<Wide>(end.best);
   out.settled = true;
   out.simplex.count = end.best.count;
