@@ -41,7 +41,8 @@ void expect_right(const Pair& given) {
     EXPECT_EQ(truth.verdict, exact.verdict);
     if (truth.verdict == Verdict::separated) continue;
     const Rational depth_sq = gjk::dot(exact.translation, exact.translation);
-    EXPECT_EQ(truth.depth_sq, Rational(depth_sq * truth.per_unit * truth.per_unit));
+    const mpq_class area(truth.per_unit * truth.per_unit);  // of a unit of length, squared
+    EXPECT_EQ(mpq_class(truth.depth_sq / area).get_str(), to_string(depth_sq));
     EXPECT_TRUE(exact.x + exact.translation == exact.y);
     EXPECT_EQ(exact.depth, gjk::ScalarTraits<Rational>::root(depth_sq));
   }
