@@ -124,7 +124,11 @@ void add_commands(CLI::App& app, Arguments& args) {
       "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two point sets, whose "
       "hulls\n"
       "count. A file holds any number of cases, one after the other or in an array. Answers are\n"
-      "JSON with and without --json.\n\n"
+      "JSON with and without --json: distance, and what is proved of it (lower, upper). Of shapes "
+      "that\n"
+      "overlap also depth, depth_lower, depth_upper: how far 'a' must move along direction, which "
+      "is of\n"
+      "length 1, until they just touch; translation is depth times direction.\n\n"
       "Examples:\n  gjkscope solve case.json --scalar exact\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 

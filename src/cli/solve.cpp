@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
+#include "depth/depth.hpp"
 #include "geometry/rational.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
@@ -44,21 +45,39 @@ Json json_of(const gjk::Vec<S, 2>& point) {
   return Json::array({widened<S>(point[0]), widened<S>(point[1])});
 }
 
+template <class S>
+Points<Rational> exact(const Points<S>& points) {
+  Points<Rational> out;
+  for (const gjk::Vec<S, 2>& point : points) {
+    out.emplace_back(Rational(widened<S>(point[0])), Rational(widened<S>(point[1])));
+  }
+  return out;
+}
+
 /// Whether the shapes share a point. Where the run left it undecided, exact arithmetic on the same
 /// coordinates decides.
 template <class S>
 bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S>& y) {
   if (result.verdict != gjk::Verdict::undecided) return result.verdict != gjk::Verdict::separated;
-  const auto exact = [](const Points<S>& points) {
-    Points<Rational> out;
-    for (const gjk::Vec<S, 2>& point : points) {
-      out.emplace_back(Rational(widened<S>(point[0])), Rational(widened<S>(point[1])));
-    }
-    return out;
-  };
-  const Points<Rational> exact_x = exact(x);
-  const Points<Rational> exact_y = exact(y);
+  const Points<Rational> exact_x = exact<S>(x);
+  const Points<Rational> exact_y = exact<S>(y);
   return gjk::distance(gjk::Query<Rational, 2>{{exact_x}, {exact_y}}).distance_sq == 0;
+}
+
+/// How deep shapes that overlap lie in each other. A number that exceeds the largest becomes null.
+template <class S>
+void add_depth(Json& answer, const Points<S>& x, const Points<S>& y) {
+  const auto result = depth::penetration<S>(gjk::Query<S, 2>{{x}, {y}});
+  if constexpr (!std::is_same_v<S, Rational>) {
+    if (result.verdict == gjk::Verdict::undecided) {
+      return add_depth<Rational>(answer, exact<S>(x), exact<S>(y));
+    }
+  }
+  answer["depth"] = widened(result.depth);
+  answer["depth_lower"] = widened(result.lower);
+  answer["depth_upper"] = widened(result.upper);
+  answer["direction"] = json_of(result.direction);
+  answer["translation"] = json_of<S>(result.translation);
 }
 
 std::string_view explained(gjk::Error error) {
@@ -95,13 +114,15 @@ Json solve(const Case& value, Json answer) {
   if constexpr (std::is_same_v<S, Rational>) {
     answer["distance_squared"] = to_string(result.distance_sq);
   }
-  answer["overlap"] = overlap(result, x, y);
+  const bool overlaps = overlap(result, x, y);
+  answer["overlap"] = overlaps;
   answer["verdict"] = name_of(result.verdict);
   answer["settled"] = result.settled;
   answer["a"] = json_of<S>(result.x);
   answer["b"] = json_of<S>(result.y);
   answer["iterations"] = result.iterations;
   answer["stop"] = name_of(result.stop);
+  if (overlaps) add_depth<S>(answer, x, y);
   return answer;
 }
 

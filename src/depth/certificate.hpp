@@ -27,8 +27,12 @@ struct Proof {
 };
 
 /// How often `careful_reach` rounds at worst, and the bound made of it: in each choice of a vertex,
-/// the product, the direction's length (twice), the quotient, and the bound.
+/// the product, three times in the direction, whose length is not quite 1, and the bound.
 inline constexpr int kReachRoundings = 7;
+
+/// How much farther than the nearest edge Z may reach along its normal, in u times the size of Z,
+/// before rounding must have kept the polygon from growing: tests/depth demands depths within 4.
+inline constexpr int kAllowedGap = 2;
 
 /// The edges go once around O, counter-clockwise: they cross the positive x-axis upwards once more
 /// than downwards. False, too, where rounding leaves that open.
@@ -126,7 +130,7 @@ template <class R, class S>
     return (gjk::DoubleWord<R>{direction[0]} * w[0] + gjk::DoubleWord<R>{direction[1]} * w[1]).hi;
   };
   R most = reach_of(best);
-  const R error = R(2) * prepared.scan_error_within(R(0));
+  const R error = prepared.scan_error_within(R(0));
   const auto improve = [&](int gjk::VertexPair::*index, const Vec<R, 2>& d,
                            const gjk::Shape<S, 2>& shape, const gjk::Body<R, 2>& body) {
     gjk::detail::look_along(d, shape, prepared, body, [&](int count, const auto& along_d) {
@@ -221,8 +225,9 @@ template <class R, class S>
   out.upper =
       gjk::larger(R(reach + R(kReachRoundings) * u * gjk::magnitude(reach) + careful), out.lower);
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);
-  const R allowed = Traits::from(gjk::detail::kAllowedWidth) * u * Traits::root(size);
-  out.is_tight = is_certain && out.upper - out.lower <= allowed;
+  const R unit = u * Traits::root(size);
+  out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&
+                 out.upper - out.lower <= Traits::from(gjk::detail::kAllowedWidth) * unit;
   return out;
 }
 

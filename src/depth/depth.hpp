@@ -85,8 +85,8 @@ void set_rounded_answer(const State<R>& state, const gjk::Result<R, 2>& found,
     out.lower = gjk::scaled_below(proof.lower, prepared.exponent);
     out.upper = gjk::scaled_above(proof.upper, prepared.exponent);
   }
-  out.direction = proof.direction;
-  out.translation = proof.direction * out.depth;
+  out.direction = proof.direction + Vec<R, 2>::Zero();  // no -0
+  out.translation = out.direction * out.depth;
   out.edge = proof.edge;
 }
 

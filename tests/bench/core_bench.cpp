@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "depth/depth.hpp"
 #include "grid_pairs.hpp"
 
 namespace {
@@ -45,6 +46,11 @@ void trace(benchmark::State& state, Family family) {
   cycle(state, pairs_of<S>(family), [](const auto& query) { return gjk::trace(query); });
 }
 
+template <class S>
+void penetration(benchmark::State& state, Family family) {
+  cycle(state, pairs_of<S>(family), [](const auto& query) { return depth::penetration(query); });
+}
+
 std::string name_of(Family family) {
   return std::string(families::kFamilyNames[static_cast<std::size_t>(family)]);
 }
@@ -62,6 +68,10 @@ void add_families() {
     benchmark::RegisterBenchmark(("distance<long double>/" + name).c_str(), distance<long double>,
                                  family);
     benchmark::RegisterBenchmark(("trace<double>/" + name).c_str(), trace<double>, family);
+  }
+  for (const Family family : {Family::identical, Family::inside, Family::shallow}) {
+    benchmark::RegisterBenchmark(("penetration<double>/" + name_of(family)).c_str(),
+                                 penetration<double>, family);
   }
 }
 

@@ -55,6 +55,33 @@ TEST(Solve, AnswersWithDistanceBoundsAndWitnesses) {
   EXPECT_GE(answer["iterations"].get<int>(), 1);
 }
 
+TEST(Solve, AnswersWithTheDepthOfShapesThatOverlap) {
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    const json answer = solve(kOverlap, scalar).answers[0];
+    EXPECT_NEAR(0.5, answer["depth"].get<double>(), 2e-3);
+    EXPECT_LE(answer["depth_lower"].get<double>(), 0.5);
+    EXPECT_GE(answer["depth_upper"].get<double>(), 0.5);
+    EXPECT_EQ(json({0.0, -1.0}), answer["direction"]);
+    EXPECT_EQ(0.0, answer["translation"][0].get<double>());
+    EXPECT_EQ(-answer["depth"].get<double>(), answer["translation"][1].get<double>());
+    const json touching = solve(kTouch, scalar).answers[0];
+    EXPECT_EQ("touching", touching["verdict"]);
+    EXPECT_EQ(0.0, touching["depth"].get<double>());
+    EXPECT_EQ(0.0, touching["depth_upper"].get<double>());
+    EXPECT_EQ(json({-1.0, 0.0}), touching["direction"]);
+    for (const char* key : {"depth", "depth_lower", "depth_upper", "direction", "translation"}) {
+      EXPECT_FALSE(solve(kApart, scalar).answers[0].contains(key)) << key;
+    }
+  }
+  // A coordinate is so small that no exact product of doubles holds it: rationals do.
+  const json tiny =
+      solve(R"({"a":[[0,0],[1,0],["1e-200",1]],"b":[["1e-250","1e-250"]]})").answers[0];
+  EXPECT_TRUE(tiny["overlap"].get<bool>());
+  EXPECT_GE(1e-249, tiny["depth"].get<double>());
+  EXPECT_LE(tiny["depth_lower"].get<double>(), tiny["depth"].get<double>());
+}
+
 TEST(Solve, EveryScalarAgrees) {
   for (const ScalarKind scalar :
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
