@@ -25,8 +25,8 @@
 
 #include <algorithm>
 
-#include "gjk/prepare.hpp"
-#include "gjk/state.hpp"
+#include "gjk/nearest_face.hpp"
+#include "gjk/record.hpp"
 
 namespace gjk {
 
@@ -144,61 +144,6 @@ template <class S, int D, int kCount>
   return note;
 }
 
-/// Weights of `face` from its coordinates: segments divide by the squared length as the slides do,
-/// larger faces by the sum, so that weights add up to 1.
-template <class S, int D>
-void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
-  const FaceVertices& in_face = vertices_of(face);
-  simplex.weights.fill(S(0));
-  if (in_face.count == 1) {
-    simplex.weights[in_face.index[0]] = S(1);
-    return;
-  }
-  S divisor = coordinates.denominator;
-  if (in_face.count > 2) {
-    divisor = S(0);
-    for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
-  }
-  for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
-}
-
-/// When rounding left no test to believe: the nearest point over all faces whose coordinates are
-/// positive. Vertices always qualify, so there is one.
-template <class S, int D, int kCount>
-[[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
-                                               const Coordinates<S, D, kCount>& coordinates) {
-  Face best = 0;
-  S best_sq(0);
-  for (Face face = 1; face <= simplex.all(); ++face) {
-    const SignSet wanted = kRegionConditions[face].positive;
-    const bool has_point = vertex_count(face) == 1 || S(0) < coordinates.of_face[face].denominator;
-    if (!has_point || (coordinates.signs & wanted) != wanted) continue;
-    set_weights(simplex, face, coordinates.of_face[face]);
-    const Vec<S, D> point = weighted_point(simplex, face);
-    const S point_sq = dot(point, point);
-    if (best == 0 || point_sq < best_sq) {
-      best = face;
-      best_sq = point_sq;
-    }
-  }
-  return best;
-}
-
-/// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
-/// is so thin that its volumes, and their signs, may be rounding errors.
-template <class S, int D>
-[[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
-                                                       const Barycentric<S, D>& coordinates) {
-  if constexpr (ScalarTraits<S>::kExact) {
-    return true;
-  } else {
-    set_weights(simplex, simplex.all(), coordinates);
-    const S rounding =
-        S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * largest_coordinate(simplex);
-    return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
-  }
-}
-
 /// The squared distance of O from the line or plane through `face`, of 2 to D vertices. Unlike that
 /// of P it needs no weights, and is exactly 0 when O lies there.
 template <class S, int D>
@@ -253,7 +198,7 @@ void find_region(State<S, D>& state, const Options& options, Rec& record) {
     break;
   }
   if (found == 0) {
-    found = checked ? nearest_face(state.simplex, coordinates) : state.simplex.all();
+    found = checked ? nearest_face<S, D>(state.simplex, coordinates.of_face) : state.simplex.all();
     if constexpr (Rec::kOn) {
       record.no_region_held = checked && vertex_count(found) != D + 1;
     }

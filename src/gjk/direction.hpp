@@ -1,7 +1,7 @@
 #pragma once
 // Phase "direction": where to look for the next vertex.
 
-#include "gjk/state.hpp"
+#include "gjk/record.hpp"
 
 namespace gjk {
 

@@ -2,9 +2,10 @@
 // The distance between two convex shapes, by GJK, with a certificate.
 //
 // To understand the algorithm, read in this order: simplex.hpp, state.hpp, closest_point.hpp,
-// direction.hpp, support.hpp, stop.hpp, loop.hpp. What else is here keeps rounding in check:
-// prepare.hpp (frames, units, how large errors can become), certificate.hpp and careful.hpp (what
-// is proved of the distance), settle.hpp (exact answers), witness.hpp and answer.hpp.
+// direction.hpp, support.hpp, stop.hpp, loop.hpp. record.hpp is what each phase notes, ring.hpp a
+// faster support point of large polygons. What else is here keeps rounding in check: prepare.hpp
+// (frames, units, how large errors can become), certificate.hpp and careful.hpp (what is proved of
+// the distance), settle.hpp (exact answers), witness.hpp and answer.hpp.
 
 #include "gjk/answer.hpp"
 

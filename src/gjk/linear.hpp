@@ -85,16 +85,6 @@ template <class S>
   }
 }
 
-/// 1 with the sign of a.
-template <class S>
-[[nodiscard]] S sign_of(const S& a) {
-  if constexpr (std::is_floating_point_v<S>) {
-    return std::copysign(S(1), a);
-  } else {
-    return a < S(0) ? S(-1) : S(1);
-  }
-}
-
 /// As std::max and std::min, by value: compilers make one instruction of these.
 template <class S>
 [[nodiscard]] S larger(S a, S b) {

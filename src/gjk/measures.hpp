@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <span>
 
-#include "gjk/linear.hpp"
+#include "gjk/ring.hpp"
 
 namespace gjk {
-
-/// Polygons of so many vertices are climbed rather than scanned, where that is possible:
-/// tests/bench (core-compare) times both at 1,024 vertices.
-inline constexpr std::size_t kRingFrom = 32;
 
 template <class S, int D>
 struct Measures {
@@ -65,30 +61,6 @@ void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, 
   out.radius = scaled_above(Traits::root(radius_sq), exponent);
   out.to_mean =
       scaled_above(S(Traits::root(dot(sum, sum)) / static_cast<S>(points.size())), exponent);
-}
-
-/// All turns go the same way beyond rounding, and the edges go round once.
-template <class S>
-[[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
-  const auto goes_up = [](const Vec<S, 2>& edge) {
-    return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);
-  };
-  const std::size_t count = points.size();
-  int turns = 0;
-  int crossings = 0;
-  Vec<S, 2> before = points[0] - points[count - 1];
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec<S, 2> edge = points[i + 1 == count ? 0 : i + 1] - points[i];
-    const S left = before[0] * edge[1];
-    const S right = before[1] * edge[0];
-    const S rounding =
-        S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
-    if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
-    turns += right < left ? 1 : -1;
-    crossings += goes_up(before) != goes_up(edge) ? 1 : 0;
-    before = edge;
-  }
-  return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
 }
 
 }  // namespace detail

@@ -151,6 +151,24 @@ template <class S, int D>
   return point;
 }
 
+/// Weights of `face` from its coordinates: segments divide by the squared length as the slides do,
+/// larger faces by the sum, so that weights add up to 1.
+template <class S, int D>
+void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
+  const FaceVertices& in_face = vertices_of(face);
+  simplex.weights.fill(S(0));
+  if (in_face.count == 1) {
+    simplex.weights[in_face.index[0]] = S(1);
+    return;
+  }
+  S divisor = coordinates.denominator;
+  if (in_face.count > 2) {
+    divisor = S(0);
+    for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
+  }
+  for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
+}
+
 /// The largest coordinate of the simplex.
 template <class S, int D>
 [[nodiscard]] S largest_coordinate(const Simplex<S, D>& simplex) {

@@ -5,7 +5,7 @@
 // O. For a point query X = {Q}, so that d, drawn in the world, points from P to Q.
 
 #include "gjk/prepare.hpp"
-#include "gjk/state.hpp"
+#include "gjk/record.hpp"
 
 namespace gjk {
 namespace detail {
@@ -50,19 +50,6 @@ auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, 
   return use(count, [&](int i) { return dot(local, from_centre(shape, prepared, body, i)); });
 }
 
-/// The vertex that lies farthest so far; of equal ones that with the lowest index.
-template <class R>
-struct Farthest {
-  int index = -1;
-  R value = R(0);
-
-  bool offer(int i, const R& offered) {
-    const bool improves = index < 0 || value < offered || (value == offered && i < index);
-    if (improves) *this = {i, offered};
-    return improves;
-  }
-};
-
 /// The first of the vertices that lie farthest (Catto 2010, slide "Support point code"). Without a
 /// branch on how vertices compare, which processors guess wrong.
 template <class R, class Along>
@@ -75,27 +62,6 @@ template <class R, class Along>
     most = larger(most, value);
   }
   return index;
-}
-
-/// The same vertex of a convex ring, without looking at all of them. Along a direction the vertices
-/// rise to one summit and fall to one valley. From the best of some samples both ways down are
-/// followed until the fall is beyond rounding: by then everything that is as high as that sample
-/// has been seen.
-template <class R, class Along>
-[[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
-  int stride = 1;
-  while (stride * stride < count) stride *= 2;
-  Farthest<R> farthest;
-  for (int i = 0; i < count; i += stride) farthest.offer(i, along(i));
-  const int summit = farthest.index;
-  for (const int towards : {1, count - 1}) {
-    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
-      const R value = along(i);
-      farthest.offer(i, value);
-      if (value < farthest.value - rounding) break;
-    }
-  }
-  return farthest.index;
 }
 
 /// The vertex of a shape that lies farthest along d; of equal ones the first. `visit(i, along)` of

@@ -1,0 +1,49 @@
+#pragma once
+// Where P lies when rounding has left the region tests nothing to believe.
+
+#include <span>
+
+#include "gjk/simplex.hpp"
+
+namespace gjk::detail {
+
+/// The face with the nearest point to O, of all faces that O projects into. A vertex is one of
+/// them. `of_face`: the coordinates of O in every face of two vertices or more.
+template <class S, int D>
+[[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
+                                               std::span<const Barycentric<S, D>> of_face) {
+  Face best = 0;
+  S best_sq(0);
+  for (Face face = 1; face <= simplex.all(); ++face) {
+    const FaceVertices& in_face = vertices_of(face);
+    const bool projects_into =
+        in_face.count == 1 || std::all_of(in_face.begin(), in_face.end(),
+                                          [&](int i) { return S(0) < of_face[face].numerator[i]; });
+    if (!projects_into) continue;
+    set_weights(simplex, face, of_face[face]);
+    const Vec<S, D> point = weighted_point(simplex, face);
+    const S point_sq = dot(point, point);
+    if (best == 0 || point_sq < best_sq) {
+      best = face;
+      best_sq = point_sq;
+    }
+  }
+  return best;
+}
+
+/// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
+/// is so thin that its volumes, and their signs, may be rounding errors.
+template <class S, int D>
+[[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
+                                                       const Barycentric<S, D>& coordinates) {
+  if constexpr (ScalarTraits<S>::kExact) {
+    return true;
+  } else {
+    set_weights(simplex, simplex.all(), coordinates);
+    const S rounding =
+        S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * largest_coordinate(simplex);
+    return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+  }
+}
+
+}  // namespace gjk::detail

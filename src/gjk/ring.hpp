@@ -1,0 +1,75 @@
+#pragma once
+// Support points of large convex polygons, without looking at all vertices.
+
+#include <span>
+
+#include "gjk/linear.hpp"
+
+namespace gjk {
+
+/// Polygons of so many vertices are climbed rather than scanned, where that is possible:
+/// tests/bench (core-compare) times both at 1,024 vertices.
+inline constexpr std::size_t kRingFrom = 32;
+
+namespace detail {
+
+/// All turns go the same way beyond rounding, and the edges go round once.
+template <class S>
+[[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
+  const auto goes_up = [](const Vec<S, 2>& edge) {
+    return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);
+  };
+  const std::size_t count = points.size();
+  int turns = 0;
+  int crossings = 0;
+  Vec<S, 2> before = points[0] - points[count - 1];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec<S, 2> edge = points[i + 1 == count ? 0 : i + 1] - points[i];
+    const S left = before[0] * edge[1];
+    const S right = before[1] * edge[0];
+    const S rounding =
+        S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
+    if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
+    turns += right < left ? 1 : -1;
+    crossings += goes_up(before) != goes_up(edge) ? 1 : 0;
+    before = edge;
+  }
+  return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
+}
+
+/// The vertex that lies farthest so far; of equal ones that with the lowest index.
+template <class R>
+struct Farthest {
+  int index = -1;
+  R value = R(0);
+
+  bool offer(int i, const R& offered) {
+    const bool improves = index < 0 || value < offered || (value == offered && i < index);
+    if (improves) *this = {i, offered};
+    return improves;
+  }
+};
+
+/// The vertex of a convex ring that lies farthest, of equal ones the first. Along a direction the
+/// vertices rise to one summit and fall to one valley. From the best of some samples both ways down
+/// are followed until the fall is beyond rounding: by then everything that is as high as that
+/// sample has been seen.
+template <class R, class Along>
+[[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
+  int stride = 1;
+  while (stride * stride < count) stride *= 2;
+  Farthest<R> farthest;
+  for (int i = 0; i < count; i += stride) farthest.offer(i, along(i));
+  const int summit = farthest.index;
+  for (const int towards : {1, count - 1}) {
+    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
+      const R value = along(i);
+      farthest.offer(i, value);
+      if (value < farthest.value - rounding) break;
+    }
+  }
+  return farthest.index;
+}
+
+}  // namespace detail
+}  // namespace gjk
