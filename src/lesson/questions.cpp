@@ -108,10 +108,11 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
     if (is_asked) continue;
     const LessonQuestion& question = lesson.questions[q];
     const Place place = place_of(lesson.path, fmt::format("questions.{}.ask", q));
+    const char* counted = is_about_study(question.ask) ? "about mark" : "in iteration";
     problems.push_back(
         {lesson.path, place.line, place.column,
          fmt::format("no frame asks '{}'{}", name_of(question.ask),
-                     question.at ? fmt::format(" at {}", *question.at) : std::string()),
+                     question.at ? fmt::format(" {} {}", counted, *question.at) : std::string()),
          "a question that a frame answers, out of more than one answer", ""});
   }
   return problems;

@@ -99,10 +99,10 @@ std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
     ticks.clear();
   }
   const int each = (last - first) / most + 1;
-  constexpr int kLinesBetween = 2;  // more would look like a pattern
+  constexpr int kMostBetween = 1;  // lines without a number; more look like a pattern
   for (int exponent = first; exponent <= last; ++exponent) {
     const bool labelled = exponent % each == 0;
-    if (!labelled && each > kLinesBetween) continue;
+    if (!labelled && each - 1 > kMostBetween) continue;
     ticks.push_back(
         {std::pow(10.0, exponent), labelled ? number(1, exponent, written_out) : std::string()});
   }
@@ -128,9 +128,10 @@ std::vector<PlotTick> equal_steps(const PlotAxis& axis, int most) {
   return ticks;
 }
 
-/// With as many numbers as stand `gap` apart along `length` pixels.
+/// With as many numbers as stand `gap` apart along `length` pixels. The last one may reach `beyond`
+/// the end.
 template <class SizeOf>
-std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double gap,
+std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double beyond, double gap,
                                   const SizeOf& size_of) {
   constexpr int kMost = 12;
   for (int most = kMost; most > 1; --most) {
@@ -139,8 +140,8 @@ std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double ga
     double end = -1e9;
     for (const PlotTick& tick : ticks) {
       if (tick.label.empty()) continue;
-      const double at = length * part(axis, tick.value);
       const double half = 0.5 * size_of(tick.label);
+      const double at = std::min(length * part(axis, tick.value), length + beyond - half);
       fits = fits && end + gap <= at - half;
       end = at + half;
     }
@@ -188,14 +189,14 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   const double top = names.empty() ? next.y() : next.y() + 0.75 * kTitleRow;
   const double bottom = area.max.y() - kTickRow - (plot.x.title.empty() ? 0.0 : kTitleRow);
   const std::vector<PlotTick> y_ticks =
-      ticks_along(plot.y, bottom - top, kTickRoom, [](const std::string&) { return 0.0; });
+      ticks_along(plot.y, bottom - top, 0.0, kTickRoom, [](const std::string&) { return 0.0; });
   double widest = 0.0;
   for (const PlotTick& tick : y_ticks)
     widest = std::max(widest, fonts.width(type::kText, tick.label));
   const Rect inner{{area.min.x() + widest + kNumberGap, top},
                    {area.max.x() - kHollow - kNumberGap, bottom}};
   const std::vector<PlotTick> x_ticks =
-      ticks_along(plot.x, inner.size().x(), kNumberGap,
+      ticks_along(plot.x, inner.size().x(), area.max.x() - inner.max.x(), kNumberGap,
                   [&](const std::string& label) { return fonts.width(type::kText, label); });
   const auto at = [&](double x, double y) {
     return Point(inner.min.x() + part(plot.x, x) * inner.size().x(),
@@ -234,7 +235,8 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   Polyline axes{{inner.min, {inner.min.x(), inner.max.y()}}};
   if (plot.x.is_shown) axes.points.push_back(inner.max);
   add("plot.axis", std::move(axes));
-  write("body.muted", {area.min.x(), area.min.y() + 11.0}, plot.y.title, type::kText, Align::left);
+  write("body.muted", {area.min.x(), area.min.y() + fonts.cap_height(type::kText)}, plot.y.title,
+        type::kText, Align::left);
   write("body.muted", {inner.center().x(), area.max.y() - 4.0}, plot.x.title, type::kText,
         Align::center);
 

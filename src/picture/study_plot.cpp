@@ -17,9 +17,9 @@ struct DotGroup {
   std::string_view name;
 };
 constexpr std::array<DotGroup, 4> kGroups = {{{PlotStyle::second, "loop only"},
-                                           {PlotStyle::first, "bounds only"},
-                                           {PlotStyle::third, "proved"},
-                                           {PlotStyle::fourth, "stops early"}}};
+                                              {PlotStyle::first, "bounds only"},
+                                              {PlotStyle::third, "proved"},
+                                              {PlotStyle::fourth, "stops early"}}};
 
 constexpr const char* kTimeTitle = "time for one pair, nanoseconds";
 constexpr const char* kErrorTitle = "largest error seen";
@@ -103,19 +103,17 @@ Plot study_plot(const std::vector<StudyDot>& family) {
 
 Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
-  const std::vector<StudyDot> all_marks = introduced(study, static_cast<int>(study.marks.size()));
   const std::vector<StudyDot> front = front_of(family);
   const bool has_all = frame.stage == StudyStage::all || frame.stage == StudyStage::choice;
   const bool has_time = frame.stage != StudyStage::error_axis;
 
-  // Room for whatever a frame names, and a little above an error of 1.
+  // Room for every dot, and a little above an error of 1.
   Decades ns;
   Decades error;
-  for (const auto* dots : {&all_marks, &front}) {
-    for (const StudyDot& dot : *dots) {
-      ns.hold(dot.ns);
-      error.hold(dot.error.value_or(1.0));
-    }
+  for (const StudyDot& dot : family) {
+    if (!dot.error) continue;
+    ns.hold(dot.ns);
+    error.hold(std::max(*dot.error, kLeastShown));
   }
   const PlotAxis time = ns.close_axis(kTimeTitle);
   constexpr double kAbove = 30.0;
@@ -130,7 +128,12 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   plot.x = time;
   plot.x.is_shown = has_time;
   if (!has_time) plot.x.title.clear();
-  plot.y = error.close_axis(fmt::format("{} on {} pairs", kErrorTitle, family.front().pairs));
+  const bool goes_beyond = std::any_of(shown.begin(), shown.end(), [](const StudyDot& dot) {
+    return dot.error && *dot.error < kLeastShown;
+  });
+  plot.y = error.close_axis(fmt::format("{} on {} pairs{}", kErrorTitle, family.front().pairs,
+                                        goes_beyond ? "; smaller ones stand at the foot" : ""));
+  plot.y.low = std::max(plot.y.low, kLeastShown);
   plot.y.high = kAbove;
   if (!has_all) {
     for (const StudyDot& dot : shown) {
@@ -147,8 +150,7 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
       const auto is_same = [&](const StudyDot& mark) {
         return mark.configuration == dot.configuration;
       };
-      const bool has_place = dot.error && dot.ns <= time.high;
-      if (!has_place || std::any_of(shown.begin(), shown.end(), is_same)) continue;
+      if (!dot.error || std::any_of(shown.begin(), shown.end(), is_same)) continue;
       others.points.push_back(place_of(dot));
       others.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
     }

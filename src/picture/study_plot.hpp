@@ -14,8 +14,11 @@ inline constexpr double kNoError = 1e-36;
 /// `family`.
 [[nodiscard]] Plot study_plot(const std::vector<StudyDot>& family);
 
-/// What a frame shows of it; only from StudyStage::error_axis on. The axes have room for all marks
-/// and the front, so these stay where they are; what takes longer is left out.
+/// The axis of errors in frames ends here: what errs less stands at its foot.
+inline constexpr double kLeastShown = 1e-21;
+
+/// What a frame shows of it; only from StudyStage::error_axis on. The axes have room for all dots
+/// of the family, so these stay where they are.
 [[nodiscard]] Plot study_plot(const LessonStudy& study, const StudyFrame& frame);
 
 /// Where a dot stands; only of dots with an error.

@@ -45,6 +45,19 @@ std::vector<StudyDot> introduced(const LessonStudy& study, int count) {
   return out;
 }
 
+std::string about(const LessonStudy& study, const StudyDot& dot) {
+  for (const StudyMark& mark : study.marks) {
+    if (mark.configuration == dot.configuration && !mark.about.empty()) return mark.about;
+  }
+  if (dot.axis == "tolerance") return "stops when its bounds are so close";
+  if (dot.axis == "cap") return "stops after so many iterations";
+  if (dot.axis == "start") return "starts from other vertices";
+  if (dot.axis == "stop rule") return "leaves out a stop test";
+  if (dot.axis == "direction and regions") return "another rule for directions or regions";
+  if (dot.proof == "none") return "no bounds, no proof";
+  return dot.proof == "bounds" ? "bounds, but no exact arithmetic" : "every answer proved";
+}
+
 std::vector<StudyDot> front_among(std::vector<StudyDot> dots) {
   std::vector<Cost> costs;
   for (const StudyDot& dot : dots) costs.push_back({dot.ns, dot.error.value_or(INFINITY)});

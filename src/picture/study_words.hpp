@@ -18,6 +18,9 @@ namespace gjkscope {
 /// The dots of the lesson's first `count` marks.
 [[nodiscard]] std::vector<StudyDot> introduced(const LessonStudy& study, int count);
 
+/// What a way to run GJK does, in a few words: the lesson's about its marks.
+[[nodiscard]] std::string about(const LessonStudy& study, const StudyDot& dot);
+
 /// Those of some dots that none of them beats, from fast to accurate.
 [[nodiscard]] std::vector<StudyDot> front_among(std::vector<StudyDot> dots);
 

@@ -103,12 +103,14 @@ TEST(Front, BeatsAllThatIsNotOnIt) {
   std::uint32_t state = 1;
   const auto among = [&](std::uint32_t count) {
     state = state * 1664525u + 1013904223u;
-    return static_cast<double>((state >> 16) % count);
+    return (state >> 16) % count;
   };
   for (int round = 0; round < 50; ++round) {
     std::vector<Cost> costs;
-    for (int i = 0; i < 60; ++i)
-      costs.push_back({std::pow(1.07, among(80)), std::pow(0.6, among(60))});
+    for (int i = 0; i < 60; ++i) {
+      const std::uint32_t steps = among(80);  // digits take time, so that there is a choice
+      costs.push_back({std::pow(1.07, steps), std::pow(0.6, among(steps + 1))});
+    }
     const std::vector<bool> front = front_of(costs);
     std::vector<Cost> best;
     for (std::size_t i = 0; i < costs.size(); ++i) {

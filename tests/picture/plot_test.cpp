@@ -70,10 +70,13 @@ TEST(PlotTicks, PowersOfTenAreWrittenOutWhileTheyAreShort) {
 }
 
 TEST(PlotTicks, LongerOnesAreRaisedAndSomeHaveALineAlone) {
-  EXPECT_EQ(labels(plot_ticks(logarithmic(1.0, 1e12), 5)),
-            (Labels{"10⁰", "", "", "10³", "", "", "10⁶", "", "", "10⁹", "", "", "10¹²"}));
-  EXPECT_EQ(labels(plot_ticks(logarithmic(1e-16, 1e-8), 3)),
-            (Labels{"10⁻¹⁶", "", "", "10⁻¹³", "", "", "10⁻¹⁰", "", ""}));
+  EXPECT_EQ(labels(plot_ticks(logarithmic(1.0, 1e12), 7)),
+            (Labels{"1", "", "10²", "", "10⁴", "", "10⁶", "", "10⁸", "", "10¹⁰", "", "10¹²"}));
+  EXPECT_EQ(labels(plot_ticks(logarithmic(1e-15, 1e-8), 4)),
+            (Labels{"", "10⁻¹⁴", "", "10⁻¹²", "", "10⁻¹⁰", "", "10⁻⁸"}));
+  EXPECT_EQ(labels(plot_ticks(logarithmic(1e-17, 1e4), 8)),
+            (Labels{"10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1", "10³"}))
+      << "more lines alone would look like a pattern";
 }
 
 TEST(PlotTicks, FewPowersOfTenHaveTwoAndFiveBetweenThem) {
@@ -163,6 +166,22 @@ TEST(Plot, TextsStayInTheAreaAndOffEachOther) {
     boxes.push_back(box);
   }
   EXPECT_GE(boxes.size(), 5u + 5u + 2u);
+}
+
+TEST(Plot, ALastNumberThatStaysInTheAreaKeepsOffTheOneBefore) {
+  Plot plot = two_points();
+  plot.x = {1.0, 1e6, true, "n"};
+  for (double right = 250.0; right < 900.0; right += 1.0) {
+    double end = -1e9;
+    for (const Text& text : shapes<Text>(
+             plot_marks(plot, fonts(), {kArea.min, {right, kArea.max.y()}}), "body.muted")) {
+      if (text.align != Align::center || text.text == plot.x.title) continue;
+      const Rect box = box_of(fonts(), text);
+      EXPECT_LT(end, box.min.x()) << text.text << " with " << right;
+      EXPECT_LE(box.max.x(), right + 1e-9);
+      end = box.max.x();
+    }
+  }
 }
 
 TEST(Plot, TheCurrentValueMovesNoName) {

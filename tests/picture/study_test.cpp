@@ -56,7 +56,8 @@ TEST(StudyPicture, TheFrontGoesDownToTheRight) {
     EXPECT_LT(front[i - 1].ns, front[i].ns);
     EXPECT_GT(*front[i - 1].error, *front[i].error);
   }
-  const PlotSeries& line = study_plot(shown.family()).series.back();
+  const Plot plot = study_plot(shown.family());
+  const PlotSeries& line = plot.series.back();
   EXPECT_FALSE(line.has_symbols);
   ASSERT_EQ(line.points.size(), front.size());
   EXPECT_EQ(line.points.front(), place_of(front.front()));
@@ -100,7 +101,7 @@ TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Frame& frame = shown.run.frames[i];
     if (frame.question >= 0 || shown.run.study(frame).stage != StudyStage::mark) continue;
-    const StudyDot& dot = introduced(shown.study(), shown.run.study(frame).marks).back();
+    const StudyDot dot = introduced(shown.study(), shown.run.study(frame).marks).back();
     SCOPED_TRACE(texts[i].caption);
     EXPECT_TRUE(
         holds(texts[i].caption, dot.configuration + ": " + time_text(dot.ns) + " for a pair"));

@@ -528,7 +528,7 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
   EXPECT_EQ(read.lesson->study->dots, window.session().lesson().study->dots);
 
-  std::ofstream(results) << R"({"rows": [{"family": 3}]})";
+  std::ofstream(results) << R"({"machine": {"processor": "abacus"}, "rows": [{"family": 3}]})";
   window.app().open_path(results);
   EXPECT_NE(window.app().message().find("row 1: "), std::string::npos) << window.app().message();
   EXPECT_TRUE(window.session().lesson().study) << "what was open stays";

@@ -101,6 +101,16 @@ void legend(PanelBuilder& panel, const LessonStudy& study, const StudyFrame& fra
     }
     panel.y += kLine + 3.0;
   }
+  if (frame.stage >= StudyStage::mark) return;
+  panel.rule();
+  heading(panel, "What proved means");
+  for (const char* line : {"Bounds that allow for rounding enclose the",
+                           "distance. Where they are too far apart, exact",
+                           "arithmetic goes on. A float proves its answer",
+                           "for the vertices as it has rounded them."}) {
+    panel.write("body", panel.left, line, type::kText);
+    panel.y += kLine;
+  }
 }
 
 /// Each mark: on the front, or beaten by which.
@@ -126,15 +136,20 @@ void beaten(PanelBuilder& panel, const LessonStudy& study) {
   }
 }
 
-/// The front of all ways, numbered as in the plot.
-void front(PanelBuilder& panel, const std::vector<StudyDot>& family) {
-  const std::vector<StudyDot> best = front_of(family);
+/// The front of all ways, numbered as in the plot, with as much about each as there is room for.
+void front(PanelBuilder& panel, const LessonStudy& study) {
+  const std::vector<StudyDot> best = front_of(of_family(study.dots, study.family));
   heading(panel, "The front of all ways");
+  const bool is_short = best.size() < 6;
   const bool is_long = best.size() > 8;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const StudyDot& dot = best[i];
     panel.write("plot.limit.label", panel.left, std::to_string(i + 1), type::kName);
     panel.write("strong", panel.left + kIndent, dot.configuration, type::kName);
+    if (is_short) {
+      panel.y += kLine - 1.0;
+      panel.write("body.muted", panel.left + kIndent, about(study, dot), type::kText);
+    }
     if (!is_long) {
       panel.y += kLine - 1.0;
       panel.write("body.muted", panel.left + kIndent,
@@ -163,7 +178,7 @@ void study(PanelBuilder& panel) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
   if (frame.stage == StudyStage::front) return beaten(panel, study);
-  if (frame.stage == StudyStage::all) return front(panel, family);
+  if (frame.stage == StudyStage::all) return front(panel, study);
   if (frame.stage == StudyStage::choice) return needs(panel, family);
   legend(panel, study, frame);
 }

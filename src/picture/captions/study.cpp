@@ -144,20 +144,18 @@ void time_axis(const LessonStudy& study, FrameText& text) {
       "The second axis: the time for one pair, on one thread of an {}. Farther left "
       "is faster.",
       study.processor);
-  for (const StudyDot& dot : marks) {
-    text.detail += format("{}{} takes {}", text.detail.empty() ? "" : ", ", dot.configuration,
-                          time_text(dot.ns));
-  }
-  text.detail += ".";
+  std::vector<std::string> times;
+  for (const StudyDot& dot : marks)
+    times.push_back(format("{} takes {}", dot.configuration, time_text(dot.ns)));
+  text.detail = format("{}", fmt::join(times, ", "));
   const auto most =
       std::max_element(marks.begin(), marks.end(),
                        [](const StudyDot& a, const StudyDot& b) { return a.settled < b.settled; });
   if (most->settled > 0) {
-    text.detail += format(
-        " In {} rounding leaves {} of {} pairs open; exact arithmetic settles them, "
-        "and that takes long.",
-        most->configuration, most->settled, most->pairs);
+    text.detail += format(": exact arithmetic must settle {} of {} pairs that {} leaves open",
+                          most->settled, most->pairs, most->configuration);
   }
+  text.detail += ".";
 }
 
 void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
@@ -167,8 +165,7 @@ void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
   text.caption =
       format("{}: {} for a pair, {} {}. {}.", dot.configuration, time_text(dot.ns),
              compared(dot.ns, beside.ns), beside.configuration,
-             dot.error ? format("Largest error seen on {} pairs: {}", dot.pairs, error_words(dot))
-                       : "To some pair it has no answer");
+             dot.error ? "Largest error: " + error_words(dot) : "To some pair it has no answer");
   text.detail = of_pairs("It", dot) + shown.note;
 }
 
@@ -181,8 +178,8 @@ void front(const LessonStudy& study, FrameText& text) {
       "Which would you take? A mark is beaten if another one is as fast and as accurate, or "
       "better.";
   text.detail = format(
-      "The dotted line joins the marks that nothing beats, the front: {}. To go on to "
-      "a smaller error costs time.",
+      "The dotted line joins the marks that nothing beats, the front: {}. Along it, a smaller "
+      "error costs time.",
       fmt::join(names, "; "));
 }
 
@@ -194,9 +191,8 @@ void all(const LessonStudy& study, FrameText& text) {
       "other rules, other starts.",
       family.size(), family.size() - study.marks.size());
   text.detail = format(
-      "{} of them are the front: every other way is as slow or slower than one of "
-      "these, and as inaccurate or more so. (Times within 10 % are the same, errors "
-      "within a factor of 2.)",
+      "{} of them are the front: they beat all others that get a digit right. (Times within 10 % "
+      "count as equal, errors within a factor of 2.)",
       best.size());
 }
 

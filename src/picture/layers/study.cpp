@@ -20,7 +20,9 @@ using Gap = RoundedPair::Gap;
 
 constexpr double kMargin = 14.0;
 constexpr double kInsetHeight = 0.43;  ///< Of the card.
-constexpr double kDimension = 40.0;    ///< From a vertex to the line that tells its gap.
+constexpr double kHeader = 30.0;       ///< Of an inset, for its title.
+constexpr double kDimension = 32.0;    ///< From a vertex to the line that tells its gap.
+constexpr double kRing = 9.0;          ///< Around what an inset enlarges.
 
 std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
   std::vector<Vector2d> out;
@@ -52,7 +54,10 @@ std::optional<std::array<Vector2d, 2>> clipped(const Vector2d& a, const Vector2d
 class Inset {
  public:
   Inset(SceneBuilder& scene, const Rect& card, const Vector2d& center, double scale)
-      : scene_(scene), map_(card, {center, card.size().y() / scale}) {
+      : scene_(scene),
+        card_(card),
+        map_({card.min + Point(0.0, kHeader), card.max},
+             {center, (card.size().y() - kHeader) / scale}) {
     for (const Vector2d& corner : map_.visible()) seen_.extend(corner);
     scene_.add("inset", Box{card, 8.0});
   }
@@ -96,7 +101,7 @@ class Inset {
   }
   void unknown() {
     scene_.add("inset.label",
-               Text{map_.area().center() + Point(0.0, 10.0), "?", type::kTitle, Align::center});
+               Text{card_.center() + Point(0.0, 10.0), "?", type::kTitle, Align::center});
   }
   void move(const Vector2d& from, const Vector2d& to) {
     constexpr double kShortest = 16.0;
@@ -118,13 +123,12 @@ class Inset {
     scene_.line(role, a + shift, b + shift);
     for (const Point& end : {Point(a + shift), Point(b + shift)})
       scene_.line(role, end - kTick * across, end + kTick * across);
-    const Point middle = 0.5 * (a + b) + shift + 13.0 * across;
+    const Point middle = 0.5 * (a + b) + shift + 10.0 * across;
     scene_.add(role + ".label", Text{middle + Point(0.0, 6.0), text, type::kName,
                                      side < 0.0 ? Align::right : Align::left});
   }
   void title(const std::string& text) {
-    const Rect& card = map_.area();
-    scene_.add("inset.label", Text{card.min + Point(10.0, 22.0), text, type::kText});
+    scene_.add("inset.label", Text{card_.min + Point(10.0, 22.0), text, type::kText});
   }
 
  private:
@@ -135,7 +139,8 @@ class Inset {
   static float next(float value) { return std::nextafter(value, INFINITY); }
 
   SceneBuilder& scene_;
-  StageMap map_;
+  Rect card_;
+  StageMap map_;  ///< Of the card below its title.
   Eigen::AlignedBox2d seen_;
 };
 
@@ -162,13 +167,16 @@ class PairPicture {
     const StageMap map(from_afar_, camera_around(seen, from_afar_));
     shape(map, x_, "shape.x", scene_.run.lesson.x.name);
     shape(map, y_, "shape.y", scene_.run.lesson.y.name);
-    for (const RoundedPair::Vertex& vertex : pair_.facing) {
+    const Point to_x = (map(centroid(x_)) - map(centroid(y_))).normalized();
+    for (std::size_t i = 0; i < pair_.facing.size(); ++i) {
+      const RoundedPair::Vertex& vertex = pair_.facing[i];
       const std::string role = vertex.of_x ? "shape.x.label" : "shape.y.label";
-      const Vector2d middle = centroid(vertex.of_x ? x_ : y_);
       const Point at = map(place_of(pair_.exact, vertex));
+      const Point along = (at - map(place_of(pair_.exact, pair_.facing[i ^ 1]))).normalized();
+      // Away from its edge, and from the other shape.
       scene_.out.fixed_labels.push_back(scene_.label("pair " + name_of(vertex), name_of(vertex),
-                                                     role, type::kVertex, at, 6.0,
-                                                     at - map(middle)));
+                                                     role, type::kVertex, at, kRing,
+                                                     along + (vertex.of_x ? to_x : -to_x)));
     }
     const auto& ends = pair_.ends;
     const bool is_one = ends[0].exact.vertex == ends[1].exact.vertex;
@@ -181,7 +189,7 @@ class PairPicture {
       const Rect box{{left, insets_top_}, {left + width, card.max.y() - kMargin}};
       const Point at = map(ends[i].exact.vertex);
       scene_.line("inset.line", at, {box.center().x(), box.min.y()});
-      scene_.add("inset.line", Disk{at, 9.0});
+      scene_.add("inset.line", Disk{at, kRing});
       inset(box, i, map.scale(), is_left ? -1.0 : 1.0);
     }
   }
