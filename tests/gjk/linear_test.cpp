@@ -29,9 +29,6 @@ TEST(conversions, "a vector in another scalar has the same coordinates") {
   CHECK((gjk::converted<float, double, 2>(Vec<double, 2>(1, 2)) == Vec<float, 2>(1, 2)));
 }
 
-TEST(signs, "1 or -1 with the sign of a number; a zero that knows no sign counts as positive") {
-}
-
 TEST(magnitudes, "a number without its sign; the larger and the smaller of two, in any scalar") {
   for (const int a : {-3, 0, 3}) {
     CHECK_EQ(a * a, gjk::magnitude(a) * gjk::magnitude(a));
