@@ -288,11 +288,11 @@ TEST(divisors, "segments divide by the squared length, larger faces by the sum o
   gjk::Barycentric<double, 2> coordinates;
   coordinates.numerator = {1, 1, 2};
   coordinates.denominator = 8;
-  gjk::detail::set_weights(simplex, 0b011, coordinates);
+  gjk::set_weights(simplex, 0b011, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0.125, 0.125, 0}));
-  gjk::detail::set_weights(simplex, 0b111, coordinates);
+  gjk::set_weights(simplex, 0b111, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0.25, 0.25, 0.5}));
-  gjk::detail::set_weights(simplex, 0b100, coordinates);
+  gjk::set_weights(simplex, 0b100, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0, 0, 1}));
 }
 
@@ -333,7 +333,7 @@ TEST(nearest, "the nearest face is the first of those whose P is nearest") {
   const auto nearest = [](const std::vector<Vec<double, 2>>& points) {
     const auto simplex = state_of<double, 2>(points).simplex;
     const gjk::detail::Coordinates<double, 2, 3> coordinates(simplex);
-    return static_cast<int>(gjk::detail::nearest_face(simplex, coordinates));
+    return static_cast<int>(gjk::detail::nearest_face<double, 2>(simplex, coordinates.of_face));
   };
   CHECK_EQ(0b001, nearest({{1, 1}, {1, 1}, {3, 4}}));
   CHECK_EQ(0b010, nearest({{3, 4}, {1, 1}, {1, 1}}));
