@@ -3,10 +3,11 @@
 //
 // An effect is a type E with
 //   static constexpr std::string_view kName;     "minkowski-hull"
-//   static constexpr std::string_view kNeeds;    "minkowski-cloud": what it pulls itself, for
-//   `explain` using Value = ...; static EffectKey key(const LessonRun&, const Frame&);   frames
-//   with equal keys share one value static Value compute(EffectGraph&, const LessonRun&, const
-//   Frame&);
+//   static constexpr std::string_view kNeeds;    "minkowski-cloud": what it pulls itself
+//   using Value = ...;
+//   static EffectKey key(const LessonRun&, const Frame&);    equal keys share one value
+//   static Value compute(EffectGraph&, const LessonRun&, const Frame&);
+//
 // The graph is pulled: `get<E>(frame)` computes the value when it is first asked for, and never
 // otherwise.
 

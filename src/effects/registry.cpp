@@ -4,6 +4,7 @@
 #include "effects/barycentric.hpp"
 #include "effects/cold_start.hpp"
 #include "effects/direction_rules.hpp"
+#include "effects/facts.hpp"
 #include "effects/growth.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
@@ -30,6 +31,7 @@ EffectInfo info(std::string_view used_by, std::string_view summary) {
 
 const std::vector<EffectInfo>& registered_effects() {
   static const std::vector<EffectInfo> effects = {
+      info<FrameFacts>("frame", "what is known when a frame is shown"),
       info<VoronoiRegions>("view", "Voronoi regions of the current simplex"),
       info<BarycentricWeights>("panel", "barycentric coordinates of the query point, signed"),
       info<BarycentricParts>("view", "the lengths or areas that the coordinates measure"),
@@ -47,6 +49,7 @@ const std::vector<EffectInfo>& registered_effects() {
       info<TouchedPoints>("view", "the differences that the run has computed so far"),
       info<LastPosition>("view", "where everything was a position ago, and how far it went"),
       info<GrownObstacle>("view", "Y grown by X, and X as a point against it"),
+      info<BestSupport>("frame", "the support line that proves most of the distance"),
       info<Slab>("view", "the widest strip proved empty between X and Y"),
       info<ColdStart>("panel", "the same run without the warm start"),
       info<Growth>("panel", "runs on random polygons, with more and more vertices"),

@@ -11,8 +11,8 @@ struct EffectInfo {
   std::string_view
       needs;  ///< Names of the effects that it pulls, separated by commas; empty: the trace alone.
   std::string_view summary;  ///< One line for `gjkscope explain`.
-  std::string_view
-      used_by;  ///< "view": a lesson's views call for it by name; "panel": a panel block does.
+  std::string_view used_by;  ///< "view": a lesson's views call for it by name; "panel": a panel
+                             ///< block does; "frame": any part of a frame may.
 };
 
 /// In the order in which `explain` lists them.

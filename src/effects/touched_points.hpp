@@ -14,9 +14,4 @@ struct TouchedPoints {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-/// The same, for words.
-[[nodiscard]] TouchedPoints::Value touched_by(const LessonRun& run, const Frame& frame);
-/// Number of support points that the run has found by then.
-[[nodiscard]] int support_calls_by(const LessonRun& run, const Frame& frame);
-
 }  // namespace gjkscope

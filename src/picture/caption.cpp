@@ -21,8 +21,9 @@ namespace {
 
 /// A lesson that shows the slab is told by what each phase proves.
 bool tells_slab(const Story& story) {
-  const bool proves = story.phase_is(gjk::Phase::closest) || story.phase_is(gjk::Phase::support) ||
-                      (story.phase_is(gjk::Phase::stop) && story.knows_support());
+  const bool proves = story.knows.phase_is(gjk::Phase::closest) ||
+                      story.knows.phase_is(gjk::Phase::support) ||
+                      (story.knows.phase_is(gjk::Phase::stop) && story.knows.support);
   return proves && story.shows(Slab::kName);
 }
 
@@ -55,7 +56,8 @@ void write(const Story& story, FrameText& text) {
       return captions::support(story, text);
     case gjk::Phase::stop:
       captions::stop(story, text);
-      if (story.ended() && story.shows(TouchedPoints::kName)) captions::touched_points(story, text);
+      if (story.knows.has_ended && story.shows(TouchedPoints::kName))
+        captions::touched_points(story, text);
       return;
     case gjk::Phase::add:
       return captions::add(story, text);
@@ -85,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> values_of(const Story& story) {
   put("iterations", std::to_string(result.iterations));
   put("simplex", story.words.face(story.state.simplex.all()));
   if (story.run.point_query()) put("Q", story.numbers.point(story.positioned.x_world[0]));
-  if (story.knows_p()) {
+  if (story.knows.closest_point) {
     put("region", story.words.face(story.state.region));
     constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
     for (int i = 0; i < story.state.simplex.count; ++i)
@@ -93,13 +95,13 @@ std::vector<std::pair<std::string, std::string>> values_of(const Story& story) {
     put("P", story.numbers.point(story.p_world()));
     put("distance", story.numbers(std::sqrt(story.state.p_sq)));
   }
-  if (story.knows_direction()) put("d", story.numbers.point(story.state.d));
-  if (story.knows_support()) put("support", story.run.pair_name(story.state.support.pair));
+  if (story.knows.direction) put("d", story.numbers.point(story.state.d));
+  if (story.knows.support) put("support", story.run.pair_name(story.state.support.pair));
   if (running) {
     put("lower", story.numbers(story.run.bounds(story.frame).lower));
     put("upper", story.numbers(story.run.bounds(story.frame).upper));
   }
-  if (running && story.run.step(story.frame).phase == gjk::Phase::stop && story.ended()) {
+  if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     put("stop", std::string(name_of(story.state.stop)));
   }
   return out;

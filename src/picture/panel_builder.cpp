@@ -6,7 +6,6 @@
 namespace gjkscope {
 
 using namespace rows;
-using gjk::Phase;
 
 PanelBuilder::PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                            const Fonts& type_faces, const Rect& card)
@@ -15,6 +14,7 @@ PanelBuilder::PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       frame(shown),
       fonts(type_faces),
       state(run.state(frame)),
+      knows(effects.get<FrameFacts>(frame)),
       numbers(run.lesson),
       words(run, state.simplex),
       left(card.min.x() + kPad),
@@ -59,29 +59,6 @@ void PanelBuilder::bar(double x0, double x1, double low, double high, double val
                   2.0});
   }
   if (low < 0.0) add("weight.axis", Polyline{{{at(0.0), middle - 9.0}, {at(0.0), middle + 9.0}}});
-}
-
-std::optional<Phase> PanelBuilder::phase() const {
-  return frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase);
-}
-
-const std::vector<gjk::RegionTest<double>>& PanelBuilder::region_tests() const {
-  static const std::vector<gjk::RegionTest<double>> none;
-  return phase() == Phase::closest ? run.step(frame).record.region_tests : none;
-}
-
-int PanelBuilder::tests_reached() const {
-  return gradual() ? frame.detail : static_cast<int>(region_tests().size()) - 1;
-}
-
-bool PanelBuilder::stop_follows_support() const {
-  return phase() == Phase::stop && run.run(frame).follows_support(frame.step);
-}
-
-bool PanelBuilder::knows_support() const {
-  if (run.lesson.granularity == Granularity::support && frame.detail >= 0)
-    return frame.detail == kSupportOfZ;
-  return phase() == Phase::support || stop_follows_support();
 }
 
 std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/facts.hpp"
 #include "effects/graph.hpp"
 #include "picture/picture.hpp"
 #include "picture/words.hpp"
@@ -38,23 +39,17 @@ struct PanelBuilder {
   /// A bar from zero, on a track from `low` to `high`.
   void bar(double x0, double x1, double low, double high, double value, const std::string& role);
 
-  // The step
-  [[nodiscard]] std::optional<gjk::Phase> phase() const;
   /// True where frames step through the region tests.
   [[nodiscard]] bool gradual() const { return run.lesson.granularity == Granularity::test; }
-  [[nodiscard]] const std::vector<gjk::RegionTest<double>>& region_tests() const;
-  /// Index of the last region test that the frame shows.
-  [[nodiscard]] int tests_reached() const;
   /// The numbers that decide a region test.
   [[nodiscard]] std::string test_values(const gjk::RegionTest<double>& test) const;
-  [[nodiscard]] bool stop_follows_support() const;
-  [[nodiscard]] bool knows_support() const;
 
   const LessonRun& run;
   EffectGraph& effects;
   const Frame& frame;
   const Fonts& fonts;
   const gjk::State<double, 2>& state;
+  const FrameFacts::Value& knows;
   Numbers numbers;
   SimplexWords words;
   double left;           ///< Of the text.

@@ -40,7 +40,7 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       shift(view.kind == ViewKind::world && run.point_query() ? positioned.x_world[0]
                                                               : Vector2d(0.0, 0.0)),
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
-      phase(frame.step < 0 ? std::nullopt : std::optional(run.step(frame).phase)) {}
+      knows(effects.get<FrameFacts>(frame)) {}
 
 void SceneBuilder::add(std::string role, decltype(Mark::shape) shape, const Subject& subject) {
   out.marks.push_back({std::move(role), std::move(shape), -1, subject});
@@ -122,29 +122,17 @@ bool SceneBuilder::shows(std::string_view effect) const {
   return effect != MapDifference::kName || stage == MapStage::difference;
 }
 
-bool SceneBuilder::knows_closest_point() const {
-  if (!phase || phase == gjk::Phase::add) return false;
+bool SceneBuilder::shows_closest_point() const {
   // Frames that measure weights along a path leave P out: it would lie on what they measure.
-  if (run.lesson.granularity == Granularity::path && calls_for(view, BarycentricParts::kName))
-    return false;
-  if (run.lesson.granularity == Granularity::orders) return frame.detail > 0;
-  if (run.lesson.granularity != Granularity::test) return true;
-  return frame.detail == static_cast<int>(run.step(frame).record.region_tests.size()) - 1;
+  const bool measures =
+      run.lesson.granularity == Granularity::path && calls_for(view, BarycentricParts::kName);
+  return knows.closest_point && !measures;
 }
 
 bool SceneBuilder::shows_whole_simplex() const {
   return run.lesson.granularity == Granularity::phase ||
          run.lesson.granularity == Granularity::iteration ||
          run.lesson.granularity == Granularity::growth;
-}
-
-bool SceneBuilder::has_direction() const {
-  return phase == gjk::Phase::direction || phase == gjk::Phase::support ||
-         (phase == gjk::Phase::stop && positioned.follows_support(frame.step));
-}
-bool SceneBuilder::has_support() const {
-  return phase == gjk::Phase::support ||
-         (phase == gjk::Phase::stop && positioned.follows_support(frame.step));
 }
 
 }  // namespace gjkscope

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "effects/facts.hpp"
 #include "effects/graph.hpp"
 #include "picture/labels.hpp"
 
@@ -115,20 +116,15 @@ struct SceneBuilder {
   /// Of a search direction that starts at `p`, a point of the difference.
   [[nodiscard]] double arrow_length(const Eigen::Vector2d& p) const;
 
-  // What the frame's step knows
   /// True when the view calls for the effect, and, where frames go through maps, this map shows it.
   [[nodiscard]] bool shows(std::string_view effect) const;
   [[nodiscard]] bool shows_map(MapStage stage) const {
     return run.lesson.granularity == Granularity::maps && frame.detail == static_cast<int>(stage);
   }
-  [[nodiscard]] bool tests_regions() const { return phase == gjk::Phase::closest || !phase; }
-  [[nodiscard]] bool knows_closest_point() const;
-  [[nodiscard]] bool reaches_query() const {
-    return knows_closest_point() && state.p.norm() == 0.0;
-  }
+  /// True when P is known, and does not lie on what frames measure.
+  [[nodiscard]] bool shows_closest_point() const;
+  [[nodiscard]] bool reaches_query() const { return shows_closest_point() && knows.is_at_query; }
   [[nodiscard]] bool shows_whole_simplex() const;
-  [[nodiscard]] bool has_direction() const;
-  [[nodiscard]] bool has_support() const;
 
   const LessonRun& run;
   EffectGraph& effects;
@@ -141,7 +137,7 @@ struct SceneBuilder {
   /// in the world it stands where the polygon is.
   Eigen::Vector2d shift;
   bool shows_difference;
-  std::optional<gjk::Phase> phase;
+  const FrameFacts::Value& knows;
   Scene out;
 };
 

@@ -528,8 +528,7 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
         EXPECT_GT(runs, 0) << lesson.id << " calls for " << effect.name
                            << " and draws nothing of it";
       }
-      const bool pulled_by_panel = effect.used_by == "panel";
-      if (!wanted.contains(std::string(effect.name)) && !pulled_by_panel) {
+      if (!wanted.contains(std::string(effect.name)) && effect.used_by == "view") {
         EXPECT_EQ(runs, 0) << lesson.id << " does not call for " << effect.name;
       }
       EXPECT_LE(runs, effects.count(effect.name).pulls);

@@ -85,7 +85,7 @@ void counters(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
   const int all = static_cast<int>(positioned.x_world.size() * positioned.y_world.size());
-  const int calls = support_calls_by(panel.run, panel.frame);
+  const int calls = panel.knows.support_calls;
   panel.write("heading", panel.left, "Support calls so far", type::kHeading);
   panel.write("code.current", panel.right, std::to_string(calls), type::kCodeBold, Align::right);
   panel.y += kRow;

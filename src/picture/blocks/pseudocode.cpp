@@ -124,8 +124,8 @@ void write_line(PanelBuilder& panel, const std::string& text, const LineView& li
 /// A line of a chain of region tests. `has_takes`: other lines say what follows from a test.
 LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_takes) {
   if (panel.frame.step < 0) return {};
-  const auto& tests = panel.region_tests();
-  for (int i = 0; i <= panel.tests_reached(); ++i) {
+  const auto& tests = panel.knows.region_tests;
+  for (int i = 0; i <= panel.knows.tests_reached; ++i) {
     if (tests[i].region != *line.region) continue;
     const bool holds = tests[i].holds;
     if (line.takes) {
@@ -133,7 +133,7 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
       const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x_world[0];
       return {State::current, {}, panel.numbers.point(p, 3)};
     }
-    const bool reached = i == panel.tests_reached() && !(holds && has_takes);
+    const bool reached = i == panel.knows.tests_reached && !(holds && has_takes);
     std::string value;
     const bool is_else = gjk::vertex_count(line.region.value()) == panel.state.simplex.count;
     if (!is_else) value = panel.test_values(tests[i]);
@@ -220,8 +220,9 @@ void loop(PanelBuilder& panel) {
       view = {State::current, {}, panel.words.face(panel.state.simplex.all())};
     } else if (line.phase && step_of(*line.phase)) {
       const gjk::Step<double, 2>& step = *step_of(*line.phase);
-      view = {
-          panel.phase() == line.phase ? State::current : State::past, {}, value_of(panel, step)};
+      view = {panel.knows.phase == line.phase ? State::current : State::past,
+              {},
+              value_of(panel, step)};
     } else if (line.stops_after) {
       // The run goes on to the next phase where these tests do not hold; one stop phase stands for
       // all of them.
@@ -246,8 +247,8 @@ void loop(PanelBuilder& panel) {
 
 /// Catto 2010, slide "Support point code".
 void support_listing(PanelBuilder& panel) {
-  const bool current = panel.phase() == Phase::support;
-  const bool known = panel.knows_support();
+  const bool current = panel.knows.phase == Phase::support;
+  const bool known = panel.knows.whole_support;
   const State state = current ? State::current : State::idle;
   const std::string best = known ? panel.run.pair_name(panel.state.support.pair) : std::string();
   const auto& names = panel.run.lesson.y.vertex_names;

@@ -93,7 +93,7 @@ void tests(PanelBuilder& panel) {
   // Once P is found, its tests stay, with the simplex that they were about.
   Frame asked = panel.frame;
   const auto& steps = panel.run.run(asked).trace.steps;
-  if (panel.phase() != gjk::Phase::add)
+  if (panel.knows.phase != gjk::Phase::add)
     while (asked.step > 0 && steps[asked.step].phase != gjk::Phase::closest) --asked.step;
   PanelBuilder before(panel.run, panel.effects, asked, panel.fonts, {});
   before.left = panel.left;
@@ -103,15 +103,15 @@ void tests(PanelBuilder& panel) {
   before.heading("First true test wins");
   const gjk::FaceList order =
       gjk::tested_faces(before.state.simplex.count, before.run.lesson.options.region_order);
-  const auto& tried = before.region_tests();
+  const auto& tried = before.knows.region_tests;
   const bool leaves_room = before.gradual() && before.state.simplex.count == 3;
   bool has_weights = false;
   for (int i = 0; i < order.count; ++i) {
-    const bool reached = i <= before.tests_reached() && i < static_cast<int>(tried.size());
+    const bool reached = i <= before.knows.tests_reached && i < static_cast<int>(tried.size());
     const TestMark mark = !reached         ? TestMark::untried
                           : tried[i].holds ? TestMark::holds
                                            : TestMark::fails;
-    test_row(before, mark, asks_now && reached && i == before.tests_reached(),
+    test_row(before, mark, asks_now && reached && i == before.knows.tests_reached,
              before.words.face(order.faces[i]), condition(before, order, i),
              reached ? before.test_values(tried[i]) : "");
     if (!leaves_room || !reached || !tried[i].holds || gjk::vertex_count(tried[i].region) != 2)
@@ -208,7 +208,7 @@ void regions(PanelBuilder& panel) {
     std::swap(order.faces[0], order.faces[1]);  // A before B: this is no order of tests
   for (int i = 0; i < order.count; ++i) {
     const gjk::Face face = order.faces[i];
-    const bool current = panel.phase() && face == panel.state.region;
+    const bool current = panel.knows.phase && face == panel.state.region;
     if (current) panel.highlight("highlight.pass");
     panel.write(current ? "pass" : "untried", panel.left, current ? "●" : "○", type::kBody);
     panel.write(current ? "body" : "body.muted", panel.left + 24.0,
@@ -227,7 +227,7 @@ void regions(PanelBuilder& panel) {
     }
     panel.y += kRow + 2.0;
   }
-  if (!panel.phase()) return;
+  if (!panel.knows.phase) return;
   panel.rule();
   if (count == 2) {
     candidates(panel);

@@ -14,7 +14,7 @@ using gjk::Phase;
 using namespace rows;
 
 bool weights_known(const PanelBuilder& panel) {
-  return panel.phase() && *panel.phase() != Phase::add;
+  return panel.knows.phase && *panel.knows.phase != Phase::add;
 }
 
 void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries, bool of_x,
@@ -34,7 +34,7 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
                                     [&](const auto& seen) { return seen.index == i; });
     const bool wins = i == best;
     // Once it is to be decided whether the winner is news: the vertices that are none.
-    const bool in_simplex = panel.run.point_query() && panel.stop_follows_support() &&
+    const bool in_simplex = panel.run.point_query() && panel.knows.stop_follows_scan &&
                             has_pair(panel.state.simplex, {0, i});
     panel.subject =
         of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
@@ -70,7 +70,7 @@ void simplex(PanelBuilder& panel) {
   int rows = 0;
   for (int i = 0; i < panel.state.simplex.count; ++i, ++rows) {
     panel.subject = subject_of(panel.run, panel.state.simplex.vertices[i].pair);
-    if (panel.phase() == Phase::cull) panel.highlight("highlight.pass");  // what is kept
+    if (panel.knows.phase == Phase::cull) panel.highlight("highlight.pass");  // what is kept
     panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("strong", name_at, panel.words.vertex(i), type::kStrong);
     const bool has_weight = weights_known(panel);
@@ -82,7 +82,7 @@ void simplex(PanelBuilder& panel) {
     panel.write("code.current", panel.right, number, type::kCode, Align::right);
     panel.y += kRow;
   }
-  if (panel.phase() == Phase::cull) {
+  if (panel.knows.phase == Phase::cull) {
     for (const auto& vertex : panel.run.step(panel.frame).record.dropped) {
       panel.subject = subject_of(panel.run, vertex.pair);
       panel.add("dropped", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
@@ -92,13 +92,13 @@ void simplex(PanelBuilder& panel) {
       ++rows;
     }
   }
-  if (panel.knows_support()) {
+  if (panel.knows.whole_support) {
     panel.subject = subject_of(panel.run, panel.state.support.pair);
     panel.add("support", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("support.label", name_at, panel.run.pair_name(panel.state.support.pair),
                 type::kStrong);
     const bool known = panel.state.stop == gjk::StopReason::repeated_support;
-    const bool decided = panel.phase() == Phase::stop;
+    const bool decided = panel.knows.phase == Phase::stop;
     panel.write("support.label", x0,
                 !decided                                       ? "support point"
                 : known                                        ? "in S already: stop"
@@ -116,8 +116,8 @@ void simplex(PanelBuilder& panel) {
 void scan(PanelBuilder& panel) {
   static const std::vector<gjk::ScanEntry<double>> none;
   const gjk::Record<double, 2>* record = nullptr;
-  if (panel.phase() == Phase::support) record = &panel.run.step(panel.frame).record;
-  if (panel.stop_follows_support())
+  if (panel.knows.phase == Phase::support) record = &panel.run.step(panel.frame).record;
+  if (panel.knows.stop_follows_scan)
     record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
   const double top = panel.y;
   if (panel.run.point_query()) {
@@ -187,7 +187,7 @@ void bounds(PanelBuilder& panel) {
 
 void direction_rules(PanelBuilder& panel) {
   panel.heading("Two ways to build d");
-  const auto phase = panel.phase();
+  const auto phase = panel.knows.phase;
   const bool built = panel.state.simplex.count == 2 &&
                      (phase == Phase::direction || phase == Phase::support || phase == Phase::stop);
   static const DirectionRules::Value none;

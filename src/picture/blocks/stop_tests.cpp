@@ -86,7 +86,7 @@ int stop_step(const PanelBuilder& panel) {
 /// True for tests that the run had behind it in this phase: a run that goes on to a direction is
 /// not inside and came nearer, one that goes on to a scan has a direction.
 bool decided(const PanelBuilder& panel, StopReason reason, bool follows_support) {
-  switch (*panel.phase()) {
+  switch (*panel.knows.phase) {
     case gjk::Phase::closest:
     case gjk::Phase::cull:
       return false;

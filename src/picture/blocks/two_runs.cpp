@@ -29,7 +29,7 @@ void two_runs(PanelBuilder& panel) {
   const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
   const gjk::Step<double, 2>* beside = step_beside(second, panel.run, panel.frame);
   const PositionedRun& first = panel.run.run(panel.frame);
-  const gjk::State<double, 2>* state = panel.phase() ? &panel.state : nullptr;
+  const gjk::State<double, 2>* state = panel.knows.phase ? &panel.state : nullptr;
   Lesson other = lesson;
   other.scalar = *lesson.beside;
   const double half = 0.5 * (panel.right - panel.left - 62.0);
@@ -45,7 +45,7 @@ void two_runs(PanelBuilder& panel) {
   panel.y += kRow + 2.0;
 
   const auto known = [&](Phase since) {
-    return panel.phase() && *panel.phase() >= since && *panel.phase() != Phase::add;
+    return panel.knows.phase && *panel.knows.phase >= since && *panel.knows.phase != Phase::add;
   };
   // What differs stands out: the values themselves, which have their own digits in each column.
   const auto row = [&](const std::string& name, bool since, auto value, auto words) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "geometry/minkowski.hpp"
+#include "effects/minkowski.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -30,8 +30,7 @@ void pairs(const Story& story, FrameText& text) {
                          story.frame.detail, all, story.run.lesson.x.vertex_names[pair.x],
                          story.run.lesson.y.vertex_names[pair.y]);
   } else {
-    const std::size_t corners =
-        minkowski_hull(minkowski_cloud(story.positioned.x_world, story.positioned.y_world)).size();
+    const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();
     text.caption = format(
         "The hull of the {} points is the Minkowski difference Z = {} − {}; {} of them are its "
         "vertices.",

@@ -23,7 +23,7 @@ std::string region_reason(const Story& story) {
   const gjk::Face face = story.state.region;
   const gjk::Simplex<double, 2>& simplex = story.state.simplex;
   const gjk::RegionTest<double>* won = nullptr;
-  for (const auto& test : story.region_tests()) {
+  for (const auto& test : story.knows.region_tests) {
     if (test.holds) won = &test;
   }
   if (simplex.count == 1)
@@ -239,7 +239,7 @@ void closest(const Story& story, FrameText& text) {
                                           : "So P = O and the distance is 0: the shapes overlap.";
     return;
   }
-  if (story.reaches_query()) {
+  if (story.knows.is_at_query) {
     text.detail = format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
     return;
   }
@@ -269,7 +269,7 @@ void region_test(const Story& story, FrameText& text) {
     }
     return;
   }
-  const gjk::RegionTest<double>& test = story.region_tests()[story.frame.detail];
+  const gjk::RegionTest<double>& test = story.knows.region_tests[story.frame.detail];
   if (test.holds) {
     text.caption = region_reason(story);
     text.detail =
@@ -285,7 +285,7 @@ void region_test(const Story& story, FrameText& text) {
   text.caption =
       format("Not region {}: {} = {} is {}positive.", story.words.face(test.region), coordinate,
              story.signed_weight(*failed), failed->wants_positive ? "not " : "");
-  const gjk::RegionTest<double>& next = story.region_tests()[story.frame.detail + 1];
+  const gjk::RegionTest<double>& next = story.knows.region_tests[story.frame.detail + 1];
   text.detail =
       format("{} Next test: region {}.", where(story, *failed), story.words.face(next.region));
 }

@@ -67,11 +67,11 @@ void cull(const Story& story, FrameText& text) {
                                              "P is {0}, and nothing is closer to {0} than that: "
                                              "nothing is left to search for.",
                                              story.q)
-        : story.reaches_query() && !dropped.empty()
+        : story.knows.is_at_query && !dropped.empty()
             ? format("P is {} as it was before: {} brought nothing, and nothing else will.",
                      story.q, story.run.pair_name(dropped[0].pair))
             : "P came no nearer than before: nothing is left to search for.";
-  } else if (story.reaches_query()) {
+  } else if (story.knows.is_at_query) {
     text.detail =
         format("P is {} already, but no test has asked for that. Next: a direction d.", story.q);
   } else {
@@ -104,7 +104,7 @@ void direction(const Story& story, FrameText& text) {
           format("d is perpendicular to {} and points to {}'s side.", story.edge_words(), story.q);
     }
     const std::string turned = format("{}, turned clockwise by a right angle", edge);
-    if (story.reaches_query()) {
+    if (story.knows.is_at_query) {
       text.detail = format("{} − P is 0, but d = {} is {}: d = 0 does not stop this run.", story.q,
                            d, turned);
     } else if (note.flipped) {
@@ -182,7 +182,7 @@ std::string zero_distance(const Story& story) {
 
 /// What the best support line so far says of the distance, which P bounds from above.
 std::string proved(const Story& story) {
-  const Slab::Value best = widest_strip(story.run, story.frame);
+  const BestSupport::Value& best = story.effects.get<BestSupport>(story.frame);
   const bool is_new = best && is_found_by(*best, story.state);
   return format("The {} support line keeps all of {} at least {} from {}; P is at distance {}.",
                 is_new ? "dashed" : "thin", story.set_name(),
@@ -234,7 +234,7 @@ void stop(const Story& story, FrameText& text) {
     case gjk::StopReason::running:
       text.caption = format("Go on: {} is new, and lies farther along d than P does.", support);
       text.detail =
-          story.reaches_query()
+          story.knows.is_at_query
               ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
           : lower > 0.0 ? proved(story)
                         : format("No support line has separated {} from {}; P is at distance {}.",
@@ -242,12 +242,12 @@ void stop(const Story& story, FrameText& text) {
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
-          story.reaches_query()
+          story.knows.is_at_query
               ? format("Stop: {} is in the simplex already, so nothing of {} lies farther along d.",
                        support, story.set_name())
               : format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
                        support, story.set_name(), story.q);
-      text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
+      text.detail = story.knows.is_at_query ? zero_distance(story) : final_distance;
       if (lower > 0.0) {
         text.detail += format(
             " The dashed line proves it: it passes P at a right angle to P{}, and all of {} lies "
@@ -272,7 +272,7 @@ void stop(const Story& story, FrameText& text) {
               ? format("Stop: P came no nearer to {} than it was an iteration ago.", story.q)
               : format("Stop: nothing of {} lies farther along d than the simplex does.",
                        story.set_name());
-      text.detail = story.reaches_query() ? zero_distance(story) : final_distance;
+      text.detail = story.knows.is_at_query ? zero_distance(story) : final_distance;
       return;
     case gjk::StopReason::within_tolerance:
       text.caption = "Stop: the bounds are as close as was asked for.";

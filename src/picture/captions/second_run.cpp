@@ -106,7 +106,7 @@ void second_run(const Story& story, FrameText& text) {
                            fixed(degrees, 1));
       return;
     case gjk::Phase::stop:
-      if (!story.ended()) {
+      if (!story.knows.has_ended) {
         if (beside.stop == gjk::StopReason::running && mine.p_sq != beside.p_sq) {
           text.detail = format("P is at distance {}, the root of the rounded square; {} has {}.",
                                story.distance(), other, numbers(std::sqrt(beside.p_sq)));

@@ -14,7 +14,7 @@ void shape_hull(const Story& story, FrameText& text) {
   const ShapeHull::Value& hulls = story.effects.get<ShapeHull>(story.frame);
   if (!story.run.point_query() || hulls.y.inside.empty()) return;
   const std::string inside = story.run.lesson.y.vertex_names[hulls.y.inside[0]];
-  if (story.phase_is(gjk::Phase::support)) {
+  if (story.knows.phase_is(gjk::Phase::support)) {
     const auto& scan = story.run.step(story.frame).record.scan_y;
     const auto entry = std::find_if(scan.begin(), scan.end(), [&](const auto& seen) {
       return seen.index == hulls.y.inside[0];
@@ -22,7 +22,7 @@ void shape_hull(const Story& story, FrameText& text) {
     if (entry == scan.end()) return;
     text.detail = format("{0} can never win: it lies inside the hull, and reaches only {1} here.",
                          inside, story.numbers(entry->value));
-  } else if (story.phase_is(gjk::Phase::stop) && story.ended()) {
+  } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     text.detail = format(
         "P lies on the hull, {} away; the polygon's own outline is {} away (thin line). GJK has "
         "never taken {}.",

@@ -12,6 +12,7 @@ Story::Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown
       positioned(run.run(frame)),
       trace(positioned.trace),
       state(run.state(frame)),
+      knows(effects.get<FrameFacts>(frame)),
       numbers(run.lesson),
       words(run, state.simplex),
       q(query_name(run)) {}
@@ -21,22 +22,6 @@ bool Story::shows(std::string_view effect) const {
     return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
   };
   return std::any_of(run.lesson.views.begin(), run.lesson.views.end(), calls);
-}
-
-bool Story::phase_is(gjk::Phase phase) const {
-  return frame.step >= 0 && run.step(frame).phase == phase;
-}
-
-bool Story::knows_p() const {
-  if (frame.step < 0 || phase_is(gjk::Phase::add)) return false;
-  if (run.lesson.granularity == Granularity::orders) return frame.detail > 0;
-  if (run.lesson.granularity != Granularity::test) return true;
-  return frame.detail >= 0 && region_tests()[frame.detail].holds;
-}
-
-bool Story::knows_support() const {
-  if (phase_is(gjk::Phase::support)) return true;
-  return phase_is(gjk::Phase::stop) && trace.steps[frame.step - 1].phase == gjk::Phase::support;
 }
 
 Eigen::Vector2d Story::p_world() const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "effects/facts.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"
 
@@ -16,17 +17,6 @@ struct Story {
 
   /// True when a view of the lesson calls for this effect.
   [[nodiscard]] bool shows(std::string_view effect) const;
-  [[nodiscard]] bool phase_is(gjk::Phase phase) const;
-  [[nodiscard]] bool ended() const { return state.stop != gjk::StopReason::running; }
-  [[nodiscard]] bool knows_p() const;
-  [[nodiscard]] bool reaches_query() const { return knows_p() && state.p_sq == 0.0; }
-  [[nodiscard]] bool knows_direction() const {
-    return phase_is(gjk::Phase::direction) || knows_support();
-  }
-  [[nodiscard]] bool knows_support() const;
-  [[nodiscard]] const std::vector<gjk::RegionTest<double>>& region_tests() const {
-    return run.step(frame).record.region_tests;
-  }
 
   [[nodiscard]] Eigen::Vector2d p_world() const;
   [[nodiscard]] std::string distance() const;
@@ -47,6 +37,7 @@ struct Story {
   const PositionedRun& positioned;
   const WideTrace& trace;
   const gjk::State<double, 2>& state;
+  const FrameFacts::Value& knows;
   Numbers numbers;
   SimplexWords words;
   std::string q;  ///< Name of the query point.

@@ -94,7 +94,7 @@ void support_in_parts(const Story& story, FrameText& text) {
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x_world.size() * story.positioned.y_world.size();
   text.detail += format(" GJK made {} of the {} differences of vertices.",
-                        touched_by(story.run, story.frame).size(), all);
+                        story.effects.get<TouchedPoints>(story.frame).size(), all);
 }
 
 void slab(const Story& story, FrameText& text) {
@@ -102,8 +102,8 @@ void slab(const Story& story, FrameText& text) {
   const auto& [lower, upper] = story.run.bounds(story.frame);
   const std::string low = story.numbers(lower);
   const std::string high = story.numbers(upper);
-  const std::optional<Slab::Strip> widest = widest_strip(story.run, story.frame);
-  if (story.phase_is(gjk::Phase::closest)) {
+  const BestSupport::Value& widest = story.effects.get<BestSupport>(story.frame);
+  if (story.knows.phase_is(gjk::Phase::closest)) {
     text.caption =
         format("The closest points of this simplex are {} apart: the distance is at most that.",
                story.distance());
@@ -114,7 +114,7 @@ void slab(const Story& story, FrameText& text) {
   }
   const std::string k = lesson.y.vertex_names[story.state.support.pair.y];
   const std::string c = lesson.x.vertex_names[story.state.support.pair.x];
-  if (story.phase_is(gjk::Phase::support)) {
+  if (story.knows.phase_is(gjk::Phase::support)) {
     const double gap = -story.state.support_value / story.state.d.norm();
     if (!(gap > 0.0)) {
       text.caption =
@@ -135,7 +135,7 @@ void slab(const Story& story, FrameText& text) {
     }
     return;
   }
-  if (!story.ended()) {
+  if (!story.knows.has_ended) {
     text.caption =
         format("{} − {} = {} is still open, so {} joins the simplex.", high, low,
                story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));

@@ -34,7 +34,7 @@ void projection(SceneBuilder& scene) {
   scene.line("projection.axis", b, b + reach * along);
   const double height = (q - foot).norm();
   if (height < 1.0) return;  // Q itself
-  const bool is_p = scene.knows_closest_point() && gjk::vertex_count(scene.state.region) == 2;
+  const bool is_p = scene.shows_closest_point() && gjk::vertex_count(scene.state.region) == 2;
   if (!is_p) scene.line("projection.line", q, foot);
   if (height > 2.0 * kAngleMark) {
     const Point up = (q - foot) / height;

@@ -71,7 +71,7 @@ void zero_line(SceneBuilder& scene, int vertex) {
 }  // namespace
 
 void signs(SceneBuilder& scene) {
-  if (!scene.phase || !scene.tests_regions()) return;
+  if (!scene.knows.phase_is(gjk::Phase::closest)) return;
   const std::optional<int> coordinate = coordinate_of(scene);
   const bool interior_only = scene.shows_map(MapStage::interior);
   const bool lines_only = scene.shows_map(MapStage::difference);
@@ -99,7 +99,7 @@ void signs(SceneBuilder& scene) {
 }
 
 void map_difference(SceneBuilder& scene) {
-  if (!scene.phase || !scene.tests_regions()) return;
+  if (!scene.knows.phase_is(gjk::Phase::closest)) return;
   const SimplexWords words(scene.run, scene.state.simplex);
   for (const MapDifference::Part& part : scene.effects.get<MapDifference>(scene.frame)) {
     const std::vector<Point> points = visible_part(scene, part.half_planes);

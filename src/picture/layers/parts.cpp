@@ -27,7 +27,7 @@ bool measures_tested_edge(const SceneBuilder& scene, const BarycentricParts::Par
 
 /// Lengths and areas in proportion to the barycentric coordinates.
 void parts(SceneBuilder& scene) {
-  if (!scene.tests_regions() || !scene.phase) return;
+  if (!scene.knows.phase_is(gjk::Phase::closest)) return;
   constexpr std::array<std::string_view, 3> kRoles = {"area.u", "area.v", "area.w"};
   constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
   int side = 1;

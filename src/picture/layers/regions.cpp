@@ -70,7 +70,7 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
 }  // namespace
 
 void regions(SceneBuilder& scene) {
-  if (!scene.phase || !scene.tests_regions()) return;
+  if (!scene.knows.phase_is(gjk::Phase::closest)) return;
   if (scene.shows_map(MapStage::difference)) return borders(scene, [](gjk::Face) { return true; });
   const bool untried_are_drawn = !keeps_answer_back(scene);
   const auto is_drawn = [&](gjk::Face face) {

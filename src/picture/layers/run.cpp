@@ -72,9 +72,9 @@ void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
 }
 
 void best_support_line(SceneBuilder& scene) {
-  const Slab::Value best = widest_strip(scene.run, scene.frame);
+  const BestSupport::Value& best = scene.effects.get<BestSupport>(scene.frame);
   if (!best) return;
-  if (scene.has_support() && is_found_by(*best, scene.state)) return;
+  if (scene.knows.support && is_found_by(*best, scene.state)) return;
   support_line(scene, scene.at_difference(best->support.w), best->normal, "support.best");
 }
 
@@ -99,7 +99,7 @@ void history(SceneBuilder& scene) {
 
 void simplex(SceneBuilder& scene) {
   const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
-  const gjk::Face face = scene.knows_closest_point() ? scene.state.region : gjk::Face{0};
+  const gjk::Face face = scene.shows_closest_point() ? scene.state.region : gjk::Face{0};
   if (scene.shows_difference) {
     std::vector<Point> points;
     for (int i = 0; i < simplex.count; ++i) points.push_back(scene.vertex_at(i));
@@ -117,7 +117,7 @@ void simplex(SceneBuilder& scene) {
     if (!scene.shows_whole_simplex() && !gjk::contains(face, i)) continue;
     scene.simplex_vertex(simplex.vertices[i], "simplex");
   }
-  if (scene.phase == gjk::Phase::cull) {
+  if (scene.knows.phase_is(gjk::Phase::cull)) {
     const auto& dropped = scene.run.step(scene.frame).record.dropped;
     for (const gjk::SupportPoint<double, 2>& vertex : dropped) dropped_vertex(scene, vertex);
     if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;
@@ -129,14 +129,14 @@ void simplex(SceneBuilder& scene) {
 }
 
 void closest_line(SceneBuilder& scene) {
-  if (scene.knows_closest_point() && !scene.reaches_query()) {
+  if (scene.shows_closest_point() && !scene.reaches_query()) {
     scene.line("closest.line", scene.at_difference(scene.state.p),
                scene.at_difference(Vector2d::Zero()));
   }
 }
 
 void closest_point(SceneBuilder& scene) {
-  if (!scene.knows_closest_point()) return;
+  if (!scene.shows_closest_point()) return;
   const Point p = scene.at_difference(scene.state.p);
   scene.disk("closest", p, kClosestRadius);
   if (scene.reaches_query()) return;  // Q's label names both
@@ -150,7 +150,7 @@ void closest_point(SceneBuilder& scene) {
 }
 
 void witness_points(SceneBuilder& scene) {
-  if (!scene.knows_closest_point()) return;
+  if (!scene.shows_closest_point()) return;
   Vector2d x = Vector2d::Zero();
   Vector2d y = Vector2d::Zero();
   for (int i = 0; i < scene.state.simplex.count; ++i) {
@@ -163,14 +163,14 @@ void witness_points(SceneBuilder& scene) {
 }
 
 void search(SceneBuilder& scene) {
-  if (scene.has_support())
+  if (scene.knows.support)
     support_line(scene, scene.at_difference(scene.state.support.w), scene.state.d);
-  if (scene.has_direction()) search_direction(scene);
-  if (scene.has_support()) scene.simplex_vertex(scene.state.support, "support");
+  if (scene.knows.direction) search_direction(scene);
+  if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
 }
 
 void search_between_shapes(SceneBuilder& scene) {
-  if (!scene.has_support()) return;
+  if (!scene.knows.support) return;
   search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
                "d");
   search_arrow(scene, scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,

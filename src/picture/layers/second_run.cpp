@@ -9,7 +9,7 @@ using Eigen::Vector2d;
 using namespace sizes;
 
 void second_run(SceneBuilder& scene) {
-  if (!scene.shows_difference || !scene.knows_closest_point()) return;
+  if (!scene.shows_difference || !scene.shows_closest_point()) return;
   const SecondRun::Value& second = scene.effects.get<SecondRun>(scene.frame);
   const gjk::Step<double, 2>* step = step_beside(second, scene.run, scene.frame);
   if (!step) return;
@@ -22,11 +22,11 @@ void second_run(SceneBuilder& scene) {
                                                   "second.label", type::kSmallVertex, anchor,
                                                   radius, towards));
   };
-  if (scene.has_support()) {
+  if (scene.knows.support) {
     support_line(scene, scene.at_difference(state.support.w), state.d, "second.plane");
     scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
   }
-  if (scene.has_direction() && state.d.norm() > 0.0) {
+  if (scene.knows.direction && state.d.norm() > 0.0) {
     const Point along = direction_on_screen(state.d);
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);

@@ -101,7 +101,7 @@ void query_point(SceneBuilder& scene) {
     }
     // Along a path, on the side where the line to P is not.
     const bool has_way = scene.run.lesson.granularity == Granularity::path &&
-                         scene.knows_closest_point() && !scene.reaches_query();
+                         scene.shows_closest_point() && !scene.reaches_query();
     const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
     scene.out.moving_labels.push_back(scene.label("Q", scene.reaches_query() ? "P = " + name : name,
                                                   "query.label", type::kVertex, q, kPointRadius,
