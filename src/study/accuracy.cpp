@@ -30,13 +30,13 @@ class Truths {
       scales_.push_back(families::scale_of(pair));
     }
   }
-  [[nodiscard]] const std::vector<Truth>& given() const { return given_; }
+  [[nodiscard]] const std::vector<Truth<2>>& given() const { return given_; }
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
 
   /// Of pairs rounded to floats or halves; those that go beyond the range of these have a truth
   /// that says nothing.
-  [[nodiscard]] const std::vector<Truth>& as_kept(Arithmetic arithmetic,
-                                                  const std::vector<DoublePair>& kept) {
+  [[nodiscard]] const std::vector<Truth<2>>& as_kept(Arithmetic arithmetic,
+                                                     const std::vector<DoublePair>& kept) {
     switch (arithmetic) {
       case Arithmetic::half:
         return rounded(half_, kept);
@@ -53,22 +53,22 @@ class Truths {
     return std::all_of(points.begin(), points.end(),
                        [](const Eigen::Vector2d& p) { return p.allFinite(); });
   }
-  [[nodiscard]] const std::vector<Truth>& rounded(std::vector<Truth>& truths,
-                                                  const std::vector<DoublePair>& kept) const {
+  [[nodiscard]] const std::vector<Truth<2>>& rounded(std::vector<Truth<2>>& truths,
+                                                     const std::vector<DoublePair>& kept) const {
     for (std::size_t i = truths.size(); i < kept.size(); ++i) {
       const DoublePair& pair = kept[i];
       const bool same = pair.x == family_.pairs[i].x && pair.y == family_.pairs[i].y;
       const bool finite = is_finite(pair.x) && is_finite(pair.y);
-      truths.push_back(same ? given_[i] : finite ? truth_of(pair) : Truth{});
+      truths.push_back(same ? given_[i] : finite ? truth_of(pair) : Truth<2>{});
     }
     return truths;
   }
 
   const Family& family_;
-  std::vector<Truth> given_;
+  std::vector<Truth<2>> given_;
   std::vector<double> scales_;
-  std::vector<Truth> single_;
-  std::vector<Truth> half_;
+  std::vector<Truth<2>> single_;
+  std::vector<Truth<2>> half_;
 };
 
 /// |answer - distance| as a share of the larger of the two.
@@ -86,7 +86,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   row.axis = axis_of(configuration);
   row.proof = proof_name(configuration.options.proof);
   row.pairs = static_cast<int>(family.pairs.size());
-  const std::vector<Truth>& as_kept = truths.as_kept(configuration.arithmetic, asked.kept);
+  const std::vector<Truth<2>>& as_kept = truths.as_kept(configuration.arithmetic, asked.kept);
   std::vector<double> errors;
   std::size_t worst = 0;
   std::pair<double, double> largest(-1.0, -1.0);  // error, error / scale
@@ -94,7 +94,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
   bool has_bounds = false;
   for (std::size_t i = 0; i < family.pairs.size(); ++i) {
     const Answer& answer = asked.answers[i];
-    const Truth& given = truths.given()[i];
+    const Truth<2>& given = truths.given()[i];
     const Judgement found = judge(answer, {given, as_kept[i]});
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::pair<double, double> error(kInfinity, kInfinity);
@@ -104,9 +104,8 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
       error = {share_of_larger(found.error, given.distance, distance),
                scale > 0.0 ? found.error / scale : 0.0};
       errors.push_back(error.second);
-      row.error_as_kept =
-          std::max(row.error_as_kept,
-                   share_of_larger(found.error_as_kept, as_kept[i].distance, distance));
+      row.error_as_kept = std::max(
+          row.error_as_kept, share_of_larger(found.error_as_kept, as_kept[i].distance, distance));
       if (scale > 0.0) {
         row.error_units = std::max(
             row.error_units, found.error_as_kept / scale / unit_roundoff(configuration.arithmetic));

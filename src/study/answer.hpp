@@ -9,7 +9,7 @@
 
 namespace gjkscope::study {
 
-struct Answer : Claim {
+struct Answer : Claim<2> {
   // What it took.
   int iterations = 0;
   int support_queries = 0;

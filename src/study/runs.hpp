@@ -75,6 +75,7 @@ template <class Result>
     out.x[i] = widened(result.x[k]);
     out.y[i] = widened(result.y[k]);
   }
+  out.near = result.warm();
   out.iterations = result.iterations;
   out.support_queries = support_queries(result, options);
   out.start_vertices = std::max(options.start.count, 1);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 #include "geometry/integer.hpp"
@@ -58,15 +59,43 @@ struct Term {
   [[nodiscard]] bool is_zero() const { return a.mantissa == 0 || b.mantissa == 0; }
   [[nodiscard]] int exponent() const { return a.exponent + b.exponent; }
 };
-/// One coordinate of rotation * vertex + translation.
-using Sum = std::array<Term, 3>;
+/// One coordinate of rotation * vertex + translation, or of a point in quadruple precision.
+template <int D>
+using Sum = std::array<Term, D + 1>;
+/// The points of a shape.
+template <int D>
+using Sums = std::vector<std::array<Sum<D>, D>>;
 
-Sum coordinate(const gjk::Pose<double, 2>& pose, const Eigen::Vector2d& vertex, int row) {
-  return {Term{dyadic(pose.rotation(row, 0)), dyadic(vertex[0])},
-          Term{dyadic(pose.rotation(row, 1)), dyadic(vertex[1])},
-          Term{dyadic(1.0), dyadic(pose.translation[row])}};
+template <int D>
+Sums<D> sums_of(const std::vector<gjk::Vec<double, D>>& vertices,
+                const gjk::Pose<double, D>& pose) {
+  Sums<D> out;
+  for (const auto& vertex : vertices) {
+    out.emplace_back();
+    for (int row = 0; row < D; ++row) {
+      Sum<D>& sum = out.back()[row];
+      for (int k = 0; k < D; ++k) sum[k] = {dyadic(pose.rotation(row, k)), dyadic(vertex[k])};
+      sum[D] = {dyadic(1.0), dyadic(pose.translation[row])};
+    }
+  }
+  return out;
 }
-Integer on_grid(const Sum& sum, long exponent) {
+template <int D>
+Sums<D> sums_of(const std::array<Quad, D>& point) {
+  Sums<D> out(1);
+  for (int i = 0; i < D; ++i) {
+    Quad rest = point[i];
+    for (Term& term : out[0][i]) {  // 53 bits each, of 113
+      const auto high = static_cast<double>(rest);
+      rest -= Quad(high);
+      term = {dyadic(1.0), dyadic(high)};
+    }
+  }
+  return out;
+}
+
+template <int D>
+Integer on_grid(const Sum<D>& sum, long exponent) {
   Integer total;
   for (const Term& term : sum) {
     if (term.is_zero()) continue;
@@ -77,32 +106,69 @@ Integer on_grid(const Sum& sum, long exponent) {
   return total;
 }
 
-struct Point {
-  Integer x;
-  Integer y;
-};
-Integer dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-Integer cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
-Point perpendicular(const Point& a) { return {-a.y, a.x}; }
-Point opposite(const Point& a) { return {-a.x, -a.y}; }
+template <int D>
+using Point = std::array<Integer, D>;
+
+template <int D>
+Integer dot(const Point<D>& a, const Point<D>& b) {
+  Integer sum = a[0] * b[0];
+  for (int i = 1; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+template <int D>
+Point<D> minus(const Point<D>& a, const Point<D>& b) {
+  Point<D> out;
+  for (int i = 0; i < D; ++i) out[i] = a[i] - b[i];
+  return out;
+}
+Point<2> perpendicular(const Point<2>& a) { return {Integer(-a[1]), a[0]}; }
+Point<3> cross(const Point<3>& a, const Point<3>& b) {
+  return {Integer(a[1] * b[2] - a[2] * b[1]), Integer(a[2] * b[0] - a[0] * b[2]),
+          Integer(a[0] * b[1] - a[1] * b[0])};
+}
+template <int D>
+bool is_zero(const Point<D>& a) {
+  return std::all_of(a.begin(), a.end(), [](const Integer& x) { return x == 0; });
+}
 
 /// Two shapes, moved by their poses, on a common grid.
+template <int D>
 struct OnGrid {
-  long exponent = 0;  ///< A point stands at (x, y) * 2^exponent.
-  std::vector<Point> x;
-  std::vector<Point> y;
+  long exponent = 0;  ///< A point stands at its coordinates times 2^exponent.
+  std::vector<Point<D>> x;
+  std::vector<Point<D>> y;
 
-  [[nodiscard]] Point difference(const gjk::VertexPair& pair) const {
-    return minus(y[static_cast<std::size_t>(pair.y)], x[static_cast<std::size_t>(pair.x)]);
+  OnGrid(const Sums<D>& x_sums, const Sums<D>& y_sums) {
+    std::optional<int> least;
+    for (const auto* shape : {&x_sums, &y_sums}) {
+      for (const auto& point : *shape) {
+        for (const Sum<D>& sum : point) {
+          for (const Term& term : sum) {
+            if (!term.is_zero()) least = std::min(least.value_or(term.exponent()), term.exponent());
+          }
+        }
+      }
+    }
+    exponent = least.value_or(0);
+    const auto place = [&](const std::array<Sum<D>, D>& point) {
+      Point<D> out;
+      for (int i = 0; i < D; ++i) out[i] = on_grid<D>(point[i], exponent);
+      return out;
+    };
+    std::transform(x_sums.begin(), x_sums.end(), std::back_inserter(x), place);
+    std::transform(y_sums.begin(), y_sums.end(), std::back_inserter(y), place);
+  }
+
+  [[nodiscard]] Point<D> difference(const gjk::VertexPair& pair) const {
+    return minus<D>(y[static_cast<std::size_t>(pair.y)], x[static_cast<std::size_t>(pair.x)]);
   }
   /// The vertex of Z with the least dot product with `normal`.
-  [[nodiscard]] gjk::VertexPair least_along(const Point& normal) const {
-    const auto extreme = [&](const std::vector<Point>& points, int sign) {
+  [[nodiscard]] gjk::VertexPair least_along(const Point<D>& normal) const {
+    const auto extreme = [&](const std::vector<Point<D>>& points, int sign) {
       int best = 0;
       Integer best_value;
       for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-        Integer value = dot(normal, points[static_cast<std::size_t>(i)]);
+        Integer value = dot<D>(normal, points[static_cast<std::size_t>(i)]);
         if (i == 0 || value.compare(best_value) * sign > 0) {
           best = i;
           best_value = std::move(value);
@@ -114,117 +180,170 @@ struct OnGrid {
   }
 };
 
-OnGrid on_grid(const families::Pair<double>& pair) {
-  const auto sums_of = [](const std::vector<Eigen::Vector2d>& vertices, const auto& pose) {
-    std::vector<std::array<Sum, 2>> out;
-    for (const Eigen::Vector2d& v : vertices) {
-      out.push_back({coordinate(pose, v, 0), coordinate(pose, v, 1)});
-    }
-    return out;
-  };
-  const auto x = sums_of(pair.x, pair.x_pose);
-  const auto y = sums_of(pair.y, pair.y_pose);
-  std::optional<int> least;
-  for (const auto* points : {&x, &y}) {
-    for (const std::array<Sum, 2>& point : *points) {
-      for (const Sum& sum : point) {
-        for (const Term& term : sum) {
-          if (!term.is_zero()) least = std::min(least.value_or(term.exponent()), term.exponent());
-        }
-      }
-    }
-  }
-  OnGrid out;
-  out.exponent = least.value_or(0);
-  const auto place = [&](const std::array<Sum, 2>& point) -> Point {
-    return {on_grid(point[0], out.exponent), on_grid(point[1], out.exponent)};
-  };
-  std::transform(x.begin(), x.end(), std::back_inserter(out.x), place);
-  std::transform(y.begin(), y.end(), std::back_inserter(out.y), place);
-  return out;
-}
-
-/// The nearest point P to O of the hull of up to three points.
+/// The nearest point P to O of the hull of up to D + 1 points.
+template <int D>
 struct Nearest {
   bool is_origin = false;
   std::vector<int> face;  ///< Its vertices: P lies between all of them.
-  Point normal;           ///< Along P, where P is not O.
+  Point<D> normal;        ///< Along P, where P is not O.
   Integer reach;          ///< dot(normal, P)
   Integer length_sq;      ///< |normal|^2, so |P| = reach / |normal|.
 
-  void offer(std::vector<int> other, const Point& along, const Integer& other_reach) {
-    const Integer other_length_sq = dot(along, along);
-    const Integer mine = reach * reach * other_length_sq;
-    if (!face.empty() && mine <= other_reach * other_reach * length_sq) return;
-    face = std::move(other);
-    normal = along;
-    reach = other_reach;
-    length_sq = other_length_sq;
-  }
-  void found_origin(std::vector<int> around) {
-    is_origin = true;
-    face = std::move(around);
+  /// The point of the plane through `point` normal to `along` that is nearest to O: it lies between
+  /// the vertices `other`.
+  void offer(const std::vector<int>& other, Point<D> along, const Point<D>& point) {
+    if (is_origin) return;
+    Integer other_reach = dot<D>(along, point);
+    if (other_reach == 0) {
+      is_origin = true;
+      face = other;
+      return;
+    }
+    if (other_reach < 0) {
+      other_reach = -other_reach;
+      for (Integer& a : along) a = -a;
+    }
+    Integer other_length_sq = dot<D>(along, along);
+    if (!face.empty() && Integer(reach * reach * other_length_sq) <=
+                             Integer(other_reach * other_reach * length_sq)) {
+      return;
+    }
+    face = other;
+    normal = std::move(along);
+    reach = std::move(other_reach);
+    length_sq = std::move(other_length_sq);
   }
 };
 
-Nearest nearest(const std::vector<Point>& z) {
-  Nearest out;
-  const int count = static_cast<int>(z.size());
-  for (int i = 0; i < count; ++i) {
-    const Integer length_sq = dot(z[i], z[i]);
-    if (length_sq == 0) {
-      out.found_origin({i});
-      return out;
-    }
-    out.offer({i}, z[i], length_sq);
+/// The line through two points of Z: where the point nearest to O lies between them, it is offered.
+template <int D>
+void offer_edge(Nearest<D>& out, const std::vector<Point<D>>& z, int i, int j) {
+  const Point<D> edge = minus<D>(z[j], z[i]);
+  if (dot<D>(edge, z[i]) >= 0 || dot<D>(edge, z[j]) <= 0) return;
+  if constexpr (D == 2) {
+    out.offer({i, j}, perpendicular(edge), z[i]);
+  } else {
+    out.offer({i, j}, cross(edge, cross(edge, z[i])), z[i]);
   }
+}
+
+void offer_triangle(Nearest<3>& out, const std::vector<Point<3>>& z, const std::array<int, 3>& v) {
+  const Point<3> normal = cross(minus<3>(z[v[1]], z[v[0]]), minus<3>(z[v[2]], z[v[0]]));
+  for (int i = 0; i < 3; ++i) {
+    if (dot<3>(normal, cross(z[v[i]], z[v[(i + 1) % 3]])) <= 0) return;
+  }
+  out.offer({v[0], v[1], v[2]}, normal, z[v[0]]);
+}
+
+/// O is an inner point of the hull of D + 1 points: from it, all facets turn the same way.
+template <int D>
+bool is_inside(const std::vector<Point<D>>& z) {
+  int side = 0;
+  for (int apex = 0; apex <= D; ++apex) {
+    std::array<const Point<D>*, D> facet;
+    for (int i = 0; i < D; ++i) facet[i] = &z[i < apex ? i : i + 1];
+    int turn = 0;
+    if constexpr (D == 2) {
+      turn = (dot<2>(perpendicular(*facet[0]), *facet[1])).sign();
+    } else {
+      turn = (dot<3>(cross(*facet[0], *facet[1]), *facet[2])).sign();
+    }
+    if (apex % 2 == 1) turn = -turn;
+    if (turn == 0 || turn == -side) return false;
+    side = turn;
+  }
+  return true;
+}
+
+template <int D>
+Nearest<D> nearest(const std::vector<Point<D>>& z) {
+  Nearest<D> out;
+  const int count = static_cast<int>(z.size());
+  for (int i = 0; i < count; ++i) out.offer({i}, z[i], z[i]);
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
-      const Point edge = minus(z[i], z[j]);
-      if (dot(edge, z[i]) <= 0 || dot(edge, z[j]) >= 0) continue;  // the foot is not inside
-      const Point normal = perpendicular(edge);
-      const Integer reach = dot(normal, z[i]);
-      if (reach == 0) {
-        out.found_origin({i, j});
-        return out;
+      offer_edge<D>(out, z, i, j);
+      if constexpr (D == 3) {
+        for (int k = 0; k < j; ++k) offer_triangle(out, z, {i, j, k});
       }
-      out.offer({i, j}, reach < 0 ? opposite(normal) : normal, abs(reach));
     }
   }
-  if (count == 3) {
-    const int side = cross(z[0], z[1]).sign();
-    if (side != 0 && side == cross(z[1], z[2]).sign() && side == cross(z[2], z[0]).sign()) {
-      out.found_origin({0, 1, 2});
-    }
+  if (!out.is_origin && count == D + 1 && is_inside<D>(z)) {
+    out.is_origin = true;
+    out.face.resize(D + 1);
+    std::iota(out.face.begin(), out.face.end(), 0);
   }
   return out;
 }
 
-/// O lies in the face of Z between the vertices `pairs`. True when some line through O has all of Z
-/// on one side.
-bool touches(const OnGrid& shapes, const std::vector<gjk::VertexPair>& pairs) {
-  if (pairs.size() == 3) return false;
-  // Such a line can be turned until it runs along the edge, or from a vertex at O to a neighbour.
-  std::vector<Point> along;
-  if (pairs.size() == 2) {
-    along.push_back(minus(shapes.difference(pairs[0]), shapes.difference(pairs[1])));
+/// Calls `visit` with a vector normal to D - 1 of the vectors `along`, for each choice of them of
+/// which the first `fixed` are part.
+template <int D, class Visit>
+void for_each_normal(const std::vector<Point<D>>& along, std::size_t fixed, const Visit& visit) {
+  const std::size_t last = along.size();
+  if constexpr (D == 2) {
+    for (std::size_t i = 0; i < (fixed > 0 ? 1 : last); ++i) visit(perpendicular(along[i]));
   } else {
-    for (const Point& p : shapes.x) along.push_back(minus(shapes.x[pairs[0].x], p));
-    for (const Point& p : shapes.y) along.push_back(minus(p, shapes.y[pairs[0].y]));
-  }
-  bool is_point = true;
-  for (const Point& line : along) {
-    if (line.x == 0 && line.y == 0) continue;
-    is_point = false;
-    for (const Point& normal : {perpendicular(line), opposite(perpendicular(line))}) {
-      if (dot(normal, shapes.difference(shapes.least_along(normal))) == 0) return true;
+    for (std::size_t i = 0; i < (fixed > 0 ? 1 : last); ++i) {
+      for (std::size_t k = i + 1; k < (fixed > 1 ? 2 : last); ++k) visit(cross(along[i], along[k]));
     }
   }
-  return is_point;
+}
+
+/// O lies between the vertices `pairs` of Z. True when some plane (in the plane, line) through O
+/// has all of Z on one side.
+template <int D>
+bool touches(const OnGrid<D>& shapes, const std::vector<gjk::VertexPair>& pairs) {
+  if (pairs.size() == D + 1) return false;
+  // Such a plane holds all of `pairs`, and can be turned until it runs along D - 1 of the edges
+  // from one of them, or Z is flat.
+  std::vector<Point<D>> along;
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    along.push_back(minus<D>(shapes.difference(pairs[i]), shapes.difference(pairs[0])));
+  }
+  for (const Point<D>& p : shapes.x) along.push_back(minus<D>(shapes.x[pairs[0].x], p));
+  for (const Point<D>& p : shapes.y) along.push_back(minus<D>(p, shapes.y[pairs[0].y]));
+  bool is_flat = true;
+  bool found = false;
+  for_each_normal<D>(along, pairs.size() - 1, [&](const Point<D>& normal) {
+    if (found || is_zero<D>(normal)) return;
+    is_flat = false;
+    int side = 0;
+    for (const Point<D>& edge : along) {
+      const int other = (dot<D>(normal, edge)).sign();
+      if (other != 0 && other == -side) return;
+      if (other != 0) side = other;
+    }
+    found = true;
+  });
+  return is_flat || found;
+}
+
+/// The nearest point of Z to O.
+template <int D>
+struct Solved {
+  Nearest<D> p;
+  std::vector<gjk::VertexPair> face;  ///< It lies between these vertices.
+};
+template <int D>
+Solved<D> solve(const OnGrid<D>& shapes, std::vector<gjk::VertexPair> pairs) {
+  if (pairs.empty()) pairs.emplace_back();
+  for (;;) {
+    std::vector<Point<D>> z;
+    for (const gjk::VertexPair& pair : pairs) z.push_back(shapes.difference(pair));
+    Solved<D> out{nearest<D>(z), {}};
+    for (const int i : out.p.face) out.face.push_back(pairs[static_cast<std::size_t>(i)]);
+    if (out.p.is_origin) return out;
+    const gjk::VertexPair farther = shapes.least_along(out.p.normal);
+    if (dot<D>(out.p.normal, shapes.difference(farther)) >= out.p.reach) return out;
+    pairs = std::move(out.face);
+    pairs.push_back(farther);
+  }
 }
 
 /// The distance reach / root(length_sq), on the grid.
-void set_distance(Truth& out, const Nearest& p, long exponent) {
+template <int D>
+void set_distance(Truth<D>& out, const Nearest<D>& p, long exponent) {
   constexpr long kDigits = 192;
   const Integer above = p.reach * p.reach;
   const long shift = std::max(0L, kDigits + (digit_count(p.length_sq) - digit_count(above)) / 2);
@@ -238,151 +357,122 @@ void set_distance(Truth& out, const Nearest& p, long exponent) {
   out.rest = Quad(rounded(high, unit)) + Quad(rounded(rest - high, unit));
 }
 
-/// The distance, or that there is none.
-void solve(Truth& out, const OnGrid& shapes, const gjk::WarmStart& guess) {
-  std::vector<gjk::VertexPair> pairs(guess.pairs.begin(), guess.pairs.begin() + guess.count);
-  if (pairs.empty()) pairs.emplace_back();
-  for (;;) {
-    std::vector<Point> z;
-    for (const gjk::VertexPair& pair : pairs) z.push_back(shapes.difference(pair));
-    const Nearest p = nearest(z);
-    std::vector<gjk::VertexPair> face;
-    for (const int i : p.face) face.push_back(pairs[static_cast<std::size_t>(i)]);
-    if (p.is_origin) {
-      out.overlap = true;
-      out.touching = touches(shapes, face);
-      return;
-    }
-    const gjk::VertexPair farther = shapes.least_along(p.normal);
-    if (dot(p.normal, shapes.difference(farther)) >= p.reach) {
-      set_distance(out, p, shapes.exponent);
-      return;
-    }
-    face.push_back(farther);
-    pairs = std::move(face);
-  }
-}
-
-NearPoint minus(const NearPoint& a, const NearPoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
-long double dot(const NearPoint& a, const NearPoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-long double cross(const NearPoint& a, const NearPoint& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
-std::vector<NearPoint> hull_of(std::vector<NearPoint> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<NearPoint> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = hull.size();
-    for (const NearPoint& p : points) {
-      while (hull.size() >= begin + 2 &&
-             cross(minus(hull.back(), hull[hull.size() - 2]), minus(p, hull.back())) <= 0) {
-        hull.pop_back();
+/// Rounded only when it is small: 2^-63 of itself.
+template <int D>
+long double scale_of(const OnGrid<D>& shapes) {
+  const auto near = [&](const std::vector<Point<D>>& points) {
+    std::vector<std::array<long double, D>> out;
+    for (const Point<D>& p : points) {
+      out.emplace_back();
+      for (int i = 0; i < D; ++i) {
+        out.back()[i] = rounded(p[i] - shapes.x[0][i], shapes.exponent);
       }
-      hull.push_back(p);
     }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
-/// Sets the scale and the hulls.
-void set_near(Truth& out, const OnGrid& shapes) {
-  const auto coordinate = [&](const Integer& a) {
-    return static_cast<double>(rounded(a, shapes.exponent));
+    return out;
   };
-  // Rounded to a double it has no more digits than the grid.
-  out.origin = {coordinate(shapes.x[0].x), coordinate(shapes.x[0].y)};
-  const Point origin{on_grid(dyadic(out.origin[0]), shapes.exponent),
-                     on_grid(dyadic(out.origin[1]), shapes.exponent)};
-  const auto near = [&](const std::vector<Point>& points) {
-    std::vector<NearPoint> relative;
-    for (const Point& p : points) {
-      relative.push_back({rounded(p.x - origin.x, shapes.exponent),  //
-                          rounded(p.y - origin.y, shapes.exponent)});
+  long double largest_sq = 0;
+  const auto x_near = near(shapes.x);
+  for (const auto& b : near(shapes.y)) {
+    for (const auto& a : x_near) {
+      long double sum = 0;
+      for (int i = 0; i < D; ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
+      largest_sq = std::max(largest_sq, sum);
     }
-    return hull_of(std::move(relative));
+  }
+  return std::sqrt(largest_sq);
+}
+
+/// How far `point` lies outside of the shape, of which the vertices `near` may be close.
+template <int D>
+long double outside(const std::array<Quad, D>& point, const Sums<D>& shape,
+                    const std::vector<int>& near) {
+  const OnGrid<D> both(sums_of<D>(point), shape);
+  std::vector<gjk::VertexPair> guess;
+  for (const int i : near) guess.push_back({0, i});
+  const Solved<D> found = solve(both, guess);
+  if (found.p.is_origin) return 0;
+  return std::ldexp(rounded(found.p.reach, 0) / std::sqrt(rounded(found.p.length_sq, 0)),
+                    static_cast<int>(both.exponent));
+}
+
+template <int D>
+bool is_finite(const Claim<D>& claim) {
+  const auto all = [](const auto& numbers) {
+    return std::all_of(std::begin(numbers), std::end(numbers),
+                       [](const Quad& a) { return gjk::ScalarTraits<Quad>::is_finite(a); });
   };
-  out.x = near(shapes.x);
-  out.y = near(shapes.y);
-  for (const NearPoint& a : out.x) {
-    for (const NearPoint& b : out.y) out.scale = std::max(out.scale, dot(minus(b, a), minus(b, a)));
-  }
-  out.scale = std::sqrt(out.scale);
-}
-
-long double distance_sq_from_segment(const NearPoint& q, const NearPoint& a, const NearPoint& b) {
-  const NearPoint edge = minus(b, a);
-  const NearPoint from_a = minus(q, a);
-  const NearPoint from_b = minus(q, b);
-  if (dot(from_a, edge) <= 0) return dot(from_a, from_a);
-  if (dot(from_b, edge) >= 0) return dot(from_b, from_b);
-  const long double area = cross(edge, from_a);
-  return area * area / dot(edge, edge);
-}
-
-/// How far `point` lies outside of the hull.
-long double outside(const std::array<Quad, 2>& point, const std::vector<NearPoint>& hull,
-                    const Eigen::Vector2d& origin) {
-  const NearPoint q = {static_cast<long double>(point[0] - Quad(origin[0])),
-                       static_cast<long double>(point[1] - Quad(origin[1]))};
-  bool inside = hull.size() > 2;
-  long double best_sq = std::numeric_limits<long double>::infinity();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const NearPoint& a = hull[i];
-    const NearPoint& b = hull[i + 1 < hull.size() ? i + 1 : 0];
-    inside = inside && cross(minus(b, a), minus(q, a)) >= 0;
-    best_sq = std::min(best_sq, distance_sq_from_segment(q, a, b));
-  }
-  return inside ? 0 : std::sqrt(best_sq);
-}
-
-bool is_finite(const Claim& claim) {
-  const Quad numbers[] = {claim.distance, claim.lower, claim.upper, claim.x[0],
-                          claim.x[1],     claim.y[0],  claim.y[1]};
-  return std::all_of(std::begin(numbers), std::end(numbers),
-                     [](const Quad& a) { return gjk::ScalarTraits<Quad>::is_finite(a); });
+  return all(std::array{claim.distance, claim.lower, claim.upper}) && all(claim.x) && all(claim.y);
 }
 
 /// value - distance
-Quad beyond(const Quad& value, const Truth& truth) {
+template <int D>
+Quad beyond(const Quad& value, const Truth<D>& truth) {
   return value - Quad(truth.distance) - truth.rest;
 }
 
-double witness_error(const Claim& claim, const Truth& truth) {
-  const auto forgiven = [&](const std::array<Quad, 2>& point) {
-    const long double away =
-        std::hypot(static_cast<long double>(point[0]), static_cast<long double>(point[1]));
-    return claim.unit_roundoff * std::max(0.0L, away - truth.scale);
+template <int D>
+long double length(const std::array<Quad, D>& a) {
+  long double largest = 0;
+  for (const Quad& value : a)
+    largest = std::max(largest, std::abs(static_cast<long double>(value)));
+  if (largest == 0) return 0;
+  long double sum = 0;
+  for (const Quad& value : a) {
+    const long double share = static_cast<long double>(value) / largest;
+    sum += share * share;
+  }
+  return largest * std::sqrt(sum);
+}
+
+template <int D>
+double witness_error(const Claim<D>& claim, const Truth<D>& truth) {
+  const auto forgiven = [&](const std::array<Quad, D>& point) {
+    return claim.unit_roundoff * std::max(0.0L, length<D>(point) - truth.scale);
   };
   const long double x_forgiven = forgiven(claim.x);
   const long double y_forgiven = forgiven(claim.y);
-  const long double apart = std::hypot(static_cast<long double>(claim.y[0] - claim.x[0]),
-                                       static_cast<long double>(claim.y[1] - claim.x[1]));
+  std::array<Quad, D> apart;
+  for (int i = 0; i < D; ++i) apart[i] = claim.y[i] - claim.x[i];
   const long double beside =
-      std::abs(apart - truth.distance - static_cast<long double>(truth.rest));
-  return static_cast<double>(std::max({0.0L, outside(claim.x, truth.x, truth.origin) - x_forgiven,
-                                       outside(claim.y, truth.y, truth.origin) - y_forgiven,
-                                       beside - x_forgiven - y_forgiven}));
+      std::abs(length<D>(apart) - truth.distance - static_cast<long double>(truth.rest));
+  std::vector<int> x_near;
+  std::vector<int> y_near;
+  for (int i = 0; i < claim.near.count; ++i) {
+    x_near.push_back(claim.near.pairs[i].x);
+    y_near.push_back(claim.near.pairs[i].y);
+  }
+  const families::Pair<double, D>& pair = truth.pair;
+  return static_cast<double>(
+      std::max({0.0L, outside<D>(claim.x, sums_of<D>(pair.x, pair.x_pose), x_near) - x_forgiven,
+                outside<D>(claim.y, sums_of<D>(pair.y, pair.y_pose), y_near) - y_forgiven,
+                beside - x_forgiven - y_forgiven}));
 }
 
 }  // namespace
 
-Truth truth_of(const families::Pair<double>& pair, const gjk::WarmStart& guess) {
-  const OnGrid shapes = on_grid(pair);
-  Truth out;
-  solve(out, shapes, guess);
-  set_near(out, shapes);
+template <int D>
+Truth<D> truth_of(const families::Pair<double, D>& pair, const gjk::WarmStart& guess) {
+  const OnGrid<D> shapes(sums_of<D>(pair.x, pair.x_pose), sums_of<D>(pair.y, pair.y_pose));
+  Truth<D> out;
+  out.pair = pair;
+  out.scale = scale_of(shapes);
+  const Solved<D> found = solve(shapes, {guess.pairs.begin(), guess.pairs.begin() + guess.count});
+  out.overlap = found.p.is_origin;
+  if (out.overlap) {
+    out.touching = touches(shapes, found.face);
+  } else {
+    set_distance(out, found.p, shapes.exponent);
+  }
   return out;
 }
 
-double difference(const Quad& value, const Truth& truth) {
+template <int D>
+double difference(const Quad& value, const Truth<D>& truth) {
   return static_cast<double>(beyond(value, truth));
 }
 
-Judgement judge(const Claim& claim, const Judged& judged) {
+template <int D>
+Judgement judge(const Claim<D>& claim, const Judged<D>& judged) {
   using gjk::Verdict;
   Judgement out;
   out.failed = claim.refused || claim.verdict == Verdict::none || !is_finite(claim);
@@ -406,5 +496,12 @@ Judgement judge(const Claim& claim, const Judged& judged) {
   out.witness = witness_error(claim, judged.as_kept);
   return out;
 }
+
+template Truth<2> truth_of(const families::Pair<double, 2>&, const gjk::WarmStart&);
+template Truth<3> truth_of(const families::Pair<double, 3>&, const gjk::WarmStart&);
+template double difference(const Quad&, const Truth<2>&);
+template double difference(const Quad&, const Truth<3>&);
+template Judgement judge(const Claim<2>&, const Judged<2>&);
+template Judgement judge(const Claim<3>&, const Judged<3>&);
 
 }  // namespace gjkscope::study

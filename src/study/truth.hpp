@@ -5,36 +5,35 @@
 #include <vector>
 
 #include "gjk/gjk.hpp"
-#include "study/families.hpp"
+#include "study/pair.hpp"
 #include "study/quad.hpp"
 
 namespace gjkscope::study {
 
-/// A point relative to Truth::origin, good to 2^-63 of its length.
-using NearPoint = std::array<long double, 2>;
-
 /// Found by integers, and proved; what is rounded of it says how far.
+template <int D>
 struct Truth {
   bool overlap = false;   ///< The shapes share a point,
   bool touching = false;  ///< but O is no inner point of Z.
   double distance = 0.0;  ///< The nearest double.
   Quad rest;  ///< What that leaves out. With it, good to 2^-160 of itself: quad can be judged, too.
-  long double scale = 0;  ///< The largest distance between a vertex of X and one of Y.
-
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Close to the first vertex of X.
-  std::vector<NearPoint> x;  ///< Corners of the hulls, in the world, counter-clockwise.
-  std::vector<NearPoint> y;
+  long double scale = 0;           ///< The largest distance between a vertex of X and one of Y.
+  families::Pair<double, D> pair;  ///< What it is the truth about.
 };
 
 /// A good guess at the pairs of vertices that the distance hangs on saves time, and a wrong one
-/// costs some: what comes out is the same.
-[[nodiscard]] Truth truth_of(const families::Pair<double>& pair, const gjk::WarmStart& guess = {});
+/// costs some: what comes out is the same. In the plane and in space.
+template <int D>
+[[nodiscard]] Truth<D> truth_of(const families::Pair<double, D>& pair,
+                                const gjk::WarmStart& guess = {});
 
 /// value - distance, good to a few digits however small it is.
-[[nodiscard]] double difference(const Quad& value, const Truth& truth);
+template <int D>
+[[nodiscard]] double difference(const Quad& value, const Truth<D>& truth);
 
 /// What a run says of a pair, in any arithmetic, widened: nothing rounds, since 113 bits hold every
 /// type that the core answers in.
+template <int D>
 struct Claim {
   bool refused = false;  ///< There is no answer: the query was refused.
   gjk::Verdict verdict = gjk::Verdict::none;
@@ -42,15 +41,16 @@ struct Claim {
   Quad distance;
   Quad lower;
   Quad upper;
-  std::array<Quad, 2> x;  ///< Witness points.
-  std::array<Quad, 2> y;
+  std::array<Quad, D> x;  ///< Witness points.
+  std::array<Quad, D> y;
+  gjk::WarmStart near;  ///< Vertices they may be close to: a guess, that saves time.
   /// Of the scalar of the witness points, when they are to be forgiven that far from the origin
   /// they stand on a coarse grid.
   double unit_roundoff = 0.0;
 };
 
-template <class R>
-[[nodiscard]] Claim claim_of(const gjk::Result<R, 2>& result) {
+template <class R, int D>
+[[nodiscard]] Claim<D> claim_of(const gjk::Result<R, D>& result) {
   const auto wide = [](const R& value) {
     if constexpr (std::is_same_v<R, Eigen::half>) {
       return Quad(static_cast<float>(value));
@@ -58,7 +58,7 @@ template <class R>
       return Quad(value);
     }
   };
-  Claim out;
+  Claim<D> out;
   out.refused = result.error != gjk::Error::none;
   out.verdict = result.verdict;
   out.has_bounds = result.lower == result.lower;
@@ -67,8 +67,11 @@ template <class R>
     out.lower = wide(result.lower);
     out.upper = wide(result.upper);
   }
-  out.x = {wide(result.x[0]), wide(result.x[1])};
-  out.y = {wide(result.y[0]), wide(result.y[1])};
+  for (int i = 0; i < D; ++i) {
+    out.x[i] = wide(result.x[i]);
+    out.y[i] = wide(result.y[i]);
+  }
+  out.near = result.warm();
   out.unit_roundoff = static_cast<double>(gjk::ScalarTraits<R>::unit_roundoff());
   return out;
 }
@@ -83,15 +86,17 @@ struct Judgement {
   double error = 0.0;          ///< |answer - distance| of the pair as it was given,
   double error_as_kept = 0.0;  ///< of the pair as it was kept: what computing alone did.
   double witness = 0.0;  ///< How far a witness point lies outside its shape, or their distance from
-                         ///< the exact one, as kept; below 1e-19 of the scale it is not resolved.
+                         ///< the exact one, as kept; 1e-19 of the scale is not resolved of that.
   double width = 0.0;    ///< upper - lower; NaN where there are no bounds.
 };
 
 /// A pair as it was given and as a run keeps it, which may round it.
+template <int D>
 struct Judged {
-  const Truth& given;
-  const Truth& as_kept;
+  const Truth<D>& given;
+  const Truth<D>& as_kept;
 };
-[[nodiscard]] Judgement judge(const Claim& claim, const Judged& judged);
+template <int D>
+[[nodiscard]] Judgement judge(const Claim<D>& claim, const Judged<D>& judged);
 
 }  // namespace gjkscope::study

@@ -11,7 +11,7 @@ namespace bench {
 
 struct Case {
   Pair pair;
-  Truth truth;
+  Truth<2> truth;
 };
 
 [[nodiscard]] std::vector<Case> cases_of(families::Family family,

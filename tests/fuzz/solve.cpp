@@ -117,7 +117,7 @@ void claim_answer_or_error(const json& answer) {
 template <class S>
 void claim_true(const json& answer, const Case& seen) {
   const std::string told = answer.dump() + " for " + written(seen, false);
-  const study::Truth exact = study::truth_of({seen.a, seen.b});
+  const study::Truth exact = study::truth_of<2>({seen.a, seen.b});
   using Real = typename gjk::ScalarTraits<S>::Real;
   if (answer.contains("error")) {
     const std::string error = answer["error"].get<std::string>();
@@ -128,7 +128,7 @@ void claim_true(const json& answer, const Case& seen) {
   }
   claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + told);
   claim(answer["stop"] != name_of(gjk::StopReason::iteration_cap), "no cap is reached: " + told);
-  study::Claim claimed;
+  study::Claim<2> claimed;
   claimed.verdict = value_of<gjk::Verdict>(answer["verdict"].get<std::string>()).value();
   claimed.has_bounds = true;
   claimed.distance = Quad(answer["distance"].get<double>());

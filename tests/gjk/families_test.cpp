@@ -12,6 +12,7 @@ namespace {
 using families::Family;
 using families::kFamilyCount;
 using families::kFamilyNames;
+using families::kSpaceFamilyCount;
 using families::Pair;
 using families::Representation;
 using gjk::StopReason;
@@ -94,74 +95,93 @@ TEST(representative, "each family has its share of each outcome, region and stop
   }
 }
 
-TEST(float_values, "float values are floats, in every family, and full doubles mostly are not") {
-  const auto is_float = [](double value) {
-    return static_cast<double>(static_cast<float>(value)) == value;
-  };
-  for (int family = 0; family < kFamilyCount; ++family) {
+template <int D>
+constexpr int kCount = D == 2 ? kFamilyCount : kSpaceFamilyCount;
+
+/// Calls `check` with so many pairs of each family and representation, in space, too.
+template <int D, class Check>
+void for_each_pair(std::uint64_t seed, int count, const Check& check) {
+  for (int family = 0; family < kCount<D>; ++family) {
     for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
-      families::Source random(kSeed);
-      long floats = 0;
-      long others = 0;
-      for (int i = 0; i < 200; ++i) {
-        const auto pair = random.pair<double>(static_cast<Family>(family), representation);
-        for (const auto* points : {&pair.x, &pair.y}) {
-          for (const Vec<double, 2>& vertex : *points) {
-            ++(is_float(vertex[0]) && is_float(vertex[1]) ? floats : others);
-          }
-        }
-      }
-      const check::Context context(kFamilyNames[static_cast<std::size_t>(family)]);
-      if (representation == Representation::float_values) {
-        CHECK_EQ(0L, others);
-      } else if (family != static_cast<int>(Family::grid)) {
-        CHECK(others > floats / 8);
+      families::Source random(seed);
+      for (int i = 0; i < count; ++i) {
+        check(family, representation,
+              random.pair<double, D>(static_cast<Family>(family), representation));
       }
     }
   }
 }
 
-TEST(deterministic, "a seed gives the same pairs, another seed gives others") {
-  for (int family = 0; family < kFamilyCount; ++family) {
-    const check::Context context(kFamilyNames[static_cast<std::size_t>(family)]);
-    const auto draw = [&](std::uint64_t seed) {
-      families::Source random(seed);
-      std::vector<Vec<double, 2>> points;
-      for (int i = 0; i < 10; ++i) {
-        const auto pair = random.pair<double>(static_cast<Family>(family));
-        points.insert(points.end(), pair.x.begin(), pair.x.end());
-        points.insert(points.end(), pair.y.begin(), pair.y.end());
+template <int D>
+void count_floats() {
+  std::array<std::array<long, 2>, kCount<D>> floats = {};
+  std::array<std::array<long, 2>, kCount<D>> others = {};
+  for_each_pair<D>(kSeed, 200, [&](int family, Representation representation, const auto& pair) {
+    for (const auto* points : {&pair.x, &pair.y}) {
+      for (const Vec<double, D>& vertex : *points) {
+        const bool is_float = vertex == vertex.template cast<float>().template cast<double>();
+        ++(is_float ? floats : others)[family][static_cast<std::size_t>(representation)];
       }
-      return points;
-    };
-    CHECK(draw(kSeed) == draw(kSeed));
-    CHECK(draw(kSeed) != draw(kSeed + 1));
+    }
+  });
+  for (int family = 0; family < kCount<D>; ++family) {
+    const check::Context context(kFamilyNames[static_cast<std::size_t>(family)], "dimension", D);
+    CHECK_EQ(0L, others[family][0]);
+    if (family != static_cast<int>(Family::grid)) CHECK(others[family][1] > floats[family][1] / 8);
   }
 }
+TEST(float_values, "float values are floats, in every family, and full doubles mostly are not") {
+  count_floats<2>();
+  count_floats<3>();
+}
 
-TEST(everywhere, "a seed's pairs are these to the bit, whichever compiler draws them") {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
-  const auto take = [&](const Vec<double, 2>& v) {
-    for (const double value : {v[0], v[1]}) {
+/// Of the bits of a seed's pairs: FNV-1a, by words.
+template <int D>
+std::uint64_t hash_of_pairs(std::uint64_t seed) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto take = [&](const Vec<double, D>& v) {
+    for (const double value : v) {
       hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
     }
   };
-  for (int family = 0; family < kFamilyCount; ++family) {
-    for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
-      families::Source random(kSeed);
-      for (int i = 0; i < 200; ++i) {
-        const auto pair = random.pair<double>(static_cast<Family>(family), representation);
-        for (const auto* points : {&pair.x, &pair.y}) {
-          for (const Vec<double, 2>& vertex : *points) take(vertex);
-        }
-        for (const auto* pose : {&pair.x_pose, &pair.y_pose}) {
-          take(pose->rotation.col(0));
-          take(pose->translation);
-        }
-      }
+  for_each_pair<D>(seed, 200, [&](int, Representation, const auto& pair) {
+    for (const auto* points : {&pair.x, &pair.y}) {
+      for (const Vec<double, D>& vertex : *points) take(vertex);
     }
+    for (const auto* pose : {&pair.x_pose, &pair.y_pose}) {
+      for (int i = 0; i < D - 1; ++i) take(pose->rotation.col(i));
+      take(pose->translation);
+    }
+  });
+  return hash;
+}
+TEST(everywhere, "a seed's pairs are these to the bit, whichever compiler draws them") {
+  CHECK_EQ(std::uint64_t{14238002841783190940u}, hash_of_pairs<2>(kSeed));
+  CHECK_EQ(std::uint64_t{12113101015123752853u}, hash_of_pairs<3>(kSeed));
+}
+
+template <int D>
+void compare_seeds() {
+  const auto drawn = [](std::uint64_t seed) {
+    std::array<std::vector<Vec<double, D>>, kCount<D>> points;
+    for_each_pair<D>(seed, 10, [&](int family, Representation, const auto& pair) {
+      auto& all = points[static_cast<std::size_t>(family)];
+      all.insert(all.end(), pair.x.begin(), pair.x.end());
+      all.insert(all.end(), pair.y.begin(), pair.y.end());
+    });
+    return points;
+  };
+  const auto first = drawn(kSeed);
+  const auto other = drawn(kSeed + 1);
+  CHECK(first == drawn(kSeed));
+  for (std::size_t family = 0; family < first.size(); ++family) {
+    const check::Context context(kFamilyNames[family], "dimension", D);
+    CHECK(first[family] != other[family]);
   }
-  CHECK_EQ(std::uint64_t{14238002841783190940u}, hash);
+}
+TEST(deterministic, "a seed gives the same pairs, another seed gives others") {
+  compare_seeds<2>();
+  compare_seeds<3>();
 }
 
 TEST(orders, "pairs come in both orders of arguments and all rotations of their lists") {

@@ -17,7 +17,7 @@ namespace {
 using test::small_plan;
 using test::small_study;
 
-double error_of(double value, const Truth& truth) {
+double error_of(double value, const Truth<2>& truth) {
   return std::abs(difference(Quad(value), truth));
 }
 

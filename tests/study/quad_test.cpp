@@ -15,7 +15,7 @@ using study::Truth;
 using study::truth_of;
 using Traits = gjk::ScalarTraits<Quad>;
 
-Truth of_points(double x, double y) {
+Truth<2> of_points(double x, double y) {
   families::Pair<double> pair;
   pair.x.emplace_back(0.0, 0.0);
   pair.y.emplace_back(x, y);

@@ -8,8 +8,8 @@
 namespace gjkscope::study {
 
 /// Of a result in R: u * scale, or the smallest positive number where that is larger.
-template <class R>
-[[nodiscard]] double unit_of(const Truth& truth) {
+template <class R, int D>
+[[nodiscard]] double unit_of(const Truth<D>& truth) {
   return static_cast<double>(std::max<long double>(
       gjk::ScalarTraits<R>::unit_roundoff() * truth.scale, std::numeric_limits<R>::denorm_min()));
 }
@@ -21,7 +21,8 @@ struct Errors {
   double witness = 0;
   double width = 0;
 };
-[[nodiscard]] inline Errors errors_of(const Judgement& found, const Truth& truth, double unit) {
+template <int D>
+[[nodiscard]] Errors errors_of(const Judgement& found, const Truth<D>& truth, double unit) {
   return {found.error / unit, truth.distance > 0 ? found.error / truth.distance : 0,
           found.witness / unit, found.width / unit};
 }

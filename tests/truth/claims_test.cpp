@@ -5,6 +5,7 @@
 
 #include "bars.hpp"
 #include "exact_run.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope::study {
 namespace {

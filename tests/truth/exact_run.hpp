@@ -5,7 +5,7 @@
 
 #include "geometry/rational.hpp"
 #include "gjk/gjk.hpp"
-#include "study/families.hpp"
+#include "study/pair.hpp"
 
 namespace gjkscope {
 
@@ -40,8 +40,9 @@ template <class S, int D>
   return {rotation, exact<S, D>(pose.translation)};
 }
 
-[[nodiscard]] inline ExactPair<2> exact(const families::Pair<double>& pair) {
-  return {exact<double, 2>(pair.x), exact<double, 2>(pair.y), exact(pair.x_pose),
+template <int D>
+[[nodiscard]] ExactPair<D> exact(const families::Pair<double, D>& pair) {
+  return {exact<double, D>(pair.x), exact<double, D>(pair.y), exact(pair.x_pose),
           exact(pair.y_pose)};
 }
 

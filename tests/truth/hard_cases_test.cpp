@@ -88,20 +88,25 @@ double scale_of(const HardCase<D>& one) {
   return scale;
 }
 
-TEST(HardCases, TheTruthIsWhatTheyTell) {
-  for (const HardCase<2>& one : cases<2>()) {
+template <int D>
+void compare_truths() {
+  for (const HardCase<D>& one : cases<D>()) {
     SCOPED_TRACE(one.name);
-    const Truth truth = truth_of({one.a, one.b});
+    const Truth truth = truth_of<D>({one.a, one.b});
     EXPECT_EQ(one.overlap, truth.overlap);
     EXPECT_EQ(one.touching, truth.touching);
     EXPECT_EQ(root_nearest(one.distance_sq), truth.distance);
   }
 }
+TEST(HardCases, TheTruthIsWhatTheyTell) {
+  compare_truths<2>();
+  compare_truths<3>();
+}
 
 TEST(HardCases, AreSolvedInDouble) {
   for (const HardCase<2>& one : cases<2>()) {
     SCOPED_TRACE(one.name);
-    const Truth truth = truth_of({one.a, one.b});
+    const Truth truth = truth_of<2>({one.a, one.b});
     const Judgement found = judge(claim_of(gjk::distance(one.query())), {truth, truth});
     EXPECT_STREQ("", broken_bar(found, errors_of(found, truth, unit_of<double>(truth)), kBars));
   }

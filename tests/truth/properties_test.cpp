@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "bars.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope::study {
 namespace {

@@ -11,14 +11,15 @@
 #include <thread>
 
 #include "bars.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope::study {
 namespace {
 
-using families::kFamilyCount;
 using families::kFamilyNames;
 using families::Representation;
-using Pair = families::Pair<double>;
+template <int D>
+using Pair = families::Pair<double, D>;
 
 /// A scalar of the query and one of the run.
 enum class Mode { in_double, float_in_double, in_float };
@@ -53,8 +54,8 @@ struct Found {
   bool settled = false;
   bool overlap = false;
 
-  template <class R>
-  Found(const Truth& truth, const gjk::Result<R, 2>& result)
+  template <class R, int D>
+  Found(const Truth<D>& truth, const gjk::Result<R, D>& result)
       : judgement(judge(claim_of(result), {truth, truth})),
         stop(result.stop),
         settled(result.settled),
@@ -65,13 +66,13 @@ struct Found {
 };
 
 struct Failure {
+  std::string_view bar;  ///< The one that it breaks.
   std::string text;
   long pair = 0;
 };
 
 /// What became of the pairs of one family, one representation and one mode.
 struct Row {
-  static constexpr std::size_t kKept = 2;  ///< Failures to be shown.
   enum Count {
     pairs,
     broken,
@@ -88,7 +89,7 @@ struct Row {
   std::array<long, kCounts> counts = {};
   std::array<long, 8> stops = {};
   Errors most;
-  std::vector<Failure> failures;
+  std::vector<Failure> failures;  ///< To be shown: the first that breaks each bar.
 
   void add(const Found& found) {
     ++counts[pairs];
@@ -106,33 +107,53 @@ struct Row {
     for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
     for (std::size_t i = 0; i < stops.size(); ++i) stops[i] += other.stops[i];
     widen(most, other.most);
-    failures.insert(failures.end(), other.failures.begin(), other.failures.end());
-    std::sort(failures.begin(), failures.end(),
-              [](const Failure& a, const Failure& b) { return a.pair < b.pair; });
-    if (failures.size() > kKept) failures.resize(kKept);
+    for (const Failure& failure : other.failures) {
+      Failure* same = failure_of(failure.bar);
+      if (same == nullptr) failures.push_back(failure);
+      if (same != nullptr && failure.pair < same->pair) *same = failure;
+    }
+  }
+  [[nodiscard]] Failure* failure_of(std::string_view bar) {
+    const auto found = std::find_if(failures.begin(), failures.end(),
+                                    [&](const Failure& one) { return one.bar == bar; });
+    return found == failures.end() ? nullptr : &*found;
   }
 };
 using Rows = std::array<Row, 3>;  ///< One for each mode.
 
-std::string json_of(const std::vector<Eigen::Vector2d>& points) {
+/// Numbers by their bits, separated by commas.
+template <class Numbers>
+std::string hex_of(const Numbers& numbers) {
   std::string out;
-  for (const Eigen::Vector2d& p : points) {
-    out += fmt::format("{}[\"{:a}\",\"{:a}\"]", out.empty() ? "" : ",", p[0], p[1]);
-  }
+  for (const double value : numbers)
+    out += fmt::format("{}\"{:a}\"", out.empty() ? "" : ",", value);
   return "[" + out + "]";
 }
-std::string json_of(const gjk::Pose<double, 2>& pose) {
-  return fmt::format("[\"{:a}\",\"{:a}\",\"{:a}\",\"{:a}\",\"{:a}\",\"{:a}\"]", pose.rotation(0, 0),
-                     pose.rotation(0, 1), pose.rotation(1, 0), pose.rotation(1, 1),
-                     pose.translation[0], pose.translation[1]);
+template <int D>
+std::string json_of(const std::vector<gjk::Vec<double, D>>& points) {
+  std::string out;
+  for (const auto& p : points) out += (out.empty() ? "" : ",") + hex_of(p);
+  return "[" + out + "]";
 }
-std::string json_of(const Pair& pair, const std::string& name) {
-  std::string poses;
-  if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns()) {
-    poses = fmt::format(R"(,"a_pose":{},"b_pose":{})", json_of(pair.x_pose), json_of(pair.y_pose));
+template <int D>
+std::string json_of(const gjk::Pose<double, D>& pose) {
+  std::vector<double> numbers;
+  for (int row = 0; row < D; ++row) {
+    for (int column = 0; column < D; ++column) numbers.push_back(pose.rotation(row, column));
   }
-  return fmt::format(R"({{"name":"{}","dimension":2,"a":{},"b":{}{}}})", name, json_of(pair.x),
-                     json_of(pair.y), poses);
+  numbers.insert(numbers.end(), pose.translation.begin(), pose.translation.end());
+  return hex_of(numbers);
+}
+template <int D>
+std::string json_of(const Pair<D>& pair, const std::string& name) {
+  std::string poses;
+  if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns() ||
+      pair.x_pose.translation != pair.y_pose.translation) {
+    poses = fmt::format(R"(,"a_pose":{},"b_pose":{})", json_of<D>(pair.x_pose),
+                        json_of<D>(pair.y_pose));
+  }
+  return fmt::format(R"({{"name":"{}","dimension":{},"a":{},"b":{}{}}})", name, D,
+                     json_of<D>(pair.x), json_of<D>(pair.y), poses);
 }
 
 struct Work {
@@ -145,20 +166,21 @@ struct Work {
 /// Every so many pairs, one is tried in both orders of arguments and all rotations of its lists.
 constexpr long kAllOrdersEvery = 16;
 
+template <int D>
 class Worker {
  public:
   explicit Worker(const Work& work) : work_(work), random_(work.seed) {}
 
   Rows run() {
     for (long drawn = 0; done_ < work_.pairs; ++drawn) {
-      const Pair pair = random_.pair<double>(work_.family, work_.representation);
+      const Pair<D> pair = random_.pair<double, D>(work_.family, work_.representation);
       if (drawn % kAllOrdersEvery != 0) {
         check(pair);
         continue;
       }
       const std::size_t rotations = std::max(pair.x.size(), pair.y.size());
       for (std::size_t i = 0; i < rotations; ++i) {
-        const Pair rotated = families::rotated(pair, i, i);
+        const Pair<D> rotated = families::rotated(pair, i, i);
         check(rotated);
         check(families::swapped(rotated));
       }
@@ -167,7 +189,7 @@ class Worker {
   }
 
  private:
-  void check(const Pair& pair) {
+  void check(const Pair<D>& pair) {
     if (done_ == work_.pairs) return;
     const auto result = families::run<double>(pair);
     const Truth truth = truth_of(pair, result.warm());
@@ -181,7 +203,8 @@ class Worker {
   }
 
   template <class R>
-  void note(const Pair& pair, const Truth& truth, const gjk::Result<R, 2>& result, Mode mode) {
+  void note(const Pair<D>& pair, const Truth<D>& truth, const gjk::Result<R, D>& result,
+            Mode mode) {
     const Found found(truth, result);
     Row& row = rows_[static_cast<std::size_t>(mode)];
     row.add(found);
@@ -190,14 +213,17 @@ class Worker {
     const Errors bars = bars_of(work_.family, work_.representation, mode);
     const std::string_view broken =
         found.is_capped() ? "iteration cap" : broken_bar(found.judgement, found.errors, bars);
-    if (broken.empty() || ++row.counts[Row::broken] > static_cast<long>(Row::kKept)) return;
+    if (broken.empty()) return;
+    ++row.counts[Row::broken];
+    if (row.failure_of(broken) != nullptr) return;
     const std::string name = fmt::format(
         "{}, seed {}, pair {}", kFamilyNames[static_cast<int>(work_.family)], work_.seed, done_);
     row.failures.push_back(
-        {fmt::format("{}: exact {:.17g}, found {:.17g} in [{:.17g}, {:.17g}]\n"
+        {broken,
+         fmt::format("{}: exact {:.17g}, found {:.17g} in [{:.17g}, {:.17g}]\n"
                      "  {}",
                      broken, truth.distance, double{result.distance}, double{result.lower},
-                     double{result.upper}, json_of(pair, name)),
+                     double{result.upper}, json_of<D>(pair, name)),
          done_});
   }
 
@@ -269,9 +295,10 @@ long print_failures(const std::vector<Job>& jobs) {
   return broken;
 }
 
-std::vector<Job> jobs_of(const std::vector<std::string>& names) {
+std::vector<Job> jobs_of(int dimension, const std::vector<std::string>& names) {
   std::vector<Job> jobs;
-  for (int family = 0; family < kFamilyCount; ++family) {
+  const int count = dimension == 2 ? families::kFamilyCount : families::kSpaceFamilyCount;
+  for (int family = 0; family < count; ++family) {
     const std::string_view name = kFamilyNames[static_cast<std::size_t>(family)];
     if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
     for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
@@ -282,6 +309,7 @@ std::vector<Job> jobs_of(const std::vector<std::string>& names) {
 }
 
 /// Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
+template <int D>
 void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
   constexpr long kPiece = 2000;
   const long job_count = static_cast<long>(jobs.size());
@@ -294,8 +322,8 @@ void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t see
       Job& job = jobs[static_cast<std::size_t>(i % job_count)];
       const long piece = i / job_count;
       Rows rows =
-          Worker({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
-                  std::min(kPiece, each - piece * kPiece)})
+          Worker<D>({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
+                     std::min(kPiece, each - piece * kPiece)})
               .run();
       const std::scoped_lock lock(merging);
       for (std::size_t mode = 0; mode < rows.size(); ++mode) {
@@ -311,11 +339,13 @@ void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t see
 }
 
 int main_of(int argc, char** argv) {
+  int dimension = 2;
   long pairs = 200000;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::uint64_t seed = 1;
   std::vector<std::string> names;
   CLI::App app("Holds what the core claims about random pairs against the exact truth");
+  app.add_option("--dimension", dimension, "2: in the plane, 3: in space")->check(CLI::Range(2, 3));
   app.add_option("--pairs", pairs, "Pairs over all families")->check(CLI::PositiveNumber);
   app.add_option("--threads", threads, "Threads; they do not change the answer")
       ->check(CLI::PositiveNumber);
@@ -325,8 +355,12 @@ int main_of(int argc, char** argv) {
       ->check(CLI::IsMember(std::vector<std::string>(kFamilyNames.begin(), kFamilyNames.end())));
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<Job> jobs = jobs_of(names);
-  run(jobs, pairs, threads, seed);
+  std::vector<Job> jobs = jobs_of(dimension, names);
+  if (jobs.empty()) {
+    fmt::print(stderr, "truth-sweep: no family of these is in the plane\n");
+    return 2;
+  }
+  (dimension == 2 ? run<2> : run<3>)(jobs, pairs, threads, seed);
   print_rows(jobs);
   return print_failures(jobs) == 0 ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 
 #include "bars.hpp"
 #include "exact_run.hpp"
+#include "study/families.hpp"
 
 namespace gjkscope::study {
 namespace {
@@ -12,6 +13,7 @@ using Eigen::Vector2d;
 using families::Family;
 using families::kFamilyCount;
 using families::kFamilyNames;
+using families::kSpaceFamilyCount;
 using families::Representation;
 using gjk::Verdict;
 using Pair = families::Pair<double>;
@@ -19,52 +21,64 @@ using Pair = families::Pair<double>;
 constexpr std::uint64_t kSeed = 2010;
 
 /// Calls `check` with so many pairs of each family and representation.
-template <class Check>
+template <int D = 2, class Check>
 void for_each_pair(int count, const Check& check) {
   families::Source random(kSeed);
-  for (int family = 0; family < kFamilyCount; ++family) {
+  for (int family = 0; family < (D == 2 ? kFamilyCount : kSpaceFamilyCount); ++family) {
     for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
       for (int i = 0; i < count; ++i) {
         SCOPED_TRACE(testing::Message()
-                     << "seed " << kSeed << ' ' << kFamilyNames[family] << " values "
-                     << static_cast<int>(representation) << " pair " << i);
-        check(random.pair<double>(static_cast<Family>(family), representation), random);
+                     << "seed " << kSeed << " dimension " << D << ' ' << kFamilyNames[family]
+                     << " values " << static_cast<int>(representation) << " pair " << i);
+        check(random.pair<double, D>(static_cast<Family>(family), representation), random);
         if (testing::Test::HasFatalFailure()) return;
       }
     }
   }
 }
 
-RationalPoints<2> differences(const Pair& pair) {
-  const ExactPair<2> both = exact(pair);
-  RationalPoints<2> out;
+template <int D>
+RationalPoints<D> differences(const families::Pair<double, D>& pair) {
+  const ExactPair<D> both = exact(pair);
+  RationalPoints<D> out;
   for (const auto& x : world(both.x, both.x_pose)) {
     for (const auto& y : world(both.y, both.y_pose)) out.emplace_back(y - x);
   }
   return out;
 }
 
-/// Some line through O and a point of Z has all of Z on one side.
-bool has_plane_through_origin(const RationalPoints<2>& z) {
+/// Some line (in space, plane) through O and D - 1 points of Z has all of Z on one side, or Z is
+/// flat.
+template <int D>
+bool has_plane_through_origin(const RationalPoints<D>& z) {
   bool any = false;
-  for (const auto& a : z) {
-    if (gjk::is_zero(a)) continue;
-    any = true;
-    bool left = false;
-    bool right = false;
-    for (const auto& b : z) {
-      const int side = (a[0] * b[1] - a[1] * b[0]).sign();
-      left = left || side > 0;
-      right = right || side < 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    for (std::size_t k = i + 1; k < (D == 2 ? i + 2 : z.size()); ++k) {
+      gjk::Vec<Rational, D> normal;
+      if constexpr (D == 2) {
+        normal = gjk::perpendicular<Rational, D>({z[i]});
+      } else {
+        normal = gjk::perpendicular<Rational, D>({z[i], z[k]});
+      }
+      if (gjk::is_zero(normal)) continue;
+      any = true;
+      bool left = false;
+      bool right = false;
+      for (auto b = z.begin(); b != z.end() && !(left && right); ++b) {
+        const int side = (gjk::dot(normal, *b)).sign();
+        left = left || side > 0;
+        right = right || side < 0;
+      }
+      if (!(left && right)) return true;
     }
-    if (!(left && right)) return true;
   }
   return !any;
 }
 
-gjk::WarmStart random_guess(const Pair& pair, families::Source& random) {
+template <int D>
+gjk::WarmStart random_guess(const families::Pair<double, D>& pair, families::Source& random) {
   gjk::WarmStart guess;
-  guess.count = random.among(0, 3);
+  guess.count = random.among(0, D + 1);
   for (int i = 0; i < guess.count; ++i) {
     guess.pairs[i] = {random.among(0, static_cast<int>(pair.x.size()) - 1),
                       random.among(0, static_cast<int>(pair.y.size()) - 1)};
@@ -72,18 +86,22 @@ gjk::WarmStart random_guess(const Pair& pair, families::Source& random) {
   return guess;
 }
 
-TEST(Truth, IsThatOfRunsThatProveThemselvesWhateverTheGuess) {
+struct Outcomes {
   int apart = 0;
   int touching = 0;
   int overlapping = 0;
-  for_each_pair(40, [&](const Pair& pair, families::Source& random) {
+};
+template <int D>
+Outcomes compare_with_runs() {
+  Outcomes out;
+  for_each_pair<D>(40, [&](const auto& pair, families::Source& random) {
     const Truth truth = truth_of(pair, random_guess(pair, random));
-    const ExactPair<2> both = exact(pair);
+    const ExactPair<D> both = exact(pair);
     const auto run = gjk::distance(both.query());
     expect_proved(both, run);
     ASSERT_EQ(run.distance_sq == 0, truth.overlap);
-    ASSERT_EQ(truth.overlap && has_plane_through_origin(differences(pair)), truth.touching);
-    ++(truth.touching ? touching : truth.overlap ? overlapping : apart);
+    ASSERT_EQ(truth.overlap && has_plane_through_origin<D>(differences(pair)), truth.touching);
+    ++(truth.touching ? out.touching : truth.overlap ? out.overlapping : out.apart);
     ASSERT_EQ(root_nearest(run.distance_sq), truth.distance);
     const double below = root_down(run.distance_sq);
     const double above = root_up(run.distance_sq);
@@ -91,13 +109,20 @@ TEST(Truth, IsThatOfRunsThatProveThemselvesWhateverTheGuess) {
     ASSERT_LE(difference(Quad(below), truth), 0.0);
     ASSERT_GE(difference(Quad(above), truth), 0.0);
   });
-  EXPECT_GT(apart, 500);
-  EXPECT_GT(touching, 100);
-  EXPECT_GT(overlapping, 300);
+  return out;
 }
 
-TEST(Truth, ScaleIsTheLargestDistanceOfVertices) {
-  for_each_pair(10, [&](const Pair& pair, families::Source&) {
+TEST(Truth, IsThatOfRunsThatProveThemselvesWhateverTheGuess) {
+  for (const Outcomes& found : {compare_with_runs<2>(), compare_with_runs<3>()}) {
+    EXPECT_GT(found.apart, 500);
+    EXPECT_GT(found.touching, 100);
+    EXPECT_GT(found.overlapping, 300);
+  }
+}
+
+template <int D>
+void compare_scales() {
+  for_each_pair<D>(10, [&](const auto& pair, families::Source&) {
     Rational largest = 0;
     for (const auto& z : differences(pair)) {
       const Rational length_sq = gjk::dot(z, z);
@@ -108,33 +133,44 @@ TEST(Truth, ScaleIsTheLargestDistanceOfVertices) {
     ASSERT_GE(root_up(largest), scale);
   });
 }
+TEST(Truth, ScaleIsTheLargestDistanceOfVertices) {
+  compare_scales<2>();
+  compare_scales<3>();
+}
 
 TEST(Truth, HasTheDigitsOfQuad) {
-  const Truth two = truth_of({{{0, 0}}, {{1, 1}}});
+  const Truth two = truth_of<2>({{{0, 0}}, {{1, 1}}});
   const auto high = static_cast<double>(two.rest);
   const auto middle = static_cast<double>(two.rest - Quad(high));
   const Rational sum = Rational(two.distance) + Rational(high) + Rational(middle);
   EXPECT_LT(std::abs(to_double(sum * sum - 2)), 0x1p-148);
-  const Truth five = truth_of({{{0, 0}}, {{3, 4}}});
+  const Truth five = truth_of<2>({{{0, 0}}, {{3, 4}}});
   EXPECT_EQ(difference(Quad(5), five), 0.0);
   EXPECT_EQ(difference(Quad(5) + Quad(0x1p-90), five), 0x1p-90);
 }
 
-TEST(Judge, MeasuresHowFarAWitnessLiesOutside) {
+template <int D>
+int measure_witnesses() {
   int inside = 0;
-  for_each_pair(60, [&](const Pair& pair, families::Source& random) {
-    const Pair twice{pair.x, pair.x, pair.x_pose, pair.x_pose};
+  for_each_pair<D>(60, [&](const auto& pair, families::Source& random) {
+    using Point = gjk::Vec<double, D>;
+    const families::Pair<double, D> twice{pair.x, pair.x, pair.x_pose, pair.x_pose};
     const Truth truth = truth_of(twice);
     const auto size = static_cast<double>(truth_of(pair).scale);
-    const Vector2d q = truth.origin + size * Vector2d(random.between(-1, 1), random.between(-1, 1));
-    const Truth from_q = truth_of({{q}, pair.x, {}, pair.x_pose});
-    Claim claim;
+    Point q = pair.x_pose.rotated(pair.x[0]) + pair.x_pose.translation;
+    for (int i = 0; i < D; ++i) q[i] += size * random.between(-1, 1);
+    const Truth from_q = truth_of<D>({{q}, pair.x, {}, pair.x_pose});
+    Claim<D> claim;
     claim.verdict = Verdict::overlapping;
-    claim.x = claim.y = {Quad(q[0]), Quad(q[1])};
+    for (int i = 0; i < D; ++i) claim.x[i] = claim.y[i] = Quad(q[i]);
     ASSERT_NEAR(from_q.distance, judge(claim, {truth, truth}).witness, 0x1p-51 * size);
     inside += from_q.overlap;
   });
-  EXPECT_GT(inside, 50);
+  return inside;
+}
+TEST(Judge, MeasuresHowFarAWitnessLiesOutside) {
+  EXPECT_GT(measure_witnesses<2>(), 50);
+  EXPECT_GT(measure_witnesses<3>(), 20);
 }
 
 /// A claim without an error: the truth, rounded. Only for pairs without poses near the origin.
@@ -157,9 +193,9 @@ struct Perfect {
   [[nodiscard]] Judgement judged() const { return judge(claim, {truth, truth}); }
   [[nodiscard]] Errors errors() const { return errors_of(judged(), truth, unit); }
 
-  Truth truth;
+  Truth<2> truth;
   double unit = 0;
-  Claim claim;
+  Claim<2> claim;
 };
 
 const Pair kApart = {{{-1, -1}, {1, -1}, {1, 0.75}, {-1, 1}}, {{-2, 5}, {5, 7}, {0.25, 1.5}}};
@@ -180,7 +216,7 @@ TEST(Judge, RejectsBoundsThatAreWrongByOneUlp) {
   const Perfect perfect(kApart);
   ASSERT_FALSE(perfect.judged().broken_bounds);
   ASSERT_LT(perfect.claim.lower, perfect.claim.upper);
-  for (const auto bound : {&Claim::lower, &Claim::upper}) {
+  for (const auto bound : {&Claim<2>::lower, &Claim<2>::upper}) {
     Perfect other = perfect;
     other.claim.lower = other.claim.distance = other.claim.upper = perfect.claim.*bound;
     EXPECT_TRUE(other.judged().broken_bounds);
@@ -234,7 +270,7 @@ TEST(Judge, MeasuresErrorsInUnitsOfRoundOffTimesScale) {
   const Vector2d along = Vector2d(coordinate(perfect.claim.y, 0) - coordinate(perfect.claim.x, 0),
                                   coordinate(perfect.claim.y, 1) - coordinate(perfect.claim.x, 1))
                              .normalized();
-  for (const auto witness : {&Claim::x, &Claim::y}) {
+  for (const auto witness : {&Claim<2>::x, &Claim<2>::y}) {
     for (const double by : {16.0, -16.0}) {  // one way out of the shape, the other way into it
       other = perfect;
       for (int i = 0; i < 2; ++i) {
@@ -264,15 +300,15 @@ TEST(Judge, NotesWhatIsNoNumberOrNoAnswer) {
     change(perfect.claim);
     return perfect.judged().failed;
   };
-  EXPECT_FALSE(failed([](Claim&) {}));
-  for (const auto number : {&Claim::distance, &Claim::lower, &Claim::upper}) {
-    EXPECT_TRUE(failed([&](Claim& claim) { claim.*number = Quad(NAN); }));
+  EXPECT_FALSE(failed([](Claim<2>&) {}));
+  for (const auto number : {&Claim<2>::distance, &Claim<2>::lower, &Claim<2>::upper}) {
+    EXPECT_TRUE(failed([&](Claim<2>& claim) { claim.*number = Quad(NAN); }));
   }
-  for (const auto witness : {&Claim::x, &Claim::y}) {
-    EXPECT_TRUE(failed([&](Claim& claim) { (claim.*witness)[1] = Quad(INFINITY); }));
+  for (const auto witness : {&Claim<2>::x, &Claim<2>::y}) {
+    EXPECT_TRUE(failed([&](Claim<2>& claim) { (claim.*witness)[1] = Quad(INFINITY); }));
   }
-  EXPECT_TRUE(failed([](Claim& claim) { claim.refused = true; }));
-  EXPECT_TRUE(failed([](Claim& claim) { claim.verdict = Verdict::none; }));
+  EXPECT_TRUE(failed([](Claim<2>& claim) { claim.refused = true; }));
+  EXPECT_TRUE(failed([](Claim<2>& claim) { claim.verdict = Verdict::none; }));
 }
 
 }  // namespace
