@@ -178,7 +178,7 @@ void front(const LessonStudy& study, FrameText& text) {
       "Which would you take? A mark is beaten if another one is as fast and as accurate, or "
       "better.";
   text.detail = format(
-      "The dotted line joins the marks that nothing beats, the front: {}. Along it, a smaller "
+      "The dotted line joins the marks that nothing beats, the front: {}. A smaller "
       "error costs time.",
       fmt::join(names, "; "));
 }
