@@ -57,7 +57,7 @@ template <class R>
 
 template <class R, class N>
 [[nodiscard]] Vec<R, 2> rounded(const Vec<N, 2>& a) {
-  return {gjk::detail::rounded<R>(a[0]), gjk::detail::rounded<R>(a[1])};
+  return {gjk::rounded<R>(a[0]), gjk::rounded<R>(a[1])};
 }
 
 /// A vertex of Z with about twice the digits of R.
@@ -115,7 +115,7 @@ template <class R, class N>
         foot < length ? gjk::careful_length(from) : gjk::careful_length(rounded<R>(b));
     return {distance, distance - error};
   }
-  const R distance = gjk::detail::rounded<R>(gjk::cross(a, exact_way)) / length;
+  const R distance = gjk::rounded<R>(gjk::cross(a, exact_way)) / length;
   return {distance, distance - error * (R(2) + R(2) * beyond / length)};
 }
 
@@ -124,7 +124,7 @@ template <class R, class N>
 template <class R, class S>
 [[nodiscard]] R careful_reach(const Vec<R, 2>& direction, const gjk::Query<S, 2>& query,
                               const gjk::Prepared<R, 2>& prepared) {
-  gjk::VertexPair best = gjk::detail::farthest_pair(query, prepared, direction);
+  gjk::VertexPair best = gjk::farthest_pair(query, prepared, direction);
   const auto reach_of = [&](gjk::VertexPair pair) {
     const Vec<gjk::DoubleWord<R>, 2> w = careful_vertex(query, prepared, pair);
     return (gjk::DoubleWord<R>{direction[0]} * w[0] + gjk::DoubleWord<R>{direction[1]} * w[1]).hi;
@@ -133,7 +133,7 @@ template <class R, class S>
   const R error = prepared.scan_error_within(R(0));
   const auto improve = [&](int gjk::VertexPair::*index, const Vec<R, 2>& d,
                            const gjk::Shape<S, 2>& shape, const gjk::Body<R, 2>& body) {
-    gjk::detail::look_along(d, shape, prepared, body, [&](int count, const auto& along_d) {
+    gjk::look_along(d, shape, prepared, body, [&](int count, const auto& along_d) {
       const int found = best.*index;
       const R as_far = along_d(found) - error;
       for (int i = 0; i < count; ++i) {
@@ -227,7 +227,7 @@ template <class R, class S>
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);
   const R unit = u * Traits::root(size);
   out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&
-                 out.upper - out.lower <= Traits::from(gjk::detail::kAllowedWidth) * unit;
+                 out.upper - out.lower <= Traits::from(gjk::kAllowedWidth) * unit;
   return out;
 }
 
@@ -241,8 +241,8 @@ template <class R, class S>
   using Wide =
       std::conditional_t<(std::numeric_limits<double>::digits < std::numeric_limits<R>::digits), R,
                          double>;
-  const auto exact = gjk::detail::prepared_exactly(query, prepared);
-  if (!gjk::detail::has_exact_products(query, prepared.same_frame, exact.exponent)) return false;
+  const auto exact = gjk::prepared_exactly(query, prepared);
+  if (!gjk::has_exact_products(query, prepared.same_frame, exact.exponent)) return false;
   State<Expansion> end = start(query, exact, found);
   run(end, query, exact);
   const Polygon<Expansion>& polygon = end.polygon;
@@ -272,9 +272,9 @@ template <class R, class S>
   });
   const Vec<Expansion, 2> along_it = gjk::converted<Expansion, R, 2>(out.direction);
   const auto farthest =
-      gjk::support_point(query, exact, gjk::detail::farthest_pair(query, exact, along_it));
+      gjk::support_point(query, exact, gjk::farthest_pair(query, exact, along_it));
   const Wide direction_length = gjk::length(rounded<Wide>(along_it));
-  const Wide reach = gjk::detail::rounded<Wide>(gjk::dot(along_it, farthest.w)) / direction_length;
+  const Wide reach = gjk::rounded<Wide>(gjk::dot(along_it, farthest.w)) / direction_length;
 
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R few = R(kDistanceRoundings) * u;

@@ -106,8 +106,8 @@ template <class R, class S>
   } else {
     set_rounded_answer(state, found, query, options, prepared, out);
   }
-  out.x = gjk::detail::witness_point(out.edge, query.x, &gjk::VertexPair::x, prepared);
-  out.y = gjk::detail::witness_point(out.edge, query.y, &gjk::VertexPair::y, prepared);
+  out.x = gjk::witness_point(out.edge, query.x, &gjk::VertexPair::x, prepared);
+  out.y = gjk::witness_point(out.edge, query.y, &gjk::VertexPair::y, prepared);
   if (!gjk::ScalarTraits<typename Result<R>::Real>::is_finite(out.depth) ||
       !gjk::is_finite(out.x) || !gjk::is_finite(out.y)) {
     out = {};

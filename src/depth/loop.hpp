@@ -65,11 +65,10 @@ template <class R, class S, class Rec>
 void find_support(State<R>& state, const gjk::Query<S, 2>& query,
                   const gjk::Prepared<R, 2>& prepared, Rec& record) {
   if constexpr (Rec::kOn) {
-    record.scan_x = gjk::detail::scan_entries(Vec<R, 2>(-state.n), query.x, prepared, prepared.x);
-    record.scan_y = gjk::detail::scan_entries(state.n, query.y, prepared, prepared.y);
+    record.scan_x = gjk::scan_entries(Vec<R, 2>(-state.n), query.x, prepared, prepared.x);
+    record.scan_y = gjk::scan_entries(state.n, query.y, prepared, prepared.y);
   }
-  state.support =
-      gjk::support_point(query, prepared, gjk::detail::farthest_pair(query, prepared, state.n));
+  state.support = gjk::support_point(query, prepared, gjk::farthest_pair(query, prepared, state.n));
   state.phase = Phase::stop;
 }
 

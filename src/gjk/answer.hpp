@@ -103,7 +103,7 @@ template <class R, class S, int D>
   } else {
     detail::set_rounded_answer(state, query, options, prepared, out);
   }
-  detail::set_witness_points(out, query, prepared);
+  set_witness_points(out, query, prepared);
   if (!ScalarTraits<typename Result<R, D>::Real>::is_finite(out.distance) || !is_finite(out.x) ||
       !is_finite(out.y)) {
     out = {};

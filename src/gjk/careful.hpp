@@ -10,8 +10,6 @@
 
 namespace gjk {
 
-namespace detail {
-
 template <class R>
 [[nodiscard]] R rounded(const R& value) {
   return value;
@@ -93,16 +91,14 @@ template <class R, class N, int D>
       return out;
     }
   }
-  std::array<Vec<N, D>, D> vertices;
-  for (int i = 0; i < D; ++i) vertices[i] = simplex.vertices[i].w;
-  const std::array<Vec<N, D>, D - 1> edges = edges_of(vertices);
-  const Vec<N, D> normal = perpendicular<N, D>(edges);
+  const Vec<N, D> normal = normal_of(simplex, simplex.all());
   const R side = rounded<R>(dot(normal, a));
   const R size = careful_length(rounded<R, N, D>(normal));
   out.d = rounded<R, N, D>(side < R(0) ? normal : Vec<N, D>(-normal));
   out.distance = magnitude(side) / size;
   if constexpr (D == 3) {
-    out.longest = larger(out.longest, careful_length(rounded<R, N, D>(edges[1])));
+    const Vec<N, D> other = simplex.vertices[2].w - simplex.vertices[0].w;
+    out.longest = larger(out.longest, careful_length(rounded<R, N, D>(other)));
     out.height = size / out.longest;
   }
   return out;
@@ -123,5 +119,4 @@ template <class R, class N, int D>
   return weights;
 }
 
-}  // namespace detail
 }  // namespace gjk

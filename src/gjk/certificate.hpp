@@ -17,6 +17,9 @@ struct Bounds {
   R upper = R(0);
 };
 
+/// How wide bounds may be, in u times the distance from O to some vertex of Z, before rounding must
+/// have led the run astray. Just below 16, which is what tests/truth demands.
+inline constexpr double kAllowedWidth = 15.5;
 namespace detail {
 
 /// The lower bound of the distance that the best support plane proves.
@@ -90,9 +93,6 @@ inline constexpr int kNear = 4096;
 inline constexpr int kNearInOneFrame = 16;
 /// and for those from an edge that are over half of the reach: they round up to six times.
 inline constexpr int kFarFromEdge = 2;
-/// How wide bounds may be, in u times the distance from O to some vertex of Z, before rounding must
-/// have led the run astray. Just below 16, which is what tests/truth demands.
-inline constexpr double kAllowedWidth = 15.5;
 /// How often a distance in the run's own digits rounds at worst: from a vertex, or from the line of
 /// an edge; there the edge itself has rounded, too, and its product with the nearer end. In space
 /// two edges have, and their product.

@@ -157,9 +157,7 @@ template <class S, int D>
       return dot(moment, moment) / dot(edge, edge);
     }
   }
-  std::array<Vec<S, D>, D> facet;
-  for (int k = 0; k < D; ++k) facet[k] = simplex.vertices[in_face.index[k]].w;
-  const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
+  const Vec<S, D> normal = normal_of(simplex, face);
   const S side = dot(normal, a);
   return side * S(side / dot(normal, normal));
 }

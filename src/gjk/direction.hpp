@@ -29,9 +29,7 @@ template <class S, int D>
       return note;
     }
   }
-  std::array<Vec<S, D>, D> facet;
-  for (int i = 0; i < D; ++i) facet[i] = simplex.vertices[i].w;
-  const Vec<S, D> normal = perpendicular<S, D>(edges_of(facet));
+  const Vec<S, D> normal = normal_of(simplex, simplex.all());
   if (is_zero(normal)) return note;
   note.from_normal = true;
   note.normal = normal;

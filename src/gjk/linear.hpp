@@ -68,14 +68,6 @@ template <class S, int D>
   }
 }
 
-/// From the first of the vertices to each other one.
-template <class S, std::size_t N>
-[[nodiscard]] auto edges_of(const std::array<S, N>& vertices) {
-  std::array<S, N - 1> edges;
-  for (std::size_t i = 1; i < N; ++i) edges[i - 1] = vertices[i] - vertices[0];
-  return edges;
-}
-
 template <class S>
 [[nodiscard]] S magnitude(const S& a) {
   if constexpr (std::is_floating_point_v<S>) {

@@ -36,7 +36,7 @@ template <class R, class S, int D>
     state.simplex.vertices[i] = support_point(query, prepared, options.start.pairs[i]);
   }
   if (options.start.count == 0) {
-    const VertexPair first = detail::farthest_pair(query, prepared, Vec<R, D>(-prepared.offset));
+    const VertexPair first = farthest_pair(query, prepared, Vec<R, D>(-prepared.offset));
     state.simplex.vertices[0] = support_point(query, prepared, first);
   }
   state.region = state.simplex.all();
@@ -55,7 +55,7 @@ void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
     case Phase::direction:
       return detail::build_direction(state, options, record);
     case Phase::support:
-      return detail::find_support(state, query, prepared, record);
+      return find_support(state, query, prepared, record);
     case Phase::stop:
       return detail::run_stop_tests(state, options, prepared, record);
     case Phase::add:
@@ -73,7 +73,7 @@ void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
     detail::find_closest_point(state, options, none);
     detail::cull(state, options, none);
     if (state.phase == Phase::direction) detail::build_direction(state, options, none);
-    if (state.phase == Phase::support) detail::find_support(state, query, prepared, none);
+    if (state.phase == Phase::support) find_support(state, query, prepared, none);
     detail::run_stop_tests(state, options, prepared, none);
     if (state.stop == StopReason::running) detail::add_support(state);
   }

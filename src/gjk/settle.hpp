@@ -7,7 +7,7 @@
 #include "gjk/loop.hpp"
 #include "gjk/result.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
 /// The run of `query` in exact arithmetic, from a start or from any vertex.
 template <class R, class S, int D>
@@ -37,14 +37,15 @@ template <class R, class S>
     const Vec<R, 3> moment = cross(edge, vertex);
     return Vec<R, 2>(moment[(along + 1) % 3], moment[(along + 2) % 3]);
   };
-  std::vector<Vec<R, 2>> x;
-  std::vector<Vec<R, 2>> y;
-  for (int i = 0; i < static_cast<int>(query.x.vertices().size()); ++i) {
-    x.push_back(seen(turned_vertex(query.x, prepared, prepared.x, i)));
-  }
-  for (int i = 0; i < static_cast<int>(query.y.vertices().size()); ++i) {
-    y.push_back(seen(turned_vertex(query.y, prepared, prepared.y, i) + prepared.offset));
-  }
+  const auto all_seen = [&](const Shape<S, 3>& shape, const Body<R, 3>& body, const Vec<R, 3>& at) {
+    std::vector<Vec<R, 2>> out;
+    for (int i = 0; i < static_cast<int>(shape.vertices().size()); ++i) {
+      out.push_back(seen(turned_vertex(shape, prepared, body, i) + at));
+    }
+    return out;
+  };
+  const auto x = all_seen(query.x, prepared.x, Vec<R, 3>::Zero());
+  const auto y = all_seen(query.y, prepared.y, prepared.offset);
   const Query<R, 2> flat{{x}, {y}};
   const Prepared<R, 2> flat_prepared = prepare<R>(flat, {});
   return touches(exact_run(flat, flat_prepared), flat, flat_prepared);
@@ -64,9 +65,7 @@ template <class R, class S, int D>
     return probe;
   };
   if (simplex.count == D) {  // O lies inside a facet: only its plane can be such a plane
-    std::array<Vec<R, D>, D> facet;
-    for (int i = 0; i < D; ++i) facet[i] = simplex.vertices[i].w;
-    const Vec<R, D> normal = perpendicular<R, D>(edges_of(facet));
+    const Vec<R, D> normal = normal_of(simplex, simplex.all());
     return looking_along(normal).touches_plane || looking_along(-normal).touches_plane;
   }
   if constexpr (D == 3) {
@@ -121,7 +120,7 @@ template <class R, class S, int D>
   }
   const Measures<S, D> not_asked;
   Prepared<Expansion, D> exact;
-  set_frames(Bodies<S, D>{query, not_asked, not_asked}, exponent, exact);
+  detail::set_frames(detail::Bodies<S, D>{query, not_asked, not_asked}, exponent, exact);
   return exact;
 }
 
@@ -159,4 +158,4 @@ template <class R, class S, int D>
   bounds.upper = scaled_above(R(distance * (R(1) + few) + least), exponent);
 }
 
-}  // namespace gjk::detail
+}  // namespace gjk

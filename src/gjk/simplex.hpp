@@ -151,6 +151,17 @@ template <class S, int D>
   return point;
 }
 
+/// A normal of a facet: of an edge in the plane, of a triangle in space. Its sign is arbitrary.
+template <class S, int D>
+[[nodiscard]] Vec<S, D> normal_of(const Simplex<S, D>& simplex, Face facet) {
+  const FaceVertices& vertex = vertices_of(facet);
+  std::array<Vec<S, D>, D - 1> edges;
+  for (int i = 1; i < D; ++i) {
+    edges[i - 1] = simplex.vertices[vertex.index[i]].w - simplex.vertices[vertex.index[0]].w;
+  }
+  return perpendicular<S, D>(edges);
+}
+
 /// Weights of `face` from its coordinates: segments divide by the squared length as the slides do,
 /// larger faces by the sum, so that weights add up to 1.
 template <class S, int D>

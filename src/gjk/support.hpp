@@ -8,17 +8,14 @@
 #include "gjk/record.hpp"
 
 namespace gjk {
-namespace detail {
 
 /// A vertex as its shape's pose turns it, seen from the shape's centre, in the run's unit.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
                                       const Body<R, D>& body, int i) {
   if (body.placed_count > 0) return body.placed[i];
-  return shape.pose.template rotated<R>(from_centre(shape, prepared, body, i));
+  return shape.pose.template rotated<R>(detail::from_centre(shape, prepared, body, i));
 }
-
-}  // namespace detail
 
 /// w = (Ry y + ty) - (Rx x + tx), in the run's unit. A translation common to both shapes cancels
 /// before anything rounds.
@@ -30,12 +27,10 @@ template <class R, class S, int D>
     const auto& y = converted<R, S, D>(query.y.vertices()[pair.y]);
     return {prepared.in_unit(y) - prepared.in_unit(x), pair};
   }
-  const Vec<R, D> x = detail::turned_vertex(query.x, prepared, prepared.x, pair.x);
-  const Vec<R, D> y = detail::turned_vertex(query.y, prepared, prepared.y, pair.y);
+  const Vec<R, D> x = turned_vertex(query.x, prepared, prepared.x, pair.x);
+  const Vec<R, D> y = turned_vertex(query.y, prepared, prepared.y, pair.y);
   return {Vec<R, D>(y - x) + prepared.offset, pair};
 }
-
-namespace detail {
 
 /// `use(count, along)` for the vertices of a shape along a direction of the world:
 /// along(i) = dot(d, vertex i - centre).
@@ -47,7 +42,8 @@ auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, 
     return use(count, [&](int i) { return dot(d, body.placed[i]); });
   }
   const Vec<R, D> local = shape.pose.template direction_to_local<R>(d);
-  return use(count, [&](int i) { return dot(local, from_centre(shape, prepared, body, i)); });
+  return use(count,
+             [&](int i) { return dot(local, detail::from_centre(shape, prepared, body, i)); });
 }
 
 /// The first of the vertices that lie farthest (Catto 2010, slide "Support point code"). Without a
@@ -82,7 +78,7 @@ template <class R, class S, int D, class Visit>
     if constexpr (!ScalarTraits<R>::kExact) {
       rounding = R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff() * norm_1(d) * body.radius;
     }
-    return climb(count, looked_at, rounding);
+    return detail::climb(count, looked_at, rounding);
   });
 }
 
@@ -103,7 +99,7 @@ template <class R, class S, int D>
                                                      const Body<R, D>& body) {
   std::vector<ScanEntry<R>> entries;
   const R at_centre = dot(d, shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
-  Farthest<R> farthest;
+  detail::Farthest<R> farthest;
   static_cast<void>(farthest_vertex(d, shape, prepared, body, [&](int i, const R& value) {
     entries.push_back({i, value + at_centre, farthest.offer(i, value)});
   }));
@@ -137,5 +133,4 @@ void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R
   state.phase = Phase::stop;
 }
 
-}  // namespace detail
 }  // namespace gjk

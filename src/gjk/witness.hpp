@@ -7,7 +7,7 @@
 #include "gjk/careful.hpp"
 #include "gjk/result.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
 /// The weights put P at O, but for the least that rounding can do.
 template <class R, int D>
@@ -95,4 +95,4 @@ void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
   }
 }
 
-}  // namespace gjk::detail
+}  // namespace gjk

@@ -89,11 +89,11 @@ TEST(inside, "O is surely inside when every area is larger than its rounding can
 
 TEST(at_origin, "weights put P at O when it is as close as two roundings of the vertices") {
   const double most = 4 * kDoubleU;
-  CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-1, 2}, {1, -2}})));
-  CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-1, 2 + 2 * most}, {1, -2}})));
-  CHECK(!gjk::detail::is_at_origin(simplex_of<double>({{-1, 2 + 4 * most}, {1, -2}})));
-  CHECK(gjk::detail::is_at_origin(simplex_of<double>({{-2, 2 * most}, {2, 0}})));
-  CHECK(!gjk::detail::is_at_origin(simplex_of<double>({{-2, 2.0001 * most}, {2, 0}})));
+  CHECK(gjk::is_at_origin(simplex_of<double>({{-1, 2}, {1, -2}})));
+  CHECK(gjk::is_at_origin(simplex_of<double>({{-1, 2 + 2 * most}, {1, -2}})));
+  CHECK(!gjk::is_at_origin(simplex_of<double>({{-1, 2 + 4 * most}, {1, -2}})));
+  CHECK(gjk::is_at_origin(simplex_of<double>({{-2, 2 * most}, {2, 0}})));
+  CHECK(!gjk::is_at_origin(simplex_of<double>({{-2, 2.0001 * most}, {2, 0}})));
 }
 
 TEST(room,
@@ -107,10 +107,10 @@ TEST(room,
     if (place == 5) pair.y_pose.translation[1] = std::ldexp(number, 7);
     if (place == 6) pair.x_pose.rotation = Eigen::Matrix2d{{1, number}, {0, 1}};
     if (place == 7) pair.y_pose.rotation = Eigen::Matrix2d{{number, 0}, {0, 1}};
-    const bool in_wide = gjk::detail::has_exact_products(pair.query(), same_frame, 7);
+    const bool in_wide = gjk::has_exact_products(pair.query(), same_frame, 7);
     constexpr bool kIsWide =
         std::numeric_limits<double>::max_exponent < std::numeric_limits<long double>::max_exponent;
-    const bool in_double = gjk::detail::has_exact_products<double>(pair.query(), same_frame, 7);
+    const bool in_double = gjk::has_exact_products<double>(pair.query(), same_frame, 7);
     CHECK(in_wide == (in_double || kIsWide));
     return in_double;
   };
@@ -135,7 +135,7 @@ TEST(room_in_space, "in space products are of twice as many numbers") {
     gjk::Pose<double, 3> pose;
     if (turned) pose.rotation = Eigen::Matrix3d{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     const gjk::Query<double, 3> query{{x, pose}, {x}};
-    return gjk::detail::has_exact_products<double>(query, !turned, 0);
+    return gjk::has_exact_products<double>(query, !turned, 0);
   };
   for (const bool turned : {false, true}) {
     const int most = turned ? 74 : 202;
@@ -370,7 +370,7 @@ long double exact_distance(const PosedPair<D>& pair, const gjk::Simplex<float, D
   gjk::Simplex<long double, D> wide;
   wide.count = face.count;
   for (int i = 0; i < face.count; ++i) wide.vertices[i].w = pair.vertex(face.vertices[i].pair);
-  return gjk::detail::foot_of<long double>(wide).distance;
+  return gjk::foot_of<long double>(wide).distance;
 }
 
 template <int D>
@@ -383,12 +383,12 @@ void check_careful_distances() {
     const PosedPair<D> pair(random);
     const auto prepared = gjk::prepare<float>(pair.query(), {});
     const auto face = any_face(pair, random);
-    const auto careful = gjk::detail::careful_simplex(face, pair.query(), prepared);
-    const auto foot = gjk::detail::foot_of<float>(careful);
+    const auto careful = gjk::careful_simplex(face, pair.query(), prepared);
+    const auto foot = gjk::foot_of<float>(careful);
     const float flatness = face.count == 1 ? 0 : foot.longest / foot.height;
     if (!(foot.height > 0x1p-10f) || !(flatness < 1024)) continue;  // some are one point
     const long double exact = exact_distance<D>(pair, face);
-    const long double bound = gjk::detail::kCarefulRoundings * kFloatU * exact +
+    const long double bound = gjk::kCarefulRoundings * kFloatU * exact +
                               prepared.careful_error() * (1 + flatness + 1 / foot.height);
     CHECK_NEAR(exact, static_cast<long double>(foot.distance), bound);
     most = std::max(most, std::abs(exact - foot.distance) / bound);
@@ -420,8 +420,8 @@ TEST(careful_weights, "weights of a thin simplex have nearly all digits, and add
     const auto x = static_cast<float>(random.between(-1, 1));
     const auto y = static_cast<float>(random.between(-1, 1));
     Case<float> thin({{-x, -y}, {x + width, y}, {x, y + width}}, 3);
-    const auto weights = gjk::detail::weights_of<float>(
-        gjk::detail::careful_simplex(thin.state.best, thin.query(), thin.prepared()));
+    const auto weights = gjk::weights_of<float>(
+        gjk::careful_simplex(thin.state.best, thin.query(), thin.prepared()));
     std::array<long double, 3> parts;
     for (int k = 0; k < 3; ++k) {
       const Wide<2> b = thin.y[(k + 1) % 3].cast<long double>();
@@ -450,7 +450,7 @@ TEST(witnesses,
   };
   pairs({{{0, 0}, {1, 1}, {1, 2}}});
   const auto set = [&] {
-    gjk::detail::set_witness_points(out, pair.query(), gjk::prepare<double>(pair.query(), {}));
+    gjk::set_witness_points(out, pair.query(), gjk::prepare<double>(pair.query(), {}));
   };
   set();
   CHECK((out.x == Vec<double, 2>(3, 0)));

@@ -24,7 +24,7 @@ TEST(scan_first, "the scan takes the first vertex with the largest dot product")
   gjk::State<double, 2> state;
   state.d = Vec<double, 2>(2, 0);
   gjk::Record<double, 2> record;
-  gjk::detail::find_support(state, query, prepared, record);
+  gjk::find_support(state, query, prepared, record);
   CHECK_EQ(1, state.support.pair.y);
   CHECK_EQ(std::size_t{4}, record.scan_y.size());
   const double values[] = {22, 26, 26, 20};  // measured from the origin, not from the centre
@@ -41,7 +41,7 @@ TEST(ties, "of vertices that lie equally far the scan takes the first, wherever 
     for (int far = 1; far < 1 << count; ++far) {
       const check::Context context("vertices", count, "far ones, as bits", far);
       const auto along = [&](int i) { return static_cast<double>((far >> i) & 1); };
-      CHECK_EQ(__builtin_ctz(static_cast<unsigned>(far)), gjk::detail::scan<double>(count, along));
+      CHECK_EQ(__builtin_ctz(static_cast<unsigned>(far)), gjk::scan<double>(count, along));
     }
   }
 }
@@ -76,8 +76,7 @@ int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared,
   gjk::Body<R, 2> body = prepared.y;
   CHECK(body.is_ring);
   body.is_ring = climbs;
-  return gjk::detail::farthest_vertex(d, query.y, prepared, body,
-                                      [&](int, const R&) { ++looked_at; });
+  return gjk::farthest_vertex(d, query.y, prepared, body, [&](int, const R&) { ++looked_at; });
 }
 template <class R, class S>
 int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared, const Vec<R, 2>& d,
@@ -177,7 +176,7 @@ TEST(climb_notes, "a climb notes the vertices that it looked at, with their valu
   gjk::State<double, 2> state;
   state.d = Vec<double, 2>(0.3, -0.8);
   gjk::Record<double, 2> record;
-  gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
+  gjk::find_support(state, query, gjk::prepare<double>(query, {}), record);
   CHECK(record.scan_y.size() < 100);
   CHECK_EQ(32, record.scan_y[1].index);  // samples are as far apart as there are
   double best = -std::numeric_limits<double>::infinity();
@@ -207,7 +206,7 @@ TEST(turned_scans,
     const auto prepared = gjk::prepare<double>(query, {});
     const Vec<double, 2> d(random.between(-1, 1), random.between(-1, 1));
     const bool small = vertices.size() == 8;
-    gjk::detail::look_along(d, query.y, prepared, prepared.y, [&](int count, const auto& along) {
+    gjk::look_along(d, query.y, prepared, prepared.y, [&](int count, const auto& along) {
       CHECK_EQ(static_cast<int>(vertices.size()), count);
       for (int k = 0; k < count; ++k) {
         const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
@@ -237,7 +236,7 @@ TEST(farthest, "support(Z, d) = support(Y, d) - support(X, -d) is the farthest p
     gjk::State<double, 2> state;
     state.d = Vec<double, 2>(random.among(-3, 3), random.among(-3, 3));
     gjk::NoRecord none;
-    gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), none);
+    gjk::find_support(state, query, gjk::prepare<double>(query, {}), none);
     for (const Vec<double, 2>& x : pair.x) {
       for (const Vec<double, 2>& y : pair.y) {
         CHECK(gjk::dot<double, 2>(state.d, y - x) <= state.support_value);
@@ -265,15 +264,15 @@ TEST(plane, "a support plane with O beyond it is noted, unless a farther one is 
   state.d = Vec<double, 2>(-2, 0);  // length does not matter
   state.support.w = Vec<double, 2>(3, 7);
   state.support_value = -6;
-  gjk::detail::note_support_plane(state);
+  gjk::note_support_plane(state);
   CHECK_EQ(9.0, state.plane_distance_sq);
   CHECK_EQ(58.0, state.plane_reach_sq);
   state.support.w = Vec<double, 2>(3, 1);  // as far
-  gjk::detail::note_support_plane(state);
+  gjk::note_support_plane(state);
   CHECK_EQ(58.0, state.plane_reach_sq);
   state.support.w = Vec<double, 2>(2, 1);
   state.support_value = -4;
-  gjk::detail::note_support_plane(state);
+  gjk::note_support_plane(state);
   CHECK_EQ(9.0, state.plane_distance_sq);
   CHECK_EQ(58.0, state.plane_reach_sq);
 }
@@ -284,13 +283,13 @@ TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; n
   state.d = Vec<double, 2>(-1, 0);
   for (const double value : {0.0, 1.0}) {
     state.support_value = value;
-    gjk::detail::note_support_plane(state);
+    gjk::note_support_plane(state);
     CHECK_EQ(0.0, state.plane_distance_sq);
     CHECK_EQ(0.0, state.plane_reach_sq);
   }
   state.d = Vec<double, 2>::Zero();
   state.support_value = -1;
-  gjk::detail::note_support_plane(state);
+  gjk::note_support_plane(state);
   CHECK_EQ(0.0, state.plane_distance_sq);
 }
 
@@ -302,7 +301,7 @@ TEST(plane_through_origin, "a support plane through O is seen, and no other") {
     gjk::State<double, 2> state;
     state.d = Vec<double, 2>(-1, 0);
     gjk::NoRecord record;
-    gjk::detail::find_support(state, query, gjk::prepare<double>(query, {}), record);
+    gjk::find_support(state, query, gjk::prepare<double>(query, {}), record);
     CHECK_EQ(x == 0.0, state.touches_plane);
   }
 }
