@@ -45,22 +45,20 @@ Json json_of(const gjk::Vec<S, 2>& point) {
   return Json::array({widened<S>(point[0]), widened<S>(point[1])});
 }
 
-template <class S>
-Points<Rational> exact(const Points<S>& points) {
-  Points<Rational> out;
-  for (const gjk::Vec<S, 2>& point : points) {
-    out.emplace_back(Rational(widened<S>(point[0])), Rational(widened<S>(point[1])));
-  }
-  return out;
-}
-
 /// Whether the shapes share a point. Where the run left it undecided, exact arithmetic on the same
 /// coordinates decides.
 template <class S>
 bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S>& y) {
   if (result.verdict != gjk::Verdict::undecided) return result.verdict != gjk::Verdict::separated;
-  const Points<Rational> exact_x = exact<S>(x);
-  const Points<Rational> exact_y = exact<S>(y);
+  const auto exact = [](const Points<S>& points) {
+    Points<Rational> out;
+    for (const gjk::Vec<S, 2>& point : points) {
+      out.emplace_back(Rational(widened<S>(point[0])), Rational(widened<S>(point[1])));
+    }
+    return out;
+  };
+  const Points<Rational> exact_x = exact(x);
+  const Points<Rational> exact_y = exact(y);
   return gjk::distance(gjk::Query<Rational, 2>{{exact_x}, {exact_y}}).distance_sq == 0;
 }
 
@@ -68,11 +66,6 @@ bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S
 template <class S>
 void add_depth(Json& answer, const Points<S>& x, const Points<S>& y) {
   const auto result = depth::penetration<S>(gjk::Query<S, 2>{{x}, {y}});
-  if constexpr (!std::is_same_v<S, Rational>) {
-    if (result.verdict == gjk::Verdict::undecided) {
-      return add_depth<Rational>(answer, exact<S>(x), exact<S>(y));
-    }
-  }
   answer["depth"] = widened(result.depth);
   answer["depth_lower"] = widened(result.lower);
   answer["depth_upper"] = widened(result.upper);
@@ -122,7 +115,7 @@ Json solve(const Case& value, Json answer) {
   answer["b"] = json_of<S>(result.y);
   answer["iterations"] = result.iterations;
   answer["stop"] = name_of(result.stop);
-  if (overlaps) add_depth<S>(answer, x, y);
+  if (overlaps) add_depth(answer, x, y);
   return answer;
 }
 

@@ -57,30 +57,18 @@ template <class R>
 
 template <class R, class N>
 [[nodiscard]] Vec<R, 2> rounded(const Vec<N, 2>& a) {
-  return {gjk::rounded<R>(a[0]), gjk::rounded<R>(a[1])};
+  return gjk::rounded<R, N, 2>(a);
 }
 
 /// A vertex of Z with about twice the digits of R.
 template <class R, class S>
-[[nodiscard, gnu::noinline]] Vec<gjk::DoubleWord<R>, 2> careful_vertex(
-    const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared, gjk::VertexPair pair) {
-  using Word = gjk::DoubleWord<R>;
-  const auto from = [](const S& value) { return Word{gjk::ScalarTraits<R>::from(value)}; };
-  const auto in_unit = [&](const S& value) {
-    return Word{R(gjk::ScalarTraits<R>::from(value) * prepared.unit)};
-  };
-  const auto turned = [&](const gjk::Shape<S, 2>& shape, int i, int row) {
-    const Vec<S, 2>& local = shape.vertices()[i];
-    if (!shape.pose.rotation.turns()) return in_unit(local[row]);
-    return from(shape.pose.rotation(row, 0)) * in_unit(local[0]) +
-           from(shape.pose.rotation(row, 1)) * in_unit(local[1]);
-  };
-  Vec<Word, 2> out;
-  for (int row = 0; row < 2; ++row) {
-    out[row] = (turned(query.y, pair.y, row) - turned(query.x, pair.x, row)) +
-               (in_unit(query.y.pose.translation[row]) - in_unit(query.x.pose.translation[row]));
-  }
-  return out;
+[[nodiscard]] Vec<gjk::DoubleWord<R>, 2> careful_vertex(const gjk::Query<S, 2>& query,
+                                                        const gjk::Prepared<R, 2>& prepared,
+                                                        gjk::VertexPair pair) {
+  gjk::Simplex<R, 2> vertex;
+  vertex.count = 1;
+  vertex.vertices[0].pair = pair;
+  return gjk::careful_simplex(vertex, query, prepared).vertices[0].w;
 }
 
 /// Distance of O from the segment ab: as computed, and with what the digits of a and b leave open
@@ -156,24 +144,24 @@ template <class R, class S>
 /// line, distances alone may have chosen the one beside which the foot of the perpendicular lies:
 /// then the point is as far along the other. `foot`: from the first end of `nearest`, which is
 /// `length` long.
-template <class R, class S, class N>
+template <class Wide, class R, class S, class N>
 [[nodiscard]] gjk::Simplex<R, 2> contact_edge(const Polygon<N>& polygon, const Edge<N>& nearest,
-                                              const R& foot, const R& length,
+                                              const Wide& foot, const Wide& length,
                                               const gjk::Query<S, 2>& query,
                                               const gjk::Prepared<R, 2>& prepared) {
   std::array<int, 2> ends = {nearest.from, nearest.to};
-  R from_first = foot;
-  R way = length;
-  const auto step_to = [&](int first, int second, const R& beyond) {
+  Wide from_first = foot;
+  Wide way = length;
+  const auto step_to = [&](int first, int second, const Wide& beyond) {
     const Vec<N, 2> edge = polygon.at(second) - polygon.at(first);
     ends = {first, second};
     from_first = beyond;
-    way = static_cast<R>(gjk::length(edge));
+    way = gjk::careful_length(rounded<Wide>(edge));
   };
-  if (foot < R(0)) {
-    step_to(nearest.from, polygon.corners[nearest.from].previous, R(-foot));
+  if (foot < Wide(0)) {
+    step_to(nearest.from, polygon.corners[nearest.from].previous, Wide(-foot));
   } else if (length < foot) {
-    step_to(nearest.to, polygon.corners[nearest.to].next, R(foot - length));
+    step_to(nearest.to, polygon.corners[nearest.to].next, Wide(foot - length));
   }
   gjk::Simplex<R, 2> out;
   for (int i = 0; i < 2; ++i) {
@@ -181,7 +169,7 @@ template <class R, class S, class N>
     out.vertices[i] = gjk::support_point(query, prepared, pair);
   }
   out.count = ends[0] == ends[1] ? 1 : 2;
-  if (out.count == 2) out.weights[1] = from_first < way ? R(from_first / way) : R(1);
+  if (out.count == 2) out.weights[1] = from_first < way ? static_cast<R>(from_first / way) : R(1);
   out.weights[0] = R(1) - out.weights[1];
   return out;
 }
@@ -238,9 +226,7 @@ template <class R, class S>
                                          const gjk::Query<S, 2>& query,
                                          const gjk::Prepared<R, 2>& prepared, Proof<R>& out) {
   using gjk::Expansion;
-  using Wide =
-      std::conditional_t<(std::numeric_limits<double>::digits < std::numeric_limits<R>::digits), R,
-                         double>;
+  using Wide = gjk::Wider<R>;
   const auto exact = gjk::prepared_exactly(query, prepared);
   if (!gjk::has_exact_products(query, prepared.same_frame, exact.exponent)) return false;
   State<Expansion> end = start(query, exact, found);
@@ -255,7 +241,7 @@ template <class R, class S>
   const Vec<Wide, 2> from = rounded<Wide>(a);
   out.direction = {narrow(n[0] / n_length), narrow(n[1] / n_length)};
   const Wide foot = Wide(n[1] * from[0] - n[0] * from[1]) / n_length;
-  out.edge = contact_edge(polygon, end.edge, narrow(foot), narrow(n_length), query, prepared);
+  out.edge = contact_edge(polygon, end.edge, foot, n_length, query, prepared);
   out.is_tight = true;
   out.depth = out.lower = out.upper = R(0);
   if (gjk::dot(end.n, a) == Expansion()) return true;
