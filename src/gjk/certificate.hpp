@@ -196,13 +196,14 @@ class OutsideBounds {
         p[k] = p[k] + DoubleWord<R>(weight) * (face.vertices[i].w[k] - a[k]);
       }
     }
-    return length(rounded<R, DoubleWord<R>, D>(p));
+    return careful_length(rounded<R, DoubleWord<R>, D>(p));
   }
 
-  /// Of the vertices, in the run's own digits, and computed anew.
+  /// Of the vertices, in the run's own digits, and computed anew: there a length may be denormal.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const {
-    return smaller(prepared_.careful_error(), vertex_error());
+    const R least = R(4) * std::numeric_limits<R>::denorm_min();
+    return smaller(prepared_.careful_error(), vertex_error()) + least;
   }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
   /// The distance from O to the farthest of four vertices of Z: those that are made of the points

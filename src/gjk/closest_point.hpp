@@ -158,7 +158,12 @@ template <class S, int D>
     }
   }
   const Vec<S, D> normal = normal_of(simplex, face);
-  const S side = dot(normal, a);
+  S side(0);  // the volume that O spans with the facet
+  if constexpr (D == 2) {
+    side = cross(a, simplex.vertices[in_face.index[1]].w);
+  } else {
+    side = dot(normal, a);
+  }
   return side * S(side / dot(normal, normal));
 }
 

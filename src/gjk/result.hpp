@@ -5,8 +5,8 @@
 
 namespace gjk {
 
-/// What the run came to. In the plane, for exact scalars and those that a double can hold, it is
-/// proved: by exact arithmetic where rounding leaves it open.
+/// What the run came to. For exact scalars and those that a double can hold it is proved: by exact
+/// arithmetic where rounding leaves it open.
 enum class Verdict : std::uint8_t {
   separated,    ///< The distance is positive.
   touching,     ///< Distance 0, but some support plane of Z passes through O: the least motion in
