@@ -167,7 +167,7 @@ class OutsideBounds {
     foot_ = foot_of<R>(face);
     if (!(R(0) < foot_.height)) {  // it has no inside: what is left is a vertex
       foot_.distance = to_nearest_;
-      error_ = prepared_.vertex_error + R(kRoundings) * u_ * to_nearest_;
+      error_ = vertex_error() + R(kRoundings) * u_ * to_nearest_ + least();
       upper_ = to_nearest_ + error_;
       return;
     }
@@ -199,11 +199,12 @@ class OutsideBounds {
     return careful_length(rounded<R, DoubleWord<R>, D>(p));
   }
 
-  /// Of the vertices, in the run's own digits, and computed anew: there a length may be denormal.
+  /// What lengths lose that are denormal.
+  [[nodiscard]] static R least() { return R(4) * std::numeric_limits<R>::denorm_min(); }
+  /// Of the vertices, in the run's own digits, and computed anew.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const {
-    const R least = R(4) * std::numeric_limits<R>::denorm_min();
-    return smaller(prepared_.careful_error(), vertex_error()) + least;
+    return smaller(prepared_.careful_error(), vertex_error()) + least();
   }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
   /// The distance from O to the farthest of four vertices of Z: those that are made of the points
