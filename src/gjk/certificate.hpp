@@ -199,8 +199,11 @@ class OutsideBounds {
     return careful_length(rounded<R, DoubleWord<R>, D>(p));
   }
 
-  /// What lengths lose that are denormal.
-  [[nodiscard]] static R least() { return R(4) * std::numeric_limits<R>::denorm_min(); }
+  /// What lengths lose that are denormal: those of half, whose range no unit of length makes large.
+  [[nodiscard]] static R least() {
+    constexpr bool kIsNarrow = std::numeric_limits<R>::max_exponent < 100;
+    return kIsNarrow ? R(4) * std::numeric_limits<R>::denorm_min() : R(0);
+  }
   /// Of the vertices, in the run's own digits, and computed anew.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const {

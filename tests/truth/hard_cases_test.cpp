@@ -121,7 +121,7 @@ void solve_exactly() {
     EXPECT_EQ(one.distance_sq, result.distance_sq);
     EXPECT_EQ(one.overlap, result.verdict != Verdict::separated);
     EXPECT_NE(Verdict::undecided, result.verdict);
-    EXPECT_EQ(D == 2 && one.touching, result.verdict == Verdict::touching);
+    EXPECT_EQ(one.touching, result.verdict == Verdict::touching);
     expect_proved(pair, result);
   }
 }
