@@ -92,11 +92,11 @@ struct Shares {
 };
 constexpr std::array<Shares, kFamilyCount> kMost = {{
     {0.2, 4.93},    // random
-    {0.1, 7.42},    // points
+    {0.1, 7.37},    // points
     {19.0, 6.92},   // collinear
     {0.1, 4.53},    // clouds
     {0.3, 7.21},    // duplicates
-    {12.1, 5.15},   // grid
+    {12.1, 5.12},   // grid
     {66.0, 0.02},   // identical
     {0.4, 0.5},     // inside
     {0.1, 7.2},     // posed
