@@ -129,9 +129,9 @@ class OutsideBounds {
   [[nodiscard]] Bounds<R> prove(bool ended, Simplex<R, D>& simplex) {
     measure();
     near_ = R(kNear) * foot_.distance < prepared_.reach;
-    const auto is_wide = [&] { return !(upper_ < no_bound()) || (ended && !is_allowed()); };
-    if (near_ || is_too_rounded() || is_wide()) measure_anew(simplex);
-    if ((near_ || is_wide()) && is_certainly_farthest()) {
+    const bool is_wide = !(upper_ < no_bound()) || (ended && !is_allowed());
+    if (near_ || is_wide || is_too_rounded()) measure_anew(simplex);
+    if ((near_ || is_wide) && is_certainly_farthest()) {
       lower_ = larger(R(foot_.distance - error_), lower_);
     }
     const R distance = larger(foot_.distance, lower_);
@@ -206,9 +206,7 @@ class OutsideBounds {
   }
   /// Of the vertices, in the run's own digits, and computed anew.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
-  [[nodiscard]] R careful_error() const {
-    return smaller(prepared_.careful_error(), vertex_error()) + least();
-  }
+  [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
   /// The distance from O to the farthest of four vertices of Z: those that are made of the points
   /// of X, and of Y, that lie far apart.
@@ -240,7 +238,9 @@ class OutsideBounds {
     if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot_.height)) return false;
     const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
     const R lever = is_space_edge ? smaller(foot_.height, foot_.distance) : foot_.height;
-    const R angle = R(4) * u_ + R(4) * careful_error() / lever;
+    // Sums of twice the digits are exact, and of vertices of one frame sums make d.
+    const bool is_sum = prepared_.same_frame && (D == 2 || face_.count == 1);
+    const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / lever));
     const R error = length(foot_.d) * prepared_.scan_error_within(angle);
     return are_alone(Vec<R, D>(-foot_.d), query_.x, prepared_, prepared_.x, of_x, error) &&
            are_alone(foot_.d, query_.y, prepared_, prepared_.y, of_y, error);

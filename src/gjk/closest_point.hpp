@@ -91,7 +91,9 @@ struct RegionCondition {
 }
 inline constexpr auto kRegionConditions = [] {
   std::array<RegionCondition, 1 << (kMaxDimension + 1)> out = {};
-  for (Face face = 1; face < out.size(); ++face) out[face] = region_condition(face);
+  for (std::size_t face = 1; face < out.size(); ++face) {
+    out[face] = region_condition(static_cast<Face>(face));
+  }
   return out;
 }();
 

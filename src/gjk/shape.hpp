@@ -131,12 +131,14 @@ class Shape {
 
   Shape() = default;
   // NOLINTBEGIN(google-explicit-constructor): a list of points stands for its hull.
+  // NOLINTBEGIN(bugprone-forwarding-reference-overload): a Shape is no range.
   /// Of anything that a span can view: std::vector, std::array, std::span. Each query measures the
   /// points anew, so they may change in between.
   template <std::ranges::borrowed_range Range>
   requires(std::is_convertible_v<Range, std::span<const Vec<S, D>>>)
       Shape(Range&& points, const Pose<S, D>& at = {})
       : pose(at), vertices_(points) {}
+  // NOLINTEND(bugprone-forwarding-reference-overload)
   Shape(const MeasuredShape<S, D>& shape, const Pose<S, D>& at = {})
       : pose(at), vertices_(shape.points()), measures_(&shape.measures()) {}
   Shape(const MeasuredShape<S, D>&& shape, const Pose<S, D>& at = {}) = delete;
