@@ -48,6 +48,23 @@ std::vector<Problem> problems_of_run(const Lesson& lesson) {
   return problems;
 }
 
+/// Those of reading, and queries that a run in double refuses.
+std::vector<Problem> problems_of_cases(std::string_view text, const std::string& file) {
+  std::vector<Problem> problems;
+  for (ReadCase& read : parse_cases(text, file, gjk::kMaxDimension)) {
+    problems.insert(problems.end(), read.problems.begin(), read.problems.end());
+    if (!read.problems.empty()) continue;
+    const gjk::Error error = read.value
+                                 ? run_case(*read.value, ScalarKind::double_).trace.result.error
+                                 : run_case(*read.in_space, ScalarKind::double_).trace.result.error;
+    if (error == gjk::Error::none) continue;
+    problems.push_back({file, read.place.line, read.place.column,
+                        fmt::format("the query is refused: {}", name_of(error)),
+                        "shapes that GJK can answer for", ""});
+  }
+  return problems;
+}
+
 }  // namespace
 
 fs::path share_folder() {
@@ -149,31 +166,52 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
   return result.signal == 0 ? kDone : kSignalBase + result.signal;
 }
 
-int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json) {
-  std::vector<Lesson> lessons;
+namespace {
+
+[[nodiscard]] bool is_case_file(const std::string& name) {
+  return name == "-" || fs::path(name).extension() == ".json";
+}
+
+/// kProblem where a run was refused, which is said.
+template <int D>
+int say_refused(const Environment& env, const std::string& name,
+                const std::vector<RunIn<D>>& runs) {
   int exit_code = kDone;
-  if (name == "-" || fs::path(name).extension() == ".json") {
+  for (const RunIn<D>& run : runs) {
+    const gjk::Error error = run.trace.result.error;
+    if (error == gjk::Error::none) continue;
+    env.err << fmt::format("{}: the query is refused: {}\n", name, name_of(error));
+    exit_code = kProblem;
+  }
+  return exit_code;
+}
+
+template <int D>
+int print_trace(const Environment& env, const Traced<D>& traced, bool json) {
+  env.out << (json ? trace_json(traced) : trace_text(traced));
+  return say_refused(env, traced.id, traced.runs);
+}
+
+}  // namespace
+
+int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json) {
+  int exit_code = kDone;
+  if (is_case_file(name)) {
     const std::optional<std::string> text = read_text(env, name);
     if (!text) return kCannot;
-    for (const ReadCase& read : parse_cases(*text, name == "-" ? "<stdin>" : name)) {
+    const std::string file = name == "-" ? "<stdin>" : name;
+    for (const ReadCase& read : parse_cases(*text, file, gjk::kMaxDimension)) {
       for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
-      if (!read.value) exit_code = kProblem;
-      if (read.value) lessons.push_back(lesson_of(*read.value, read.name, scalar));
+      const int code = read.value ? print_trace(env, traced(*read.value, read.name, scalar), json)
+                       : read.in_space
+                           ? print_trace(env, traced(*read.in_space, read.name, scalar), json)
+                           : kProblem;
+      exit_code = std::max(exit_code, code);
     }
   } else {
     FoundLesson found = find_lesson(env, name);
     if (!found.lesson) return found.exit_code;
-    lessons.push_back(std::move(*found.lesson));
-  }
-  for (Lesson& lesson : lessons) {
-    const LessonRun run = run_lesson(std::move(lesson));
-    env.out << (json ? trace_json(run) : trace_text(run));
-    for (const PositionedRun& positioned : run.runs) {
-      const gjk::Error error = positioned.trace.result.error;
-      if (error == gjk::Error::none) continue;
-      env.err << fmt::format("{}: the query is refused: {}\n", run.lesson.id, name_of(error));
-      exit_code = kProblem;
-    }
+    exit_code = print_trace(env, traced(run_lesson(std::move(*found.lesson))), json);
   }
   return flushed(env) ? exit_code : kCannot;
 }
@@ -183,14 +221,18 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
   std::size_t bad_files = 0;
   bool unknown = false;
   for (const std::string& name : files) {
-    const std::optional<fs::path> file = lesson_file(env, name);
-    if (!file) {
+    std::vector<Problem> problems;
+    if (is_case_file(name)) {
+      const std::optional<std::string> text = read_text(env, name);
+      if (text) problems = problems_of_cases(*text, name == "-" ? "<stdin>" : name);
+      unknown = unknown || !text;
+    } else if (const std::optional<fs::path> file = lesson_file(env, name); file) {
+      LoadedLesson loaded = load_lesson(*file, view_effects());
+      problems = std::move(loaded.problems);
+      if (loaded.lesson) problems = problems_of_run(*loaded.lesson);
+    } else {
       unknown = true;
-      continue;
     }
-    LoadedLesson loaded = load_lesson(*file, view_effects());
-    std::vector<Problem> problems = std::move(loaded.problems);
-    if (loaded.lesson) problems = problems_of_run(*loaded.lesson);
     for (const Problem& problem : problems) env.out << to_string(problem) << '\n';
     problem_count += problems.size();
     bad_files += problems.empty() ? 0 : 1;

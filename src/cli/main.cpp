@@ -123,18 +123,22 @@ void add_commands(CLI::App& app, Arguments& args) {
   solve->footer(
       "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two point sets, whose "
       "hulls\n"
-      "count. A file holds any number of cases, one after the other or in an array. Answers are\n"
-      "JSON with and without --json: distance, and what is proved of it (lower, upper). Of shapes "
-      "that\n"
-      "overlap also depth, depth_lower, depth_upper: how far 'a' must move along direction, which "
-      "is of\n"
-      "length 1, until they just touch; translation is depth times direction.\n\n"
+      "count. With \"dimension\":3 points are [x,y,z]. A file holds any number of cases, one after "
+      "the\n"
+      "other or in an array. Answers are JSON with and without --json: distance, and what is "
+      "proved "
+      "of\n"
+      "it (lower, upper). In the plane, shapes that overlap also have depth, depth_lower, "
+      "depth_upper:\n"
+      "how far 'a' must move along direction, which is of length 1, until they just touch;\n"
+      "translation is depth times direction.\n\n"
       "Examples:\n  gjkscope solve case.json --scalar exact\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 
-  CLI::App* check = app.add_subcommand("check", "Check lesson files, and what they expect");
-  check->add_option("file", args.files, "Ids or files of lessons")->required();
-  check->footer("Examples:\n  gjkscope check lessons/*.toml\n");
+  CLI::App* check = app.add_subcommand("check", "Check lessons, and what they expect; and cases");
+  check->add_option("file", args.files, "Ids or files of lessons, files of cases (.json), or -")
+      ->required();
+  check->footer("Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
 
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");

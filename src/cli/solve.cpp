@@ -8,69 +8,42 @@
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "depth/depth.hpp"
-#include "geometry/rational.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/scalar.hpp"
+#include "lesson/widen.hpp"
 
 namespace gjkscope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Eigen::Vector2d;
 
-template <class S>
-using Points = std::vector<gjk::Vec<S, 2>>;
+template <class S, int D>
+using Points = std::vector<gjk::Vec<S, D>>;
 
-template <class S>
-Points<S> converted(const std::vector<Vector2d>& points) {
-  Points<S> out;
-  for (const Vector2d& point : points) {
-    out.push_back(gjk::Vec<S, 2>(static_cast<S>(point[0]), static_cast<S>(point[1])));
-  }
+template <class S, int D>
+Points<S, D> narrowed_all(const Points<double, D>& points) {
+  Points<S, D> out;
+  for (const gjk::Vec<double, D>& point : points) out.push_back(narrowed<S, D>(point));
   return out;
 }
 
-template <class S>
-double widened(const S& value) {
-  if constexpr (std::is_same_v<S, Rational>) {
-    return to_double(value);
-  } else {
-    return static_cast<double>(value);
-  }
-}
-
-template <class S>
-Json json_of(const gjk::Vec<S, 2>& point) {
-  return Json::array({widened<S>(point[0]), widened<S>(point[1])});
-}
-
-/// Whether the shapes share a point. Where the run left it undecided, exact arithmetic on the same
-/// coordinates decides.
-template <class S>
-bool overlap(const gjk::Result<S, 2>& result, const Points<S>& x, const Points<S>& y) {
-  if (result.verdict != gjk::Verdict::undecided) return result.verdict != gjk::Verdict::separated;
-  const auto exact = [](const Points<S>& points) {
-    Points<Rational> out;
-    for (const gjk::Vec<S, 2>& point : points) {
-      out.emplace_back(Rational(widened<S>(point[0])), Rational(widened<S>(point[1])));
-    }
-    return out;
-  };
-  const Points<Rational> exact_x = exact(x);
-  const Points<Rational> exact_y = exact(y);
-  return gjk::distance(gjk::Query<Rational, 2>{{exact_x}, {exact_y}}).distance_sq == 0;
+template <class S, int D>
+Json json_of(const gjk::Vec<S, D>& point) {
+  Json out = Json::array();
+  for (const S& coordinate : point) out.push_back(widened(coordinate));
+  return out;
 }
 
 /// How deep shapes that overlap lie in each other. A number that exceeds the largest becomes null.
 template <class S>
-void add_depth(Json& answer, const Points<S>& x, const Points<S>& y) {
+void add_depth(Json& answer, const Points<S, 2>& x, const Points<S, 2>& y) {
   const auto result = depth::penetration<S>(gjk::Query<S, 2>{{x}, {y}});
   answer["depth"] = widened(result.depth);
   answer["depth_lower"] = widened(result.lower);
   answer["depth_upper"] = widened(result.upper);
   answer["direction"] = json_of(result.direction);
-  answer["translation"] = json_of<S>(result.translation);
+  answer["translation"] = json_of(result.translation);
 }
 
 std::string_view explained(gjk::Error error) {
@@ -88,11 +61,11 @@ std::string_view explained(gjk::Error error) {
   }
 }
 
-template <class S>
-Json solve(const Case& value, Json answer) {
-  const Points<S> x = converted<S>(value.a);
-  const Points<S> y = converted<S>(value.b);
-  const gjk::Result<S, 2> result = gjk::distance<S>(gjk::Query<S, 2>{{x}, {y}});
+template <class S, int D>
+Json solve(const CaseIn<D>& value, Json answer) {
+  const Points<S, D> x = narrowed_all<S, D>(value.a);
+  const Points<S, D> y = narrowed_all<S, D>(value.b);
+  const gjk::Result<S, D> result = gjk::distance<S>(gjk::Query<S, D>{{x}, {y}});
   gjk::Error error = result.error;
   // An exact run knows no largest number, its answer does; and a bound may lie above the distance.
   if (error == gjk::Error::none && !std::isfinite(widened(result.upper)))
@@ -107,15 +80,18 @@ Json solve(const Case& value, Json answer) {
   if constexpr (std::is_same_v<S, Rational>) {
     answer["distance_squared"] = to_string(result.distance_sq);
   }
-  const bool overlaps = overlap(result, x, y);
-  answer["overlap"] = overlaps;
+  const bool overlaps =
+      result.verdict == gjk::Verdict::touching || result.verdict == gjk::Verdict::overlapping;
+  answer["overlap"] = result.verdict == gjk::Verdict::undecided ? Json() : Json(overlaps);
   answer["verdict"] = name_of(result.verdict);
   answer["settled"] = result.settled;
-  answer["a"] = json_of<S>(result.x);
-  answer["b"] = json_of<S>(result.y);
+  answer["a"] = json_of(result.x);
+  answer["b"] = json_of(result.y);
   answer["iterations"] = result.iterations;
   answer["stop"] = name_of(result.stop);
-  if (overlaps) add_depth(answer, x, y);
+  if constexpr (D == 2) {
+    if (overlaps) add_depth(answer, x, y);
+  }
   return answer;
 }
 
@@ -123,12 +99,13 @@ Json solve(const ReadCase& read, ScalarKind scalar) {
   Json answer;
   answer["case"] = read.name;
   answer["scalar"] = name_of(scalar);
-  if (!read.value) {
+  if (!read.problems.empty()) {
     answer["error"] = to_string(read.problems.front());
     return answer;
   }
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    return solve<S>(*read.value, std::move(answer));
+    return read.value ? solve<S>(*read.value, std::move(answer))
+                      : solve<S>(*read.in_space, std::move(answer));
   });
 }
 
@@ -144,10 +121,10 @@ int solve_command(const Environment& env, const std::vector<std::string>& files,
       continue;
     }
     const std::string name = file == "-" ? "<stdin>" : file;
-    for (const ReadCase& read : parse_cases(*text, name)) {
+    for (const ReadCase& read : parse_cases(*text, name, gjk::kMaxDimension)) {
       for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
       const Json answer = solve(read, scalar);
-      if (read.value && answer.contains("error")) {
+      if (read.problems.empty() && answer.contains("error")) {
         env.err << fmt::format("{}: {}\n", read.name, answer["error"].get<std::string>());
       }
       if (answer.contains("error") && exit_code == kDone) exit_code = kProblem;

@@ -12,7 +12,6 @@ namespace gjkscope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Eigen::Vector2d;
 using gjk::Phase;
 
 /// Shortest decimal and hexadecimal float. JSON has no NaN or infinity: null, and the name in hex.
@@ -23,32 +22,38 @@ Json number(double value) {
   return out;
 }
 
-Json point(const Vector2d& value) { return Json::array({number(value[0]), number(value[1])}); }
-
-Json points(const std::vector<Vector2d>& values) {
+template <int D>
+Json point(const gjk::Vec<double, D>& value) {
   Json out = Json::array();
-  for (const Vector2d& value : values) out.push_back(point(value));
+  for (const double coordinate : value) out.push_back(number(coordinate));
   return out;
 }
 
+template <int D>
+Json points(const std::vector<gjk::Vec<double, D>>& values) {
+  Json out = Json::array();
+  for (const gjk::Vec<double, D>& value : values) out.push_back(point(value));
+  return out;
+}
+
+template <int D>
 class TraceWriter {
  public:
-  explicit TraceWriter(const LessonRun& run) : run_(run) {}
+  explicit TraceWriter(const Traced<D>& traced) : traced_(traced) {}
 
   Json write() {
-    const Lesson& lesson = run_.lesson;
     Json out;
     out["format"] = "gjkscope-trace";
     out["version"] = kTraceFormatVersion;
-    out["lesson"] = lesson.id;
-    out["title"] = lesson.title;
-    out["scalar"] = name_of(lesson.scalar);
-    out["dimension"] = 2;
-    out["options"] = options(lesson.options);
-    out["x"] = shape(lesson.x);
-    out["y"] = shape(lesson.y);
+    out["lesson"] = traced_.id;
+    out["title"] = traced_.title;
+    out["scalar"] = name_of(traced_.scalar);
+    out["dimension"] = D;
+    out["options"] = options(traced_.options);
+    out["x"] = shape(traced_.x);
+    out["y"] = shape(traced_.y);
     out["runs"] = Json::array();
-    for (const PositionedRun& positioned : run_.runs) out["runs"].push_back(one_run(positioned));
+    for (const RunIn<D>& run : traced_.runs) out["runs"].push_back(one_run(run));
     return out;
   }
 
@@ -70,17 +75,17 @@ class TraceWriter {
     return out;
   }
 
-  static Json shape(const LessonShape& value) {
+  static Json shape(const TracedShape<D>& value) {
     Json out;
     out["name"] = value.name;
     out["vertex_names"] = value.vertex_names;
     out["vertices"] = points(value.vertices);
-    out["translate"] = point(value.translate);
-    out["rotate_degrees"] = number(value.rotate_degrees);
+    out["translate"] = point(value.placement.translate);
+    out["rotate_degrees"] = number(value.placement.rotate_degrees);
     return out;
   }
 
-  Json one_run(const PositionedRun& value) {
+  Json one_run(const RunIn<D>& value) {
     positioned_ = &value;
     Json out;
     out["time"] = number(value.time);
@@ -99,9 +104,9 @@ class TraceWriter {
     return out;
   }
 
-  Json vertex(const gjk::SupportPoint<double, 2>& value) const {
+  Json vertex(const gjk::SupportPoint<double, D>& value) const {
     Json out;
-    out["name"] = run_.pair_name(value.pair);
+    out["name"] = pair_name(traced_.x.vertex_names, traced_.y.vertex_names, value.pair);
     out["pair"] = pair(value.pair);
     out["w"] = point(value.w);
     out["x"] = point(positioned_->x_world[static_cast<std::size_t>(value.pair.x)]);
@@ -109,7 +114,7 @@ class TraceWriter {
     return out;
   }
 
-  Json simplex(const gjk::Simplex<double, 2>& value) const {
+  Json simplex(const gjk::Simplex<double, D>& value) const {
     Json out = Json::array();
     for (int i = 0; i < value.count; ++i) {
       Json one = vertex(value.vertices[i]);
@@ -127,7 +132,7 @@ class TraceWriter {
     return out;
   }
 
-  Json state(const gjk::State<double, 2>& value) const {
+  Json state(const gjk::State<double, D>& value) const {
     Json out;
     out["next_phase"] =
         value.stop == gjk::StopReason::running ? Json(name_of(value.phase)) : Json();
@@ -149,11 +154,11 @@ class TraceWriter {
   }
 
   /// Only the members that the phase fills in.
-  Json one_step(const gjk::Step<double, 2>& step, const DistanceBounds& bounds) const {
+  Json one_step(const gjk::Step<double, D>& step, const DistanceBounds& bounds) const {
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
-    const gjk::Record<double, 2>& record = step.record;
+    const gjk::Record<double, D>& record = step.record;
     switch (step.phase) {
       case Phase::closest:
         out["region_tests"] = Json::array();
@@ -169,8 +174,8 @@ class TraceWriter {
         out["direction"] = direction(record.direction);
         break;
       case Phase::support:
-        out["scan_x"] = scan(record.scan_x, run_.lesson.x);
-        out["scan_y"] = scan(record.scan_y, run_.lesson.y);
+        out["scan_x"] = scan(record.scan_x, traced_.x);
+        out["scan_y"] = scan(record.scan_y, traced_.y);
         out["support"] = vertex(step.after.support);
         break;
       case Phase::stop:
@@ -204,7 +209,7 @@ class TraceWriter {
     return out;
   }
 
-  static Json direction(const gjk::DirectionNote<double, 2>& note) {
+  static Json direction(const gjk::DirectionNote<double, D>& note) {
     Json out;
     out["from_normal"] = note.from_normal;
     out["normal"] = point(note.normal);
@@ -214,7 +219,7 @@ class TraceWriter {
     return out;
   }
 
-  static Json scan(const std::vector<gjk::ScanEntry<double>>& entries, const LessonShape& of) {
+  static Json scan(const std::vector<gjk::ScanEntry<double>>& entries, const TracedShape<D>& of) {
     Json out = Json::array();
     for (const gjk::ScanEntry<double>& entry : entries) {
       Json one;
@@ -238,7 +243,7 @@ class TraceWriter {
     return out;
   }
 
-  Json result(const gjk::Result<double, 2>& value) const {
+  Json result(const gjk::Result<double, D>& value) const {
     Json out;
     out["error"] = name_of(value.error);
     out["stop"] = name_of(value.stop);
@@ -255,14 +260,17 @@ class TraceWriter {
     return out;
   }
 
-  const LessonRun& run_;
-  const PositionedRun* positioned_ = nullptr;  ///< The run being written.
+  const Traced<D>& traced_;
+  const RunIn<D>* positioned_ = nullptr;  ///< The run being written.
 };
 
 }  // namespace
 
-std::string trace_json(const LessonRun& run) {
-  return TraceWriter(run).write().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+template <int D>
+std::string trace_json(const Traced<D>& traced) {
+  return TraceWriter(traced).write().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+template std::string trace_json(const Traced<2>& traced);
+template std::string trace_json(const Traced<3>& traced);
 
 }  // namespace gjkscope

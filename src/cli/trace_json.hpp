@@ -1,15 +1,17 @@
 #pragma once
-// A lesson's runs as JSON; docs/trace-format.md describes every key.
+// The runs of a lesson or a case as JSON; docs/trace-format.md describes every key.
 
 #include <string>
 
-#include "lesson/run.hpp"
+#include "cli/traced.hpp"
 
 namespace gjkscope {
 
 /// Counts up when a key changes its meaning or goes away; new keys do not count.
 inline constexpr int kTraceFormatVersion = 2;
 
-[[nodiscard]] std::string trace_json(const LessonRun& run);
+/// D: 2 or 3.
+template <int D>
+[[nodiscard]] std::string trace_json(const Traced<D>& traced);
 
 }  // namespace gjkscope

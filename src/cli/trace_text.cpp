@@ -11,35 +11,28 @@
 namespace gjkscope {
 namespace {
 
-using Eigen::Vector2d;
 using gjk::Phase;
 
 /// Left column: iteration headings and phase names.
 constexpr int kColumn = 11;
 
+template <int D>
 class TraceText {
  public:
-  explicit TraceText(const LessonRun& run) : run_(run) {}
+  explicit TraceText(const Traced<D>& traced) : traced_(traced) {}
 
   std::string write() {
-    const Lesson& lesson = run_.lesson;
-    out_ = fmt::format("{}: {}\n", lesson.id, lesson.title.empty() ? lesson.id : lesson.title);
-    line("scalar", std::string(name_of(lesson.scalar)));
+    const gjk::Options& options = traced_.options;
+    out_ = fmt::format("{}: {}\n", traced_.id, traced_.title.empty() ? traced_.id : traced_.title);
+    line("scalar", std::string(name_of(traced_.scalar)));
     line("rules",
-         fmt::format("direction {}, regions {}, cap {}{}", name_of(lesson.options.direction_rule),
-                     name_of(lesson.options.region_order), lesson.options.iteration_cap,
-                     lesson.options.tolerance > 0.0
-                         ? fmt::format(", tolerance {}", lesson.options.tolerance)
-                         : std::string()));
-    for (std::size_t i = 0; i < run_.runs.size(); ++i) {
-      const PositionedRun& positioned = run_.runs[i];
-      if (run_.runs.size() > 1) {
-        out_ += fmt::format("\nrun {} of {}", i + 1, run_.runs.size());
-        if (lesson.path_of_shapes->seconds) out_ += fmt::format(", t = {} s", positioned.time);
-        out_ += moved(lesson.x, lesson.path_of_shapes->x, positioned.x) +
-                moved(lesson.y, lesson.path_of_shapes->y, positioned.y) + "\n";
-      }
-      one_run(positioned);
+         fmt::format("direction {}, regions {}, cap {}{}", name_of(options.direction_rule),
+                     name_of(options.region_order), options.iteration_cap,
+                     options.tolerance > 0.0 ? fmt::format(", tolerance {}", options.tolerance)
+                                             : std::string()));
+    for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
+      if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
+      one_run(traced_.runs[i]);
     }
     return std::move(out_);
   }
@@ -49,34 +42,17 @@ class TraceText {
     out_ += fmt::format("  {:<{}}{}\n", label, kColumn, text);
   }
 
-  /// As few digits as name the scalar's value.
   [[nodiscard]] std::string number(double value) const {
-    switch (run_.lesson.scalar) {
-      case ScalarKind::half:
-        return fmt::format("{:.5g}", value);
-      case ScalarKind::single:
-        return fmt::format("{}", static_cast<float>(value));
-      default:
-        return fmt::format("{}", value);
-    }
+    return number_text(traced_.scalar, value);
   }
-  [[nodiscard]] std::string point(const Vector2d& value) const {
-    return fmt::format("[{}, {}]", number(value[0]), number(value[1]));
+  [[nodiscard]] std::string point(const gjk::Vec<double, D>& value) const {
+    return point_text<D>(traced_.scalar, value);
   }
 
-  [[nodiscard]] std::string moved(const LessonShape& shape, const LessonMotion& motion,
-                                  const Placement& placement) const {
-    if (motion.points.empty()) return {};
-    std::string out = fmt::format(", {} moved by {}", shape.name, point(placement.translate));
-    if (!motion.turns.empty())
-      out += fmt::format(" and turned by {} degrees", number(placement.rotate_degrees));
-    return out;
+  [[nodiscard]] std::string name(const gjk::SupportPoint<double, D>& vertex) const {
+    return pair_name(traced_.x.vertex_names, traced_.y.vertex_names, vertex.pair);
   }
-
-  [[nodiscard]] std::string name(const gjk::SupportPoint<double, 2>& vertex) const {
-    return run_.pair_name(vertex.pair);
-  }
-  [[nodiscard]] std::string face(const gjk::Simplex<double, 2>& simplex, gjk::Face of) const {
+  [[nodiscard]] std::string face(const gjk::Simplex<double, D>& simplex, gjk::Face of) const {
     std::vector<std::string> names;
     for (int i = 0; i < simplex.count; ++i) {
       if (gjk::contains(of, i)) names.push_back(name(simplex.vertices[i]));
@@ -84,23 +60,23 @@ class TraceText {
     return fmt::format("{}", fmt::join(names, " "));
   }
 
-  void one_run(const PositionedRun& positioned) {
-    const WideTrace& trace = positioned.trace;
+  void one_run(const RunIn<D>& positioned) {
+    const gjk::Trace<double, D>& trace = positioned.trace;
     if (const int exponent = trace.prepared.exponent; exponent != 0) {
       line("unit", fmt::format("2^{}, of lengths other than bounds and result", exponent));
     }
     if (trace.initial.stop != gjk::StopReason::failed) {
       out_ += "\nstart\n";
-      const gjk::Simplex<double, 2>& simplex = trace.initial.simplex;
+      const gjk::Simplex<double, D>& simplex = trace.initial.simplex;
       for (int i = 0; i < simplex.count; ++i) {
         line(i == 0 ? "simplex" : "",
              fmt::format("{} = {}", name(simplex.vertices[i]), point(simplex.vertices[i].w)));
       }
     }
-    const gjk::State<double, 2>* before = &trace.initial;
+    const gjk::State<double, D>* before = &trace.initial;
     int iteration = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-      const gjk::Step<double, 2>& step = trace.steps[i];
+      const gjk::Step<double, D>& step = trace.steps[i];
       if (step.iteration != iteration) {
         iteration = step.iteration;
         out_ += fmt::format("\niteration {}\n", iteration);
@@ -111,10 +87,10 @@ class TraceText {
     result(trace.result);
   }
 
-  void one_step(const gjk::State<double, 2>& before, const gjk::Step<double, 2>& step,
+  void one_step(const gjk::State<double, D>& before, const gjk::Step<double, D>& step,
                 const DistanceBounds& bounds) {
-    const gjk::State<double, 2>& after = step.after;
-    const gjk::Record<double, 2>& record = step.record;
+    const gjk::State<double, D>& after = step.after;
+    const gjk::Record<double, D>& record = step.record;
     switch (step.phase) {
       case Phase::closest:
         for (const auto& test : record.region_tests) region_test(before.simplex, test);
@@ -143,7 +119,7 @@ class TraceText {
     }
   }
 
-  [[nodiscard]] std::string weights(const gjk::Simplex<double, 2>& simplex) const {
+  [[nodiscard]] std::string weights(const gjk::Simplex<double, D>& simplex) const {
     std::vector<std::string> parts;
     for (int i = 0; i < simplex.count; ++i) {
       parts.push_back(fmt::format("{} {}", name(simplex.vertices[i]), number(simplex.weights[i])));
@@ -151,7 +127,7 @@ class TraceText {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  void region_test(const gjk::Simplex<double, 2>& simplex, const gjk::RegionTest<double>& test) {
+  void region_test(const gjk::Simplex<double, D>& simplex, const gjk::RegionTest<double>& test) {
     std::vector<std::string> terms;
     for (const gjk::RegionTerm<double>& term : test.terms) {
       terms.push_back(fmt::format("{} of {} = {}/{} {} 0: {}", name(simplex.vertices[term.vertex]),
@@ -165,7 +141,7 @@ class TraceText {
     for (const std::string& term : terms) line("", "  " + term);
   }
 
-  void cull(const gjk::State<double, 2>& after, const gjk::Record<double, 2>& record) {
+  void cull(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
     std::vector<std::string> names;
     for (const auto& vertex : record.dropped) names.push_back(name(vertex));
     line("cull", fmt::format("keeps {}{}", face(after.simplex, after.simplex.all()),
@@ -173,7 +149,14 @@ class TraceText {
                                            : fmt::format(", drops {}", fmt::join(names, " "))));
   }
 
-  void direction(const gjk::State<double, 2>& after, const gjk::DirectionNote<double, 2>& note) {
+  void direction(const gjk::State<double, D>& after, const gjk::DirectionNote<double, D>& note) {
+    const bool is_from_p = after.d == gjk::Vec<double, D>(-after.p);
+    if (D == 3 && after.simplex.count == 2 && !is_from_p) {
+      const std::string a = name(after.simplex.vertices[0]);
+      line("direction", fmt::format("d = e x (e x {0}) = {1}, with e = {2} - {0}", a,
+                                    point(after.d), name(after.simplex.vertices[1])));
+      return;
+    }
     if (!note.from_normal) {
       line("direction", fmt::format("d = O - P = {}", point(after.d)));
       return;
@@ -181,12 +164,14 @@ class TraceText {
     line("direction",
          fmt::format("d = {}, normal of {}{}{}", point(after.d),
                      face(after.simplex, after.simplex.all()), note.flipped ? ", flipped" : "",
-                     note.sign_is_arbitrary ? " (O on its line: sign arbitrary)" : ""));
+                     !note.sign_is_arbitrary ? ""
+                     : D == 2                ? " (O on its line: sign arbitrary)"
+                                             : " (O on its plane: sign arbitrary)"));
     line("", fmt::format("dot(normal, O - {}) = {}", name(after.simplex.vertices[0]),
                          number(note.side)));
   }
 
-  void scan(std::string_view label, const LessonShape& shape,
+  void scan(std::string_view label, const TracedShape<D>& shape,
             const std::vector<gjk::ScanEntry<double>>& entries, int best) {
     std::vector<std::string> parts;
     for (const gjk::ScanEntry<double>& entry : entries) {
@@ -197,9 +182,9 @@ class TraceText {
     line(label, fmt::format("{}: {}", shape.name, fmt::join(parts, ", ")));
   }
 
-  void support(const gjk::State<double, 2>& after, const gjk::Record<double, 2>& record) {
-    scan("scan", run_.lesson.y, record.scan_y, after.support.pair.y);
-    scan("", run_.lesson.x, record.scan_x, after.support.pair.x);
+  void support(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
+    scan("scan", traced_.y, record.scan_y, after.support.pair.y);
+    scan("", traced_.x, record.scan_x, after.support.pair.x);
     line("support",
          fmt::format("{} = {}, dot(d, {}) = {}", name(after.support), point(after.support.w),
                      name(after.support), number(after.support_value)));
@@ -218,7 +203,7 @@ class TraceText {
     }
   }
 
-  void result(const gjk::Result<double, 2>& value) {
+  void result(const gjk::Result<double, D>& value) {
     out_ += "\nresult\n";
     if (value.error != gjk::Error::none) {
       line("error", std::string(name_of(value.error)));
@@ -229,18 +214,23 @@ class TraceText {
                                 value.settled ? ", settled in exact arithmetic" : ""));
     line("distance", number(value.distance));
     line("bounds", fmt::format("{} to {}", number(value.lower), number(value.upper)));
-    line("on " + run_.lesson.x.name, point(value.x));
-    line("on " + run_.lesson.y.name, point(value.y));
+    line("on " + traced_.x.name, point(value.x));
+    line("on " + traced_.y.name, point(value.y));
     line("simplex", weights(value.simplex));
     line("iterations", fmt::format("{}", value.iterations));
   }
 
-  const LessonRun& run_;
+  const Traced<D>& traced_;
   std::string out_;
 };
 
 }  // namespace
 
-std::string trace_text(const LessonRun& run) { return TraceText(run).write(); }
+template <int D>
+std::string trace_text(const Traced<D>& traced) {
+  return TraceText(traced).write();
+}
+template std::string trace_text(const Traced<2>& traced);
+template std::string trace_text(const Traced<3>& traced);
 
 }  // namespace gjkscope

@@ -1,12 +1,14 @@
 #pragma once
-// A lesson's runs as text to read.
+// The runs of a lesson or a case as text to read.
 
 #include <string>
 
-#include "lesson/run.hpp"
+#include "cli/traced.hpp"
 
 namespace gjkscope {
 
-[[nodiscard]] std::string trace_text(const LessonRun& run);
+/// D: 2 or 3.
+template <int D>
+[[nodiscard]] std::string trace_text(const Traced<D>& traced);
 
 }  // namespace gjkscope

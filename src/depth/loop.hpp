@@ -39,7 +39,7 @@ template <class R>
 [[nodiscard]] Edge<R> take_nearest(Polygon<R>& polygon) {
   for (;;) {
     std::pop_heap(polygon.edges.begin(), polygon.edges.end(), is_farther<R>);
-    const Edge<R> edge = polygon.edges.back();
+    Edge<R> edge = polygon.edges.back();
     polygon.edges.pop_back();
     if (polygon.corners[edge.from].next == edge.to) return edge;
   }

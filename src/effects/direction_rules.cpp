@@ -19,8 +19,8 @@ DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
     // In the run's own unit, as the run built its direction.
     const int exponent = run.run(frame).exponent;
-    const gjk::Simplex<S, 2> simplex = narrowed<S>(state.simplex, exponent);
-    const gjk::Vec<S, 2> p = narrowed<S>(state.p * std::ldexp(1.0, -exponent));
+    const gjk::Simplex<S, 2> simplex = narrowed<S, 2>(state.simplex, exponent);
+    const gjk::Vec<S, 2> p = narrowed<S, 2>(state.p * std::ldexp(1.0, -exponent));
     const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
     for (const gjk::DirectionRule rule :
          {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {

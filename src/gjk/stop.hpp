@@ -11,7 +11,7 @@ template <class S, int D>
 [[nodiscard]] S wanted_plane_distance_sq(const State<S, D>& state, const Options& options,
                                          const Prepared<S, D>& prepared, bool recorded) {
   const S keep = ScalarTraits<S>::from(1.0 - options.tolerance);
-  const S without_rounding = keep * keep * state.best_sq;
+  S without_rounding = keep * keep * state.best_sq;
   if constexpr (!ScalarTraits<S>::kExact) {
     if (recorded || !(state.plane_distance_sq < without_rounding)) {
       const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();

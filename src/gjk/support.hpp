@@ -68,7 +68,7 @@ template <class R, class S, int D, class Visit>
                                   const Visit& visit) {
   return look_along(d, shape, prepared, body, [&](int count, const auto& along) {
     const auto looked_at = [&](int i) {
-      const R value = along(i);
+      R value = along(i);
       visit(i, value);
       return value;
     };

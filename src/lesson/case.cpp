@@ -85,7 +85,8 @@ constexpr int kMostBroken = 100;
 
 class CaseReader {
  public:
-  CaseReader(std::string_view text, std::string_view file) : text_(text), file_(file) {
+  CaseReader(std::string_view text, std::string_view file, int most_dimension)
+      : text_(text), file_(file), most_dimension_(most_dimension) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') line_starts_.push_back(i + 1);
     }
@@ -94,7 +95,7 @@ class CaseReader {
   std::vector<ReadCase> read() {
     std::size_t at = skip_space(text_, text_.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
     if (at == text_.size()) {
-      ReadCase& none = add();
+      ReadCase& none = add(at);
       report(none, at, "there is no case", kShape);
     }
     while (at < text_.size()) {
@@ -108,23 +109,25 @@ class CaseReader {
   static constexpr std::string_view kShape =
       R"({"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]})";
 
-  ReadCase& add() {
+  ReadCase& add(std::size_t at) {
     ReadCase& added = cases_.emplace_back();
+    added.place = place_of(at);
     added.name = cases_.size() == 1 ? file_ : fmt::format("{}#{}", file_, cases_.size());
     return added;
   }
 
   void report(ReadCase& to, std::size_t at, std::string what, std::string_view expected) const {
     if (to.problems.size() == kListedProblems) return;
-    Problem problem;
-    problem.file = file_;
+    const Place place = place_of(at);
+    to.problems.push_back(
+        {file_, place.line, place.column, std::move(what), std::string(expected), ""});
+  }
+
+  [[nodiscard]] Place place_of(std::size_t at) const {
     at = std::min(at, text_.size());
     const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - 1;
-    problem.line = 1 + static_cast<int>(line - line_starts_.begin());
-    problem.column = 1 + character_count(text_.substr(*line, at - *line));
-    problem.what = std::move(what);
-    problem.expected = expected;
-    to.problems.push_back(std::move(problem));
+    return {1 + static_cast<int>(line - line_starts_.begin()),
+            1 + character_count(text_.substr(*line, at - *line))};
   }
 
   /// Reads the value in [at, end); returns where to go on.
@@ -135,7 +138,7 @@ class CaseReader {
       value = json::parse(part);
     } catch (const json::parse_error& error) {
       const std::size_t place = at + (error.byte > 0 ? error.byte - 1 : 0);
-      report(add(), place, "this is not JSON: " + reason(error.what()), kShape);
+      report(add(at), place, "this is not JSON: " + reason(error.what()), kShape);
       return after_error(at, end);
     } catch (const json::exception& error) {
       // The only other one is a number too large, which the message quotes.
@@ -145,7 +148,7 @@ class CaseReader {
       const std::string number =
           open < close ? message.substr(open + 1, close - open - 1) : std::string();
       const std::size_t found = part.find(number);
-      report(add(), at + (found == std::string_view::npos ? 0 : found),
+      report(add(at), at + (found == std::string_view::npos ? 0 : found),
              fmt::format("the number {} is too large for a double", number),
              "magnitudes below 1.8e308");
       return end;
@@ -154,7 +157,7 @@ class CaseReader {
       for (std::size_t i = 0; i < value.size(); ++i) {
         read_case(value[i], find_value(text_, at, {std::to_string(i)}));
       }
-      if (value.empty()) report(add(), at, "the array holds no case", kShape);
+      if (value.empty()) report(add(at), at, "the array holds no case", kShape);
     } else {
       read_case(value, at);
     }
@@ -178,7 +181,7 @@ class CaseReader {
   }
 
   void read_case(const json& value, std::size_t at) {
-    ReadCase& out = add();
+    ReadCase& out = add(at);
     if (!value.is_object()) {
       report(out, at, fmt::format("a case is {}", article(value)), kShape);
       return;
@@ -186,22 +189,32 @@ class CaseReader {
     if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
       out.name = name->get<std::string>();
     }
-    if (const auto dimension = value.find("dimension"); dimension != value.end()) {
-      if (!dimension->is_number() || *dimension != 2) {
-        report(out, find_value(text_, at, {"dimension"}),
-               fmt::format("/dimension is {}", shown(*dimension)), "2: the plane");
-        return;
-      }
+    const auto told = value.find("dimension");
+    const json dimension = told == value.end() ? json(2) : *told;
+    if (dimension == 2) {
+      out.value = read_shapes<2>(value, at, out);
+    } else if (dimension == 3 && most_dimension_ == 3) {
+      out.in_space = read_shapes<3>(value, at, out);
+    } else {
+      report(out, find_value(text_, at, {"dimension"}),
+             fmt::format("/dimension is {}", shown(dimension)),
+             most_dimension_ == 2 ? "2: the plane" : "2, the plane, or 3, space");
     }
-    Case read;
-    read.a = read_points(value, "a", at, out);
-    read.b = read_points(value, "b", at, out);
-    if (out.problems.empty()) out.value = std::move(read);
   }
 
-  std::vector<Vector2d> read_points(const json& value, const char* key, std::size_t at,
-                                    ReadCase& out) const {
-    std::vector<Vector2d> points;
+  template <int D>
+  std::optional<CaseIn<D>> read_shapes(const json& value, std::size_t at, ReadCase& out) const {
+    CaseIn<D> read;
+    read.a = read_points<D>(value, "a", at, out);
+    read.b = read_points<D>(value, "b", at, out);
+    if (!out.problems.empty()) return std::nullopt;
+    return read;
+  }
+
+  template <int D>
+  std::vector<gjk::Vec<double, D>> read_points(const json& value, const char* key, std::size_t at,
+                                               ReadCase& out) const {
+    std::vector<gjk::Vec<double, D>> points;
     const auto list = value.find(key);
     if (list == value.end()) {
       report(out, at, fmt::format("/{} is missing", key), kShape);
@@ -210,20 +223,23 @@ class CaseReader {
     if (!list->is_array() || list->empty()) {
       report(out, find_value(text_, at, {key}),
              fmt::format("/{} is {}", key, list->is_array() ? "empty" : article(*list)),
-             "an array of at least one point, [[x, y], ...]");
+             D == 2 ? "an array of at least one point, [[x, y], ...]"
+                    : "an array of at least one point, [[x, y, z], ...]");
       return points;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {
       const json& point = (*list)[i];
-      if (!point.is_array() || point.size() != 2) {
+      if (!point.is_array() || point.size() != D) {
         report(out, find_value(text_, at, {key, std::to_string(i)}),
                point.is_array() ? fmt::format("/{}/{} has {} coordinates", key, i, point.size())
                                 : fmt::format("/{}/{} is {}", key, i, article(point)),
-               "two coordinates, [x, y]");
+               D == 3                 ? "three coordinates, [x, y, z]"
+               : most_dimension_ == 2 ? "two coordinates, [x, y]"
+                                      : "two coordinates, [x, y], or \"dimension\": 3");
         continue;
       }
-      Vector2d read = Vector2d::Zero();
-      for (int k = 0; k < 2; ++k) {
+      gjk::Vec<double, D> read = gjk::Vec<double, D>::Zero();
+      for (int k = 0; k < D; ++k) {
         const std::optional<double> number = coordinate(point[static_cast<std::size_t>(k)]);
         if (number && std::isfinite(*number)) {
           read[k] = *number;
@@ -274,6 +290,7 @@ class CaseReader {
 
   std::string_view text_;
   std::string file_;
+  int most_dimension_;
   std::vector<std::size_t> line_starts_ = {0};
   std::vector<ReadCase> cases_;
   int broken_ = 0;
@@ -292,16 +309,15 @@ LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char
   LessonShape shape;
   shape.name = std::move(name);
   shape.vertices = points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    shape.vertex_names.push_back(fmt::format("{}{}", letter, i + 1));
-  }
+  shape.vertex_names = numbered_names(letter, points.size());
   return shape;
 }
 
 }  // namespace
 
-std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file) {
-  return CaseReader(text, file).read();
+std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file,
+                                  int most_dimension) {
+  return CaseReader(text, file, most_dimension).read();
 }
 
 std::string case_json(const Case& value, std::string_view name) {
@@ -314,6 +330,12 @@ std::string case_json(const Case& value, std::string_view name) {
          fmt::format(R"("dimension": 2, "a": {}, "b": {}}})", points_json(value.a),
                      points_json(value.b)) +
          "\n";
+}
+
+std::vector<std::string> numbered_names(char letter, std::size_t vertices) {
+  std::vector<std::string> out;
+  for (std::size_t i = 1; i <= vertices; ++i) out.push_back(fmt::format("{}{}", letter, i));
+  return out;
 }
 
 Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {

@@ -2,11 +2,12 @@
 // Pasted shapes: the JSON that `gjkscope solve` and `gjkscope trace` read.
 //
 //   {"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]}
+//   {"dimension": 3, "a": [[x, y, z], ...], "b": [[x, y, z], ...]}
 //
-// `a` is X, `b` is Y: point sets whose convex hulls count, in any order. A coordinate is a number,
-// or a string that holds one ("0.1", "0x1.999999999999ap-4"); it means the nearest double. `name`
-// is optional; other keys are ignored. A text holds any number of cases, one after the other (one a
-// line, for example), or in arrays.
+// The dimension is 2 where it is left out. `a` is X, `b` is Y: point sets whose convex hulls count,
+// in any order. A coordinate is a number, or a string that holds one ("0.1",
+// "0x1.999999999999ap-4"); it means the nearest double. `name` is optional; other keys are ignored.
+// A text holds any number of cases, one after the other (one a line, for example), or in arrays.
 
 #include <Eigen/Core>
 #include <optional>
@@ -19,26 +20,35 @@
 
 namespace gjkscope {
 
-struct Case {
-  std::vector<Eigen::Vector2d> a;  ///< X; never empty.
-  std::vector<Eigen::Vector2d> b;  ///< Y; never empty.
+template <int D>
+struct CaseIn {
+  std::vector<gjk::Vec<double, D>> a;  ///< X; never empty.
+  std::vector<gjk::Vec<double, D>> b;  ///< Y; never empty.
 };
+using Case = CaseIn<2>;
 
 /// One case of a text, as far as it could be read.
 struct ReadCase {
   std::string
       name;  ///< Its `name`, or the file's; "#2" is added to the second of a file and so on.
+  Place place;  ///< Where it begins.
   std::optional<Case> value;
-  std::vector<Problem> problems;  ///< Empty exactly when `value` is there.
+  std::optional<CaseIn<3>> in_space;
+  std::vector<Problem> problems;  ///< Empty exactly when one of the two is there.
 };
 
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
-/// that cannot be read does not keep the others from being read.
-[[nodiscard]] std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file);
+/// that cannot be read does not keep the others from being read. What only knows the plane asks for
+/// dimensions up to 2, and others are problems.
+[[nodiscard]] std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file,
+                                                int most_dimension = 2);
 
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
 /// They must be finite. An empty name is left out.
 [[nodiscard]] std::string case_json(const Case& value, std::string_view name);
+
+/// "x1", "x2", ...: as many as there are vertices.
+[[nodiscard]] std::vector<std::string> numbered_names(char letter, std::size_t vertices);
 
 /// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
 [[nodiscard]] Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar);

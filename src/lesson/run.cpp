@@ -18,17 +18,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-template <class S>
-std::vector<gjk::Vec<S, 2>> narrowed_all(const std::vector<Vector2d>& vertices) {
-  std::vector<gjk::Vec<S, 2>> out;
-  for (const Vector2d& vertex : vertices) out.push_back(narrowed<S>(vertex));
+template <class S, int D>
+std::vector<gjk::Vec<S, D>> narrowed_all(const std::vector<gjk::Vec<double, D>>& vertices) {
+  std::vector<gjk::Vec<S, D>> out;
+  for (const gjk::Vec<double, D>& vertex : vertices) out.push_back(narrowed<S, D>(vertex));
   return out;
 }
 
 template <class S>
 gjk::Pose<S, 2> pose_of(const Placement& placement) {
   gjk::Pose<S, 2> pose;
-  pose.translation = narrowed<S>(placement.translate);
+  pose.translation = narrowed<S, 2>(placement.translate);
   if (placement.rotate_degrees != 0.0) {
     const double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
     const S c(std::cos(angle));
@@ -38,11 +38,12 @@ gjk::Pose<S, 2> pose_of(const Placement& placement) {
   return pose;
 }
 
-template <class S>
-std::vector<Vector2d> world_vertices(const gjk::Shape<S, 2>& shape) {
-  std::vector<Vector2d> out;
-  for (const gjk::Vec<S, 2>& vertex : shape.vertices()) {
-    out.push_back(widened<S>(gjk::Vec<S, 2>(shape.pose.rotated(vertex) + shape.pose.translation)));
+template <class S, int D>
+std::vector<gjk::Vec<double, D>> world_vertices(const gjk::Shape<S, D>& shape) {
+  std::vector<gjk::Vec<double, D>> out;
+  for (const gjk::Vec<S, D>& vertex : shape.vertices()) {
+    out.push_back(
+        widened<S, D>(gjk::Vec<S, D>(shape.pose.rotated(vertex) + shape.pose.translation)));
   }
   return out;
 }
@@ -56,25 +57,27 @@ DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
 }
 
 /// Where both shapes stand, and when.
-struct Scenery {
-  Placement x;
-  Placement y;
+template <int D>
+struct SceneryIn {
+  PlacementIn<D> x;
+  PlacementIn<D> y;
   double time = 0.0;
 };
+using Scenery = SceneryIn<2>;
 
-template <class S>
-PositionedRun run_query(const gjk::Query<S, 2>& query, const gjk::Options& options,
-                        const Scenery& at) {
-  const gjk::Trace<S, 2> trace = gjk::trace<S>(query, options);
-  PositionedRun run{at.x,
-                    at.y,
-                    at.time,
-                    world_vertices(query.x),
-                    world_vertices(query.y),
-                    trace.prepared.exponent,
-                    widened(trace),
-                    {}};
-  for (const gjk::Step<S, 2>& step : trace.steps)
+template <class S, int D>
+RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
+                   const SceneryIn<D>& at) {
+  const gjk::Trace<S, D> trace = gjk::trace<S>(query, options);
+  RunIn<D> run{at.x,
+               at.y,
+               at.time,
+               world_vertices(query.x),
+               world_vertices(query.y),
+               trace.prepared.exponent,
+               widened(trace),
+               {}};
+  for (const gjk::Step<S, D>& step : trace.steps)
     run.bounds.push_back(in_world(step.bounds, trace.prepared.exponent));
   if (!run.bounds.empty() && trace.result.error == gjk::Error::none)
     run.bounds.back() = {widened(trace.result.lower), widened(trace.result.upper)};
@@ -83,9 +86,9 @@ PositionedRun run_query(const gjk::Query<S, 2>& query, const gjk::Options& optio
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
   return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S>(lesson.x.vertices);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S>(lesson.y.vertices);
-    return run_query<S>({{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}}, options, at);
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
+    return run_query<S, 2>({{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}}, options, at);
   });
 }
 
@@ -322,10 +325,26 @@ double LessonRun::seconds(const Frame& frame) const {
   return lesson.time->at(frame.run)[static_cast<std::size_t>(frame.detail)];
 }
 
-std::string LessonRun::pair_name(gjk::VertexPair pair) const {
-  const std::string& y = lesson.y.vertex_names[pair.y];
-  return point_query() ? y : y + "−" + lesson.x.vertex_names[pair.x];
+std::string pair_name(const std::vector<std::string>& x_names,
+                      const std::vector<std::string>& y_names, gjk::VertexPair pair) {
+  const std::string& y = y_names[pair.y];
+  return x_names.size() == 1 ? y : y + "−" + x_names[pair.x];
 }
+
+std::string LessonRun::pair_name(gjk::VertexPair pair) const {
+  return gjkscope::pair_name(lesson.x.vertex_names, lesson.y.vertex_names, pair);
+}
+
+template <int D>
+RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
+  return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
+    const std::vector<gjk::Vec<S, D>> x = narrowed_all<S, D>(shapes.a);
+    const std::vector<gjk::Vec<S, D>> y = narrowed_all<S, D>(shapes.b);
+    return run_query<S, D>({{x}, {y}}, {}, {});
+  });
+}
+template RunIn<2> run_case(const CaseIn<2>& shapes, ScalarKind scalar);
+template RunIn<3> run_case(const CaseIn<3>& shapes, ScalarKind scalar);
 
 LessonRun run_lesson(Lesson lesson) {
   LessonRun run;
@@ -346,10 +365,10 @@ Case case_of(const PositionedRun& run) { return {run.x_world, run.y_world}; }
 Case case_of(const Lesson& lesson) {
   const Scenery first = sceneries_of(lesson).front();
   return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S>(lesson.x.vertices);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S>(lesson.y.vertices);
-    return Case{world_vertices<S>({x, pose_of<S>(first.x)}),
-                world_vertices<S>({y, pose_of<S>(first.y)})};
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
+    return Case{world_vertices<S, 2>({x, pose_of<S>(first.x)}),
+                world_vertices<S, 2>({y, pose_of<S>(first.y)})};
   });
 }
 
@@ -360,9 +379,9 @@ PositionedRun run_afresh(const LessonRun& run, int index) {
 
 PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S>(run.x_world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S>(run.y_world);
-    return run_query<S>({{x}, {y}}, options, {run.x, run.y, run.time});
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
+    return run_query<S, 2>({{x}, {y}}, options, {run.x, run.y, run.time});
   });
 }
 

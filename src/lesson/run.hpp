@@ -12,8 +12,9 @@
 namespace gjkscope {
 
 /// A trace in any scalar, widened to double. Exact for half, float and double; rounded to nearest
-/// for exact runs. Lengths are in the world's unit; only those of a double run whose squares would
-/// leave the range of a double are in units of 2^prepared.exponent, and are not drawn.
+/// for exact runs. Lengths are in the world's unit; only those of a run in space, and of a double
+/// run whose squares would leave the range of a double, are in units of 2^prepared.exponent; they
+/// are not drawn.
 using WideTrace = gjk::Trace<double, 2>;
 
 /// What is proved of the distance, rounding included: lower <= exact distance <= upper.
@@ -23,20 +24,23 @@ struct DistanceBounds {
 };
 
 /// Where a shape stands.
-struct Placement {
-  Eigen::Vector2d translate = Eigen::Vector2d::Zero();
-  double rotate_degrees = 0.0;  ///< Counter-clockwise.
+template <int D>
+struct PlacementIn {
+  gjk::Vec<double, D> translate = gjk::Vec<double, D>::Zero();
+  double rotate_degrees = 0.0;  ///< Counter-clockwise; 0 in space.
 };
+using Placement = PlacementIn<2>;
 
 /// One GJK run: where the shapes stood, and what happened.
-struct PositionedRun {
-  Placement x;
-  Placement y;
+template <int D>
+struct RunIn {
+  PlacementIn<D> x;
+  PlacementIn<D> y;
   double time = 0.0;  ///< Seconds since the start of the motion; 0 without a clock.
-  std::vector<Eigen::Vector2d> x_world;
-  std::vector<Eigen::Vector2d> y_world;
+  std::vector<gjk::Vec<double, D>> x_world;
+  std::vector<gjk::Vec<double, D>> y_world;
   int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
-  WideTrace trace;
+  gjk::Trace<double, D> trace;
   std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
                                        ///< those of the result.
 
@@ -45,6 +49,7 @@ struct PositionedRun {
     return step > 0 && trace.steps[step - 1].phase == gjk::Phase::support;
   }
 };
+using PositionedRun = RunIn<2>;
 
 /// True when a pair of vertices is one of those that a simplex is made of.
 [[nodiscard]] bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair);
@@ -119,6 +124,14 @@ struct LessonRun {
 };
 
 [[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+/// A pasted case, run with the default options. D: 2 or 3.
+template <int D>
+[[nodiscard]] RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar);
+
+/// "K−C"; with a single vertex in X (a point query) the name of Y's vertex: "K".
+[[nodiscard]] std::string pair_name(const std::vector<std::string>& x_names,
+                                    const std::vector<std::string>& y_names, gjk::VertexPair pair);
 
 /// The shapes as they stand in the world, rounded as the run rounds them; of a lesson: as they
 /// stand in its first run. Finite where they can be drawn (why_not_drawn).

@@ -19,33 +19,37 @@ template <class S>
     return static_cast<double>(value);
   }
 }
-template <class S>
-[[nodiscard]] Eigen::Vector2d widened(const gjk::Vec<S, 2>& v) {
-  return {widened(v[0]), widened(v[1])};
+template <class S, int D>
+[[nodiscard]] gjk::Vec<double, D> widened(const gjk::Vec<S, D>& v) {
+  gjk::Vec<double, D> out;
+  for (int i = 0; i < D; ++i) out[i] = widened(v[i]);
+  return out;
 }
-template <class S>
-[[nodiscard]] gjk::Vec<S, 2> narrowed(const Eigen::Vector2d& v) {
-  return gjk::Vec<S, 2>(S(v[0]), S(v[1]));
+template <class S, int D>
+[[nodiscard]] gjk::Vec<S, D> narrowed(const gjk::Vec<double, D>& v) {
+  gjk::Vec<S, D> out;
+  for (int i = 0; i < D; ++i) out[i] = S(v[i]);
+  return out;
 }
 
 /// A simplex in units of 2^exponent, in the world's unit, and back.
-template <class S>
-[[nodiscard]] gjk::Simplex<double, 2> widened(const gjk::Simplex<S, 2>& simplex, int exponent) {
-  gjk::Simplex<double, 2> out;
+template <class S, int D>
+[[nodiscard]] gjk::Simplex<double, D> widened(const gjk::Simplex<S, D>& simplex, int exponent) {
+  gjk::Simplex<double, D> out;
   out.count = simplex.count;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i <= D; ++i) {
     out.vertices[i] = {widened(simplex.vertices[i].w) * std::ldexp(1.0, exponent),
                        simplex.vertices[i].pair};
     out.weights[i] = widened(simplex.weights[i]);
   }
   return out;
 }
-template <class S>
-[[nodiscard]] gjk::Simplex<S, 2> narrowed(const gjk::Simplex<double, 2>& simplex, int exponent) {
-  gjk::Simplex<S, 2> out;
+template <class S, int D>
+[[nodiscard]] gjk::Simplex<S, D> narrowed(const gjk::Simplex<double, D>& simplex, int exponent) {
+  gjk::Simplex<S, D> out;
   out.count = simplex.count;
-  for (int i = 0; i < 3; ++i) {
-    out.vertices[i] = {narrowed<S>(simplex.vertices[i].w * std::ldexp(1.0, -exponent)),
+  for (int i = 0; i <= D; ++i) {
+    out.vertices[i] = {narrowed<S, D>(simplex.vertices[i].w * std::ldexp(1.0, -exponent)),
                        simplex.vertices[i].pair};
     out.weights[i] = S(simplex.weights[i]);
   }
@@ -53,7 +57,7 @@ template <class S>
 }
 
 /// Widens what a run in units of 2^exponent left, to the world's unit: powers of two are exact.
-template <class S>
+template <class S, int D>
 class Widener {
  public:
   explicit Widener(int exponent)
@@ -61,8 +65,8 @@ class Widener {
         unit_(std::ldexp(1.0, exponent)),
         unit_sq_(std::ldexp(1.0, 2 * exponent)) {}
 
-  [[nodiscard]] gjk::State<double, 2> operator()(const gjk::State<S, 2>& state) const {
-    gjk::State<double, 2> out;
+  [[nodiscard]] gjk::State<double, D> operator()(const gjk::State<S, D>& state) const {
+    gjk::State<double, D> out;
     out.phase = state.phase;
     out.previous = state.previous;
     out.iteration = state.iteration;
@@ -83,8 +87,8 @@ class Widener {
     return out;
   }
 
-  [[nodiscard]] gjk::Record<double, 2> operator()(const gjk::Record<S, 2>& record) const {
-    gjk::Record<double, 2> out;
+  [[nodiscard]] gjk::Record<double, D> operator()(const gjk::Record<S, D>& record) const {
+    gjk::Record<double, D> out;
     for (const gjk::RegionTest<S>& test : record.region_tests) {
       gjk::RegionTest<double> wide{test.region, {}, test.holds};
       for (const gjk::RegionTerm<S>& term : test.terms) {
@@ -94,9 +98,9 @@ class Widener {
       out.region_tests.push_back(std::move(wide));
     }
     out.no_region_held = record.no_region_held;
-    for (const gjk::SupportPoint<S, 2>& dropped : record.dropped)
+    for (const gjk::SupportPoint<S, D>& dropped : record.dropped)
       out.dropped.push_back(point(dropped));
-    const gjk::DirectionNote<S, 2>& note = record.direction;
+    const gjk::DirectionNote<S, D>& note = record.direction;
     out.direction = {length(note.d),    note.from_normal, length(note.normal),
                      square(note.side), note.flipped,     note.sign_is_arbitrary};
     for (const gjk::ScanEntry<S>& entry : record.scan_x)
@@ -108,9 +112,11 @@ class Widener {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d length(const gjk::Vec<S, 2>& v) const { return widened(v) * unit_; }
+  [[nodiscard]] gjk::Vec<double, D> length(const gjk::Vec<S, D>& v) const {
+    return widened(v) * unit_;
+  }
   [[nodiscard]] double square(const S& value) const { return widened(value) * unit_sq_; }
-  [[nodiscard]] gjk::SupportPoint<double, 2> point(const gjk::SupportPoint<S, 2>& value) const {
+  [[nodiscard]] gjk::SupportPoint<double, D> point(const gjk::SupportPoint<S, D>& value) const {
     return {length(value.w), value.pair};
   }
 
@@ -135,9 +141,9 @@ class Widener {
 };
 
 /// A result, whose lengths are in the world's unit, and its simplex in units of 2^exponent.
-template <class S>
-[[nodiscard]] gjk::Result<double, 2> widened(const gjk::Result<S, 2>& result, int exponent) {
-  gjk::Result<double, 2> out;
+template <class S, int D>
+[[nodiscard]] gjk::Result<double, D> widened(const gjk::Result<S, D>& result, int exponent) {
+  gjk::Result<double, D> out;
   out.error = result.error;
   out.stop = result.stop;
   out.verdict = result.verdict;
@@ -153,21 +159,22 @@ template <class S>
   return out;
 }
 
-/// The trace in double and in the world's unit. Where the squares of a double run would leave the
-/// range of a double, it stays in its own unit, which `prepared.exponent` names. Of `prepared`, the
-/// error and the exponent are filled in.
-template <class S>
-[[nodiscard]] gjk::Trace<double, 2> widened(const gjk::Trace<S, 2>& trace) {
-  gjk::Trace<double, 2> out;
+/// The trace in double and, in the plane, in the world's unit. Where the squares of a double run
+/// would leave the range of a double, and in space, where products are of up to six lengths, it
+/// stays in its own unit, which `prepared.exponent` names. Of `prepared`, the error and the
+/// exponent are filled in.
+template <class S, int D>
+[[nodiscard]] gjk::Trace<double, D> widened(const gjk::Trace<S, D>& trace) {
+  gjk::Trace<double, D> out;
   out.prepared.error = trace.prepared.error;
   int exponent = trace.prepared.exponent;
-  if (std::is_same_v<S, double>) {
+  if (D == 3 || std::is_same_v<S, double>) {
     out.prepared.exponent = exponent;
     exponent = 0;
   }
-  const Widener<S> widen(exponent);
+  const Widener<S, D> widen(exponent);
   out.initial = widen(trace.initial);
-  for (const gjk::Step<S, 2>& step : trace.steps) {
+  for (const gjk::Step<S, D>& step : trace.steps) {
     out.steps.push_back({step.phase, step.iteration, widen(step.after), widen(step.record), {}});
   }
   out.result = widened(trace.result, exponent);

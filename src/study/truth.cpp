@@ -240,7 +240,7 @@ template <int D>
 bool is_inside(const std::vector<Point<D>>& z) {
   int side = 0;
   for (int apex = 0; apex <= D; ++apex) {
-    std::array<const Point<D>*, D> facet;
+    std::array<const Point<D>*, D> facet = {};
     for (int i = 0; i < D; ++i) facet[i] = &z[i < apex ? i : i + 1];
     int turn = 0;
     if constexpr (D == 2) {

@@ -106,6 +106,32 @@ TEST(Case, ProblemsHaveTheirPlace) {
   }
 }
 
+TEST(Case, IsInSpaceWhereThatIsAskedFor) {
+  const std::string text = R"({"dimension":3,"a":[[0,0,0]],"b":[[3,4,"0x1p-3"],[5,6,7]]})";
+  const ReadCase read = parse_cases(kGood + "\n" + text, "f.json", 3)[1];
+  ASSERT_TRUE(read.in_space);
+  EXPECT_FALSE(read.value);
+  EXPECT_TRUE(read.problems.empty());
+  EXPECT_EQ(2, read.place.line);
+  EXPECT_EQ(Eigen::Vector3d(0, 0, 0), read.in_space->a[0]);
+  EXPECT_EQ(Eigen::Vector3d(3, 4, 0.125), read.in_space->b[0]);
+
+  const std::pair<const char*, const char*> bads[] = {
+      {R"({"dimension":3,"a":[[0,0]],"b":[[1,1,1]]})", "three coordinates, [x, y, z]"},
+      {R"({"dimension":2,"a":[[0,0]],"b":[[1,1,1]]})", "\"dimension\": 3"},
+      {R"({"a":[[0,0,0]],"b":[[1,1,1]]})", "\"dimension\": 3"},
+      {R"({"dimension":4,"a":[[0,0]],"b":[[1,1]]})", "2, the plane, or 3, space"},
+      {R"({"dimension":3,"a":[],"b":[[1,1,1]]})", "[[x, y, z], ...]"},
+  };
+  for (const auto& [bad, expected] : bads) {
+    const ReadCase refused = parse_cases(bad, "f.json", 3).front();
+    EXPECT_FALSE(refused.value || refused.in_space) << bad;
+    ASSERT_FALSE(refused.problems.empty()) << bad;
+    EXPECT_NE(std::string::npos, refused.problems.front().expected.find(expected))
+        << bad << ": " << refused.problems.front().expected;
+  }
+}
+
 TEST(Case, AllProblemsOfOneAreToldAtOnce) {
   EXPECT_EQ(3u, only(R"({"a":[["x","y"],[1]],"b":[[1,1]]})").problems.size());
 }

@@ -165,7 +165,6 @@ TEST(Solve, ReportedHardCasesHaveRightAnswers) {
        std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
     const std::string text = test::read_file(entry.path().string());
     const json told = json::parse(text);
-    if (told["dimension"] != 2) continue;
     SCOPED_TRACE(entry.path().filename().string());
     for (const ScalarKind scalar : {ScalarKind::double_, ScalarKind::exact}) {
       const json answer = solve(text, scalar).answers[0];
@@ -179,6 +178,37 @@ TEST(Solve, ReportedHardCasesHaveRightAnswers) {
   }
   EXPECT_GE(overlapping, 5);
   EXPECT_GE(apart, 5);
+  EXPECT_EQ(41, overlapping + apart);
+}
+
+const std::string kInSpace =
+    R"({"dimension":3,"a":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"b":[[2,2,2],[3,2,2],[2,3,2]]})";
+
+TEST(Solve, CasesInSpaceHaveTheSameAnswers) {
+  const double distance = std::sqrt(25.0 / 3.0);
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    const Solved solved = solve(kInSpace, scalar);
+    EXPECT_EQ(kDone, solved.exit_code);
+    const json& answer = solved.answers[0];
+    EXPECT_NEAR(distance, answer["distance"].get<double>(), 4e-3);
+    EXPECT_LE(answer["lower"].get<double>(), distance);
+    EXPECT_GE(answer["upper"].get<double>(), distance);
+    EXPECT_EQ(false, answer["overlap"]);
+    EXPECT_EQ(json({2.0, 2.0, 2.0}), answer["b"]);
+    ASSERT_EQ(3u, answer["a"].size());
+    for (const json& third : answer["a"]) EXPECT_NEAR(1.0 / 3.0, third.get<double>(), 1e-3);
+  }
+  EXPECT_EQ("25/3", solve(kInSpace, ScalarKind::exact).answers[0]["distance_squared"]);
+  const json touching =
+      solve(R"({"dimension":3,"a":[[0,0,0],[2,0,0],[0,2,0]],"b":[[0.5,0.5,0],[1,1,1]]})")
+          .answers[0];
+  EXPECT_EQ("touching", touching["verdict"]);
+  EXPECT_EQ(true, touching["overlap"]);
+  EXPECT_FALSE(touching.contains("depth")) << "known in the plane alone";
+  const Solved refused = solve(R"({"dimension":3,"a":[[-1e308,0,0]],"b":[[1e308,0,0]]})");
+  EXPECT_EQ(kProblem, refused.exit_code);
+  EXPECT_NE(std::string::npos, refused.answers[0]["error"].get<std::string>().find("overflow"));
 }
 
 TEST(Solve, MutatedCasesAreAnsweredOrRefusedOneObjectALine) {

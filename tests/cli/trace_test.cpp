@@ -31,6 +31,8 @@ Traced trace(const std::string& input, bool as_json, ScalarKind scalar = ScalarK
 
 const std::string kPentagon = R"({"a":[[-3,4]],"b":[[6,2],[5,6],[1,5],[0,1],[3,-1]]})";
 const std::string kOverlap = R"({"a":[[-1,-1],[1,-1],[1,1]],"b":[[0.1,-0.6],[3,2],[2,-3]]})";
+const std::string kInSpace =
+    R"({"dimension":3,"a":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"b":[[2,2,2],[3,2,2],[2,3,2]]})";
 
 void collect_keys(const json& value, std::set<std::string>& keys) {
   if (value.is_object()) {
@@ -45,7 +47,7 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
 
 TEST(TraceJson, EveryKeyIsDocumented) {
   std::set<std::string> keys;
-  for (const std::string& text : {kPentagon, kOverlap}) {
+  for (const std::string& text : {kPentagon, kOverlap, kInSpace}) {
     collect_keys(json::parse(trace(text, true).out), keys);
   }
   EXPECT_GT(keys.size(), 50u);
@@ -80,14 +82,20 @@ TEST(TraceJson, DecimalAndHexadecimalAreTheSameNumber) {
     int count = 0;
     check_numbers(json::parse(trace(kPentagon, true, scalar).out), count);
     EXPECT_GT(count, 100);
+    check_numbers(json::parse(trace(kInSpace, true, scalar).out), count);
+    EXPECT_GT(count, 400);
   }
 }
 
 TEST(TraceJson, IsCompleteFromStartToStop) {
-  for (const std::string& text : {kPentagon, kOverlap}) {
+  for (const std::string& text : {kPentagon, kOverlap, kInSpace}) {
     const json document = json::parse(trace(text, true).out);
     EXPECT_EQ("gjkscope-trace", document["format"]);
     EXPECT_EQ(2, document["version"]);
+    const int dimension = text == kInSpace ? 3 : 2;
+    EXPECT_EQ(dimension, document["dimension"]);
+    EXPECT_EQ(dimension, document["runs"][0]["result"]["witness_x"].size());
+    EXPECT_EQ(dimension, document["x"]["vertices"][0].size());
     ASSERT_EQ(1u, document["runs"].size());
     const json& run = document["runs"][0];
     EXPECT_EQ("closest", run["steps"].front()["phase"]);
@@ -121,19 +129,33 @@ TEST(TraceJson, ExtremeCoordinatesHaveAUnit) {
   EXPECT_DOUBLE_EQ(5e-200, run["result"]["distance"]["value"].get<double>());
 }
 
+TEST(TraceJson, InSpaceLengthsOfStatesAreInTheUnitOfTheRun) {
+  const Traced large =
+      trace(R"({"dimension":3,"a":[[0,0,0]],"b":[[2e25,3e25,6e25]]})", true, ScalarKind::single);
+  EXPECT_EQ(kDone, large.exit_code);
+  const json run = json::parse(large.out)["runs"][0];
+  const int exponent = run["exponent"].get<int>();
+  EXPECT_NE(0, exponent);
+  const double p = std::sqrt(run["steps"].back()["after"]["p_sq"]["value"].get<double>());
+  EXPECT_NEAR(1.0, std::ldexp(p, exponent) / 7e25, 1e-6);
+  EXPECT_NEAR(1.0, run["result"]["distance"]["value"].get<double>() / 7e25, 1e-6);
+}
+
 TEST(TraceJson, BoundsCloseInOnTheResult) {
   for (const ScalarKind scalar :
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
-    const json run = json::parse(trace(kPentagon, true, scalar).out)["runs"][0];
-    const auto value = [](const json& of, const char* key) {
-      return of[key]["value"].get<double>();
-    };
-    const json& first = run["steps"].front();
-    const json& last = run["steps"].back();
-    EXPECT_LT(value(first, "lower"), value(last, "lower"));
-    EXPECT_GT(value(first, "upper"), value(last, "upper"));
-    EXPECT_EQ(run["result"]["lower"], last["lower"]);
-    EXPECT_EQ(run["result"]["upper"], last["upper"]);
+    for (const std::string& text : {kPentagon, kInSpace}) {
+      const json run = json::parse(trace(text, true, scalar).out)["runs"][0];
+      const auto value = [](const json& of, const char* key) {
+        return of[key]["value"].get<double>();
+      };
+      const json& first = run["steps"].front();
+      const json& last = run["steps"].back();
+      EXPECT_LT(value(first, "lower"), value(last, "lower"));
+      EXPECT_GT(value(first, "upper"), value(last, "upper"));
+      EXPECT_EQ(run["result"]["lower"], last["lower"]);
+      EXPECT_EQ(run["result"]["upper"], last["upper"]);
+    }
   }
 }
 
@@ -146,6 +168,14 @@ TEST(TraceText, TellsEveryPhase) {
     EXPECT_NE(std::string::npos, traced.out.find(word)) << word;
   }
   EXPECT_EQ(std::string::npos, traced.out.find("nan"));
+}
+
+TEST(TraceText, TellsHowDirectionsComeAboutInSpace) {
+  const std::string text = trace(kInSpace, false).out;
+  for (const char* words : {"d = O - P = [-1, -2, -2]", "d = e x (e x y1−x2) = [-3, -3, -4]",
+                            ", normal of y1−x2 y1−x3 y1−x4", "distance   2.88675134"}) {
+    EXPECT_NE(std::string::npos, text.find(words)) << words << " not in\n" << text;
+  }
 }
 
 TEST(TraceText, SinglePrecisionPrintsAsFewDigitsAsItNeeds) {

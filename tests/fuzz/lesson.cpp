@@ -115,8 +115,8 @@ void claim_told(const LessonRun& run) {
   std::size_t steps = 0;
   for (const PositionedRun& positioned : run.runs) steps += positioned.trace.steps.size();
   if (steps > kMostTold) return;
-  claim(!trace_text(run).empty(), "a trace can be told");
-  claim(nlohmann::json::accept(trace_json(run)), "a trace is JSON");
+  claim(!trace_text(traced(run)).empty(), "a trace can be told");
+  claim(nlohmann::json::accept(trace_json(traced(run))), "a trace is JSON");
 }
 
 bool is_finite(const Rect& rect) { return rect.min.allFinite() && rect.max.allFinite(); }

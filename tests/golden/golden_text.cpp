@@ -74,7 +74,7 @@ struct ShapeText {
 std::string trace(const LessonRun& run) {
   LessonRun first = run;
   first.runs.resize(1);
-  std::string out = trace_text(first);
+  std::string out = trace_text(traced(first));
   if (run.runs.size() > 1) out += "\nfurther runs\n";
   for (std::size_t i = 1; i < run.runs.size(); ++i) out += run_line(run, run.runs[i]);
   return out;

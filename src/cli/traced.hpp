@@ -1,0 +1,43 @@
+#pragma once
+// What a trace tells, of a lesson in the plane or of a case in either dimension.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/run.hpp"
+
+namespace gjkscope {
+
+template <int D>
+struct TracedShape {
+  std::string name;
+  std::vector<std::string> vertex_names;
+  std::vector<gjk::Vec<double, D>> vertices;  ///< Before they are turned and moved.
+  PlacementIn<D> placement;                   ///< Of the first run.
+};
+
+template <int D>
+struct Traced {
+  std::string id;
+  std::string title;
+  ScalarKind scalar = ScalarKind::double_;
+  gjk::Options options;
+  TracedShape<D> x;
+  TracedShape<D> y;
+  std::vector<RunIn<D>> runs;
+  std::vector<std::string> headings;  ///< One for each run, where there are several.
+};
+
+/// As few digits as name a value of the scalar.
+[[nodiscard]] std::string number_text(ScalarKind scalar, double value);
+template <int D>
+[[nodiscard]] std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point);
+
+[[nodiscard]] Traced<2> traced(const LessonRun& run);
+
+/// Vertices are called x1, x2, ... and y1, y2, ... D: 2 or 3.
+template <int D>
+[[nodiscard]] Traced<D> traced(const CaseIn<D>& shapes, std::string_view name, ScalarKind scalar);
+
+}  // namespace gjkscope
