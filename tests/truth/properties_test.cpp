@@ -1,5 +1,6 @@
-// What must not matter, and what must not grow: properties that hold for all pairs, with pairs that
-// shrink to the smallest that break them. RC_PARAMS="seed=... max_success=..." tries others.
+// What must not matter, and what must not grow: properties that hold for all pairs, in the plane
+// and in space, with pairs that shrink to the smallest that break them. RC_PARAMS="seed=...
+// max_success=..." tries others.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -14,9 +15,12 @@
 namespace gjkscope::study {
 namespace {
 
-using Eigen::Vector2d;
-using Pair = families::Pair<double>;
-using Points = std::vector<Vector2d>;
+template <int D>
+using Vec = gjk::Vec<double, D>;
+template <int D>
+using Pair = families::Pair<double, D>;
+template <int D>
+using Points = std::vector<Vec<D>>;
 
 [[maybe_unused]] const int kParameters =
     setenv("RC_PARAMS", "seed=20100311 max_success=2000", 0);  // unless the caller has set it
@@ -33,29 +37,48 @@ double coordinate(Digits digits) {
       return static_cast<double>(*rc::gen::inRange(-(1L << 44), (1L << 44) + 1)) * 0x1p-40;
   }
 }
-Vector2d point(Digits digits) {
-  const double x = coordinate(digits);
-  return {x, coordinate(digits)};
-}
-Points shape(Digits digits) {
-  Points out;
-  for (int i = *rc::gen::inRange(1, 8); i > 0; --i) out.push_back(point(digits));
+template <int D>
+Vec<D> point(Digits digits) {
+  Vec<D> out;
+  for (double& number : out) number = coordinate(digits);
   return out;
 }
-Pair any_pair() {
+template <int D>
+Vec<D> whole_numbers(int least, int most) {
+  Vec<D> out;
+  for (double& number : out) number = *rc::gen::inRange(least, most + 1);
+  return out;
+}
+template <int D>
+Points<D> shape(Digits digits) {
+  Points<D> out;
+  for (int i = *rc::gen::inRange(1, 8); i > 0; --i) out.push_back(point<D>(digits));
+  return out;
+}
+template <int D>
+Pair<D> any_pair() {
   const Digits digits = *rc::gen::element(Digits::few, Digits::some, Digits::many);
-  Pair out;
-  out.x = shape(digits);
-  out.y = shape(digits);
+  Pair<D> out;
+  out.x = shape<D>(digits);
+  out.y = shape<D>(digits);
+  return out;
+}
+/// By a turn in the plane of the first two axes.
+template <int D>
+Eigen::Matrix<double, D, D> turn(double cosine, double sine) {
+  Eigen::Matrix<double, D, D> out = Eigen::Matrix<double, D, D>::Identity();
+  out.template topLeftCorner<2, 2>() = Eigen::Matrix2d{{cosine, -sine}, {sine, cosine}};
   return out;
 }
 
-bool apart(const gjk::Result<double, 2>& result) {
+template <int D>
+bool apart(const gjk::Result<double, D>& result) {
   return result.verdict == gjk::Verdict::separated;
 }
 
 /// Both answers may be those of one question: each errs by at most 4 u * scale.
-void check_alike(const Pair& pair, const Pair& other) {
+template <int D>
+void check_alike(const Pair<D>& pair, const Pair<D>& other) {
   const auto a = gjk::distance(pair.query());
   const auto b = gjk::distance(other.query());
   const double unit = 0x1p-53 * families::scale_of(pair);
@@ -67,7 +90,8 @@ void check_alike(const Pair& pair, const Pair& other) {
   RC_ASSERT(b.lower <= a.upper);
 }
 
-void check_bits(const gjk::Result<double, 2>& a, const gjk::Result<double, 2>& b) {
+template <int D>
+void check_bits(const gjk::Result<double, D>& a, const gjk::Result<double, D>& b) {
   RC_ASSERT(a.error == b.error);
   RC_ASSERT(a.stop == b.stop);
   RC_ASSERT(a.verdict == b.verdict);
@@ -77,117 +101,129 @@ void check_bits(const gjk::Result<double, 2>& a, const gjk::Result<double, 2>& b
   RC_ASSERT(a.upper == b.upper);
 }
 
-template <class Change>
-Pair changed(Pair pair, const Change& change) {
-  for (Vector2d& p : pair.x) p = change(p);
-  for (Vector2d& p : pair.y) p = change(p);
+template <int D, class Change>
+Pair<D> changed(Pair<D> pair, const Change& change) {
+  for (Vec<D>& p : pair.x) p = change(p);
+  for (Vec<D>& p : pair.y) p = change(p);
   return pair;
 }
 
-RC_GTEST_PROP(Property, TheOrderOfTheShapesDoesNotMatter, ()) {
-  const Pair pair = any_pair();
-  check_alike(pair, families::swapped(pair));
+/// A property of pairs in dimension D, which is 2 in one test and 3 in the other.
+#define PROPERTY(Name)                                    \
+  template <int D>                                        \
+  void Name();                                            \
+  RC_GTEST_PROP(Property, Name, ()) { Name<2>(); }        \
+  RC_GTEST_PROP(PropertyInSpace, Name, ()) { Name<3>(); } \
+  template <int D>                                        \
+  void Name()
+
+PROPERTY(TheOrderOfTheShapesDoesNotMatter) {
+  const Pair<D> pair = any_pair<D>();
+  check_alike<D>(pair, families::swapped(pair));
 }
 
-RC_GTEST_PROP(Property, TheOrderOfVerticesDoesNotMatter, ()) {
-  const Pair pair = any_pair();
-  Pair other = pair;
-  for (Points* points : {&other.x, &other.y}) {
+PROPERTY(TheOrderOfVerticesDoesNotMatter) {
+  const Pair<D> pair = any_pair<D>();
+  Pair<D> other = pair;
+  for (Points<D>* points : {&other.x, &other.y}) {
     for (std::size_t i = points->size(); i > 1; --i) {
       std::swap((*points)[i - 1], (*points)[*rc::gen::inRange<std::size_t>(0, i)]);
     }
   }
-  check_alike(pair, other);
+  check_alike<D>(pair, other);
 }
 
-RC_GTEST_PROP(Property, RepeatedVerticesDoNotMatter, ()) {
-  const Pair pair = any_pair();
-  Pair other = pair;
-  for (Points* points : {&other.x, &other.y}) {
+PROPERTY(RepeatedVerticesDoNotMatter) {
+  const Pair<D> pair = any_pair<D>();
+  Pair<D> other = pair;
+  for (Points<D>* points : {&other.x, &other.y}) {
     for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
-      const Vector2d copy = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
+      const Vec<D> copy = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
       points->insert(points->begin() + *rc::gen::inRange<long>(0, long(points->size()) + 1), copy);
     }
   }
-  check_alike(pair, other);
+  check_alike<D>(pair, other);
 }
 
-RC_GTEST_PROP(Property, VerticesInsideDoNotMatter, ()) {
-  Pair pair;
-  pair.x = shape(Digits::some);
-  pair.y = shape(Digits::some);
-  Pair other = pair;
-  for (Points* points : {&other.x, &other.y}) {  // means of quarters are eighths: exact
-    const Vector2d a = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
-    const Vector2d b = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
+PROPERTY(VerticesInsideDoNotMatter) {
+  Pair<D> pair;
+  pair.x = shape<D>(Digits::some);
+  pair.y = shape<D>(Digits::some);
+  Pair<D> other = pair;
+  for (Points<D>* points : {&other.x, &other.y}) {  // means of quarters are eighths: exact
+    const Vec<D> a = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
+    const Vec<D> b = (*points)[*rc::gen::inRange<std::size_t>(0, points->size())];
     points->insert(points->begin() + *rc::gen::inRange<long>(0, long(points->size()) + 1),
                    (a + b) / 2);
   }
-  check_alike(pair, other);
+  check_alike<D>(pair, other);
 }
 
-RC_GTEST_PROP(Property, TranslationOfAllVerticesDoesNotMatter, ()) {
-  const Pair pair = any_pair();
+PROPERTY(TranslationOfAllVerticesDoesNotMatter) {
+  const Pair<D> pair = any_pair<D>();
   // 45 + 8 digits: exact.
-  const Vector2d by(*rc::gen::inRange(-2048, 2049), *rc::gen::inRange(-2048, 2049));
-  check_alike(pair, changed(pair, [&](const Vector2d& p) { return Vector2d(p + by); }));
+  const Vec<D> by = whole_numbers<D>(-2048, 2048);
+  check_alike<D>(pair, changed<D>(pair, [&](const Vec<D>& p) { return Vec<D>(p + by); }));
 }
 
-RC_GTEST_PROP(Property, TranslationOfBothPosesDoesNotMatterToTheLastBit, ()) {
-  Pair pair = any_pair();
+PROPERTY(TranslationOfBothPosesDoesNotMatterToTheLastBit) {
+  Pair<D> pair = any_pair<D>();
   const auto expected = gjk::distance(pair.query());
-  pair.x_pose.translation = pair.y_pose.translation =
-      Vector2d(*rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>());
-  check_bits(expected, gjk::distance(pair.query()));
+  for (double& number : pair.x_pose.translation) number = *rc::gen::arbitrary<int>();
+  pair.y_pose.translation = pair.x_pose.translation;
+  check_bits<D>(expected, gjk::distance(pair.query()));
 }
 
-RC_GTEST_PROP(Property, TranslationOfOneShapeEqualsThatOfItsPose, ()) {
-  const Pair pair = any_pair();
-  Pair moved = pair;
-  Pair posed = pair;
-  posed.y_pose.translation = Vector2d(*rc::gen::inRange(-16, 17), *rc::gen::inRange(-16, 17));
-  for (Vector2d& p : moved.y) p += posed.y_pose.translation;
-  check_alike(moved, posed);
+PROPERTY(TranslationOfOneShapeEqualsThatOfItsPose) {
+  const Pair<D> pair = any_pair<D>();
+  Pair<D> moved = pair;
+  Pair<D> posed = pair;
+  posed.y_pose.translation = whole_numbers<D>(-16, 16);
+  for (Vec<D>& p : moved.y) p += posed.y_pose.translation;
+  check_alike<D>(moved, posed);
 }
 
-RC_GTEST_PROP(Property, QuartersOfATurnDoNotMatter, ()) {
-  const Pair pair = any_pair();
-  const auto quarter = [](const Vector2d& p) { return Vector2d(-p[1], p[0]); };
-  check_alike(pair, changed(pair, quarter));
-  Pair posed = changed(pair, quarter);
-  posed.x_pose.rotation = Eigen::Matrix2d{{0, 1}, {-1, 0}};
+PROPERTY(QuartersOfATurnDoNotMatter) {
+  const Pair<D> pair = any_pair<D>();
+  const auto quarter = [](const Vec<D>& p) { return Vec<D>(turn<D>(0, 1) * p); };
+  check_alike<D>(pair, changed<D>(pair, quarter));
+  Pair<D> posed = changed<D>(pair, quarter);
+  posed.x_pose.rotation = turn<D>(0, -1);
   posed.y_pose.rotation = posed.x_pose.rotation;
-  check_alike(pair, posed);
+  check_alike<D>(pair, posed);
 }
 
-RC_GTEST_PROP(Property, ReflectionDoesNotMatter, ()) {
-  const Pair pair = any_pair();
-  check_alike(pair, changed(pair, [](const Vector2d& p) { return Vector2d(-p[0], p[1]); }));
+PROPERTY(ReflectionDoesNotMatter) {
+  const Pair<D> pair = any_pair<D>();
+  check_alike<D>(pair, changed<D>(pair, [](Vec<D> p) {
+                   p[0] = -p[0];
+                   return p;
+                 }));
 }
 
-RC_GTEST_PROP(Property, PowersOfTwoScaleTheAnswerToTheLastBit, ()) {
-  const Pair pair = any_pair();
+PROPERTY(PowersOfTwoScaleTheAnswerToTheLastBit) {
+  const Pair<D> pair = any_pair<D>();
   const int k = *rc::gen::inRange(-300, 301);
   auto expected = gjk::distance(pair.query());
   for (double* length : {&expected.distance, &expected.lower, &expected.upper}) {
     *length = std::ldexp(*length, k);
   }
   const double factor = std::ldexp(1.0, k);
-  const auto scaled = changed(pair, [&](const Vector2d& p) { return Vector2d(p * factor); });
-  check_bits(expected, gjk::distance(scaled.query()));
+  const auto scaled = changed<D>(pair, [&](const Vec<D>& p) { return Vec<D>(p * factor); });
+  check_bits<D>(expected, gjk::distance(scaled.query()));
 }
 
-RC_GTEST_PROP(Property, MoreVerticesAreNeverFarther, ()) {
-  const Pair pair = any_pair();
-  Pair more = pair;
-  more.y.push_back(point(Digits::some));
+PROPERTY(MoreVerticesAreNeverFarther) {
+  const Pair<D> pair = any_pair<D>();
+  Pair<D> more = pair;
+  more.y.push_back(point<D>(Digits::some));
   RC_ASSERT(gjk::distance(more.query()).lower <= gjk::distance(pair.query()).upper);
 }
 
-RC_GTEST_PROP(Property, BoundsOnlyCloseInAlongATrace, ()) {
-  const Pair pair = any_pair();
+PROPERTY(BoundsOnlyCloseInAlongATrace) {
+  const Pair<D> pair = any_pair<D>();
   const auto trace = gjk::trace(pair.query());
-  const gjk::State<double, 2>* before = nullptr;
+  const gjk::State<double, D>* before = nullptr;
   for (const auto& step : trace.steps) {
     if (before != nullptr && before->best.count > 0) {
       RC_ASSERT(step.after.best_sq <= before->best_sq);
@@ -197,23 +233,23 @@ RC_GTEST_PROP(Property, BoundsOnlyCloseInAlongATrace, ()) {
   }
 }
 
-RC_GTEST_PROP(Property, WitnessesOfShapesFarFromTheirOwnOriginsLieInThem, ()) {
+PROPERTY(WitnessesOfShapesFarFromTheirOwnOriginsLieInThem) {
   // What turns in a frame of its own ends near the world's origin, and near the other.
-  const auto turned = [](const Points& points) {
+  const auto turned = [](const Points<D>& points) {
     const double half = coordinate(Digits::many);
-    gjk::Pose<double, 2> pose;
+    gjk::Pose<double, D> pose;
     const double c = (1 - half * half) / (1 + half * half);
     const double s = 2 * half / (1 + half * half);
-    pose.rotation = Eigen::Matrix2d{{c, -s}, {s, c}};
-    pose.translation = 0x1p-4 * point(Digits::some) - pose.rotated(points[0]);
+    pose.rotation = turn<D>(c, s);
+    pose.translation = 0x1p-4 * point<D>(Digits::some) - pose.rotated(points[0]);
     return pose;
   };
   const auto few_points = [] {
-    Points points = {point(Digits::many)};
-    if (*rc::gen::arbitrary<bool>()) points.push_back(points[0] + 0x1p-4 * point(Digits::some));
+    Points<D> points = {point<D>(Digits::many)};
+    if (*rc::gen::arbitrary<bool>()) points.push_back(points[0] + 0x1p-4 * point<D>(Digits::some));
     return points;
   };
-  Pair pair;
+  Pair<D> pair;
   pair.x = few_points();
   pair.y = few_points();
   pair.x_pose = turned(pair.x);
@@ -224,8 +260,8 @@ RC_GTEST_PROP(Property, WitnessesOfShapesFarFromTheirOwnOriginsLieInThem, ()) {
   RC_ASSERT(found.witness <= kBars.witness * unit_of<double>(truth));
 }
 
-RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
-  const Pair pair = any_pair();
+PROPERTY(DistanceAndTraceAgreeToTheLastBit) {
+  const Pair<D> pair = any_pair<D>();
   gjk::Options options;
   options.direction_rule =
       *rc::gen::element(gjk::DirectionRule::perpendicular, gjk::DirectionRule::towards_origin);
@@ -235,7 +271,7 @@ RC_GTEST_PROP(Property, DistanceAndTraceAgreeToTheLastBit, ()) {
   options.iteration_cap = *rc::gen::inRange(1, 9);
   const auto answer = gjk::distance(pair.query(), options);
   const auto trace = gjk::trace(pair.query(), options);
-  check_bits(answer, trace.result);
+  check_bits<D>(answer, trace.result);
   RC_ASSERT(answer.x == trace.result.x);
   RC_ASSERT(answer.y == trace.result.y);
 }
