@@ -52,15 +52,15 @@ template <class R, class S, int D>
 void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
                       const Prepared<R, D>& prepared, Result<R, D>& out) {
   using Traits = ScalarTraits<R>;
-  const bool at_origin = state.best_sq == R(0);
   out.distance_sq = state.best_sq;
   out.distance = Traits::root(state.best_sq);
   out.lower = Traits::root_below(state.plane_distance_sq);
   out.upper = Traits::root_above(state.best_sq);
-  out.verdict = at_origin                        ? Verdict::overlapping
-                : R(0) < state.plane_distance_sq ? Verdict::separated
-                                                 : Verdict::undecided;
-  if (at_origin && touches(state, query, prepared)) out.verdict = Verdict::touching;
+  if (state.best_sq == R(0)) {
+    out.verdict = touches(state, query, prepared) ? Verdict::touching : Verdict::overlapping;
+  } else if (R(0) < state.plane_distance_sq) {
+    out.verdict = Verdict::separated;
+  }
 }
 
 /// Those of a floating-point run.

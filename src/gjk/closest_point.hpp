@@ -35,7 +35,6 @@ struct FaceList {
   std::array<Face, (1 << (kMaxDimension + 1)) - 1> faces = {};
   int count = 0;
 
-  constexpr void add(Face face) { faces[count++] = face; }
   [[nodiscard]] constexpr const Face* begin() const { return faces.data(); }
   [[nodiscard]] constexpr const Face* end() const { return faces.data() + count; }
 };
@@ -54,7 +53,7 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
   FaceList edges_first;
   for (const bool edges : {true, false}) {
     for (const Face face : vertices_first) {
-      if ((vertex_count(face) == 2) == edges) edges_first.add(face);
+      if ((vertex_count(face) == 2) == edges) edges_first.faces[edges_first.count++] = face;
     }
   }
   return edges_first;

@@ -134,19 +134,6 @@ struct ScalarTraits<Expansion> {
 
 template <>
 struct Eigen::NumTraits<gjk::Expansion> : Eigen::GenericNumTraits<gjk::Expansion> {
-  using Real = gjk::Expansion;
-  using NonInteger = gjk::Expansion;
-  using Nested = gjk::Expansion;
-  using Literal = gjk::Expansion;
-  // NOLINTBEGIN(readability-identifier-naming): the names are those that Eigen reads.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 8,
-    AddCost = 100,
-    MulCost = 400
-  };
-  // NOLINTEND(readability-identifier-naming)
+  // NOLINTNEXTLINE(readability-identifier-naming): Eigen reads these names.
+  enum { IsSigned = 1, ReadCost = 8, AddCost = 100, MulCost = 400 };
 };

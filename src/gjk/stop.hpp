@@ -49,8 +49,8 @@ void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S
     if (tried && holds) state.stop = reason;
   };
   const Simplex<S, D>& simplex = state.simplex;
-  const bool nearer = state.previous != Phase::cull || simplex.count == D + 1;
-  const bool has_direction = nearer && state.previous != Phase::cull;
+  const bool has_direction = state.previous != Phase::cull;
+  const bool nearer = has_direction || simplex.count == D + 1;
   const bool has_support = state.previous == Phase::support;
 
   int repeated = -1;

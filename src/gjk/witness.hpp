@@ -71,9 +71,7 @@ template <class R, class S, int D>
   const Vec<W, D> local = from + beyond;
   const Vec<W, D> world =
       shape.pose.template rotated<W>(local) + converted<W, S, D>(shape.pose.translation);
-  Vec<R, D> out;
-  for (int i = 0; i < D; ++i) out[i] = static_cast<R>(world[i]);
-  return out;
+  return converted<R, W, D>(world);
 }
 
 /// Both witness points, in the world. Those of shapes that meet are one point, which only rounding
