@@ -183,8 +183,8 @@ void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordin
   }
 }
 
-/// Takes the first region whose condition holds. If there is none, or rounding may have made up a
-/// simplex around O, takes `nearest_face`; with RegionOrder::unchecked, the whole simplex.
+/// Takes the first region whose condition holds. If none does, or if only rounding may put O inside
+/// a full simplex, takes `nearest_face`; RegionOrder::unchecked takes the whole simplex instead.
 template <int kCount, class S, int D, class Rec>
 void find_region(State<S, D>& state, const Options& options, Rec& record) {
   static constexpr FaceList kOrders[] = {tested_faces(kCount, RegionOrder::vertices_first),

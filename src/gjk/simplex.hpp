@@ -87,7 +87,7 @@ template <class S, int D>
 //   w = area(Q, A, B) / area(A, B, C)      area(Q, B, C) = cross(B - Q, C - Q) / 2
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> volume_coordinates(const Simplex<S, D>& simplex) {
-  const auto volume_without = [&](int left_out) {  // of O and all vertices but one
+  const auto volume_without = [&](int left_out) {  // signed, of O and all vertices but one
     std::array<Vec<S, D>, D> facet;
     for (int j = 0, k = 0; j <= D; ++j) {
       if (j != left_out) facet[k++] = simplex.vertices[j].w;

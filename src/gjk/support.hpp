@@ -60,7 +60,7 @@ template <class R, class Along>
   return index;
 }
 
-/// The vertex of a shape that lies farthest along d; of equal ones the first. Calls visit(i, along)
+/// The vertex of a shape that lies farthest along d; of equal ones the first. Calls visit(i, value)
 /// for each vertex that it looks at.
 template <class R, class S, int D, class Visit>
 [[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
@@ -82,7 +82,8 @@ template <class R, class S, int D, class Visit>
   });
 }
 
-/// support(Z, d) = support(Y, d) - support(X, -d) (Catto 2010, "Property 2: support points").
+/// The pair that makes Z's support point: support(Z, d) = support(Y, d) - support(X, -d) (Catto
+/// 2010, slide "Property 2: support points").
 template <class R, class S, int D>
 [[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                        const Vec<R, D>& d) {
