@@ -1,10 +1,10 @@
 #pragma once
-// From the end of a run to its answer.
+// The answer, from the end of a run.
 //
-// The loop rounds, and rounding can fool it. But its answer can be checked: P bounds the distance
-// from above, the best support plane from below. Where these bounds do not prove whether the shapes
-// overlap, or are wider than rounding explains, the last simplex starts another run in exact
-// arithmetic. So the verdict is exact.
+// Rounding can mislead the loop, but its answer can be checked: P bounds the distance from above,
+// the best support plane from below. Where these bounds do not prove whether the shapes overlap, or
+// are wider than rounding explains, the last simplex starts another run in exact arithmetic. So the
+// verdict is exact.
 
 #include "gjk/settle.hpp"
 #include "gjk/witness.hpp"
@@ -12,7 +12,7 @@
 namespace gjk {
 namespace detail {
 
-/// Bounds of a floating-point run, as far as `options` ask to prove them.
+/// The bounds of a floating-point run. Sets the verdict of `out`, and its simplex where needed.
 template <class R, class S, int D>
 [[nodiscard]] Bounds<R> certify(const State<R, D>& state, const Query<S, D>& query,
                                 const Options& options, const Prepared<R, D>& prepared,
@@ -40,30 +40,30 @@ template <class R, class S, int D>
       settle(query, prepared, out, bounds);
     }
   }
-  // In a thin simplex the run's own weights put P visibly beside O.
+  // In a thin simplex the run's own weights may put P beside O.
   if (out.simplex.count == D + 1 && !out.settled && !is_at_origin(out.simplex)) {
     out.simplex.weights = weights_of<R>(careful_simplex(out.simplex, query, prepared));
   }
   return bounds;
 }
 
-/// The distance, its bounds and the verdict of an exact run.
+/// Sets the distance, its bounds and the verdict of an exact run.
 template <class R, class S, int D>
 void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
                       const Prepared<R, D>& prepared, Result<R, D>& out) {
   using Traits = ScalarTraits<R>;
-  const bool at_origin = state.best_sq == R(0);
   out.distance_sq = state.best_sq;
   out.distance = Traits::root(state.best_sq);
   out.lower = Traits::root_below(state.plane_distance_sq);
   out.upper = Traits::root_above(state.best_sq);
-  out.verdict = at_origin                        ? Verdict::overlapping
-                : R(0) < state.plane_distance_sq ? Verdict::separated
-                                                 : Verdict::undecided;
-  if (at_origin && touches(state, query, prepared)) out.verdict = Verdict::touching;
+  if (state.best_sq == R(0)) {
+    out.verdict = touches(state, query, prepared) ? Verdict::touching : Verdict::overlapping;
+  } else if (R(0) < state.plane_distance_sq) {
+    out.verdict = Verdict::separated;
+  }
 }
 
-/// Those of a floating-point run.
+/// Sets the distance, its bounds and the verdict of a floating-point run.
 template <class R, class S, int D>
 void set_rounded_answer(const State<R, D>& state, const Query<S, D>& query, const Options& options,
                         const Prepared<R, D>& prepared, Result<R, D>& out) {
@@ -87,7 +87,7 @@ void set_rounded_answer(const State<R, D>& state, const Query<S, D>& query, cons
 
 }  // namespace detail
 
-/// Reads the answer from a state; before the run has ended, the best answer so far.
+/// The answer of a state; before the run has ended, the best answer so far.
 template <class R, class S, int D>
 [[nodiscard]] Result<R, D> result(const State<R, D>& state, const Query<S, D>& query,
                                   const Options& options, const Prepared<R, D>& prepared) {
@@ -113,13 +113,12 @@ template <class R, class S, int D>
   return out;
 }
 
-/// What a state proves by its support planes and by the nearest point of its simplices, in the
-/// run's unit: the bounds closing step by step.
+/// The bounds proved so far by a state's support planes and simplices, in the run's unit.
 template <class R, int D>
 [[nodiscard]] Bounds<typename ScalarTraits<R>::Real> bounds_so_far(const State<R, D>& state,
                                                                    const Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
-  // Phase closest has found P, cull makes it the best.
+  // After closest, P is known, but only cull makes its simplex the best.
   const bool found_nearer = state.previous == Phase::closest && detail::came_nearer(state);
   const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.best;
   const R& nearest_sq = found_nearer ? state.p_sq : state.best_sq;

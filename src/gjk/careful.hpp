@@ -1,6 +1,6 @@
 #pragma once
-// Vertices, distances and weights with about twice the digits of the run, or exactly, for where its
-// own digits are too few.
+// Vertices, distances and weights with about twice the digits of the run, or exact, for cases where
+// its own digits are too few.
 
 #include <array>
 
@@ -10,6 +10,7 @@
 
 namespace gjk {
 
+/// A number or vector of more digits, rounded to R.
 template <class R>
 [[nodiscard]] R rounded(const R& value) {
   return value;
@@ -29,7 +30,7 @@ template <class R, class N, int D>
   return out;
 }
 
-/// The vertices of a simplex, from the shapes' own, in the run's unit.
+/// The simplex with its vertices of Z computed anew from the given ones, in the run's unit.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
     const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
@@ -52,24 +53,23 @@ template <class R, class S, int D>
   return out;
 }
 
-/// How often a distance rounds in `foot_of`, and its bounds do, at worst, after the vertices: twice
-/// in a coordinate of the normal, the product, the length of the normal, the quotient, the bound.
+/// How often a bound of Foot::distance rounds to R, at worst, apart from the vertices: twice in a
+/// coordinate of the normal, in the product, the length of the normal, the quotient, the bound.
 inline constexpr int kCarefulRoundings = 6;
 
-/// Where the perpendicular from O meets a vertex of Z, or the line or plane through some vertices.
+/// The foot of the perpendicular from O to the line or plane through a face, or a lone vertex.
 template <class R, int D>
 struct Foot {
   R distance = R(0);
-  Vec<R, D> d = Vec<R, D>::Zero();  ///< From there to O, of any length; see search_direction.
-  R longest = R(0);                 ///< Of two edges of the face.
-  /// Of a triangle, over the longer of the two; of an edge, its length. A change of the vertices by
-  /// some length moves the foot within the face by no more than that, and turns d by no more than
-  /// twice as much, as a share of this.
+  Vec<R, D> d = Vec<R, D>::Zero();  ///< From the foot to O, of any length; see search_direction.
+  R longest = R(0);                 ///< The longer of two edges; the one edge; 0 for a vertex.
+  /// Of a triangle over `longest`; of an edge its length, of a vertex its distance. When vertices
+  /// move by e, the foot moves within the face by at most e, and d turns by at most 2 e / height.
   R height = R(0);
 };
 
-/// The foot on a simplex of 1 to D vertices in N, which is R or has more digits. Where products
-/// round, they round least from the vertex `nearest` to O.
+/// The foot on a simplex of 1 to D vertices in N, which is R or has more digits. Products are made
+/// with the vertex `nearest`: they round least when it is the nearest to O.
 template <class R, class N, int D>
 [[nodiscard]] Foot<R, D> foot_of(const Simplex<N, D>& simplex, int nearest = 0) {
   Foot<R, D> out;
@@ -104,8 +104,8 @@ template <class R, class N, int D>
   return out;
 }
 
-/// Barycentric coordinates of O, or of its foot, in a simplex in N; of a foot beside the simplex,
-/// those of a point of it.
+/// Weights of O's projection in a simplex in N, negative ones set to 0 so that they make a point of
+/// the simplex. They add up to 1; for a degenerate simplex they are NaNs.
 template <class R, class N, int D>
 [[nodiscard, gnu::noinline]] std::array<R, D + 1> weights_of(const Simplex<N, D>& simplex) {
   const Barycentric<N, D> coordinates = barycentric(simplex, simplex.all());

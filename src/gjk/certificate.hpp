@@ -1,15 +1,13 @@
 #pragma once
-// What is proved of the distance: bounds that include what rounding can do.
-//
-// P bounds the distance from above, the best support plane from below (Larsen 1998, "Proof of Local
-// Verification"). tests/truth holds all of it against exact answers.
+// Proved bounds of the distance, rounding included: P bounds it from above, the best support plane
+// from below (Larsen 1998, "Proof of Local Verification"). tests/truth checks these bounds.
 
 #include "gjk/careful.hpp"
 #include "gjk/support.hpp"
 
 namespace gjk {
 
-/// The distance as a floating-point run has it, between its bounds.
+/// The computed distance, and bounds of the exact one.
 template <class R>
 struct Bounds {
   R lower = R(0);
@@ -17,9 +15,10 @@ struct Bounds {
   R upper = R(0);
 };
 
-/// How wide bounds may be, in u times the distance from O to some vertex of Z, before rounding must
-/// have led the run astray. Just below 16, which is what tests/truth demands.
+/// Rounding has misled a run whose bounds are wider than this, in u times the distance from O to
+/// some vertex of Z. Just below the 16 that tests/truth demands.
 inline constexpr double kAllowedWidth = 15.5;
+
 namespace detail {
 
 /// The lower bound of the distance that the best support plane proves.
@@ -30,9 +29,8 @@ template <class R, int D>
   return larger(R(distance - prepared.plane_error(distance, reach)), R(0));
 }
 
-/// What rounding can do to a determinant of D vertices with no coordinate larger than `size`: when
-/// none is longer than r and each in doubt by e + u r, it errs by less than r^(D-1) (D e +
-/// 8 D D! u r).
+/// A bound of the error of a determinant of D vertices with no coordinate larger than `size`: when
+/// no vertex is longer than r, and each errs by at most e + u r, r^(D-1) (D e + 8 D D! u r).
 template <class R, int D>
 [[nodiscard]] R volume_error(const R& size, const Prepared<R, D>& prepared) {
   const R r = ScalarTraits<R>::from(D == 2 ? 1.5 : 1.8) * size;
@@ -42,7 +40,7 @@ template <class R, int D>
   return error;
 }
 
-/// True when every weight of the full simplex around O is positive beyond doubt.
+/// True when O certainly lies inside the full simplex: every weight is above its error.
 template <class R, int D>
 [[nodiscard]] bool surely_inside(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
   const R error = volume_error(largest_coordinate(simplex), prepared);
@@ -53,7 +51,7 @@ template <class R, int D>
   return true;
 }
 
-/// The vertices of one shape that a simplex is made of, each once.
+/// The vertices of one shape in the pairs of a simplex, each once.
 struct Corners {
   std::array<int, kMaxDimension + 1> index = {};
   int count = 0;
@@ -70,8 +68,8 @@ struct Corners {
   }
 };
 
-/// True when, for all that rounding lets one know, no other vertex of the shape lies as far along d
-/// as any of `corners`. `error`: of a difference of two dot products with d.
+/// True when every other vertex of the shape certainly lies less far along d than each of
+/// `corners`. `error` bounds the rounding of a difference of two dot products with d.
 template <class R, class S, int D>
 [[nodiscard]] bool are_alone(const Vec<R, D>& d, const Shape<S, D>& shape,
                              const Prepared<R, D>& prepared, const Body<R, D>& body,
@@ -85,26 +83,25 @@ template <class R, class S, int D>
   });
 }
 
-/// Distances less than this share of the reach of Z are mostly rounding: they are computed anew
-/// with about twice the digits, and so is the support of their plane.
+/// A distance below reach / kNear is mostly rounding: it is computed anew with about twice the
+/// digits, and its face is checked (is_certainly_farthest).
 inline constexpr int kNear = 4096;
-/// The same for vertices of one frame, which round so little that distances of a sixteenth of the
-/// reach gain by it, and in space, where turned vertices round more often,
+/// A distance below reach / kNearInOneFrame is computed anew, too, where that helps: in one frame,
+/// where vertices round so little, and in space, where turned vertices round more often.
 inline constexpr int kNearInOneFrame = 16;
-/// and for those from an edge that are over half of the reach: they round up to six times.
+/// So is a distance above reach / kFarFromEdge from an edge or triangle: it rounds up to six times.
 inline constexpr int kFarFromEdge = 2;
-/// How often a distance in the run's own digits rounds at worst: from a vertex, or from the line of
-/// an edge; there the edge itself has rounded, too, and its product with the nearer end. In space
-/// two edges have, and their product.
+/// How often a distance in the run's own digits rounds at worst: from a vertex; and what an edge or
+/// triangle adds, whose edges round, as do their products with each other and the nearest vertex.
 inline constexpr int kRoundings = 4;
 template <int D>
 inline constexpr int kEdgeRoundings = D == 2 ? 3 : 8;
 
-/// Proves bounds for a run that ended outside of Z, with P on a face of its last simplex.
+/// Proves bounds for a run whose last simplex does not hold O inside: P lies on a face.
 ///
-/// Mostly the numbers of the run do. The nearer P is, the more of its distance is the rounding of
-/// vertices: then the distance is computed anew, with about twice the digits. Nearer still, the
-/// face may be the wrong one, unless all other vertices are certainly farther.
+/// Usually the numbers of the run suffice. When P is near O, the rounding of vertices dominates the
+/// distance, so it is computed anew with about twice the digits. When P is very near, the face may
+/// be the wrong one, unless all other vertices are certainly farther.
 template <class R, class S, int D>
 class OutsideBounds {
  public:
@@ -124,8 +121,8 @@ class OutsideBounds {
     to_nearest_ = ScalarTraits<R>::root(least_sq);
   }
 
-  /// `ended`: by itself, so that wide bounds mean that rounding has led the run astray. Sets the
-  /// weights of `simplex`, which is the run's last, anew where they have too few digits.
+  /// `ended`: the run stopped neither by its cap nor within its tolerance, so that wide bounds mean
+  /// that rounding misled it. Replaces the weights of `simplex`, the run's last, where too inexact.
   [[nodiscard]] Bounds<R> prove(bool ended, Simplex<R, D>& simplex) {
     measure();
     near_ = R(kNear) * foot_.distance < prepared_.reach;
@@ -138,13 +135,13 @@ class OutsideBounds {
     return {lower_, distance, larger(distance, upper_)};
   }
 
-  /// As close as rounding lets bounds be. Else rounding led the run astray.
+  /// True when the bounds are as close as rounding permits; false when rounding misled the run.
   [[nodiscard]] bool is_tight() const {
     return is_allowed() && (!near_ || upper_ - lower_ <= R(4) * error_);
   }
 
  private:
-  /// In the run's own digits.
+  /// Computes distance, error and upper bound in the run's own digits.
   void measure() {
     foot_ = foot_of<R>(face_, nearest_);
     error_ = prepared_.vertex_error + R(kRoundings) * u_ * foot_.distance;
@@ -161,11 +158,11 @@ class OutsideBounds {
     upper_ = is_inside_ ? R(foot_.distance + error_) : no_bound();
   }
 
-  /// With about twice the digits.
+  /// As `measure`, with about twice the digits; replaces weights that may be too inexact.
   void measure_anew(Simplex<R, D>& simplex) {
     const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
     foot_ = foot_of<R>(face);
-    if (!(R(0) < foot_.height)) {  // it has no inside: what is left is a vertex
+    if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place
       foot_.distance = to_nearest_;
       error_ = vertex_error() + R(kRoundings) * u_ * to_nearest_ + least();
       upper_ = to_nearest_ + error_;
@@ -186,7 +183,7 @@ class OutsideBounds {
     error_ = few * foot_.distance + moved;
     upper_ = to_p * (R(1) + few) + moved;
   }
-  /// Of O from the point of the face that its weights make.
+  /// The distance of O from the point that the weights make of `face`.
   [[nodiscard]] R distance_of_p(const Simplex<DoubleWord<R>, D>& face) const {
     const Vec<DoubleWord<R>, D>& a = face.vertices[0].w;
     Vec<DoubleWord<R>, D> p = a;
@@ -199,17 +196,16 @@ class OutsideBounds {
     return careful_length(rounded<R, DoubleWord<R>, D>(p));
   }
 
-  /// What lengths lose that are denormal: those of half, whose range no unit of length makes large.
+  /// The rounding of denormal lengths: only half needs it, since every unit leaves it some of them.
   [[nodiscard]] static R least() {
     constexpr bool kIsNarrow = std::numeric_limits<R>::max_exponent < 100;
     return kIsNarrow ? R(4) * std::numeric_limits<R>::denorm_min() : R(0);
   }
-  /// Of the vertices, in the run's own digits, and computed anew.
+  /// The error of vertices: in the run's own digits, and computed anew.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
-  /// The distance from O to the farthest of four vertices of Z: those that are made of the points
-  /// of X, and of Y, that lie far apart.
+  /// The distance from O to the farthest of the four vertices of Z that `far_apart` points make.
   [[nodiscard]] R corner_reach() const {
     R most(0);
     for (const int x : prepared_.x.far_apart) {
@@ -230,15 +226,15 @@ class OutsideBounds {
     return (gains && R(kNearInOneFrame) * foot_.distance < prepared_.reach) ||
            (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot_.distance);
   }
-  /// Certainly no vertex of Z but those that the face is made of lies as far along the direction to
-  /// O; and these lie equally far, because pairs that share a vertex join them all.
+  /// True when certainly no vertex of Z outside the face lies as far along the direction to O. The
+  /// face's own vertices lie equally far, because pairs that share one join all of them.
   [[nodiscard]] bool is_certainly_farthest() const {
     const Corners of_x(face_, &VertexPair::x);
     const Corners of_y(face_, &VertexPair::y);
     if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot_.height)) return false;
     const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
     const R lever = is_space_edge ? smaller(foot_.height, foot_.distance) : foot_.height;
-    // Sums of twice the digits are exact, and of vertices of one frame sums make d.
+    // In one frame d is a sum of vertices, and sums in twice the digits are exact.
     const bool is_sum = prepared_.same_frame && (D == 2 || face_.count == 1);
     const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / lever));
     const R error = length(foot_.d) * prepared_.scan_error_within(angle);
@@ -250,12 +246,12 @@ class OutsideBounds {
   const Prepared<R, D>& prepared_;
   Simplex<R, D> face_;  ///< The run's last simplex.
   R u_ = ScalarTraits<R>::unit_roundoff();
-  R size_ = R(0);  ///< From O to the farthest of its vertices.
-  int nearest_ = 0;
-  R to_nearest_ = R(0);
-  Foot<R, D> foot_;
-  R error_ = R(0);         ///< Of its distance.
-  bool is_inside_ = true;  ///< It certainly lies on the face.
+  R size_ = R(0);          ///< The distance from O to the farthest vertex of the face.
+  int nearest_ = 0;        ///< The vertex of the face that is nearest to O.
+  R to_nearest_ = R(0);    ///< The distance from O to that vertex.
+  Foot<R, D> foot_;        ///< Of the perpendicular from O to the face's line or plane.
+  R error_ = R(0);         ///< Bound of the error of foot_.distance.
+  bool is_inside_ = true;  ///< The foot certainly lies on the face.
   R lower_ = R(0);
   R upper_ = R(0);
   bool near_ = false;

@@ -1,13 +1,13 @@
 #pragma once
-// Phases "closest" and "cull": the closest point P of a simplex to O, and what it leaves over.
+// Phases "closest" and "cull": find the closest point P of the simplex to O, and keep P's face.
 //
-// P lies in one of the simplex's faces: O is in that face's Voronoi region. Coordinate i of O in a
-// face says on which side of the rest of the face O lies, as seen from vertex i; so the signs of
-// the coordinates tell the region (Catto 2010, slides "Voronoi regions" to "Closest point on a
-// triangle"; in any dimension Johnson's condition, Gilbert, Johnson, Keerthi 1988):
+// P lies in the face whose Voronoi region holds O. The sign of O's coordinate i in a face tells
+// whether O lies on the same side of the other vertices as vertex i, so the signs tell the region
+// (Catto 2010, slides "Voronoi regions" to "Closest point on a triangle"; in any dimension this is
+// Johnson's condition, Gilbert, Johnson, Keerthi 1988):
 //
-//   O is in the region of a face when its coordinates in the face are positive, and that of each
-//   other vertex, in the face grown by that vertex, is not.
+//   O is in the region of face F when all its coordinates in F are positive and, for each vertex i
+//   outside F, coordinate i in F + {i} is not positive.
 //
 // Written out, with u, v, w for the coordinates of the first, second, third vertex of a face:
 //
@@ -21,7 +21,7 @@
 //                  CA: uCA > 0 and vCA > 0 and vABC <= 0
 //                  ABC: uABC > 0 and vABC > 0 and wABC > 0
 //
-// In code CA is the face of vertices 0 and 2: its u is the coordinate of vertex 2.
+// The code has no order CA: that face is vertices 0 and 2, and uCA is the coordinate of vertex 2.
 
 #include <algorithm>
 
@@ -35,12 +35,11 @@ struct FaceList {
   std::array<Face, (1 << (kMaxDimension + 1)) - 1> faces = {};
   int count = 0;
 
-  constexpr void add(Face face) { faces[count++] = face; }
   [[nodiscard]] constexpr const Face* begin() const { return faces.data(); }
   [[nodiscard]] constexpr const Face* end() const { return faces.data() + count; }
 };
 
-/// The order of the tests for simplices of 1 to 4 vertices: on the slides u <= 0 comes first.
+/// The order of the tests for simplices of 1 to 4 vertices. The slides test a segment's B first.
 inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
     {{{0b1}, 1},
      {{0b10, 0b01, 0b11}, 3},
@@ -54,7 +53,7 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
   FaceList edges_first;
   for (const bool edges : {true, false}) {
     for (const Face face : vertices_first) {
-      if ((vertex_count(face) == 2) == edges) edges_first.add(face);
+      if ((vertex_count(face) == 2) == edges) edges_first.faces[edges_first.count++] = face;
     }
   }
   return edges_first;
@@ -68,8 +67,8 @@ using SignSet = std::uint64_t;
   return SignSet{1} << (4 * face + vertex);
 }
 
-/// Johnson's condition for one face: what has to be positive, and what must not be. Coordinates of
-/// vertices that the simplex does not have are not positive.
+/// Johnson's condition for one face: the coordinates that must be positive, and those that must not
+/// be. Coordinates of vertices that the simplex does not have count as not positive.
 struct RegionCondition {
   SignSet positive = 0;
   SignSet not_positive = 0;
@@ -78,21 +77,16 @@ struct RegionCondition {
     return (signs & (positive | not_positive)) == positive;
   }
 };
-[[nodiscard]] constexpr RegionCondition region_condition(Face face) {
-  RegionCondition out;
-  for (int i = 0; i <= kMaxDimension; ++i) {
-    if (!contains(face, i)) {
-      out.not_positive |= sign_bit(static_cast<Face>(face | face_of(i)), i);
-    } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
-      out.positive |= sign_bit(face, i);
-    }
-  }
-  return out;
-}
 inline constexpr auto kRegionConditions = [] {
   std::array<RegionCondition, 1 << (kMaxDimension + 1)> out = {};
-  for (std::size_t face = 1; face < out.size(); ++face) {
-    out[face] = region_condition(static_cast<Face>(face));
+  for (Face face = 1; face < out.size(); ++face) {
+    for (int i = 0; i <= kMaxDimension; ++i) {
+      if (!contains(face, i)) {
+        out[face].not_positive |= sign_bit(static_cast<Face>(face | face_of(i)), i);
+      } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
+        out[face].positive |= sign_bit(face, i);
+      }
+    }
   }
   return out;
 }();
@@ -105,7 +99,7 @@ struct Coordinates {
 
   explicit Coordinates(const Simplex<S, D>& simplex) {
     of_face[0] = {};
-    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // not asked about
+    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // no condition uses these
     for (int b = 1; b < kCount; ++b) {
       for (int a = 0; a < b; ++a) {
         const Face face = static_cast<Face>(face_of(a) | face_of(b));
@@ -129,6 +123,7 @@ struct Coordinates {
   }
 };
 
+/// The record of one region's test.
 template <class S, int D, int kCount>
 [[nodiscard]] RegionTest<S> noted(Face region, const Coordinates<S, D, kCount>& coordinates) {
   const RegionCondition& condition = kRegionConditions[region];
@@ -146,8 +141,8 @@ template <class S, int D, int kCount>
   return note;
 }
 
-/// The squared distance of O from the line or plane through `face`, of 2 to D vertices. Unlike that
-/// of P it needs no weights, and is exactly 0 when O lies there.
+/// The squared distance of O from the line or plane through `face`, which has 2 to D vertices.
+/// Unlike |P|^2 it needs no weights. In the plane it is exactly 0 when O lies on the line.
 template <class S, int D>
 [[nodiscard]] S distance_sq(const Simplex<S, D>& simplex, Face face) {
   const FaceVertices& in_face = vertices_of(face);
@@ -160,7 +155,7 @@ template <class S, int D>
     }
   }
   const Vec<S, D> normal = normal_of(simplex, face);
-  S side(0);  // the volume that O spans with the facet
+  S side(0);  // dot(normal, a); in the plane without the rounding of the edge
   if constexpr (D == 2) {
     side = cross(a, simplex.vertices[in_face.index[1]].w);
   } else {
@@ -169,8 +164,9 @@ template <class S, int D>
   return side * S(side / dot(normal, normal));
 }
 
-/// P on `face`, by its coordinates. Where O lies in the face P is O itself; the weighted sum would
-/// only say so up to rounding.
+/// Sets P, its weights and its squared length from O's coordinates in `face`. Where O lies in the
+/// face, P is O itself, because the weighted sum would round. With DirectionRule::perpendicular the
+/// squared length is `distance_sq`, which rounds less.
 template <class S, int D>
 void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
                  DirectionRule rule) {
@@ -187,7 +183,8 @@ void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordin
   }
 }
 
-/// Takes the first region whose condition holds.
+/// Takes the first region whose condition holds. If none does, or if only rounding may put O inside
+/// a full simplex, takes `nearest_face`; RegionOrder::unchecked takes the whole simplex instead.
 template <int kCount, class S, int D, class Rec>
 void find_region(State<S, D>& state, const Options& options, Rec& record) {
   static constexpr FaceList kOrders[] = {tested_faces(kCount, RegionOrder::vertices_first),
@@ -223,7 +220,7 @@ void find_closest_point(State<S, D>& state, const Options& options, Rec& record)
   state.phase = Phase::cull;
 }
 
-/// Has P come nearer to O than ever before? In exact arithmetic it always does, until it is there.
+/// True when P is nearer to O than ever before. In exact arithmetic it always is, until P = O.
 template <class S, int D>
 [[nodiscard]] bool came_nearer(const State<S, D>& state) {
   if (state.best.count == 0) return true;
@@ -251,8 +248,7 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
   const bool nearer = came_nearer(state);
   if (nearer) {
     state.best.count = kept;
-    for (int i = 0; i < kept;
-         ++i) {  // not all of it at once: what was just written is not there yet
+    for (int i = 0; i < kept; ++i) {  // a copy of the whole would wait for the writes above
       state.best.vertices[i] = simplex.vertices[i];
       state.best.weights[i] = simplex.weights[i];
     }

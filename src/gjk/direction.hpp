@@ -1,19 +1,18 @@
 #pragma once
-// Phase "direction": where to look for the next vertex.
+// Phase "direction": the direction in which to look for the next vertex.
 
 #include "gjk/record.hpp"
 
 namespace gjk {
 
-/// The direction that `rule` builds from a culled simplex and its closest point.
+/// The direction that `rule` builds from a culled simplex of 1 to D vertices and its closest point.
 ///
-/// perpendicular: from the simplex alone, without a division, and so as perpendicular to it as one
-/// rounding allows.
+/// towards_origin: d = O - P. perpendicular: from the simplex alone, without a division:
 ///   vertex A            -A
-///   edge in space       e x (e x A) with e = B - A: of the normals of the edge, that towards O
+///   edge in space       e x (e x A) with e = B - A: the normal of the edge that points to O
 ///   edge in the plane,  its normal, with the sign that makes dot(d, O - A) > 0 (Catto 2010, slide
 ///   triangle in space   "Fixing the sign")
-/// A simplex of coinciding or collinear points has no normal: then d = O - P.
+/// Where that is 0 (coinciding or collinear points, O on an edge's line), d = O - P.
 template <class S, int D>
 [[nodiscard]] DirectionNote<S, D> search_direction(const Simplex<S, D>& simplex, const Vec<S, D>& p,
                                                    DirectionRule rule) {

@@ -1,6 +1,6 @@
 #pragma once
-// Error-free transformations: sums and products of floating-point numbers together with what their
-// rounding lost. They need round-to-nearest and no contraction, and no underflow.
+// Error-free transformations: sums and products of floating-point numbers together with the
+// rounding error. They need round-to-nearest, no contraction and no underflow.
 
 #include <limits>
 
@@ -8,15 +8,15 @@
 
 namespace gjk {
 
-/// hi + lo, where hi is the sum rounded to nearest: a number of about twice the digits (Dekker
-/// 1971, "A floating-point technique for extending the available precision").
+/// The number hi + lo, of about twice the digits, where lo is small beside hi (Dekker 1971, "A
+/// floating-point technique for extending the available precision").
 template <class R>
 struct DoubleWord {
   R hi = R(0);
   R lo = R(0);
   DoubleWord() = default;
   explicit DoubleWord(int value) : hi(static_cast<R>(value)) {}
-  // NOLINTNEXTLINE(google-explicit-constructor): a number is a sum of itself and nothing.
+  // NOLINTNEXTLINE(google-explicit-constructor): every R is a DoubleWord.
   DoubleWord(const R& value, const R& rest = R(0)) : hi(value), lo(rest) {}
 };
 
@@ -29,7 +29,7 @@ template <class R>
   return {sum, R(a - from_a) + R(b - from_b)};
 }
 
-/// Halves of a number, each of half its digits (Veltkamp 1968).
+/// The number as a sum of two, each of about half its digits (Veltkamp 1968).
 template <class R>
 [[nodiscard]] DoubleWord<R> halves(const R& whole) {
   constexpr int kHalf = (std::numeric_limits<R>::digits + 1) / 2;
@@ -49,7 +49,7 @@ template <class R>
   return {product, error};
 }
 
-/// The same value, with all of `hi` that fits into it.
+/// The same number, with hi rounded to nearest again; needs |lo| <= |hi|.
 template <class R>
 [[nodiscard]] DoubleWord<R> normalised(const DoubleWord<R>& a) {
   const R hi = a.hi + a.lo;
@@ -83,7 +83,7 @@ template <class R>
   return a.hi == b.hi && a.lo == b.lo;
 }
 
-/// What turning a vertex asks of a scalar, and no more.
+/// Only what rotating a vertex needs.
 template <class R>
 struct ScalarTraits<DoubleWord<R>> {
   using Real = R;

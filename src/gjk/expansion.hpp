@@ -1,8 +1,7 @@
 #pragma once
 // Exact arithmetic on doubles: a number is a sum of long doubles that do not overlap, smallest
 // first (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
-// predicates"). Slow beside double, and only asked where double cannot decide. Where long double
-// has a larger exponent than double, no product of some doubles leaves its range.
+// predicates"). It is far slower than double, and used only where rounding leaves an answer open.
 
 #include <vector>
 
@@ -10,15 +9,15 @@
 
 namespace gjk {
 
-/// R, or long double where that has more digits.
+/// R or long double, whichever has more digits.
 template <class R>
 using Wider =
     std::conditional_t<(std::numeric_limits<long double>::digits < std::numeric_limits<R>::digits),
                        R, long double>;
 
-/// Sums, differences, products and comparisons are exact while no product of two inputs underflows
-/// or overflows. Division rounds to long double: the core divides only for weights, and decides
-/// nothing by them.
+/// Sums, differences, products and comparisons are exact while no product of two components leaves
+/// the range of long double. Division rounds to long double: the core divides for weights and
+/// squared distances, and decides at most by whether these are 0.
 class Expansion {
  public:
   Expansion() = default;
@@ -33,7 +32,6 @@ class Expansion {
     for (const long double component : components_) sum = sum + Wider<R>(component);
     return static_cast<R>(sum);
   }
-  /// This * 2^exponent.
   [[nodiscard]] Expansion scaled(int exponent) const {
     Expansion out = *this;
     for (long double& component : out.components_) component = std::ldexp(component, exponent);
@@ -134,19 +132,6 @@ struct ScalarTraits<Expansion> {
 
 template <>
 struct Eigen::NumTraits<gjk::Expansion> : Eigen::GenericNumTraits<gjk::Expansion> {
-  using Real = gjk::Expansion;
-  using NonInteger = gjk::Expansion;
-  using Nested = gjk::Expansion;
-  using Literal = gjk::Expansion;
-  // NOLINTBEGIN(readability-identifier-naming): the names are those that Eigen reads.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 8,
-    AddCost = 100,
-    MulCost = 400
-  };
-  // NOLINTEND(readability-identifier-naming)
+  // NOLINTNEXTLINE(readability-identifier-naming): Eigen reads these names.
+  enum { IsSigned = 1, ReadCost = 8, AddCost = 100, MulCost = 400 };
 };

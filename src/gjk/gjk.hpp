@@ -1,17 +1,18 @@
 #pragma once
 // The distance between two convex shapes, by GJK, with a certificate.
 //
-// To understand the algorithm, read in this order: simplex.hpp, state.hpp, closest_point.hpp,
-// direction.hpp, support.hpp, stop.hpp, loop.hpp. record.hpp is what each phase notes, ring.hpp a
-// faster support point of large polygons. What else is here keeps rounding in check: prepare.hpp
-// (frames, units, how large errors can become), certificate.hpp and careful.hpp (what is proved of
-// the distance), settle.hpp (exact answers), witness.hpp and answer.hpp.
+// query.hpp holds what a caller asks, result.hpp the answer. To understand the algorithm, read in
+// this order: simplex.hpp, state.hpp, closest_point.hpp, direction.hpp, support.hpp, stop.hpp,
+// loop.hpp. record.hpp holds what each phase notes; ring.hpp finds support points of large polygons
+// faster. The other files keep rounding in check: prepare.hpp (frames, units, how large errors can
+// become), certificate.hpp and careful.hpp (proved bounds of the distance), settle.hpp (exact
+// answers), witness.hpp and answer.hpp.
 
 #include "gjk/answer.hpp"
 
 namespace gjk {
 
-/// One phase that ran: what it left, what it noted, and what is proved of the distance by then.
+/// One phase of a trace: the state after it, its record, and the bounds proved so far.
 template <class R, int D>
 struct Step {
   Phase phase = Phase::closest;
@@ -21,8 +22,7 @@ struct Step {
   Bounds<typename ScalarTraits<R>::Real> bounds;  ///< In the run's unit.
 };
 
-/// A whole run. `steps` is complete for every outcome and empty only when the query was refused at
-/// once.
+/// A whole run: `steps` holds every phase. It is empty only for a query that `prepare` refused.
 template <class R, int D>
 struct Trace {
   Prepared<R, D> prepared;
@@ -39,8 +39,7 @@ template <class R, class S, int D>
   run(state, query, options, prepared);
   return result(state, query, options, prepared);
 }
-/// The same, with all of the phases in one function. Not for exact arithmetic: that would take
-/// compilers minutes and save nothing.
+/// `distance_in` with all phases inlined. Not for exact scalars: compilers would take minutes.
 template <class R, class S, int D>
 [[nodiscard, gnu::flatten]] Result<R, D> distance_in_one(const Query<S, D>& query,
                                                          const Options& options) {
@@ -48,8 +47,8 @@ template <class R, class S, int D>
 }
 }  // namespace detail
 
-/// Distance between two convex shapes, computed in R: distance<float>(query) stays in float.
-/// Allocates only where exact arithmetic has to settle the answer.
+/// Distance between two convex shapes, computed in R: distance<float>(query) stays in float. A bad
+/// query sets Result::error. Allocates only where exact arithmetic has to settle the answer.
 template <class R = Default, class S, int D>
 [[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                   const Options& options = {}) {
@@ -59,14 +58,14 @@ template <class R = Default, class S, int D>
     return detail::distance_in_one<RunScalar<R, S>>(query, options);
 }
 
-/// The same for two shapes: ranges of points, or Shape(points, pose), or MeasuredShape.
+/// The distance between two shapes, each a range of points, a Shape or a MeasuredShape.
 template <class R = Default, class X, class Y>
 [[nodiscard]] auto distance(const X& x, const Y& y, const Options& options = {})
     -> decltype(distance<R>(Query{Shape(x), Shape(y)}, options)) {
   return distance<R>(Query{Shape(x), Shape(y)}, options);
 }
 
-/// The same run, every phase recorded.
+/// The run of `distance`, with every phase recorded.
 template <class R = Default, class S, int D>
 [[nodiscard]] Trace<RunScalar<R, S>, D> trace(const Query<S, D>& query,
                                               const Options& options = {}) {

@@ -1,6 +1,6 @@
 #pragma once
-// Vectors, and the few products that GJK is made of. Sums run in index order and without fused
-// multiply-add, so that every compiler and build type takes the same decisions.
+// Vectors, and the few products that GJK needs. Sums run in index order and without fused
+// multiply-add, so that every compiler and build type decides the same.
 
 #include <Eigen/Core>
 #include <array>
@@ -13,7 +13,7 @@ namespace gjk {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
-/// The same coordinates in another scalar; in the same one, the vector itself.
+/// The vector in scalar R; a reference to it where R is its own scalar.
 template <class R, class S, int D>
 [[nodiscard]] decltype(auto) converted(const Vec<S, D>& a) {
   if constexpr (std::is_same_v<R, S>) {
@@ -54,10 +54,9 @@ template <class S, int D>
   }
 }
 
-/// A vector perpendicular to all `edges`, computed without a division. In the plane it is the cross
-/// product of the edge with z, the plane's normal (Catto 2010, slide "An accurate search
-/// direction"). Its length is that of the edge (in space, twice the area that the edges span); its
-/// sign is arbitrary.
+/// A vector perpendicular to all `edges`, computed without a division. In the plane it is edge x z,
+/// with z the plane's normal, and as long as the edge (Catto 2010, slide "An accurate search
+/// direction"); in space its length is the area of the edges' parallelogram. Its sign is arbitrary.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> perpendicular(const std::array<Vec<S, D>, D - 1>& edges) {
   static_assert(D == 2 || D == 3, "written out for the plane and for space");
@@ -77,7 +76,7 @@ template <class S>
   }
 }
 
-/// As std::max and std::min, by value: compilers make one instruction of these.
+/// std::max and std::min by value, which compilers turn into one instruction.
 template <class S>
 [[nodiscard]] S larger(S a, S b) {
   return a < b ? b : a;
@@ -87,14 +86,14 @@ template <class S>
   return b < a ? b : a;
 }
 
-/// Sum of the coordinates' magnitudes.
+/// Sum of the magnitudes of the coordinates.
 template <class S, int D>
 [[nodiscard]] S norm_1(const Vec<S, D>& a) {
   S sum(0);
   for (int i = 0; i < D; ++i) sum = sum + magnitude(S(a[i]));
   return sum;
 }
-/// Largest of the coordinates' magnitudes.
+/// Largest magnitude of a coordinate.
 template <class S, int D>
 [[nodiscard]] S norm_max(const Vec<S, D>& a) {
   S largest(0);

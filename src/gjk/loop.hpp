@@ -5,13 +5,13 @@
 //   pick an initial simplex S
 //   loop
 //     closest    compute the closest point P on S
-//     cull       drop the vertices that do not contribute to P
+//     cull       drop the vertices that have no weight in P
 //     direction  build d, pointing from P to O
 //     support    find the support point of Z = Y - X in direction d
 //     stop       decide whether the answer is found
 //     add        add the support point to S
 //
-// Each phase decides from the state alone, so recording what it does cannot change a decision.
+// No phase reads a record, so recording cannot change a decision.
 
 #include "gjk/closest_point.hpp"
 #include "gjk/direction.hpp"
@@ -43,7 +43,7 @@ template <class R, class S, int D>
   return state;
 }
 
-/// Runs the phase `state.phase`. The run goes on while `state.stop` is StopReason::running.
+/// Runs the phase `state.phase`. Call it only while `state.stop` is StopReason::running.
 template <class R, class S, int D, class Rec>
 void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
           const Prepared<R, D>& prepared, Rec& record) {
@@ -63,8 +63,8 @@ void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
   }
 }
 
-/// Runs all phases until the run ends, recording nothing. The same as calling `step` in a loop, but
-/// compilers see which phase follows which.
+/// Runs until the run ends, recording nothing: the same as `step` in a loop, but the compiler sees
+/// which phase follows which.
 template <class R, class S, int D>
 void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
          const Prepared<R, D>& prepared) {

@@ -1,6 +1,6 @@
 #pragma once
-// What a query needs to know of all points of a shape: where they lie, how large the shape is, and
-// whether a large polygon can be climbed.
+// Measures of all points of a shape: where they lie, how far they reach, and whether `climb` can
+// find the support points of a large polygon.
 
 #include <algorithm>
 #include <span>
@@ -9,32 +9,31 @@
 
 namespace gjk {
 
+/// In the shape's own frame and unit. For exact scalars all members keep their defaults.
 template <class S, int D>
 struct Measures {
-  /// The point that the points are measured from: their own origin, or the middle of their box when
-  /// they lie around neither, so that rounding follows their size and not their place.
+  /// Runs see the points from here, so that rounding follows their size and not their place: the
+  /// middle of their box if they lie far from their frame's origin, else that origin.
   Vec<S, D> centre = Vec<S, D>::Zero();
-  bool is_centred = false;  ///< It is not their own origin.
+  bool is_centred = false;  ///< `centre` is the middle of the box.
   bool is_finite = true;    ///< No coordinate is a NaN or an infinity.
-  /// The points are the corners of a convex polygon, in order, none on the line through its
-  /// neighbours. Looked for in the plane, from kRingFrom points on.
+  /// kRingFrom points or more, the corners of a strictly convex polygon in order. Plane only.
   bool is_ring = false;
-  S largest = S(0);  ///< Of the magnitudes of coordinates.
+  S largest = S(0);  ///< The largest magnitude of a coordinate.
   S radius = S(0);   ///< Distance from `centre` to the farthest point, up to a rounding or two.
-  /// Distance from `centre` to the mean of the points, which lies in their hull; as exact.
-  S to_mean = S(0);
+  S to_mean = S(0);  ///< Distance from `centre` to the mean of the points, equally exact.
   /// Indices of two points that lie at least as far apart as the longest side of the box.
   std::array<int, 2> far_apart = {};
 };
 
-/// a * 2^exponent, not below it where that is denormal and rounds.
+/// a * 2^exponent, but rounded up where it is denormal and rounds.
 template <class R>
 [[nodiscard]] R scaled_above(const R& a, int exponent) {
   const R out = ScalarTraits<R>::scaled(a, exponent);
   const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
   return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
 }
-/// a * 2^exponent, not above it where that is denormal and rounds.
+/// a * 2^exponent, but rounded down where it is denormal and rounds.
 template <class R>
 [[nodiscard]] R scaled_below(const R& a, int exponent) {
   const R out = ScalarTraits<R>::scaled(a, exponent);
@@ -44,8 +43,8 @@ template <class R>
 
 namespace detail {
 
-/// Radius and distance to the mean, in a unit of length in which no square overflows, and none that
-/// matters underflows.
+/// Sets radius and to_mean. Computes in units of about `size`, the largest distance from the centre
+/// along an axis, so that no square overflows and none that matters underflows.
 template <class S, int D>
 void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, D>& out) {
   using Traits = ScalarTraits<S>;
@@ -65,7 +64,7 @@ void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, 
 
 }  // namespace detail
 
-/// Exact scalars need none of it: nothing rounds.
+/// The measures of some points.
 template <class S, int D>
 [[nodiscard, gnu::noinline]] Measures<S, D> measured(std::span<const Vec<S, D>> points) {
   Measures<S, D> out;

@@ -1,5 +1,5 @@
 #pragma once
-// Where P lies when rounding has left the region tests nothing to believe.
+// The face that holds P when rounding makes the region tests unbelievable.
 
 #include <span>
 
@@ -7,8 +7,8 @@
 
 namespace gjk::detail {
 
-/// The face with the nearest point to O, of all faces that O projects into. A vertex is one of
-/// them. `of_face`: the coordinates of O in every face of two vertices or more.
+/// Of the vertices and all faces that O projects into, the one with the point nearest to O.
+/// `of_face`: the coordinates of O in every face of two vertices or more.
 template <class S, int D>
 [[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
                                                std::span<const Barycentric<S, D>> of_face) {
@@ -31,8 +31,8 @@ template <class S, int D>
   return best;
 }
 
-/// The weights of a full simplex around O put P at O up to rounding. Where they do not, the simplex
-/// is so thin that its volumes, and their signs, may be rounding errors.
+/// True when the weights of a full simplex put P at O up to rounding. When false, the simplex is so
+/// thin that its volumes, and their signs, may be rounding errors.
 template <class S, int D>
 [[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
                                                        const Barycentric<S, D>& coordinates) {

@@ -1,6 +1,6 @@
 #pragma once
-// What the phases need to know of a query beyond its shapes: whether it can be answered, in which
-// unit of length, where the vertices stand, and how large rounding errors can become.
+// Before a run: checks the query, chooses the unit of length, places the vertices, and bounds how
+// large rounding errors can become.
 
 #include <algorithm>
 
@@ -9,46 +9,46 @@
 
 namespace gjk {
 
-/// Shapes of so few vertices have all of them turned into the world before the run; of a larger one
-/// directions are turned into its frame.
+/// The vertices of a shape of at most so many are turned into world axes before the run. For a
+/// larger shape each direction is turned into the shape's frame.
 inline constexpr int kMaxPlaced = 8;
 
-/// Products of so many lengths are the largest that a run makes: |d|^2. In the plane d is as long
-/// as an edge; in space it may be a product of three.
+/// How many lengths |d|^2, the longest product of a run, multiplies. In the plane d is as long as
+/// an edge; in space it may be a product of three lengths.
 template <int D>
 inline constexpr int kDegree = D == 2 ? 2 : 6;
 
 /// One shape as a run sees it. R: the scalar of the run, not of the query.
 template <class R, int D>
 struct Body {
-  Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame; see Measures::centre.
-  bool is_ring = false;                  ///< See Measures.
-  std::array<int, 2> far_apart = {};     ///< See Measures.
-  R radius = R(0);                       ///< See Measures, in the run's unit.
-  int placed_count = 0;                  ///< 0 of a large shape, and for exact scalars.
-  /// The vertices from the centre, in world axes and the run's unit.
+  // As in Measures:
+  Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame and unit.
+  bool is_ring = false;
+  std::array<int, 2> far_apart = {};
+  R radius = R(0);  ///< In the run's unit.
+
+  int placed_count = 0;  ///< 0 for a large shape, and for exact scalars.
+  /// The vertices relative to the centre, in world axes and the run's unit.
   std::array<Vec<R, D>, kMaxPlaced> placed;
 };
 
-/// Made once by `prepare`.
+/// All that a run needs beside the query. `prepare` makes it.
 template <class R, int D>
 struct Prepared {
   /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
   /// overflow or underflow.
   int exponent = 0;
   R unit = R(1);  ///< 2^-exponent, for scalars that round.
-
   Error error = Error::none;
-
-  bool same_frame = false;  ///< One pose moves both, unturned: differences of vertices round once.
-  bool centred = false;     ///< Some centre is not its shape's own origin.
+  bool same_frame = false;  ///< One unturned pose for both: differences of vertices round once.
+  bool centred = false;     ///< Some centre is not the origin of its shape's frame.
   Body<R, D> x;
   Body<R, D> y;
-  /// From the centre of X to that of Y, in the world, in the run's unit.
+  /// From the centre of X to that of Y, in world axes and the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
   R offset_error = R(0);
 
-  /// A vector in the run's unit.
+  /// A vector, given in the query's unit, in the run's unit.
   [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
     Vec<R, D> out;
     for (int i = 0; i < D; ++i) {
@@ -61,31 +61,27 @@ struct Prepared {
     return out;
   }
 
-  /// In the run's unit: no two points of Z are farther apart than twice `extent`, none is farther
-  /// from O than `reach`; some point is as far as `least_reach`, but for rounding.
-  R extent = R(0);
-  R reach = R(0);
-  R least_reach = R(0);
-  R from_origins = R(0);  ///< `reach`, and how far the centres lie from the shapes' own origins.
-  /// How often a vertex of each shape rounds on its way into the world, times the shape's radius.
-  R moved = R(0);
-  /// A scan sees the vertices of both shapes where they are placed, or unturned.
-  bool scans_placed = false;
+  // Lengths in the run's unit, up to a few roundings.
+  R extent = R(0);        ///< Twice this is at least the diameter of Z.
+  R reach = R(0);         ///< No point of Z is farther from O.
+  R least_reach = R(0);   ///< Some point of Z is at least as far from O.
+  R from_origins = R(0);  ///< `reach`, plus how far both centres are from their frames' origins.
+  R moved = R(0);         ///< Sum over the shapes: roundings of moving a vertex, times the radius.
+  bool scans_placed = false;  ///< Scans see the vertices of both shapes as Z has them.
 
-  // Bounds of what rounding can do, from an analysis of every operation; tests/truth holds them
-  // against exact answers. 0 for exact scalars.
+  // Bounds of rounding errors, in the run's unit, from an analysis of every operation; tests/truth
+  // checks them against exact answers. 0 for exact scalars.
 
-  R vertex_error = R(0);  ///< To a vertex w of Z, apart from u |w|.
-  /// To the choice of a support point along a direction that is in doubt by `angle`: how much
-  /// farther along d / |d| the true one may lie. A scan compares two dot products of vertices that
-  /// were centred; one or the other was turned.
+  R vertex_error = R(0);  ///< Of a vertex w of Z, apart from u |w|.
+  /// Of the choice of a support point along a direction in doubt by `angle` (in radians): how much
+  /// farther along d / |d| the true one may lie. A scan compares two dot products; for each, the
+  /// vertex was centred, and the vertex or the direction was turned.
   [[nodiscard]] R scan_error_within(const R& angle) const {
     const R u = ScalarTraits<R>::unit_roundoff();
     return u * (R(2 * D) * extent + R(2) * moved) + R(2) * angle * extent;
   }
-  /// To the distance of a support plane, and to bounds made of it: by its support point w, whose
-  /// length is `reach`, and by the choice of it. A scan of placed vertices has seen that point
-  /// where it is placed, and only the others may lie farther.
+  /// Of the distance of a support plane: from its support point w, |w| = `reach_of_w`, and from the
+  /// choice of w. With `scans_placed` scans saw w as it is, so `moved` counts in vertex_error only.
   [[nodiscard]] R plane_error(const R& distance, const R& reach_of_w) const {
     const R u = ScalarTraits<R>::unit_roundoff();
     const R dots = u * (R(2 * D) * extent);
@@ -93,12 +89,12 @@ struct Prepared {
         scans_placed ? R(vertex_error + dots) : R(vertex_error + (dots + u * (R(2) * moved)));
     return of_support + u * (R(D + 1) * reach_of_w + R(4) * distance);
   }
-  /// To a length computed with about twice the digits.
+  /// Of a length computed with about twice the digits.
   [[nodiscard]] R careful_error() const {
     const R u = ScalarTraits<R>::unit_roundoff();
     return R(256) * u * u * from_origins;
   }
-  /// To |P|: the vertices of a simplex, and what is computed of them.
+  /// Of |P|: from the vertices of the simplex, and from the arithmetic on them.
   [[nodiscard]] R simplex_error() const {
     return vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * reach;
   }
@@ -106,7 +102,7 @@ struct Prepared {
 
 namespace detail {
 
-/// Both shapes, and what is known of their points.
+/// Both shapes with their measures.
 template <class S, int D>
 struct Bodies {
   const Query<S, D>& query;
@@ -131,7 +127,8 @@ template <class S, int D>
                      });
 }
 
-/// The first thing wrong with what needs no measuring.
+/// The first thing wrong. A pose that is not finite, with nothing else wrong, is found later: it
+/// makes `reach`, or at least the witness points, not finite.
 template <class S, int D>
 [[nodiscard]] Error first_wrong(const Bodies<S, D>& bodies, const Options& options) {
   const auto& [query, x, y] = bodies;
@@ -150,8 +147,8 @@ template <class S, int D>
   return bad_options ? Error::bad_options : Error::bad_start;
 }
 
-/// From the origin of X's frame to that of Y's, in the run's unit. What both have in common cancels
-/// before it could leave the range of R.
+/// From the origin of X's frame to that of Y's, in the run's unit. To stay in the range of R, large
+/// coordinates are scaled before the subtraction, and small ones after it.
 template <class R, class S, int D>
 [[nodiscard]] Vec<DoubleWord<R>, D> offset_of_origins(const Query<S, D>& query,
                                                       const Prepared<R, D>& prepared) {
@@ -167,28 +164,26 @@ template <class R, class S, int D>
   return out;
 }
 
-/// From the centre of X to that of Y, with about twice the digits before the last rounding.
+/// From the centre of X to that of Y, computed with about twice the digits and rounded once.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
                                                          const Prepared<R, D>& prepared) {
-  const Vec<R, D>& x_centre = prepared.x.centre;
-  const Vec<R, D>& y_centre = prepared.y.centre;
-  // In one frame nothing is moved by it: it says where to begin, and how far Z may reach.
-  if (prepared.same_frame) return prepared.in_unit(y_centre - x_centre);
+  // In one frame vertices of Z are made without it: it only gives the start and the reach of Z.
+  if (prepared.same_frame) return prepared.in_unit(prepared.y.centre - prepared.x.centre);
   const Vec<DoubleWord<R>, D> origins = offset_of_origins(query, prepared);
   const auto turned = [&](const Shape<S, D>& shape, const Vec<R, D>& centre) {
     Vec<DoubleWord<R>, D> in_unit;
     for (int i = 0; i < D; ++i) in_unit[i] = DoubleWord<R>(centre[i] * prepared.unit);
     return shape.pose.template rotated<DoubleWord<R>>(in_unit);
   };
-  const Vec<DoubleWord<R>, D> x = turned(query.x, x_centre);
-  const Vec<DoubleWord<R>, D> y = turned(query.y, y_centre);
+  const Vec<DoubleWord<R>, D> x = turned(query.x, prepared.x.centre);
+  const Vec<DoubleWord<R>, D> y = turned(query.y, prepared.y.centre);
   Vec<R, D> out;
   for (int i = 0; i < D; ++i) out[i] = (origins[i] + (y[i] - x[i])).hi;
   return out;
 }
 
-/// The frames of a run in the unit 2^exponent, and the offset between them.
+/// Sets the unit 2^exponent, the frames and the offset between them.
 template <class R, class S, int D>
 void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
   const Query<S, D>& query = bodies.query;
@@ -216,7 +211,7 @@ void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepar
   }
 }
 
-/// A vertex in its shape's own frame, seen from the shape's centre, in the run's unit.
+/// Vertex i relative to its shape's centre, in the shape's own axes and the run's unit.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
                                     const Body<R, D>& body, int i) {
@@ -224,7 +219,7 @@ template <class R, class S, int D>
   return prepared.in_unit(prepared.centred ? Vec<R, D>(vertex - body.centre) : Vec<R, D>(vertex));
 }
 
-/// Where the vertices of one shape stand.
+/// Sets all of one body but its centre.
 template <class R, class S, int D>
 void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Prepared<R, D>& prepared,
            Body<R, D>& body) {
@@ -239,7 +234,7 @@ void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Prepa
   }
 }
 
-/// Fills in what bounds of rounding are made of.
+/// Sets the lengths from which rounding is bounded, and `vertex_error`.
 template <class R, class S, int D>
 void measure(const Bodies<S, D>& bodies, Prepared<R, D>& prepared) {
   R to_means(0);
@@ -248,12 +243,12 @@ void measure(const Bodies<S, D>& bodies, Prepared<R, D>& prepared) {
                        const Body<R, D>& body) {
     const R stretch = ScalarTraits<R>::from(shape.pose.rotation.stretch());
     const R radius = body.radius * stretch;
-    // 1 + sqrt(D), of a product with a matrix
+    // A product with a matrix rounds by 1 + sqrt(D) roundings of the radius.
     if (shape.pose.rotation.turns()) {
       prepared.moved = prepared.moved + R(D == 2 ? 2.5 : 2.8) * radius;
     }
-    if (prepared.centred && measures.is_centred) prepared.moved = prepared.moved + radius;
     if (prepared.centred) {
+      if (measures.is_centred) prepared.moved = prepared.moved + radius;
       to_centres = to_centres +
                    careful_length(shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
     }
@@ -266,8 +261,8 @@ void measure(const Bodies<S, D>& bodies, Prepared<R, D>& prepared) {
   prepared.reach = far + prepared.extent;
   prepared.least_reach = far - to_means;
   prepared.from_origins = prepared.reach + to_centres;
-  // In one frame a vertex of Z is a single difference of what was given, not of what scans saw;
-  // else both vertices are centred and turned, subtracted, and moved by the offset.
+  // In one frame a vertex of Z is one difference of given vertices, but scans may see centred ones.
+  // Else both vertices are centred and turned, subtracted, and moved by the offset.
   prepared.scans_placed =
       !prepared.same_frame && prepared.x.placed_count > 0 && prepared.y.placed_count > 0;
   if (!prepared.same_frame) {
@@ -284,8 +279,7 @@ void prepare_in_unit(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& p
   measure(bodies, prepared);
 }
 
-/// Prepares again, in a unit of length in which squares of coordinates neither overflow nor
-/// underflow.
+/// Prepares again, in a unit in which squares of coordinates neither overflow nor underflow.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Prepared<R, D> prepared_in_good_unit(const Bodies<S, D>& bodies) {
   using Traits = ScalarTraits<R>;
@@ -331,7 +325,7 @@ void prepare(const Bodies<S, D>& bodies, const Options& options, Prepared<R, D>&
 
 }  // namespace detail
 
-/// Checks the query and measures it for a run in R.
+/// Checks the query and measures it for a run in R. Problems set Prepared::error.
 template <class R, class S, int D>
 [[nodiscard]] Prepared<R, D> prepare(const Query<S, D>& query, const Options& options) {
   const Measures<S, D>* x = query.x.measures();

@@ -1,5 +1,5 @@
 #pragma once
-// What is asked, and how the run shall decide.
+// A query, and the options that say how its run decides.
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace gjk {
 
-/// GJK computes distance(X, Y) as the distance of the origin O from the Minkowski difference Z = Y
-/// - X. A point query "Q against a polygon" has X = {Q}: then Z is the polygon seen from Q, and O
-/// stands where Q does.
+/// Two shapes. GJK computes distance(X, Y) as the distance of the origin O from the Minkowski
+/// difference Z = Y - X. A query "point Q against a polygon" has X = {Q}: then Z is the polygon
+/// seen from Q, and O stands for Q.
 template <class S, int D>
 struct Query {
   Shape<S, D> x;
@@ -27,15 +27,14 @@ enum class DirectionRule : std::uint8_t {
   towards_origin,  ///< d = O - P, with the round-off of P (Catto 2010, "A bad direction").
 };
 
-/// The order in which Voronoi regions are tested; the first region whose test holds is taken. Where
-/// rounding leaves no region whose test holds, or makes O lie in a simplex whose weights put P
-/// elsewhere, the region with the nearest point is taken.
+/// The order in which Voronoi regions are tested; the first region whose test holds is taken. When
+/// rounding makes every test fail, or puts O in a simplex whose weights put P elsewhere, the region
+/// with the nearest point is taken.
 enum class RegionOrder : std::uint8_t {
   vertices_first,  ///< Vertices, edges, ..., interior: the slides' order.
-  edges_first,     ///< Edges before vertices. Exact arithmetic cannot tell the difference; rounding
-                   ///< can.
-  unchecked,       ///< Vertices first, and every test is believed: the last region is what is left
-                   ///< over, as on the slides.
+  edges_first,     ///< Edges before all others. Only rounding can make this differ.
+  unchecked,       ///< Vertices first, and every test is believed: when none holds, the whole
+                   ///< simplex is taken, as on the slides.
 };
 
 /// Indices of the vertices of X and Y whose difference is a vertex of the simplex.
@@ -43,16 +42,16 @@ struct VertexPair {
   int x = 0;
   int y = 0;
   friend constexpr bool operator==(const VertexPair& a, const VertexPair& b) {
-    return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;  // one branch, where the defaulted one has two
+    return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;  // one branch; the defaulted operator has two
   }
 };
 
 inline constexpr int kMaxDimension = 3;
 
-/// A simplex to begin with: what `Result::warm` of one query hands to `Options::start` of the next.
+/// A simplex to begin with: `Result::warm` of one query makes it for `Options::start` of the next.
 struct WarmStart {
   std::array<VertexPair, kMaxDimension + 1> pairs = {};
-  int count = 0;  ///< The first so many of `pairs`, 0 to D+1.
+  int count = 0;  ///< How many of `pairs` are used: 0 to D+1.
   friend bool operator==(const WarmStart& a, const WarmStart& b) {
     return std::equal(a.pairs.begin(), a.pairs.begin() + a.count, b.pairs.begin(),
                       b.pairs.begin() + b.count);
@@ -61,40 +60,37 @@ struct WarmStart {
 
 /// How far an answer is checked.
 enum class Proof : std::uint8_t {
-  none,    ///< Not at all: |P| and the weighted vertices, as the loop left them (the textbook).
-  bounds,  ///< Bounds that include rounding; close distances are computed anew.
-  exact,   ///< Exact arithmetic runs on where the bounds are wide or leave the verdict open.
+  none,    ///< Not at all: |P| and the weighted vertices as the loop left them, as in textbooks.
+  bounds,  ///< Bounds that include rounding; short distances are computed anew with more digits.
+  exact,   ///< As `bounds`; exact arithmetic runs on where they are wide or leave the verdict open.
 };
 
-/// Iterations after which the run gives up and says so. GJK in the plane needs 3 to 6 on average
-/// for any number of vertices (Larsen 1998, "GJK - Running Time"); tests/gjk/distance_test.cpp
-/// asserts that random pairs stay far below.
+/// Iterations after which a run gives up. GJK in the plane needs 3 to 6 on average, however many
+/// vertices there are (Larsen 1998, "GJK - Running Time"); tests/gjk/distance_test.cpp asserts that
+/// random pairs stay far below the cap.
 inline constexpr int kDefaultIterationCap = 64;
 
-/// How a run decides. All of it is data, so that a lesson can show what goes wrong with another
-/// choice.
+/// How a run decides. Every choice is data, so that a lesson can show what another choice spoils.
 struct Options {
   DirectionRule direction_rule = DirectionRule::perpendicular;
   RegionOrder region_order = RegionOrder::vertices_first;
 
-  /// Stop when the support point is already a vertex of the simplex (Catto 2010, termination case
-  /// 1).
+  /// Stop when the support point is already in the simplex (Catto 2010, termination case 1).
   bool stop_on_repeated_support = true;
-  /// Stop when the support point lies no farther along d than the simplex does, or when P comes no
-  /// nearer to O.
+  /// Stop when the support point is no farther along d than the simplex, or P no nearer to O.
   bool stop_on_no_progress = true;
-  /// Stop when lower >= (1 - tolerance) * upper; relative, 0 switches it off.
+  /// Stop when lower >= (1 - tolerance) * upper: a relative tolerance in [0, 1), where 0 is off.
   double tolerance = 0.0;
   int iteration_cap = kDefaultIterationCap;
 
   Proof proof = Proof::exact;
 
-  /// The first simplex. Empty, the run starts from the support point along the line between the
-  /// centres of the two shapes, which saves an iteration or two.
+  /// The first simplex. When it is empty, the run starts from the support point along the line
+  /// between the centres of the two shapes, which saves an iteration or two.
   WarmStart start = {};
 };
 
-/// Why a query was refused. Each names the first thing found wrong.
+/// Why a query was refused: the first thing found wrong.
 enum class Error : std::uint8_t {
   none,
   x_has_no_vertices,
@@ -102,8 +98,8 @@ enum class Error : std::uint8_t {
   x_not_finite,  ///< A vertex or the pose of X holds a NaN or an infinity.
   y_not_finite,
   overflow,     ///< The distance, a witness point, or a pose's entries exceed the scalar's range.
-  underflow,    ///< Coordinates so small that no unit of length saves their products: those of
-                ///< Eigen::half, and denormal ones of float in space.
+  underflow,    ///< Coordinates so small that their products underflow in every unit of length: in
+                ///< Eigen::half, and denormal ones in float in space.
   bad_start,    ///< A start pair names no vertex, or their count is not 0 to D+1.
   bad_options,  ///< The iteration cap is below 1, or the tolerance is not in [0, 1).
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Support points of large convex polygons, without looking at all vertices.
+// Support points of large convex polygons, found without looking at all vertices.
 
 #include <span>
 
@@ -7,13 +7,13 @@
 
 namespace gjk {
 
-/// Polygons of so many vertices are climbed rather than scanned, where that is possible:
-/// tests/bench (core-compare) times both at 1,024 vertices.
+/// Convex polygons of at least so many vertices are climbed, not scanned. core-compare in
+/// tests/bench times both at 1,024 vertices.
 inline constexpr std::size_t kRingFrom = 32;
 
 namespace detail {
 
-/// All turns go the same way beyond rounding, and the edges go round once.
+/// True when all turns go the same way beyond rounding, and the edges go round once. Needs a point.
 template <class S>
 [[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
   const auto goes_up = [](const Vec<S, 2>& edge) {
@@ -37,7 +37,7 @@ template <class S>
   return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
 }
 
-/// The vertex that lies farthest so far; of equal ones that with the lowest index.
+/// The farthest vertex so far; of equal ones the one of lowest index.
 template <class R>
 struct Farthest {
   int index = -1;
@@ -51,9 +51,9 @@ struct Farthest {
 };
 
 /// The vertex of a convex ring that lies farthest, of equal ones the first. Along a direction the
-/// vertices rise to one summit and fall to one valley. From the best of some samples both ways down
-/// are followed until the fall is beyond rounding: by then everything that is as high as that
-/// sample has been seen.
+/// vertices rise to one summit and fall to one valley. So from the best of some samples the search
+/// goes both ways until the fall exceeds `rounding`, the error of a difference of two values: then
+/// it has seen every vertex as high as that sample.
 template <class R, class Along>
 [[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
   int stride = 1;

@@ -1,8 +1,8 @@
 #pragma once
-// What the core asks of a scalar type, beyond + - * / and comparison.
+// What the core needs of a scalar type beyond + - * / and comparison.
 //
-// The loop compares squared lengths only, so it runs unchanged on types without a square root.
-// Lengths appear once, in the result, as ScalarTraits<S>::Real.
+// The loop compares squared lengths only, so it runs on types without a square root, too. Lengths
+// appear once, in the result, as ScalarTraits<S>::Real.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace gjk {
 
 namespace detail {
-/// 2^exponent, where a double can hold it.
+/// 2^exponent, which a double must be able to hold.
 [[nodiscard]] constexpr double power_of_two(int exponent) {
   double power = 1.0;
   for (; exponent > 0; --exponent) power *= 2.0;
@@ -26,11 +26,8 @@ namespace detail {
 /// template.
 template <class S>
 struct ScalarTraits {
-  /// The type of a length.
-  using Real = S;
-
-  /// True when + - * and comparison never round.
-  static constexpr bool kExact = false;
+  using Real = S;                        ///< The type of a length.
+  static constexpr bool kExact = false;  ///< + - * and comparison never round.
 
   template <class From>
   [[nodiscard]] static S from(const From& value) {
@@ -39,7 +36,7 @@ struct ScalarTraits {
 
   [[nodiscard]] static bool is_finite(const S& a) { return (Eigen::numext::isfinite)(a); }
 
-  /// Square root of a non-negative number; `below` and `above` bound the exact root from each side.
+  /// Square root of a number that is not negative; root_below and root_above bound the exact root.
   [[nodiscard]] static Real root(const S& a) { return Eigen::numext::sqrt(a); }
   [[nodiscard]] static Real root_below(const S& a) {
     return root(a) * (S(1) - S(8) * unit_roundoff());
@@ -48,11 +45,11 @@ struct ScalarTraits {
     return root(a) * (S(1) + S(8) * unit_roundoff());
   }
 
-  /// What a run that failed answers where a length would stand.
+  /// The length that a failed run answers.
   [[nodiscard]] static Real no_length() { return std::numeric_limits<S>::quiet_NaN(); }
 
-  /// u: the largest relative error of one rounded operation. Zero for exact types. Made from the
-  /// digits because Eigen 3.4 gives half a wrong epsilon (2^-13 for 2^-10).
+  /// u, the largest relative error of one rounded operation. Made from the digits because Eigen 3.4
+  /// gives half a wrong epsilon (2^-13, not 2^-10).
   [[nodiscard]] static S unit_roundoff() { return S(kRoundoff); }
 
   /// e with 2^e <= a < 2^(e+1), for positive a.
@@ -62,16 +59,14 @@ struct ScalarTraits {
     return static_cast<S>(std::ldexp(a, exponent));
   }
 
-  /// Is this a size of Z at which products of `degree` lengths keep all digits that could matter?
-  /// Those of numbers as small as u^kSmallest times the size lose none, and sums of some stay
-  /// finite.
+  /// True when products of `degree` lengths keep all digits that could matter for a Z of this size:
+  /// sums of them stay finite, and lengths down to u^kSmallest times the size lose no digits.
   template <int degree = 2>
   [[nodiscard]] static bool is_in_range(const S& size) {
     return S(kLeast<degree>) <= size && size <= S(kLargest<degree>);
   }
   static constexpr int kSmallest = std::numeric_limits<S>::max_exponent < 1024 ? 1 : 3;
-  /// Such sizes are 2^least_exponent to 2^largest_exponent. (long double has room for more; the
-  /// powers are made as doubles.)
+  /// These sizes are 2^least_exponent to 2^largest_exponent, limited to what a double can hold.
   [[nodiscard]] static constexpr int least_exponent(int degree = 2) {
     const int kept = (2 * kSmallest + 1) * std::numeric_limits<S>::digits;
     return std::clamp((std::numeric_limits<S>::min_exponent + kept) / degree, -1000, -1);
@@ -88,8 +83,8 @@ struct ScalarTraits {
   static constexpr double kLargest = detail::power_of_two(largest_exponent(degree));
 };
 
-/// Stands for the scalar in which `distance` and `trace` run unless told otherwise: that of the
-/// query, but double for float and half, because scalar code in double costs no more.
+/// Stands for the scalar in which `distance` and `trace` run by default: the query's, but double
+/// for float and half, because it costs no more.
 struct Default {};
 template <class R, class S>
 using RunScalar = std::conditional_t<

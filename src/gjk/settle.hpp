@@ -1,6 +1,6 @@
 #pragma once
-// Exact answers where rounding leaves a verdict open: the last simplex of a run starts another run
-// of the same loop, on expansions. That is rare, so it costs next to nothing.
+// Exact answers where rounding leaves the verdict open or the bounds wide: the last simplex of the
+// run starts another run of the same loop, on expansions. That is rare, so it costs little overall.
 
 #include "gjk/careful.hpp"
 #include "gjk/certificate.hpp"
@@ -9,7 +9,7 @@
 
 namespace gjk {
 
-/// The run of `query` in exact arithmetic, from a start or from any vertex.
+/// Runs `query` in exact arithmetic R, and returns the final state.
 template <class R, class S, int D>
 [[nodiscard]] State<R, D> exact_run(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                     const WarmStart& from = {}) {
@@ -20,20 +20,19 @@ template <class R, class S, int D>
   return state;
 }
 
-/// `state` is the end of an exact run that found P = O. True when some support plane of Z passes
-/// through O.
+/// True when some support plane of Z passes through O. `state`: the end of an exact run with P = O.
 template <class R, class S, int D>
 [[nodiscard]] bool touches(const State<R, D>& state, const Query<S, D>& query,
                            const Prepared<R, D>& prepared);
 
-/// The same where O lies inside an edge of the simplex in space. A support plane holds that edge,
-/// so it is seen along the edge as a line: what is left to ask is a question of the plane.
+/// `touches` in space, where O lies inside an edge of the simplex. A support plane through O holds
+/// the edge. Seen along the edge, that plane is a line and Z a polygon: a question of the plane.
 template <class R, class S>
 [[nodiscard]] bool touches_along(const Vec<R, 3>& edge, const Query<S, 3>& query,
                                  const Prepared<R, 3>& prepared) {
   int along = 0;
   while (edge[along] == R(0)) ++along;
-  const auto seen = [&](const Vec<R, 3>& vertex) {  // two coordinates of the moment tell the third
+  const auto seen = [&](const Vec<R, 3>& vertex) {  // two coordinates of the moment fix the third
     const Vec<R, 3> moment = cross(edge, vertex);
     return Vec<R, 2>(moment[(along + 1) % 3], moment[(along + 2) % 3]);
   };
@@ -73,7 +72,7 @@ template <class R, class S, int D>
       return touches_along<R>(simplex.vertices[1].w - simplex.vertices[0].w, query, prepared);
     }
   }
-  // A vertex of Z at O says nothing of what lies around it: start over from another one.
+  // O is a vertex of the simplex, which tells nothing of Z around O: start from another vertex.
   const State<R, D> other = looking_along(Vec<R, D>::Unit(0));
   if (other.touches_plane) return true;
   WarmStart from;
@@ -82,11 +81,10 @@ template <class R, class S, int D>
   return touches(exact_run(query, prepared, from), query, prepared);
 }
 
-/// Exact products need room for all their digits: true when no coordinate is so much smaller than
-/// 2^exponent that a product could underflow, or so much larger that it could overflow. Products
-/// are of up to two coordinates in the plane and four in space, and of as many entries of
-/// rotations. Where long double has more exponents than double, as nearly everywhere, there is room
-/// for all but products of eight of the smallest doubles.
+/// True when no product of an exact run can underflow or overflow, because no coordinate is much
+/// smaller or larger than 2^exponent. A product has up to two coordinates in the plane and four in
+/// space, and as many entries of rotations. Where long double has more exponents than double, as
+/// nearly everywhere, there is room for all but products of eight of the smallest doubles.
 template <class Component = long double, class S, int D>
 [[nodiscard]] bool has_exact_products(const Query<S, D>& query, bool same_frame, int exponent) {
   using Limits = std::numeric_limits<Component>;
@@ -108,8 +106,7 @@ template <class Component = long double, class S, int D>
   return shape_has_room(query.x) && shape_has_room(query.y);
 }
 
-/// For an exact run of the query, in a unit about as large as Z, so that any power of two times the
-/// same query ends the same way.
+/// Prepares an exact run, in a unit about as large as Z: powers of two do not change how it ends.
 template <class R, class S, int D>
 [[nodiscard]] Prepared<Expansion, D> prepared_exactly(const Query<S, D>& query,
                                                       const Prepared<R, D>& prepared) {
@@ -124,8 +121,8 @@ template <class R, class S, int D>
   return exact;
 }
 
-/// Runs on from the simplex of `out` in exact arithmetic, and puts what comes of it there and
-/// in `bounds`. Leaves them as they are when exact arithmetic has no room for the query.
+/// Runs on from the simplex of `out` in exact arithmetic, and sets `out` and `bounds` by the end.
+/// Changes nothing when exact arithmetic has no room for the query, or the run meets its cap.
 template <class R, class S, int D>
 [[gnu::noinline]] void settle(const Query<S, D>& query, const Prepared<R, D>& prepared,
                               Result<R, D>& out, Bounds<R>& bounds) {
@@ -134,7 +131,7 @@ template <class R, class S, int D>
   const State<Expansion, D> end = exact_run(query, exact, out.warm());
   if (end.stop == StopReason::iteration_cap) return;
 
-  using Wide = Wider<R>;  // even double cannot square the length of a short edge
+  using Wide = Wider<R>;  // in double the square of a short edge may underflow
   const std::array<Wide, D + 1> weights = weights_of<Wide>(end.best);
   out.settled = true;
   out.simplex.count = end.best.count;
@@ -150,8 +147,7 @@ template <class R, class S, int D>
   out.verdict = Verdict::separated;
   const R distance = static_cast<R>(foot_of<Wide>(end.best).distance);
   const R few = R(kCarefulRoundings) * ScalarTraits<R>::unit_roundoff();
-  // A denormal quotient is off by up to half of this.
-  const R least = std::numeric_limits<R>::denorm_min();
+  const R least = std::numeric_limits<R>::denorm_min();  // a denormal quotient errs by half
   const int exponent = exact.exponent - prepared.exponent;
   bounds.distance = ScalarTraits<R>::scaled(distance, exponent);
   bounds.lower = scaled_below(std::max(R(distance * (R(1) - few) - least), R(0)), exponent);

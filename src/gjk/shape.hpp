@@ -1,5 +1,5 @@
 #pragma once
-// What is asked about: convex shapes, and where they stand.
+// Convex shapes, and where they stand in the world.
 
 #include <ranges>
 #include <span>
@@ -12,20 +12,18 @@
 
 namespace gjk {
 
-/// How a shape is turned: any matrix. One that rounding, or intent, left short of orthonormal
-/// stretches the shape, and the answer is that of the stretched shape. Measured once, when it is
-/// set, so that queries need not look at it again.
+/// How a shape is turned: any matrix. A matrix that is not orthonormal stretches the shape, and
+/// answers are for the stretched shape. It is measured when it is set, so that queries need not.
 template <class S, int D>
 class Rotation {
  public:
   using Matrix = Eigen::Matrix<S, D, D>;
-  /// What sizes are measured in.
   using Size = RunScalar<Default, S>;
 
   Rotation() = default;
-  /// From a matrix, or an expression of Eigen's that makes one.
+  /// From a matrix, or an Eigen expression of one.
   template <class Derived>
-  // NOLINTNEXTLINE(google-explicit-constructor): a matrix stands for what it does.
+  // NOLINTNEXTLINE(google-explicit-constructor): every matrix is a Rotation.
   Rotation(const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {
     for (int i = 0; i < D; ++i) {
       const bool is_unit = is_zero(Vec<S, D>(col(i) - Matrix::Identity().col(i)));
@@ -40,10 +38,10 @@ class Rotation {
   [[nodiscard]] const S& operator()(int row, int column) const { return matrix_(row, column); }
   [[nodiscard]] auto col(int i) const { return matrix_.col(i); }
 
-  /// It is not the identity.
+  /// True when the matrix is not the identity.
   [[nodiscard]] bool turns() const { return turns_; }
-  /// How much longer than a vector its image can be: 1 for a rotation; a NaN or an infinity where
-  /// an entry is one. Not of exact scalars.
+  /// A bound of |image| / |vector|: about 1 for a rotation, NaN or infinite when an entry is. Not
+  /// measured for exact scalars.
   [[nodiscard]] const Size& stretch() const { return stretch_; }
 
  private:
@@ -54,10 +52,10 @@ class Rotation {
     Size longest_sq(1);
     Size skewed(0);
     for (int i = 0; i < D; ++i) {
-      longest_sq = larger(longest_sq, dot(column(i), column(i)));  // a NaN comes through `skewed`
+      longest_sq = larger(longest_sq, dot(column(i), column(i)));  // `skewed` carries any NaN
       for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
     }
-    stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // at least the root
+    stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // >= sqrt(longest_sq + skewed)
   }
 
   Matrix matrix_ = Matrix::Identity();
@@ -84,7 +82,7 @@ struct Pose {
     }
     return world;
   }
-  /// rotation^T * world: what a direction looks like to the shape.
+  /// rotation^T * world, computed in R: a direction in the shape's frame.
   template <class R = S>
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
     if (!rotation.turns()) return world;
@@ -99,8 +97,7 @@ struct Pose {
   }
 };
 
-/// A list of points that is kept, and what queries need to know of all of them, found out once. For
-/// shapes that are asked about often, at one pose or many.
+/// Owns points, and measures them once: for shapes that many queries ask about, in any pose.
 template <class S, int D>
 class MeasuredShape {
  public:
@@ -118,9 +115,8 @@ class MeasuredShape {
 template <class S, int D>
 MeasuredShape(std::vector<Vec<S, D>>) -> MeasuredShape<S, D>;
 
-/// A convex shape that stands somewhere: the hull of some points (a point, a segment, a polygon, a
-/// point set; order and repetition do not matter), borrowed from where they are kept. Refuses
-/// temporaries, which would be gone before the query is answered.
+/// The convex hull of some points (order and repetition do not matter), at a pose. Borrows the
+/// points, so temporaries, which would be gone before the query is answered, do not compile.
 template <class S, int D>
 class Shape {
  public:
@@ -132,8 +128,8 @@ class Shape {
   Shape() = default;
   // NOLINTBEGIN(google-explicit-constructor): a list of points stands for its hull.
   // NOLINTBEGIN(bugprone-forwarding-reference-overload): a Shape is no range.
-  /// Of anything that a span can view: std::vector, std::array, std::span. Each query measures the
-  /// points anew, so they may change in between.
+  /// From anything that a span can view: std::vector, std::array, std::span. Each query measures
+  /// the points anew, so they may change between queries.
   template <std::ranges::borrowed_range Range>
   requires(std::is_convertible_v<Range, std::span<const Vec<S, D>>>)
       Shape(Range&& points, const Pose<S, D>& at = {})
@@ -145,7 +141,7 @@ class Shape {
   // NOLINTEND(google-explicit-constructor)
 
   [[nodiscard]] std::span<const Vec<S, D>> vertices() const { return vertices_; }
-  /// Null where each query has to find them out.
+  /// Null when each query measures the points anew.
   [[nodiscard]] const Measures<S, D>* measures() const { return measures_; }
 
  private:

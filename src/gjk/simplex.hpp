@@ -8,15 +8,14 @@
 
 namespace gjk {
 
-/// A vertex of the Minkowski difference, kept together with the two vertices that made it.
+/// A vertex of the Minkowski difference Z, with the two vertices that made it.
 template <class S, int D>
 struct SupportPoint {
-  Vec<S, D> w = Vec<S, D>::Zero();  ///< y - x
+  Vec<S, D> w = Vec<S, D>::Zero();  ///< y - x, in world axes and the run's unit of length.
   VertexPair pair = {};
 };
 
-/// A set of simplex vertices: bit i stands for vertex i. It names a face of the simplex, and that
-/// face's Voronoi region.
+/// A face of the simplex, and its Voronoi region: bit i is set when vertex i belongs to the face.
 using Face = std::uint8_t;
 
 [[nodiscard]] constexpr bool contains(Face face, int vertex) { return ((face >> vertex) & 1) != 0; }
@@ -25,7 +24,7 @@ using Face = std::uint8_t;
 }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
-/// The vertices of a face, in order.
+/// The indices of a face's vertices, ascending.
 struct FaceVertices {
   std::array<std::uint8_t, kMaxDimension + 1> index = {};
   int count = 0;
@@ -50,17 +49,15 @@ inline constexpr auto kFaceVertices = [] {
 template <class S, int D>
 struct Simplex {
   std::array<SupportPoint<S, D>, D + 1> vertices = {};
-  std::array<S, D + 1> weights =
-      {};  ///< Barycentric coordinates of P; 0 for vertices outside P's face.
+  std::array<S, D + 1> weights = {};  ///< Barycentric coordinates of P; 0 outside P's face.
   int count = 0;
 
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
 };
 
-/// Barycentric coordinates of O's projection onto the affine hull of a face, not yet divided:
+/// Barycentric coordinates of O's projection onto the affine hull of a face, before the division:
 /// coordinate i is numerator[i] / denominator, and denominator >= 0. A degenerate face (repeated
-/// points, collinear triangle) has denominator 0 and is in no point's favour: all its coordinates
-/// count as "not positive".
+/// points, collinear triangle) has only zeros, so no coordinate counts as positive.
 template <class S, int D>
 struct Barycentric {
   std::array<S, D + 1> numerator;  ///< 0 for vertices outside the face.
@@ -69,7 +66,7 @@ struct Barycentric {
 
 namespace detail {
 
-// Segment AB: fractional lengths. With n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
+// Segment AB: fractional lengths, with n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> segment_coordinates(const Simplex<S, D>& simplex, int a, int b) {
@@ -84,14 +81,13 @@ template <class S, int D>
   return out;
 }
 
-// Triangle ABC in the plane: fractional areas, signed (Catto 2010, slide "Barycentric
-// coordinates"). With Q = O:
+// A full simplex. Triangle ABC in the plane: fractions of signed areas, with Q = O (Catto 2010,
+// slide "Barycentric coordinates"); tetrahedron in space: fractions of signed volumes.
 //   u = area(Q, B, C) / area(A, B, C)      v = area(Q, C, A) / area(A, B, C)
 //   w = area(Q, A, B) / area(A, B, C)      area(Q, B, C) = cross(B - Q, C - Q) / 2
-// The denominator is made positive. A full simplex in space has volumes in their place.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> volume_coordinates(const Simplex<S, D>& simplex) {
-  const auto volume_without = [&](int left_out) {  // that O spans with the facet across
+  const auto volume_without = [&](int left_out) {  // signed, of O and all vertices but one
     std::array<Vec<S, D>, D> facet;
     for (int j = 0, k = 0; j <= D; ++j) {
       if (j != left_out) facet[k++] = simplex.vertices[j].w;
@@ -112,8 +108,8 @@ template <class S, int D>
   return out;
 }
 
-// Triangle ABC in space: the same areas, of O's projection onto the plane, measured along the
-// triangle's normal n = (B - A) x (C - A) (Ericson 2005, "Real-Time Collision Detection", 3.4).
+// Triangle ABC in space: the same areas, with Q = O's projection onto the triangle's plane, signed
+// along the normal n = (B - A) x (C - A) (Ericson 2005, "Real-Time Collision Detection", 3.4).
 template <class S>
 [[nodiscard]] Barycentric<S, 3> triangle_coordinates(const Simplex<S, 3>& simplex, int a, int b,
                                                      int c) {
@@ -134,7 +130,7 @@ template <class S>
 
 }  // namespace detail
 
-/// Coordinates of O in `face`, which has at least one vertex.
+/// Coordinates of O in `face`, which must have a vertex.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
   const auto& [vertex, count] = vertices_of(face);
@@ -151,7 +147,7 @@ template <class S, int D>
   return point;
 }
 
-/// A normal of a facet: of an edge in the plane, of a triangle in space. Its sign is arbitrary.
+/// A normal of a facet (an edge in the plane, a triangle in space), as `perpendicular` makes it.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> normal_of(const Simplex<S, D>& simplex, Face facet) {
   const FaceVertices& vertex = vertices_of(facet);
@@ -162,8 +158,8 @@ template <class S, int D>
   return perpendicular<S, D>(edges);
 }
 
-/// Weights of `face` from its coordinates: segments divide by the squared length as the slides do,
-/// larger faces by the sum, so that weights add up to 1.
+/// Sets the weights of `face` from its coordinates. A segment divides by its squared length, as the
+/// slides do; a larger face by the sum of the numerators, so that the weights add up to 1.
 template <class S, int D>
 void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
   const FaceVertices& in_face = vertices_of(face);
@@ -180,7 +176,7 @@ void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coo
   for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
 }
 
-/// The largest coordinate of the simplex.
+/// The largest magnitude of a coordinate of the simplex.
 template <class S, int D>
 [[nodiscard]] S largest_coordinate(const Simplex<S, D>& simplex) {
   S size(0);
@@ -188,7 +184,7 @@ template <class S, int D>
   return size;
 }
 
-/// The point of `face` with the simplex's weights.
+/// The sum of the vertices of `face`, each times its weight in the simplex.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face) {
   const FaceVertices& in_face = vertices_of(face);

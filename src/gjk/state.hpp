@@ -1,6 +1,5 @@
 #pragma once
-// What is known between two phases of a run: a plain value. Going back to an earlier step is an
-// index into a trace, not an undo.
+// The state of a run between two phases: a plain value, so that a trace can keep every one.
 
 #include "gjk/simplex.hpp"
 
@@ -20,40 +19,37 @@ inline constexpr int kPhaseCount = 6;
 /// Why a run ended.
 enum class StopReason : std::uint8_t {
   running,           ///< It has not ended yet.
-  repeated_support,  ///< The support point is already in the simplex: no point of Z lies farther
-                     ///< along d.
+  repeated_support,  ///< The support point is already in the simplex: Z reaches no farther along d.
   origin_inside,     ///< O lies inside a full simplex: the shapes overlap.
   zero_direction,    ///< d = 0: O lies on the simplex.
-  no_progress,       ///< The support point lies no farther along d than the simplex, or P came no
-                     ///< nearer.
+  no_progress,       ///< The support point is no farther along d than the simplex, or P no nearer.
   within_tolerance,  ///< The certified bounds are as close as Options::tolerance asked for.
-  iteration_cap,     ///< Gave up. The bounds still hold; the distance between them is not decided.
+  iteration_cap,     ///< The run gave up. Its bounds hold, but may be wide.
   failed,            ///< The query was refused; see Error.
 };
 
-/// Lengths are in units of 2^Prepared::exponent, which is 1 for all but extreme coordinates.
+/// Lengths are in the run's unit, 2^Prepared::exponent: 1 for all but extreme coordinates.
 template <class S, int D>
 struct State {
-  Phase phase = Phase::closest;  ///< The phase to run next; when the run has ended, the last one.
-  Phase previous =
-      Phase::add;  ///< The phase that led here: cull and direction may lead to stop, too.
+  Phase phase = Phase::closest;  ///< The phase to run next; stop once the run has ended.
+  Phase previous = Phase::add;   ///< The phase that ran last: several lead to stop.
   int iteration = 1;
   Simplex<S, D> simplex;
-  Face region = 0;                  ///< The face of `simplex` that holds P, from closest to cull.
+  Face region = 0;  ///< Between closest and cull, the face that holds P; else the whole simplex.
   Vec<S, D> p = Vec<S, D>::Zero();  ///< Closest point of the simplex to O.
-  S p_sq = S(0);                    ///< |p|^2; see detail::facet_distance_sq.
+  S p_sq = S(0);                    ///< |p|^2, as detail::take_region computes it.
   Vec<S, D> d = Vec<S, D>::Zero();  ///< Search direction, in world axes.
   SupportPoint<S, D> support;       ///< Farthest point of Z along d.
   S support_value = S(0);           ///< dot(d, support.w)
 
-  Simplex<S, D> best;  ///< The simplex, culled, whose P came nearest so far.
-  S best_sq = S(0);    ///< Its |p|^2; meaningful once `best.count` > 0.
+  Simplex<S, D> best;  ///< The culled simplex whose P came nearest to O so far.
+  S best_sq = S(0);    ///< The p_sq of `best`; meaningful once `best.count` > 0.
 
-  /// Squared distance of the farthest support plane so far that has O on one side and all of Z on
-  /// the other, as computed: rounding is not subtracted. 0: no plane has separated the shapes yet.
+  /// Squared distance from O of the farthest support plane so far that separates O from Z, rounding
+  /// not subtracted; 0 when no plane has separated them yet.
   S plane_distance_sq = S(0);
-  S plane_reach_sq = S(0);     ///< |w|^2 of its support point: what rounding is relative to.
-  bool touches_plane = false;  ///< Some support plane passes exactly through O.
+  S plane_reach_sq = S(0);     ///< |w|^2 of that plane's support point, to bound its rounding.
+  bool touches_plane = false;  ///< Some support plane has passed through O: dot(d, w) was 0.
 
   StopReason stop = StopReason::running;
   Error error = Error::none;

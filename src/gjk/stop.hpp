@@ -5,8 +5,8 @@
 
 namespace gjk::detail {
 
-/// The squared distance of a support plane that, rounding subtracted, certifies the tolerance.
-/// Where not even the distance without rounding does, that is enough, unless all is recorded.
+/// The least plane_distance_sq that certifies the tolerance when rounding is subtracted. If the
+/// plane fails even without that, an unrecorded run gets the cheaper value without rounding.
 template <class S, int D>
 [[nodiscard]] S wanted_plane_distance_sq(const State<S, D>& state, const Options& options,
                                          const Prepared<S, D>& prepared, bool recorded) {
@@ -24,7 +24,7 @@ template <class S, int D>
   return without_rounding;
 }
 
-/// The stop tests, in order; the first that holds names the reason. What each compares:
+/// Runs the stop tests in order; the first that holds names the reason. Each compares two values:
 ///
 ///   reason            left                                     right                 holds if
 ///   origin_inside     vertices of the culled simplex           those of a full one   left = right
@@ -33,10 +33,10 @@ template <class S, int D>
 ///                     the support point, or -1
 ///   no_progress       dot(d, support)                          largest dot(d, w_i)   left <= right
 ///      (P not nearer)    |best P|^2                            |P|^2                 left <= right
-///   within_tolerance  lower^2 that is wanted, see above        lower^2               left <= right
+///   within_tolerance  wanted_plane_distance_sq                 plane_distance_sq     left <= right
 ///   iteration_cap     cap                                      iteration             left <= right
 ///
-/// The first three are cases 2, 3a and 1 of Catto 2010, slides "Termination".
+/// The first three rows are cases 2, 3a and 1 of Catto 2010, slides "Termination".
 template <class S, int D, class Rec>
 void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S, D>& prepared,
                     Rec& record) {
@@ -49,8 +49,8 @@ void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S
     if (tried && holds) state.stop = reason;
   };
   const Simplex<S, D>& simplex = state.simplex;
-  const bool nearer = state.previous != Phase::cull || simplex.count == D + 1;
-  const bool has_direction = nearer && state.previous != Phase::cull;
+  const bool has_direction = state.previous != Phase::cull;
+  const bool nearer = has_direction || simplex.count == D + 1;
   const bool has_support = state.previous == Phase::support;
 
   int repeated = -1;

@@ -1,15 +1,15 @@
 #pragma once
 // Phase "support": the farthest point of the Minkowski difference along d.
 //
-// Sign convention of the whole project, the slides': Z = Y - X, and the query point is the origin
-// O. For a point query X = {Q}, so that d, drawn in the world, points from P to Q.
+// The sign convention of the whole project is the slides': Z = Y - X, and the query point is the
+// origin O. For a point query X = {Q}, so d, drawn in the world, points from P to Q.
 
 #include "gjk/prepare.hpp"
 #include "gjk/record.hpp"
 
 namespace gjk {
 
-/// A vertex as its shape's pose turns it, seen from the shape's centre, in the run's unit.
+/// Vertex i relative to its shape's centre, in world axes and the run's unit.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
                                       const Body<R, D>& body, int i) {
@@ -17,8 +17,8 @@ template <class R, class S, int D>
   return shape.pose.template rotated<R>(detail::from_centre(shape, prepared, body, i));
 }
 
-/// w = (Ry y + ty) - (Rx x + tx), in the run's unit. A translation common to both shapes cancels
-/// before anything rounds.
+/// w = (Ry y + ty) - (Rx x + tx), in the run's unit, for rotations R and translations t. A
+/// translation common to both shapes cancels before anything rounds.
 template <class R, class S, int D>
 [[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
                                                const Prepared<R, D>& prepared, VertexPair pair) {
@@ -32,8 +32,8 @@ template <class R, class S, int D>
   return {Vec<R, D>(y - x) + prepared.offset, pair};
 }
 
-/// `use(count, along)` for the vertices of a shape along a direction of the world:
-/// along(i) = dot(d, vertex i - centre).
+/// Returns use(count, along), with along(i) = dot(d, vertex i - centre) for a shape's `count`
+/// vertices and a direction d in world axes.
 template <class R, class S, int D, class Use>
 auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, D>& prepared,
                 const Body<R, D>& body, const Use& use) {
@@ -46,8 +46,8 @@ auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, 
              [&](int i) { return dot(local, detail::from_centre(shape, prepared, body, i)); });
 }
 
-/// The first of the vertices that lie farthest (Catto 2010, slide "Support point code"). Without a
-/// branch on how vertices compare, which processors guess wrong.
+/// The first of the farthest vertices (Catto 2010, slide "Support point code"). Comparisons select
+/// instead of branching, because processors would mispredict the branch.
 template <class R, class Along>
 [[nodiscard]] int scan(int count, const Along& along) {
   int index = 0;
@@ -60,8 +60,8 @@ template <class R, class Along>
   return index;
 }
 
-/// The vertex of a shape that lies farthest along d; of equal ones the first. `visit(i, along)` of
-/// each vertex that is looked at.
+/// The vertex of a shape that lies farthest along d; of equal ones the first. Calls visit(i, value)
+/// for each vertex that it looks at.
 template <class R, class S, int D, class Visit>
 [[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
                                   const Prepared<R, D>& prepared, const Body<R, D>& body,
@@ -74,7 +74,7 @@ template <class R, class S, int D, class Visit>
     };
     if (!body.is_ring) [[likely]]
       return scan<R>(count, looked_at);
-    R rounding(0);  // of two dot products of centred vertices
+    R rounding(0);  // of the difference of two values
     if constexpr (!ScalarTraits<R>::kExact) {
       rounding = R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff() * norm_1(d) * body.radius;
     }
@@ -82,8 +82,8 @@ template <class R, class S, int D, class Visit>
   });
 }
 
-/// support(Z, d) = support(Y, d) - support(X, -d)  (Catto 2010, slide "Property 2: support
-/// points").
+/// The pair that makes Z's support point: support(Z, d) = support(Y, d) - support(X, -d) (Catto
+/// 2010, slide "Property 2: support points").
 template <class R, class S, int D>
 [[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                        const Vec<R, D>& d) {
@@ -92,7 +92,7 @@ template <class R, class S, int D>
           farthest_vertex(d, query.y, prepared, prepared.y, nothing)};
 }
 
-/// The vertices that `farthest_vertex` looks at, in its order. Values as in the shape's own frame.
+/// The record of `farthest_vertex`: the vertices that it looks at, in its order.
 template <class R, class S, int D>
 [[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Vec<R, D>& d, const Shape<S, D>& shape,
                                                      const Prepared<R, D>& prepared,
@@ -106,8 +106,8 @@ template <class R, class S, int D>
   return entries;
 }
 
-/// Larsen's slab (1998, "Proof of Local Verification"): all of Z lies beyond the plane through the
-/// support point, normal to d, so -dot(d, w) / |d| is a lower bound of the distance.
+/// Notes the plane through the support point w with normal d. All of Z lies beyond it, so
+/// -dot(d, w) / |d| is a lower bound of the distance (Larsen 1998, "Proof of Local Verification").
 template <class R, int D>
 void note_support_plane(State<R, D>& state) {
   const R d_sq = dot(state.d, state.d);

@@ -1,6 +1,5 @@
 #pragma once
-// Witness points: the points of X and Y that are as far apart as the result says (Catto 2010, slide
-// "Witness points").
+// Witness points: the points of X and Y nearest to each other (Catto 2010, slide "Witness points").
 
 #include <algorithm>
 
@@ -9,20 +8,20 @@
 
 namespace gjk {
 
-/// The weights put P at O, but for the least that rounding can do.
+/// True when the weights put P at O, up to about one rounding.
 template <class R, int D>
 [[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex) {
   const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
   return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
 }
 
-/// The place of from + beyond in the world, with about twice the digits before the last rounding:
-/// for shapes that lie far from their own origin, where a rotation rounds by more than Z is large.
+/// The point from + beyond of a shape's frame in the world, computed with about twice the digits:
+/// far from the frame's origin a rotation can round by more than the size of Z.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
                                                      const Vec<R, D>& beyond, int exponent) {
   using Word = DoubleWord<R>;
-  const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // for large ones only
+  const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // 1 if small
   Vec<Word, D> local;
   for (int k = 0; k < D; ++k) local[k] = exact_sum(R(from[k] * unit), R(beyond[k] * unit));
   const Vec<Word, D> turned = pose.template rotated<Word>(local);
@@ -34,7 +33,7 @@ template <class R, class S, int D>
   return world;
 }
 
-/// True when all pairs of the simplex have the same vertex of a shape.
+/// True when all pairs of the simplex have the same vertex of `shape`.
 template <class R, int D>
 [[nodiscard]] bool has_one_vertex_of(int VertexPair::*shape, const Simplex<R, D>& simplex) {
   return std::all_of(simplex.vertices.begin() + 1, simplex.vertices.begin() + simplex.count,
@@ -43,8 +42,8 @@ template <class R, int D>
                      });
 }
 
-/// The point of one shape that the weights of the simplex make, put together from the vertex of the
-/// largest weight, so that little rounds but the last addition.
+/// The weighted point of one shape, in the world. It is the vertex of the largest weight plus a
+/// weighted sum of differences, so that little rounds but the last addition.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> witness_point(const Simplex<R, D>& simplex, const Shape<S, D>& shape,
                                       int VertexPair::*index, const Prepared<R, D>& prepared) {
@@ -71,13 +70,11 @@ template <class R, class S, int D>
   const Vec<W, D> local = from + beyond;
   const Vec<W, D> world =
       shape.pose.template rotated<W>(local) + converted<W, S, D>(shape.pose.translation);
-  Vec<R, D> out;
-  for (int i = 0; i < D; ++i) out[i] = static_cast<R>(world[i]);
-  return out;
+  return converted<R, W, D>(world);
 }
 
-/// Both witness points, in the world. Those of shapes that meet are one point, which only rounding
-/// sets apart: halfway between both, or the one that is a vertex.
+/// Sets both witness points, in the world. Where shapes meet, both are one point, and rounding must
+/// not set them apart: it is their midpoint, or the one that is a vertex.
 template <class R, class S, int D>
 void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
                         const Prepared<R, D>& prepared) {
