@@ -86,9 +86,9 @@ template <class R, class S, int D>
 /// A distance below reach / kNear is mostly rounding: it is computed anew with about twice the
 /// digits, and its face is checked (is_certainly_farthest).
 inline constexpr int kNear = 4096;
-/// A distance below reach / kNearInOneFrame is computed anew, too, where that helps: in one frame,
+/// A distance below reach / kQuiteNear is computed anew, too, where that helps: in one frame,
 /// where vertices round so little, and in space, where turned vertices round more often.
-inline constexpr int kNearInOneFrame = 16;
+inline constexpr int kQuiteNear = 16;
 /// So is a distance above reach / kFarFromEdge from an edge or triangle: it rounds up to six times.
 inline constexpr int kFarFromEdge = 2;
 /// How often a distance in the run's own digits rounds at worst: from a vertex; and what an edge or
@@ -223,7 +223,7 @@ class OutsideBounds {
   }
   [[nodiscard]] bool is_too_rounded() const {
     const bool gains = prepared_.same_frame || D == 3;
-    return (gains && R(kNearInOneFrame) * foot_.distance < prepared_.reach) ||
+    return (gains && R(kQuiteNear) * foot_.distance < prepared_.reach) ||
            (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot_.distance);
   }
   /// True when certainly no vertex of Z outside the face lies as far along the direction to O. The

@@ -79,7 +79,7 @@ struct RegionCondition {
 };
 inline constexpr auto kRegionConditions = [] {
   std::array<RegionCondition, 1 << (kMaxDimension + 1)> out = {};
-  for (Face face = 1; face < out.size(); ++face) {
+  for (Face face = 1; face < Face{out.size()}; ++face) {
     for (int i = 0; i <= kMaxDimension; ++i) {
       if (!contains(face, i)) {
         out[face].not_positive |= sign_bit(static_cast<Face>(face | face_of(i)), i);

@@ -75,11 +75,6 @@ class Expansion {
     return Expansion(a.estimate<long double>() / b.estimate<long double>());
   }
 
-  Expansion& operator+=(const Expansion& b) { return *this = *this + b; }
-  Expansion& operator-=(const Expansion& b) { return *this = *this - b; }
-  Expansion& operator*=(const Expansion& b) { return *this = *this * b; }
-  Expansion& operator/=(const Expansion& b) { return *this = *this / b; }
-
   friend bool operator<(const Expansion& a, const Expansion& b) { return (a - b).sign() < 0; }
   friend bool operator==(const Expansion& a, const Expansion& b) { return (a - b).sign() == 0; }
 

@@ -127,8 +127,7 @@ template <class S, int D>
                      });
 }
 
-/// The first thing wrong. A pose that is not finite, with nothing else wrong, is found later: it
-/// makes `reach`, or at least the witness points, not finite.
+/// The first thing wrong. Alone, a pose that is not finite is found later, by `reach`.
 template <class S, int D>
 [[nodiscard]] Error first_wrong(const Bodies<S, D>& bodies, const Options& options) {
   const auto& [query, x, y] = bodies;
@@ -190,7 +189,7 @@ void set_frames(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepar
   prepared.exponent = exponent;
   if (exponent != 0) prepared.unit = ScalarTraits<R>::scaled(R(1), -exponent);
   prepared.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
-                        query.x.pose.translation == query.y.pose.translation;
+                        is_zero(Vec<S, D>(query.y.pose.translation - query.x.pose.translation));
   if constexpr (ScalarTraits<R>::kExact) {
     prepared.offset = prepared.in_unit(converted<R, S, D>(query.y.pose.translation) -
                                        converted<R, S, D>(query.x.pose.translation));

@@ -20,7 +20,6 @@
 namespace gjkscope::fuzz {
 namespace {
 
-using Eigen::Vector2d;
 using nlohmann::json;
 
 // More than that only takes longer.
@@ -47,33 +46,37 @@ Solved solve(const std::string& text, ScalarKind scalar) {
 }
 
 std::vector<ReadCase> read(std::string_view text) {
-  std::vector<ReadCase> cases = parse_cases(text, "<stdin>");
+  std::vector<ReadCase> cases = parse_cases(text, "<stdin>", gjk::kMaxDimension);
   claim(!cases.empty(), "there is a case or a problem");
   for (const ReadCase& one : cases) {
-    claim(one.value.has_value() == one.problems.empty(), "a case is read, or has problems");
+    claim((one.value || one.in_space) == one.problems.empty(), "a case is read, or has problems");
     for (const Problem& problem : one.problems) claim_located(problem, text);
   }
   return cases;
 }
 
 /// Coordinates as numbers, or as hexadecimal texts.
-std::string written(const Case& value, bool hexadecimal) {
+template <int D>
+std::string written(const CaseIn<D>& value, bool hexadecimal) {
   const auto coordinate = [&](double number) {
     return hexadecimal ? json(fmt::format("{:a}", number)) : json(number);
   };
-  const auto list = [&](const std::vector<Vector2d>& points) {
+  const auto list = [&](const std::vector<gjk::Vec<double, D>>& points) {
     json out = json::array();
-    for (const Vector2d& p : points) out.push_back({coordinate(p[0]), coordinate(p[1])});
+    for (const gjk::Vec<double, D>& p : points) {
+      json& point = out.emplace_back(json::array());
+      for (const double number : p) point.push_back(coordinate(number));
+    }
     return out;
   };
-  return json{{"a", list(value.a)}, {"b", list(value.b)}}.dump();
+  return json{{"dimension", D}, {"a", list(value.a)}, {"b", list(value.b)}}.dump();
 }
 
 /// The case that a run in S sees, or nothing where a coordinate exceeds S.
-template <class S>
-std::optional<Case> rounded(Case value) {
-  for (std::vector<Vector2d>* points : {&value.a, &value.b}) {
-    for (Vector2d& point : *points) {
+template <class S, int D>
+std::optional<CaseIn<D>> rounded(CaseIn<D> value) {
+  for (auto* points : {&value.a, &value.b}) {
+    for (gjk::Vec<double, D>& point : *points) {
       for (double& number : point) {
         if constexpr (!gjk::ScalarTraits<S>::kExact) number = static_cast<double>(S(number));
         if (!std::isfinite(number)) return std::nullopt;
@@ -83,8 +86,11 @@ std::optional<Case> rounded(Case value) {
   return value;
 }
 
-std::array<Quad, 2> point_of(const json& list) {
-  return {Quad(list[0].get<double>()), Quad(list[1].get<double>())};
+template <int D>
+std::array<Quad, D> point_of(const json& list) {
+  std::array<Quad, D> out;
+  for (std::size_t i = 0; i < D; ++i) out[i] = Quad(list[i].get<double>());
+  return out;
 }
 
 void claim_answer_or_error(const json& answer) {
@@ -101,7 +107,7 @@ void claim_answer_or_error(const json& answer) {
     claim(answer[key].is_number(), "numbers are finite: " + told);
   }
   for (const char* key : {"a", "b"}) {
-    claim(answer[key][0].is_number() && answer[key][1].is_number(), "points are finite: " + told);
+    for (const json& number : answer[key]) claim(number.is_number(), "points are finite: " + told);
   }
   const double distance = answer["distance"].get<double>();
   claim(0.0 <= answer["lower"].get<double>() && answer["lower"].get<double>() <= distance &&
@@ -114,28 +120,30 @@ void claim_answer_or_error(const json& answer) {
 }
 
 /// `seen`: the case as the run in S saw it.
-template <class S>
-void claim_true(const json& answer, const Case& seen) {
-  const std::string told = answer.dump() + " for " + written(seen, false);
-  const study::Truth exact = study::truth_of<2>({seen.a, seen.b});
+template <class S, int D>
+void claim_true(const json& answer, const CaseIn<D>& seen) {
+  const std::string told = answer.dump() + " for " + written<D>(seen, false);
+  const study::Truth<D> exact = study::truth_of<D>({seen.a, seen.b});
   using Real = typename gjk::ScalarTraits<S>::Real;
   if (answer.contains("error")) {
     const std::string error = answer["error"].get<std::string>();
     const bool far = exact.distance > 0.9 * static_cast<double>(std::numeric_limits<Real>::max());
-    const bool tiny = std::is_same_v<S, Eigen::half> && error.starts_with("underflow");
+    constexpr bool kIsNarrow =
+        std::is_same_v<S, Eigen::half> || (D == 3 && std::is_same_v<S, float>);
+    const bool tiny = kIsNarrow && error.starts_with("underflow");
     claim(far ? error.starts_with("overflow") : tiny, "there is a reason to refuse: " + told);
     return;
   }
   claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + told);
   claim(answer["stop"] != name_of(gjk::StopReason::iteration_cap), "no cap is reached: " + told);
-  study::Claim<2> claimed;
+  study::Claim<D> claimed;
   claimed.verdict = value_of<gjk::Verdict>(answer["verdict"].get<std::string>()).value();
   claimed.has_bounds = true;
   claimed.distance = Quad(answer["distance"].get<double>());
   claimed.lower = Quad(answer["lower"].get<double>());
   claimed.upper = Quad(answer["upper"].get<double>());
-  claimed.x = point_of(answer["a"]);
-  claimed.y = point_of(answer["b"]);
+  claimed.x = point_of<D>(answer["a"]);
+  claimed.y = point_of<D>(answer["b"]);
   claimed.unit_roundoff = static_cast<double>(gjk::ScalarTraits<Real>::unit_roundoff());
   const study::Judgement found = study::judge(claimed, {exact, exact});
   const std::string_view broken =
@@ -143,6 +151,20 @@ void claim_true(const json& answer, const Case& seen) {
                         std::is_same_v<Real, double> ? study::kBars : study::kFloatBars);
   claim(broken.empty(),
         "the answer is within bars, it breaks that of: " + std::string(broken) + ", " + told);
+}
+
+template <class S, int D>
+void claim_answer(const json& answer, const CaseIn<D>& value, ScalarKind scalar) {
+  const std::optional<CaseIn<D>> seen = rounded<S, D>(value);
+  if (!seen) {
+    claim(answer.contains("error"), "a coordinate that the scalar cannot hold is refused");
+    return;
+  }
+  claim_true<S, D>(answer, *seen);
+  json again = solve(written<D>(*seen, scalar == ScalarKind::double_), scalar).answers.at(0);
+  again["case"] = answer["case"];
+  claim(again == answer, "a case written and read back has the same answer: " + answer.dump() +
+                             " and " + again.dump());
 }
 
 template <class S>
@@ -153,22 +175,14 @@ void feed(const std::string& text, const std::vector<ReadCase>& cases, ScalarKin
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const json& answer = solved.answers[i];
     claim_answer_or_error(answer);
-    const bool error = answer.contains("error");
-    refused = refused || error;
-    if (!cases[i].value) {
-      claim(error, "a case that cannot be read has no answer");
-      continue;
+    refused = refused || answer.contains("error");
+    if (cases[i].value) {
+      claim_answer<S, 2>(answer, *cases[i].value, scalar);
+    } else if (cases[i].in_space) {
+      claim_answer<S, 3>(answer, *cases[i].in_space, scalar);
+    } else {
+      claim(answer.contains("error"), "a case that cannot be read has no answer");
     }
-    const std::optional<Case> seen = rounded<S>(*cases[i].value);
-    if (!seen) {
-      claim(error, "a coordinate that the scalar cannot hold is refused");
-      continue;
-    }
-    claim_true<S>(answer, *seen);
-    json again = solve(written(*seen, scalar == ScalarKind::double_), scalar).answers.at(0);
-    again["case"] = answer["case"];
-    claim(again == answer, "a case written and read back has the same answer: " + answer.dump() +
-                               " and " + again.dump());
   }
   claim(solved.exit_code == (refused ? kProblem : kDone), "the exit code tells of errors");
 }
@@ -182,8 +196,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(data, data + size);
   const std::vector<ReadCase> cases = fuzz::read(text);
   std::size_t vertices = 0;
-  for (const ReadCase& read : cases)
+  for (const ReadCase& read : cases) {
     if (read.value) vertices += read.value->a.size() + read.value->b.size();
+    if (read.in_space) vertices += read.in_space->a.size() + read.in_space->b.size();
+  }
   if (vertices > fuzz::kMostVertices) return 0;
   for (const ScalarKind kind :
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {

@@ -150,6 +150,21 @@ TEST(overflow_pose, "a pose that overflows is refused; a huge common translation
   check_refused(Error::overflow, rotation);
 }
 
+TEST(infinite_pose, "an infinite translation is refused, even one that both shapes share") {
+  for (const double far : {0.0, 1e6}) {  // far from their origins, points are centred
+    Case<double> bad;
+    for (auto* points : {&bad.x, &bad.y}) {
+      for (auto& point : *points) point += Vec<double, 2>(far, far);
+    }
+    bad.x_pose.translation[0] = std::numeric_limits<double>::infinity();
+    check_refused(Error::x_not_finite, bad);
+    bad.y_pose.translation[0] = std::numeric_limits<double>::infinity();
+    check_refused(Error::x_not_finite, bad);
+    bad.x_pose.translation[0] = 0;
+    check_refused(Error::y_not_finite, bad);
+  }
+}
+
 TEST(all_zero, "shapes that are all one point at the origin are answered") {
   Case<float> same;
   same.y = {{0, 0}, {0, 0}};
