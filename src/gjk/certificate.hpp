@@ -91,6 +91,8 @@ inline constexpr int kNear = 4096;
 inline constexpr int kQuiteNear = 16;
 /// So is a distance above reach / kFarFromEdge from an edge or triangle: it rounds up to six times.
 inline constexpr int kFarFromEdge = 2;
+/// The run's own weights put P visibly beside its place in a triangle kThin times as long as high.
+inline constexpr int kThin = 4;
 /// How often a distance in the run's own digits rounds at worst: from a vertex; and what an edge or
 /// triangle adds, whose edges round, as do their products with each other and the nearest vertex.
 inline constexpr int kRoundings = 4;
@@ -159,7 +161,7 @@ class OutsideBounds {
   }
 
   /// As `measure`, with about twice the digits; replaces weights that may be too inexact.
-  void measure_anew(Simplex<R, D>& simplex) {
+  [[gnu::noinline, gnu::flatten]] void measure_anew(Simplex<R, D>& simplex) {
     const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
     foot_ = foot_of<R>(face);
     if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place
@@ -170,7 +172,7 @@ class OutsideBounds {
     }
     const R few = R(kCarefulRoundings) * u_;
     R to_p = foot_.distance;
-    if (!is_inside_ || face.count > 2) {
+    if (!is_inside_ || R(kThin) * foot_.height < foot_.longest) {
       simplex.weights = weights_of<R>(face);
       face_.weights = simplex.weights;
       if (!is_inside_) to_p = larger(to_p, distance_of_p(face));
@@ -206,7 +208,7 @@ class OutsideBounds {
   [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
   /// The distance from O to the farthest of the four vertices of Z that `far_apart` points make.
-  [[nodiscard]] R corner_reach() const {
+  [[nodiscard, gnu::noinline]] R corner_reach() const {
     R most(0);
     for (const int x : prepared_.x.far_apart) {
       for (const int y : prepared_.y.far_apart) {
