@@ -119,7 +119,7 @@ template <class R, int D>
                                                                    const Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
   // After closest, P is known, but only cull makes its simplex the best.
-  const bool found_nearer = state.previous == Phase::closest && detail::came_nearer(state);
+  const bool found_nearer = state.previous == Phase::closest && came_nearer(state);
   const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.best;
   const R& nearest_sq = found_nearer ? state.p_sq : state.best_sq;
   if constexpr (Traits::kExact) {
@@ -128,8 +128,8 @@ template <class R, int D>
   } else {
     const bool full = found_nearer ? state.region == (1 << (D + 1)) - 1 : nearest.count == D + 1;
     const R distance = Traits::root(nearest_sq);
-    if (full && detail::surely_inside(nearest, prepared)) return {R(0), distance, R(0)};
-    return {detail::plane_bound(state, prepared), distance,
+    if (full && surely_inside(nearest, prepared)) return {R(0), distance, R(0)};
+    return {plane_bound(state, prepared), distance,
             Traits::root_above(nearest_sq) + prepared.simplex_error()};
   }
 }

@@ -19,8 +19,6 @@ struct Bounds {
 /// some vertex of Z. Just below the 16 that tests/truth demands.
 inline constexpr double kAllowedWidth = 15.5;
 
-namespace detail {
-
 /// The lower bound of the distance that the best support plane proves.
 template <class R, int D>
 [[nodiscard]] R plane_bound(const State<R, D>& state, const Prepared<R, D>& prepared) {
@@ -259,5 +257,4 @@ class OutsideBounds {
   bool near_ = false;
 };
 
-}  // namespace detail
 }  // namespace gjk

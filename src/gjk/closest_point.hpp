@@ -59,8 +59,6 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
   return edges_first;
 }
 
-namespace detail {
-
 /// Which coordinates are positive: bit 4 * face + vertex.
 using SignSet = std::uint64_t;
 [[nodiscard]] constexpr SignSet sign_bit(Face face, int vertex) {
@@ -259,5 +257,4 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
   state.phase = answered ? Phase::stop : Phase::direction;
 }
 
-}  // namespace detail
 }  // namespace gjk

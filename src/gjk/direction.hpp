@@ -39,8 +39,6 @@ template <class S, int D>
   return note;
 }
 
-namespace detail {
-
 template <class S, int D, class Rec>
 void build_direction(State<S, D>& state, const Options& options, Rec& record) {
   const DirectionNote<S, D> note = search_direction(state.simplex, state.p, options.direction_rule);
@@ -50,5 +48,4 @@ void build_direction(State<S, D>& state, const Options& options, Rec& record) {
   state.phase = is_zero(state.d) ? Phase::stop : Phase::support;
 }
 
-}  // namespace detail
 }  // namespace gjk

@@ -49,17 +49,17 @@ void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
           const Prepared<R, D>& prepared, Rec& record) {
   switch (state.phase) {
     case Phase::closest:
-      return detail::find_closest_point(state, options, record);
+      return find_closest_point(state, options, record);
     case Phase::cull:
-      return detail::cull(state, options, record);
+      return cull(state, options, record);
     case Phase::direction:
-      return detail::build_direction(state, options, record);
+      return build_direction(state, options, record);
     case Phase::support:
       return find_support(state, query, prepared, record);
     case Phase::stop:
-      return detail::run_stop_tests(state, options, prepared, record);
+      return run_stop_tests(state, options, prepared, record);
     case Phase::add:
-      return detail::add_support(state);
+      return add_support(state);
   }
 }
 
@@ -70,12 +70,12 @@ void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
          const Prepared<R, D>& prepared) {
   NoRecord none;
   while (state.stop == StopReason::running) {
-    detail::find_closest_point(state, options, none);
-    detail::cull(state, options, none);
-    if (state.phase == Phase::direction) detail::build_direction(state, options, none);
+    find_closest_point(state, options, none);
+    cull(state, options, none);
+    if (state.phase == Phase::direction) build_direction(state, options, none);
     if (state.phase == Phase::support) find_support(state, query, prepared, none);
-    detail::run_stop_tests(state, options, prepared, none);
-    if (state.stop == StopReason::running) detail::add_support(state);
+    run_stop_tests(state, options, prepared, none);
+    if (state.stop == StopReason::running) add_support(state);
   }
 }
 

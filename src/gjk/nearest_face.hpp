@@ -5,7 +5,7 @@
 
 #include "gjk/simplex.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
 /// Of the vertices and all faces that O projects into, the one with the point nearest to O.
 /// `of_face`: the coordinates of O in every face of two vertices or more.
@@ -46,4 +46,4 @@ template <class S, int D>
   }
 }
 
-}  // namespace gjk::detail
+}  // namespace gjk

@@ -41,7 +41,7 @@ struct StopTest {
   bool enabled = false;  ///< The options ask for it, and the phases that ran make it possible.
   bool tried = false;
   bool holds = false;
-  S left = S(0);  ///< The compared values; detail::run_stop_tests lists them for each reason.
+  S left = S(0);  ///< The compared values; run_stop_tests lists them for each reason.
   S right = S(0);
 };
 
@@ -62,7 +62,7 @@ struct Record {
   static constexpr bool kOn = true;
   std::vector<RegionTest<S>> region_tests;
   /// Rounding left every test false, or only the last one true for a full simplex too thin to be
-  /// believed, so a face was chosen by distance: see detail::nearest_face.
+  /// believed, so a face was chosen by distance: see nearest_face.
   bool no_region_held = false;
   std::vector<SupportPoint<S, D>> dropped;
   DirectionNote<S, D> direction;

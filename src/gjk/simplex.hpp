@@ -64,8 +64,6 @@ struct Barycentric {
   S denominator;
 };
 
-namespace detail {
-
 // Segment AB: fractional lengths, with n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
 template <class S, int D>
@@ -128,17 +126,15 @@ template <class S>
   return out;
 }
 
-}  // namespace detail
-
 /// Coordinates of O in `face`, which must have a vertex.
 template <class S, int D>
 [[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
   const auto& [vertex, count] = vertices_of(face);
-  if (count == 2) return detail::segment_coordinates(simplex, vertex[0], vertex[1]);
-  if (count == D + 1) return detail::volume_coordinates(simplex);
+  if (count == 2) return segment_coordinates(simplex, vertex[0], vertex[1]);
+  if (count == D + 1) return volume_coordinates(simplex);
   if constexpr (D == 3) {
     if (count == 3) {
-      return detail::triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
+      return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
     }
   }
   Barycentric<S, D> point{};

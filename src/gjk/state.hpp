@@ -37,7 +37,7 @@ struct State {
   Simplex<S, D> simplex;
   Face region = 0;  ///< Between closest and cull, the face that holds P; else the whole simplex.
   Vec<S, D> p = Vec<S, D>::Zero();  ///< Closest point of the simplex to O.
-  S p_sq = S(0);                    ///< |p|^2, as detail::take_region computes it.
+  S p_sq = S(0);                    ///< |p|^2, as take_region computes it.
   Vec<S, D> d = Vec<S, D>::Zero();  ///< Search direction, in world axes.
   SupportPoint<S, D> support;       ///< Farthest point of Z along d.
   S support_value = S(0);           ///< dot(d, support.w)

@@ -3,7 +3,7 @@
 
 #include "gjk/support.hpp"
 
-namespace gjk::detail {
+namespace gjk {
 
 /// The least plane_distance_sq that certifies the tolerance when rounding is subtracted. If the
 /// plane fails even without that, an unrecorded run gets the cheaper value without rounding.
@@ -97,4 +97,4 @@ void add_support(State<S, D>& state) {
   state.phase = Phase::closest;
 }
 
-}  // namespace gjk::detail
+}  // namespace gjk

@@ -41,11 +41,11 @@ template <class R, class S>
 Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
                  const gjk::Prepared<R, 2>& prepared, bool ended = true) {
   if (state.best.count == 3) {
-    const bool inside = gjk::detail::surely_inside(state.best, prepared);
+    const bool inside = gjk::surely_inside(state.best, prepared);
     return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
   }
   gjk::Simplex<R, 2> simplex = state.best;
-  gjk::detail::OutsideBounds<R, S, 2> outside(state, query, prepared);
+  gjk::OutsideBounds<R, S, 2> outside(state, query, prepared);
   const gjk::Bounds<R> bounds = outside.prove(ended, simplex);
   return {bounds, outside.is_tight()};
 }
@@ -75,15 +75,15 @@ TEST(inside, "O is surely inside when every area is larger than its rounding can
       return simplex_of<double>({{-size, -t * size}, {size, -t * size}, {0, size}});
     };
     const double least = 36 * kDoubleU;
-    CHECK(gjk::detail::surely_inside(simplex(0.1), prepared));
-    CHECK(gjk::detail::surely_inside(simplex(1.01 * least), exact_vertices));
-    CHECK(!gjk::detail::surely_inside(simplex(least), exact_vertices));
-    CHECK(!gjk::detail::surely_inside(simplex(0.99 * least), exact_vertices));
+    CHECK(gjk::surely_inside(simplex(0.1), prepared));
+    CHECK(gjk::surely_inside(simplex(1.01 * least), exact_vertices));
+    CHECK(!gjk::surely_inside(simplex(least), exact_vertices));
+    CHECK(!gjk::surely_inside(simplex(0.99 * least), exact_vertices));
     const double least_in_doubt = least + 150 * kDoubleU / size;
-    CHECK(gjk::detail::surely_inside(simplex(1.01 * least_in_doubt), prepared));
-    CHECK(!gjk::detail::surely_inside(simplex(0.99 * least_in_doubt), prepared));
-    CHECK(!gjk::detail::surely_inside(simplex(0.0), prepared));
-    CHECK(!gjk::detail::surely_inside(simplex(-0.1), prepared));
+    CHECK(gjk::surely_inside(simplex(1.01 * least_in_doubt), prepared));
+    CHECK(!gjk::surely_inside(simplex(0.99 * least_in_doubt), prepared));
+    CHECK(!gjk::surely_inside(simplex(0.0), prepared));
+    CHECK(!gjk::surely_inside(simplex(-0.1), prepared));
   }
 }
 
@@ -153,10 +153,9 @@ TEST(alone, "vertices are alone when no other lies less than the error nearer") 
     simplex.count = 2;
     simplex.vertices[0].pair.y = i;
     simplex.vertices[1].pair.y = j;
-    const gjk::detail::Corners corners(simplex, &gjk::VertexPair::y);
+    const gjk::Corners corners(simplex, &gjk::VertexPair::y);
     CHECK_EQ(i == j ? 1 : 2, corners.count);
-    return gjk::detail::are_alone(Vec<double, 2>(1, 0), query.y, prepared, prepared.y, corners,
-                                  error);
+    return gjk::are_alone(Vec<double, 2>(1, 0), query.y, prepared, prepared.y, corners, error);
   };
   CHECK(alone(1, 2, 0.0));
   CHECK(alone(1, 2, 0.99));

@@ -37,7 +37,7 @@ Closest closest(const std::vector<Vec<double, 2>>& points,
   gjk::Options options;
   options.region_order = order;
   gjk::Record<double, 2> record;
-  gjk::detail::find_closest_point(state, options, record);
+  gjk::find_closest_point(state, options, record);
   return {state.p, state.region, record.no_region_held, record.region_tests};
 }
 
@@ -201,7 +201,7 @@ TEST(rounding, "when rounding leaves every test false the nearest face is taken,
     }
     gjk::State<float, 2> state = state_of<float, 2>(points);
     gjk::Record<float, 2> record;
-    gjk::detail::find_closest_point(state, {}, record);
+    gjk::find_closest_point(state, {}, record);
     const check::Context context("seed", kSeed, "triangle", i);
     CHECK_NEAR(std::sqrt(brute_force_sq(same_points)), static_cast<double>(std::sqrt(state.p_sq)),
                4e-6);
@@ -269,7 +269,7 @@ TEST(weights, "weights are positive in P's face, add up to 1, and are 0 elsewher
     for (int k = 0; k < 3; ++k) points.emplace_back(random.between(-1, 1), random.between(-1, 1));
     gjk::State<double, 2> state = state_of<double, 2>(points);
     gjk::NoRecord none;
-    gjk::detail::find_closest_point(state, {}, none);
+    gjk::find_closest_point(state, {}, none);
     double sum = 0;
     Vec<double, 2> p = Vec<double, 2>::Zero();
     for (int k = 0; k < 3; ++k) {
@@ -314,12 +314,12 @@ TEST(believed, "weights of a full simplex are believed when P comes within 12 u 
         state_of<double, 2>({{size, 0}, {-size, 0}, {0, size}}).simplex;  // P = (2 beside size, 0)
     gjk::Barycentric<double, 2> coordinates;
     coordinates.numerator = {0.5 + beside, 0.5 - beside, 0};
-    return gjk::detail::weights_reach_origin(simplex, coordinates);
+    return gjk::weights_reach_origin(simplex, coordinates);
   };
   const auto tall = state_of<double, 2>({{1, 0}, {-1, 0}, {0, 8}}).simplex;
   gjk::Barycentric<double, 2> beside;
   beside.numerator = {0.5 + 0x1p-49, 0.5 - 0x1p-49, 0};
-  CHECK(gjk::detail::weights_reach_origin(tall, beside));
+  CHECK(gjk::weights_reach_origin(tall, beside));
   for (const double size : {1.0, 8.0}) {
     CHECK(believed(size, 0));
     CHECK(believed(size, 0x1.4p-51));
@@ -332,8 +332,8 @@ TEST(believed, "weights of a full simplex are believed when P comes within 12 u 
 TEST(nearest, "the nearest face is the first of those whose P is nearest") {
   const auto nearest = [](const std::vector<Vec<double, 2>>& points) {
     const auto simplex = state_of<double, 2>(points).simplex;
-    const gjk::detail::Coordinates<double, 2, 3> coordinates(simplex);
-    return static_cast<int>(gjk::detail::nearest_face<double, 2>(simplex, coordinates.of_face));
+    const gjk::Coordinates<double, 2, 3> coordinates(simplex);
+    return static_cast<int>(gjk::nearest_face<double, 2>(simplex, coordinates.of_face));
   };
   CHECK_EQ(0b001, nearest({{1, 1}, {1, 1}, {3, 4}}));
   CHECK_EQ(0b010, nearest({{3, 4}, {1, 1}, {1, 1}}));
@@ -361,7 +361,7 @@ TEST(thin, "a thin triangle around O is taken or not, but no answer lies farther
     }
     gjk::State<float, 2> state = state_of<float, 2>(points);
     gjk::Record<float, 2> record;
-    gjk::detail::find_closest_point(state, {}, record);
+    gjk::find_closest_point(state, {}, record);
     CHECK(std::sqrt(state.p_sq) <= width + 1e-6);
     const bool is_full = state.region == 0b111;
     if (is_full) CHECK(!record.no_region_held);
@@ -385,7 +385,7 @@ TEST(triangles_in_space, "a triangle in space has the same seven regions") {
     }
     gjk::State<double, 3> state = state_of<double, 3>(points);
     gjk::NoRecord none;
-    gjk::detail::find_closest_point(state, {}, none);
+    gjk::find_closest_point(state, {}, none);
     regions.insert(state.region);
     for (const Vec<double, 3>& point : points) {
       CHECK(state.p.dot(point) >= state.p.squaredNorm() - 1e-9);
@@ -409,7 +409,7 @@ TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point 
     }
     gjk::State<double, 3> state = state_of<double, 3>(points);
     gjk::NoRecord none;
-    gjk::detail::find_closest_point(state, {}, none);
+    gjk::find_closest_point(state, {}, none);
     regions.insert(state.region);
     // P is the closest point of the hull exactly when no vertex lies nearer to O along P.
     for (const Vec<double, 3>& point : points) {
@@ -422,8 +422,8 @@ TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point 
 TEST(culling, "cull keeps the vertices of P's face in order, and drops the others") {
   gjk::State<double, 2> state = state_of<double, 2>({{1, -1}, {5, 0}, {1, 2}});
   gjk::Record<double, 2> record;
-  gjk::detail::find_closest_point(state, {}, record);
-  gjk::detail::cull(state, {}, record);
+  gjk::find_closest_point(state, {}, record);
+  gjk::cull(state, {}, record);
   CHECK_EQ(2, state.simplex.count);
   CHECK_EQ(0, state.simplex.vertices[0].pair.x);
   CHECK_EQ(2, state.simplex.vertices[1].pair.x);
@@ -437,7 +437,7 @@ TEST(culling, "cull keeps the vertices of P's face in order, and drops the other
 TEST(facets, "the squared distance of P on a facet is that of the facet's line, or plane") {
   const auto check = [](double expected, auto state) {
     gjk::NoRecord none;
-    gjk::detail::find_closest_point(state, {}, none);
+    gjk::find_closest_point(state, {}, none);
     CHECK_EQ(expected, state.p_sq);
   };
   check(9.0, state_of<double, 2>({{3, -1}, {3, 2}}));
@@ -456,26 +456,26 @@ TEST(p_itself, "where directions come from P, its squared length is that of P") 
   gjk::State<Eigen::half, 2> state = state_of<Eigen::half, 2>(
       {{Eigen::half(90.5), Eigen::half(8.5)}, {Eigen::half(-88.0), Eigen::half(-8.0)}});
   gjk::NoRecord none;
-  gjk::detail::find_closest_point(state, options, none);
+  gjk::find_closest_point(state, options, none);
   CHECK(gjk::dot(state.p, state.p) == state.p_sq);
   options.direction_rule = gjk::DirectionRule::perpendicular;
-  gjk::detail::find_closest_point(state, options, none);
+  gjk::find_closest_point(state, options, none);
   CHECK(gjk::dot(state.p, state.p) != state.p_sq);
 }
 
 TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P that came no nearer") {
   gjk::State<double, 2> state = state_of<double, 2>({{-1, -1}, {2, -1}, {-1, 2}});
   gjk::NoRecord none;
-  gjk::detail::find_closest_point(state, {}, none);
-  gjk::detail::cull(state, {}, none);
+  gjk::find_closest_point(state, {}, none);
+  gjk::cull(state, {}, none);
   CHECK_EQ(gjk::Phase::stop, state.phase);
   CHECK(gjk::is_zero(state.p));
 
   gjk::State<double, 2> stale = state_of<double, 2>({{3, 4}});
   stale.best.count = 1;
   stale.best_sq = 25;
-  gjk::detail::find_closest_point(stale, {}, none);
-  gjk::detail::cull(stale, {}, none);
+  gjk::find_closest_point(stale, {}, none);
+  gjk::cull(stale, {}, none);
   CHECK_EQ(gjk::Phase::stop, stale.phase);
 
   for (const double best_sq :
@@ -486,7 +486,7 @@ TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P tha
     exact.p_sq = gjk::Expansion(25.0);
     exact.best.count = 1;
     exact.best_sq = gjk::Expansion(best_sq);
-    gjk::detail::cull(exact, {}, none);
+    gjk::cull(exact, {}, none);
     CHECK_EQ(best_sq > 0 ? gjk::Phase::direction : gjk::Phase::stop, exact.phase);
   }
 }

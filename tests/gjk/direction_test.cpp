@@ -90,7 +90,7 @@ TEST(sign, "the normal of an edge points to the side of O, whichever way the edg
       const Vec<double, 2> right(3, height);
       auto state = swapped ? at({right, left}, {0, height}) : at({left, right}, {0, height});
       gjk::Record<double, 2> record;
-      gjk::detail::build_direction(state, {}, record);
+      gjk::build_direction(state, {}, record);
       CHECK_EQ(0.0, state.d[0]);
       CHECK_EQ(height > 0 ? -4.0 : 4.0, state.d[1]);
       CHECK_EQ(record.direction.flipped, record.direction.side < 0);
@@ -105,7 +105,7 @@ TEST(vertex, "at a vertex d = O - P under both rules") {
     gjk::Options options;
     options.direction_rule = rule;
     gjk::Record<double, 2> record;
-    gjk::detail::build_direction(state, options, record);
+    gjk::build_direction(state, options, record);
     CHECK_EQ(-3.0, state.d[0]);
     CHECK_EQ(-4.0, state.d[1]);
     CHECK(!record.direction.from_normal);
@@ -115,7 +115,7 @@ TEST(vertex, "at a vertex d = O - P under both rules") {
 TEST(on_edge, "with O on the edge the normal's sign is arbitrary, and that is noted") {
   auto state = at({{-1, 0}, {1, 0}}, {0, 0});
   gjk::Record<double, 2> record;
-  gjk::detail::build_direction(state, {}, record);
+  gjk::build_direction(state, {}, record);
   CHECK(record.direction.sign_is_arbitrary);
   CHECK(!record.direction.flipped);
   CHECK(state.d == record.direction.normal);
@@ -126,7 +126,7 @@ TEST(on_edge, "with O on the edge the normal's sign is arbitrary, and that is no
 TEST(none, "O on a vertex gives no direction: the stop phase is next") {
   auto state = at({{0, 0}}, {0, 0});
   gjk::NoRecord none_recorded;
-  gjk::detail::build_direction(state, {}, none_recorded);
+  gjk::build_direction(state, {}, none_recorded);
   CHECK(gjk::is_zero(state.d));
   CHECK_EQ(Phase::stop, state.phase);
 }
@@ -134,7 +134,7 @@ TEST(none, "O on a vertex gives no direction: the stop phase is next") {
 TEST(no_normal, "an edge whose ends coincide falls back to O - P") {
   auto state = at({{3, 4}, {3, 4}}, {3, 4});
   gjk::Record<double, 2> record;
-  gjk::detail::build_direction(state, {}, record);
+  gjk::build_direction(state, {}, record);
   CHECK_EQ(-3.0, state.d[0]);
   CHECK(!record.direction.from_normal);
 }

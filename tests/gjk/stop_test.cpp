@@ -83,7 +83,7 @@ TEST(not_nearer, "no progress: P came no nearer") {
   state.p_sq = 4;
   state.best_sq = 4;
   gjk::Record<double, 2> record;
-  gjk::detail::run_stop_tests(state, {}, gjk::Prepared<double, 2>{}, record);
+  gjk::run_stop_tests(state, {}, gjk::Prepared<double, 2>{}, record);
   CHECK_EQ(StopReason::no_progress, state.stop);
 }
 
@@ -183,7 +183,7 @@ template <class S>
 gjk::Record<S, 2> stop_tests(gjk::State<S, 2>& state, const gjk::Options& options = {},
                              const gjk::Prepared<S, 2>& prepared = {}) {
   gjk::Record<S, 2> record;
-  gjk::detail::run_stop_tests(state, options, prepared, record);
+  gjk::run_stop_tests(state, options, prepared, record);
   return record;
 }
 
@@ -263,7 +263,7 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   state.best_sq = 4;
   state.plane_distance_sq = 1;
   const auto wanted = [&](const gjk::Prepared<float, 2>& prepared) {
-    return std::sqrt(gjk::detail::wanted_plane_distance_sq(state, options, prepared, true));
+    return std::sqrt(gjk::wanted_plane_distance_sq(state, options, prepared, true));
   };
   gjk::Prepared<float, 2> prepared;
   CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);
@@ -301,7 +301,7 @@ TEST(adding, "add appends the support point and begins the next iteration") {
   state.simplex.count = 1;
   state.support.w = Vec<double, 2>(4, 5);
   state.support.pair = {1, 2};
-  gjk::detail::add_support(state);
+  gjk::add_support(state);
   CHECK_EQ(2, state.simplex.count);
   CHECK_EQ(2, state.iteration);
   CHECK((state.simplex.vertices[1].pair == gjk::VertexPair{1, 2}));
