@@ -125,11 +125,15 @@ constexpr auto kFullDoubles = families::Representation::full_doubles;
 TEST(float_bits, "float queries times 2^-60 ... 2^60 give 2^k times the answer, bit for bit") {
   CHECK(check_bits<2, float, float>(40, 60, kFloatValues) > 60000);
   CHECK(check_bits<2, double, float>(40, 60, kFloatValues) > 60000);
+  CHECK(check_bits<3, float, float>(10, 60, kFloatValues) > 15000);
+  CHECK(check_bits<3, double, float>(10, 60, kFloatValues) > 15000);
 }
 
 TEST(double_bits, "double queries times 2^-400 ... 2^400 give 2^k times the answer, bit for bit") {
   CHECK(check_bits<2, double, double>(20, 400, kFloatValues) > 200000);
   CHECK(check_bits<2, double, double>(20, 400, kFullDoubles) > 200000);
+  CHECK(check_bits<3, double, double>(5, 400, kFloatValues) > 50000);
+  CHECK(check_bits<3, double, double>(5, 400, kFullDoubles) > 50000);
 }
 
 struct Beyond {
@@ -187,6 +191,8 @@ TEST(beyond, "down to the smallest numbers, up to the largest, the answer is rig
   check_ends<2, float, float>(40, -149, 130);
   check_ends<2, double, float>(40, -149, 130);
   check_ends<2, double, double>(20, -1074, 1026);
+  check_ends<3, float, float>(40, -149, 130);
+  check_ends<3, double, double>(20, -1074, 1026);
 }
 
 }  // namespace
