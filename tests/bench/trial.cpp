@@ -52,7 +52,8 @@ std::vector<double> ask(const Contestant& contestant, std::size_t count) {
   return out;
 }
 
-void count(const Library& library, const Case& one, double answer, Tally& tally) {
+template <int D>
+void count(const Library<D>& library, const Case<D>& one, double answer, Tally& tally) {
   const bool in_double = library.in_double;
   const double unit_roundoff = in_double ? 0x1p-53 : 0x1p-24;
   const double smallest = in_double ? std::numeric_limits<double>::denorm_min()
@@ -83,25 +84,23 @@ void count(const Library& library, const Case& one, double answer, Tally& tally)
 
 }  // namespace
 
-std::vector<Case> cases_of(families::Family family, families::Representation representation,
-                           std::size_t count, std::uint64_t seed) {
+template <int D>
+std::vector<Case<D>> cases_of(families::Family family, families::Representation representation,
+                              std::size_t count, std::uint64_t seed) {
   families::Source source(seed + static_cast<std::uint64_t>(family));
-  std::vector<Case> out(count);
-  for (Case& one : out) {
-    one.pair = source.pair<double>(family, representation);
+  std::vector<Case<D>> out(count);
+  for (Case<D>& one : out) {
+    one.pair = source.pair<double, D>(family, representation);
     one.truth = truth_of(one.pair);
   }
   return out;
 }
 
-bool fits(const Library& library, const Pair& pair) {
-  return std::max(pair.x.size(), pair.y.size()) <= library.max_vertices;
-}
-
-Tally tally(const Library& library, const std::vector<Case>& cases) {
-  std::vector<Pair> pairs;
-  std::vector<const Case*> asked;
-  for (const Case& one : cases) {
+template <int D>
+Tally tally(const Library<D>& library, const std::vector<Case<D>>& cases) {
+  std::vector<Pair<D>> pairs;
+  std::vector<const Case<D>*> asked;
+  for (const Case<D>& one : cases) {
     if (!fits(library, one.pair)) continue;
     asked.push_back(&one);
     pairs.push_back(one.pair);
@@ -111,5 +110,12 @@ Tally tally(const Library& library, const std::vector<Case>& cases) {
   for (std::size_t i = 0; i < asked.size(); ++i) count(library, *asked[i], answers[i], out);
   return out;
 }
+
+template std::vector<Case<2>> cases_of(families::Family, families::Representation, std::size_t,
+                                       std::uint64_t);
+template std::vector<Case<3>> cases_of(families::Family, families::Representation, std::size_t,
+                                       std::uint64_t);
+template Tally tally(const Library<2>&, const std::vector<Case<2>>&);
+template Tally tally(const Library<3>&, const std::vector<Case<3>>&);
 
 }  // namespace bench
