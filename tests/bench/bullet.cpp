@@ -67,7 +67,9 @@ Contestant prepare_all(std::span<const Pair<3>> pairs) {
 
 Library<3> bullet() {
   return {.name = "Bullet " PEER_VERSION,
-          .how = "btGjkPairDetector on btConvexHullShape, margin 0, EPA; absolute thresholds",
+          .how =
+              "btGjkPairDetector on btConvexHullShape, margin 0, with EPA, which also measures "
+              "depth; absolute thresholds",
           .in_double = sizeof(btScalar) == sizeof(double),
           .prepare = prepare_all};
 }

@@ -56,7 +56,7 @@ template <int D>
 std::vector<Rival<D>> native_peers() {
   std::vector<Rival<D>> out;
   for (const Library<D>& library : peers<D>(Peers::native)) {
-    out.push_back({.library = library, .mean = 1.00});
+    out.push_back({.library = library, .mean = library.measures ? 1.00 : HUGE_VAL});
   }
   return out;
 }
@@ -125,8 +125,12 @@ template <int D>
 void time_grid(Report& report, const std::string& what, const Counts& counts,
                const Library<D>& core, std::vector<Rival<D>> against) {
   if (against.empty()) return;
-  report.print("### {}: {}\n\n| vertices | pairs | {} |", D == 2 ? "In the plane" : "In space",
-               what, core.name);
+  report.print("### {}: {}\n\n- {}: {}\n", D == 2 ? "In the plane" : "In space", what, core.name,
+               core.how);
+  for (const Rival<D>& rival : against) {
+    report.print("- {}: {}\n", rival.library.name, rival.library.how);
+  }
+  report.print("\n| vertices | pairs | {} |", core.name);
   for (const Rival<D>& rival : against) report.print(" {} |", rival.library.name);
   report.print("\n| --- | --- | --- |");
   for (std::size_t i = 0; i < against.size(); ++i) report.print(" --- |");
@@ -181,12 +185,13 @@ void run(const Counts& counts, const std::string& document) {
   const gjkscope::study::Machine machine = gjkscope::study::this_machine();
   report.print(
       "\nMade by `core-compare --pairs {} --repetitions {} --write docs/numerics.md` on {}, one "
-      "thread, {},\n`{}`. Median ns per query; after the colon the share of that time that the "
-      "core "
-      "in double takes, with\nits quartiles over interleaved repetitions: below 1 the core is "
-      "faster. A library from a distribution is as that compiled it (Debian: -O2).\n"
-      "Both shapes are about 2 across, 1 apart (separated), 1e-3 or 1e-6 apart, or overlap by far. "
-      "\"No poses\": their vertices stand where they are.\n\n",
+      "thread, {},\n`{}`. A library from a distribution is as that compiled it (Debian: -O2).\n\n"
+      "A cell has the median time of a query in ns; after the colon the third column's time as a "
+      "share of it, with its quartiles over\ninterleaved repetitions: below 1 gjkscope is faster. "
+      "\"Other work\" marks answers that differ by more than floats err.\n"
+      "Shapes are about 2 across; they are 1, 1e-3 or 1e-6 apart, or overlap by far. Y has a pose, "
+      "or "
+      "(\"no poses\") its vertices are where it stands.\n\n",
       counts.pairs, counts.repetitions, machine.processor, machine.compiler, machine.flags);
   time_all<2>(report, counts);
   time_large(report, counts.repetitions);

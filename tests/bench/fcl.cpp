@@ -58,14 +58,14 @@ Contestant prepare_all(std::span<const Pair<3>> pairs) {
 
 Library<3> fcl_own() {
   return {.name = "FCL " FCL_VERSION " (own)",
-          .how = "fcl::distance on Convex, GST_INDEP, absolute tolerance 1e-14",
+          .how = "fcl::distance on vertices (Convex), GST_INDEP, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_INDEP>};
 }
 
 Library<3> fcl_libccd() {
   return {.name = "FCL " FCL_VERSION " (libccd)",
-          .how = "fcl::distance on Convex, GST_LIBCCD, absolute tolerance 1e-14",
+          .how = "fcl::distance on vertices (Convex), GST_LIBCCD, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_LIBCCD>};
 }

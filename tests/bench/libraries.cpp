@@ -170,6 +170,9 @@ std::vector<Library<D>> peers(Peers which) {
 #ifdef GJKSCOPE_BULLET
   out.push_back(in_dimension<D>(bullet()));
 #endif
+#ifdef GJKSCOPE_OPENGJK
+  out.push_back(in_dimension<D>(opengjk()));
+#endif
   return out;
 }
 

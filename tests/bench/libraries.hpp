@@ -51,6 +51,7 @@ template <int D>
 [[nodiscard]] Library<3> fcl_own();
 [[nodiscard]] Library<3> fcl_libccd();
 [[nodiscard]] Library<3> bullet();
+[[nodiscard]] Library<3> opengjk();
 
 /// The peers that were found: those that are made for dimension D, or all that can be asked.
 enum class Peers : std::uint8_t { native, all };
