@@ -106,7 +106,7 @@ struct Coordinates {
     }
     if constexpr (kCount > 2 && D > 2) {
       for (const Face face : {0b0111, 0b1011, 0b1101, 0b1110}) {
-        if (face <= simplex.all()) note(face, barycentric(simplex, face));
+        if (face < of_face.size()) note(face, barycentric(simplex, face));
       }
     }
     if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));

@@ -16,7 +16,7 @@ struct Prepared {
   b2DistanceInput input;
 };
 
-b2Vec2 to_box2d(const Point& point) {
+b2Vec2 to_box2d(const Point<2>& point) {
   return {static_cast<float>(point[0]), static_cast<float>(point[1])};
 }
 
@@ -28,9 +28,9 @@ b2Transform to_box2d(const gjk::Pose<double, 2>& pose) {
   return out;
 }
 
-void prepare(const Pair& pair, Prepared& out) {
-  for (const Point& point : pair.x) out.x.push_back(to_box2d(point));
-  for (const Point& point : pair.y) out.y.push_back(to_box2d(point));
+void prepare(const Pair<2>& pair, Prepared& out) {
+  for (const Point<2>& point : pair.x) out.x.push_back(to_box2d(point));
+  for (const Point<2>& point : pair.y) out.y.push_back(to_box2d(point));
   out.x_pose = to_box2d(pair.x_pose);
   out.y_pose = to_box2d(pair.y_pose);
   out.input.proxyA.Set(out.x.data(), static_cast<int32>(out.x.size()), 0.0F);
@@ -38,7 +38,7 @@ void prepare(const Pair& pair, Prepared& out) {
   out.input.useRadii = false;
 }
 
-Contestant prepare_all(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair<2>> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) prepare(pairs[i], (*prepared)[i]);
   return contestant(
@@ -58,7 +58,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 }  // namespace
 
-Library box2d_2() {
+Library<2> box2d_2() {
   return {.name = "Box2D 2.4",
           .how = "b2Distance, useRadii false, an empty cache; a short direction means overlap",
           .prepare = prepare_all};

@@ -15,7 +15,7 @@ struct Prepared {
   b2DistanceInput input;
 };
 
-b2Vec2 to_box2d(const Point& point) {
+b2Vec2 to_box2d(const Point<2>& point) {
   return {static_cast<float>(point[0]), static_cast<float>(point[1])};
 }
 
@@ -24,9 +24,9 @@ b2Transform to_box2d(const gjk::Pose<double, 2>& pose) {
           {static_cast<float>(pose.rotation(0, 0)), static_cast<float>(pose.rotation(1, 0))}};
 }
 
-auto proxy(const std::vector<Point>& shape) {
+auto proxy(const std::vector<Point<2>>& shape) {
   std::vector<b2Vec2> points;
-  for (const Point& point : shape) points.push_back(to_box2d(point));
+  for (const Point<2>& point : shape) points.push_back(to_box2d(point));
   return b2MakeProxy(points.data(), static_cast<int>(points.size()), 0.0F);
 }
 
@@ -56,9 +56,9 @@ b2DistanceOutput ask(b2DistanceOutput (*distance)(Cache*, const b2DistanceInput*
   return distance(&cache, &input, nullptr, 0);
 }
 
-Contestant prepare_all(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair<2>> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>();
-  for (const Pair& pair : pairs) {
+  for (const Pair<2>& pair : pairs) {
     prepared->push_back({to_box2d(pair.x_pose), to_box2d(pair.y_pose), {}});
     b2DistanceInput& input = prepared->back().input;
     input.proxyA = proxy(pair.x);
@@ -77,7 +77,7 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 }  // namespace
 
-Library box2d_3() {
+Library<2> box2d_3() {
   return {.name = "Box2D " PEER_VERSION,
           .how = "b2ShapeDistance, useRadii false, an empty cache; a short direction means overlap",
           .max_vertices = sizeof(b2DistanceInput{}.proxyA.points) / sizeof(b2Vec2),

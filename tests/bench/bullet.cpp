@@ -17,32 +17,34 @@ struct Prepared {
   btDiscreteCollisionDetectorInterface::ClosestPointInput poses;
 };
 
-std::unique_ptr<btConvexHullShape> flat(const std::vector<Point>& shape) {
+btVector3 to_bullet(const Point<3>& point) {
+  const auto p = point.cast<btScalar>().eval();
+  return {p[0], p[1], p[2]};
+}
+
+std::unique_ptr<btConvexHullShape> to_bullet(const std::vector<Point<3>>& shape) {
   auto out = std::make_unique<btConvexHullShape>();
-  for (const Point& point : shape) {
-    out->addPoint(btVector3(static_cast<btScalar>(point[0]), static_cast<btScalar>(point[1]), 0),
-                  false);
-  }
+  for (const Point<3>& point : shape) out->addPoint(to_bullet(point), false);
   out->recalcLocalAabb();
   out->setMargin(0);
   return out;
 }
 
-btTransform in_space(const gjk::Pose<double, 2>& pose) {
+btTransform to_bullet(const gjk::Pose<double, 3>& pose) {
   const auto r = pose.rotation.matrix().cast<btScalar>().eval();
-  const auto t = pose.translation.cast<btScalar>().eval();
-  const btMatrix3x3 turn(r(0, 0), r(0, 1), 0, r(1, 0), r(1, 1), 0, 0, 0, 1);
-  return btTransform(turn, btVector3(t[0], t[1], 0));
+  const btMatrix3x3 turn(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1),
+                         r(2, 2));
+  return btTransform(turn, to_bullet(pose.translation));
 }
 
-Contestant prepare_all(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair<3>> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Prepared& out = (*prepared)[i];
-    out.x = flat(pairs[i].x);
-    out.y = flat(pairs[i].y);
-    out.poses.m_transformA = in_space(pairs[i].x_pose);
-    out.poses.m_transformB = in_space(pairs[i].y_pose);
+    out.x = to_bullet(pairs[i].x);
+    out.y = to_bullet(pairs[i].y);
+    out.poses.m_transformA = to_bullet(pairs[i].x_pose);
+    out.poses.m_transformB = to_bullet(pairs[i].y_pose);
   }
   return contestant(
       pairs.size(),
@@ -63,9 +65,11 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 }  // namespace
 
-Library bullet() {
+Library<3> bullet() {
   return {.name = "Bullet " PEER_VERSION,
-          .how = "btGjkPairDetector on flat btConvexHullShape, margin 0, EPA; absolute thresholds",
+          .how =
+              "btGjkPairDetector on btConvexHullShape, margin 0, with EPA, which also measures "
+              "depth; absolute thresholds",
           .in_double = sizeof(btScalar) == sizeof(double),
           .prepare = prepare_all};
 }

@@ -77,9 +77,9 @@ void add_families() {
 
 /// Convex polygons, their vertices in order or not: then the core has to look at all of them.
 void by_vertices(benchmark::State& state, bool in_order) {
-  std::vector<Pair> pairs =
-      PairSource(kSeed).pairs(64, static_cast<int>(state.range(0)), kSpacings[0]);
-  for (Pair& pair : pairs) {
+  std::vector<Pair<2>> pairs =
+      PairSource<2>(kSeed).pairs(64, static_cast<int>(state.range(0)), kSpacings[0]);
+  for (Pair<2>& pair : pairs) {
     if (in_order) continue;
     std::swap(pair.x[0], pair.x[1]);
     std::swap(pair.y[0], pair.y[1]);

@@ -17,31 +17,24 @@ struct Prepared {
   fcl::Transform3d y_pose;
 };
 
-/// Two faces back to back in the plane z = 0.
-Convex flat(const std::vector<Point>& shape) {
-  const int count = static_cast<int>(shape.size());
-  const auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const Point& point : shape) vertices->emplace_back(point[0], point[1], 0.0);
-  faces->push_back(count);
-  for (int i = 0; i < count; ++i) faces->push_back(i);
-  faces->push_back(count);
-  for (int i = count; i > 0; --i) faces->push_back(i - 1);
-  return {vertices, 2, faces};
+/// Of vertices alone: distances do not look at faces, and up to 32 vertices are scanned anyway.
+Convex to_fcl(const std::vector<Point<3>>& shape) {
+  return {std::make_shared<std::vector<fcl::Vector3d>>(shape), 0,
+          std::make_shared<std::vector<int>>()};
 }
 
-fcl::Transform3d in_space(const gjk::Pose<double, 2>& pose) {
+fcl::Transform3d to_fcl(const gjk::Pose<double, 3>& pose) {
   fcl::Transform3d out = fcl::Transform3d::Identity();
-  out.linear().topLeftCorner<2, 2>() = pose.rotation.matrix();
-  out.translation().head<2>() = pose.translation;
+  out.linear() = pose.rotation.matrix();
+  out.translation() = pose.translation;
   return out;
 }
 
 template <fcl::GJKSolverType solver>
-Contestant prepare_all(std::span<const Pair> pairs) {
+Contestant prepare_all(std::span<const Pair<3>> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>();
-  for (const Pair& pair : pairs) {
-    prepared->push_back({flat(pair.x), flat(pair.y), in_space(pair.x_pose), in_space(pair.y_pose)});
+  for (const Pair<3>& pair : pairs) {
+    prepared->push_back({to_fcl(pair.x), to_fcl(pair.y), to_fcl(pair.x_pose), to_fcl(pair.y_pose)});
   }
   fcl::DistanceRequestd request(true);
   request.gjk_solver_type = solver;
@@ -63,16 +56,16 @@ Contestant prepare_all(std::span<const Pair> pairs) {
 
 }  // namespace
 
-Library fcl_own() {
+Library<3> fcl_own() {
   return {.name = "FCL " FCL_VERSION " (own)",
-          .how = "fcl::distance on flat Convex, GST_INDEP, absolute tolerance 1e-14",
+          .how = "fcl::distance on vertices (Convex), GST_INDEP, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_INDEP>};
 }
 
-Library fcl_libccd() {
+Library<3> fcl_libccd() {
   return {.name = "FCL " FCL_VERSION " (libccd)",
-          .how = "fcl::distance on flat Convex, GST_LIBCCD, absolute tolerance 1e-14",
+          .how = "fcl::distance on vertices (Convex), GST_LIBCCD, absolute tolerance 1e-14",
           .in_double = true,
           .prepare = prepare_all<fcl::GST_LIBCCD>};
 }

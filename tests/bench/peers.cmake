@@ -43,3 +43,11 @@ pkg_check_modules(bullet QUIET IMPORTED_TARGET bullet)
 if(bullet_FOUND)
   bench_peer(bullet ${bullet_VERSION} PkgConfig::bullet)
 endif()
+
+# It installs nothing: -DOPENGJK_INCLUDE_DIR and -DOPENGJK_LIBRARY tell where it is. In double, as its folder scalar is built.
+find_path(OPENGJK_INCLUDE_DIR openGJK/openGJK.h)
+find_library(OPENGJK_LIBRARY NAMES opengjk_scalar_static opengjk_scalar)
+if(OPENGJK_INCLUDE_DIR AND OPENGJK_LIBRARY)
+  bench_peer(opengjk "" ${OPENGJK_LIBRARY})
+  target_include_directories(bench_opengjk SYSTEM PRIVATE ${OPENGJK_INCLUDE_DIR})
+endif()

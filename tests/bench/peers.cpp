@@ -24,11 +24,14 @@ struct Settings {
   std::string document;
 };
 
-/// Float libraries see nothing but pairs of floats.
-std::vector<Library> libraries_for(Representation representation) {
-  std::vector<Library> out = libraries();
+/// The core in double and in float, and what can be asked beside it. Float libraries see nothing
+/// but pairs of floats.
+template <int D>
+std::vector<Library<D>> libraries_for(Representation representation) {
+  std::vector<Library<D>> out = peers<D>(Peers::all);
+  out.insert(out.begin(), {core_double<D>(), core_float<D>()});
   if (representation == Representation::full_doubles) {
-    std::erase_if(out, [](const Library& library) { return !library.in_double; });
+    std::erase_if(out, [](const auto& library) { return !library.in_double; });
   }
   return out;
 }
@@ -41,18 +44,19 @@ struct Row {
 };
 
 /// On the pairs that fit all libraries. One that crashed has nothing to do.
-std::vector<double> times(const std::vector<Library>& libraries, const std::vector<Case>& cases,
-                          const std::vector<Tally>& tallies) {
-  std::vector<Pair> pairs;
-  for (const Case& one : cases) {
+template <int D>
+std::vector<double> times(const std::vector<Library<D>>& libraries,
+                          const std::vector<Case<D>>& cases, const std::vector<Tally>& tallies) {
+  std::vector<Pair<D>> pairs;
+  for (const Case<D>& one : cases) {
     const bool all = std::all_of(libraries.begin(), libraries.end(),
-                                 [&](const Library& library) { return fits(library, one.pair); });
+                                 [&](const auto& library) { return fits(library, one.pair); });
     if (all && pairs.size() < kTimedPairs) pairs.push_back(one.pair);
   }
   std::vector<Contestant> contestants;
   for (std::size_t i = 0; i < libraries.size(); ++i) {
-    contestants.push_back(
-        libraries[i].prepare(tallies[i].crashed > 0 ? std::span<const Pair>() : std::span(pairs)));
+    contestants.push_back(libraries[i].prepare(tallies[i].crashed > 0 ? std::span<const Pair<D>>()
+                                                                      : std::span(pairs)));
   }
   std::vector<double> out;
   for (const Timing& timing : interleave(contestants, pairs.size(), kRepetitions)) {
@@ -61,15 +65,15 @@ std::vector<double> times(const std::vector<Library>& libraries, const std::vect
   return out;
 }
 
-std::vector<Row> rows(Representation representation, const Settings& settings) {
-  const std::vector<Library> asked = libraries_for(representation);
+template <int D>
+std::vector<Row> rows(const std::vector<Library<D>>& asked, Representation representation,
+                      const Settings& settings) {
   std::vector<Row> out;
-  for (int i = 0; i < families::kFamilyCount; ++i) {
+  for (int i = 0; i < (D == 2 ? families::kFamilyCount : families::kSpaceFamilyCount); ++i) {
     Row& row = out.emplace_back();
     row.family = static_cast<Family>(i);
-    const std::vector<Case> cases =
-        cases_of(row.family, representation, settings.pairs, settings.seed);
-    for (const Library& library : asked) row.tallies.push_back(tally(library, cases));
+    const auto cases = cases_of<D>(row.family, representation, settings.pairs, settings.seed);
+    for (const Library<D>& library : asked) row.tallies.push_back(tally(library, cases));
     if (settings.times) row.ns = times(asked, cases, row.tallies);
   }
   return out;
@@ -90,12 +94,11 @@ std::string failures(const Tally& tally) {
 }
 
 /// A Markdown table of families and libraries; `cell(row, i)` is what stands at library i.
-template <class Cell>
-std::string table(Representation representation, const std::vector<Row>& rows, Cell cell) {
-  const std::vector<Library> asked = libraries_for(representation);
+template <int D, class Cell>
+std::string table(const std::vector<Library<D>>& asked, const std::vector<Row>& rows, Cell cell) {
   std::string head = "| family |";
   std::string rule = "| --- |";
-  for (const Library& library : asked) {
+  for (const Library<D>& library : asked) {
     head += fmt::format(" {} |", library.name);
     rule += " --- |";
   }
@@ -108,62 +111,73 @@ std::string table(Representation representation, const std::vector<Row>& rows, C
   return out;
 }
 
-std::string failures_table(Representation representation, const std::vector<Row>& rows) {
-  return table(representation, rows,
-               [](const Row& row, std::size_t i) { return failures(row.tallies[i]); });
+std::string preamble(const Settings& settings) {
+  return fmt::format(
+      "\nMade by `peers --pairs {0} --seed {1} --write docs/numerics.md`. Of each family of pairs "
+      "(`src/study/families.hpp` says what is in them)\n{0} are drawn, each library is asked how "
+      "far "
+      "apart the shapes are, and the exact answer judges it. A cell counts its failures:\n\n"
+      "- a dot: none,\n"
+      "- m: overlap missed, the answer is above 4 u * scale,\n"
+      "- i: overlap invented, the answer is 0 and the shapes are apart,\n"
+      "- r: relative error above {2:.0e} (libraries in float) or {3:.0e} (in double),\n"
+      "- n: NaN or infinity,\n"
+      "- g: gave up: said so, or threw,\n"
+      "- c: crashed, or took more than {4} s.\n\n"
+      "u is the unit roundoff of what the library computes in, scale the largest distance between "
+      "a vertex of one shape and one of the other.\n",
+      settings.pairs, settings.seed, kFloatLimit, kDoubleLimit, kSecondsPerQuery);
 }
 
-std::string errors_table(Representation representation, const std::vector<Row>& rows) {
-  return table(representation, rows, [](const Row& row, std::size_t i) {
+struct Report {
+  std::string document;
+  std::string times;
+};
+
+template <int D>
+void try_all(Representation representation, const Settings& settings, Report& report) {
+  const std::vector<Library<D>> asked = libraries_for<D>(representation);
+  const std::vector<Row> found = rows(asked, representation, settings);
+  const std::string what = fmt::format(
+      "{}, coordinates {}", D == 2 ? "In the plane" : "In space",
+      representation == Representation::float_values ? "that are floats" : "in full doubles");
+  report.document += fmt::format("\n#### {}: failures\n\n", what);
+  report.document +=
+      table(asked, found, [](const Row& row, std::size_t i) { return failures(row.tallies[i]); });
+  report.document += fmt::format(
+      "\n#### {}: largest relative error\n\nWhere shapes are apart and the answer is not 0.\n\n",
+      what);
+  report.document += table(asked, found, [](const Row& row, std::size_t i) {
     const double worst = row.tallies[i].worst;
     return worst > 0.0 ? fmt::format("{:.0e}", worst) : std::string(".");
   });
-}
-
-std::string times_table(Representation representation, const std::vector<Row>& rows) {
-  return table(representation, rows, [](const Row& row, std::size_t i) {
+  if (!settings.times) return;
+  report.times += fmt::format("\n{}: median ns per query\n\n", what);
+  report.times += table(asked, found, [](const Row& row, std::size_t i) {
     return row.tallies[i].crashed > 0 ? std::string("-") : fmt::format("{:.0f}", row.ns[i]);
   });
 }
 
-std::string preamble(const Settings& settings) {
-  std::string out = fmt::format(
-      "Made by `peers --pairs {} --seed {} --write docs/numerics.md`. Of {} pairs in each "
-      "family:\n\n"
-      "- m: overlap missed, the answer is above 4 u * scale,\n"
-      "- i: overlap invented, the answer is 0 and the shapes are apart,\n"
-      "- r: relative error above {:.0e} (libraries in float) or {:.0e} (in double),\n"
-      "- n: NaN or infinity,\n"
-      "- g: gave up: said so, or threw,\n"
-      "- c: crashed, or took more than {} s.\n\n"
-      "| library | computes in | asked by |\n| --- | --- | --- |\n",
-      settings.pairs, settings.seed, settings.pairs, kFloatLimit, kDoubleLimit, kSecondsPerQuery);
-  for (const Library& library : libraries()) {
-    out += fmt::format("| {} | {} | {} |\n", library.name, library.in_double ? "double" : "float",
-                       library.how);
+template <int D>
+void run(const Settings& settings, Report& report) {
+  report.document +=
+      fmt::format("\n### {}\n\n| library | computes in | asked by |\n| --- | --- | --- |\n",
+                  D == 2 ? "In the plane" : "In space");
+  for (const auto& library : libraries_for<D>(Representation::float_values)) {
+    report.document += fmt::format("| {} | {} | {} |\n", library.name,
+                                   library.in_double ? "double" : "float", library.how);
   }
-  return out;
+  try_all<D>(Representation::float_values, settings, report);
+  try_all<D>(Representation::full_doubles, settings, report);
 }
 
 void run(const Settings& settings) {
-  std::string document = "\n" + preamble(settings);
-  std::string times;
-  for (const Representation representation :
-       {Representation::float_values, Representation::full_doubles}) {
-    const bool floats = representation == Representation::float_values;
-    const std::string what = floats ? "Coordinates that are floats" : "Coordinates in full doubles";
-    const std::vector<Row> found = rows(representation, settings);
-    document += fmt::format(
-        "\n### {}\n\n{}\nLargest relative error, where the answer to shapes apart is not 0:\n\n{}",
-        what, failures_table(representation, found), errors_table(representation, found));
-    if (settings.times) {
-      times +=
-          fmt::format("\n{}: median ns per query\n\n{}", what, times_table(representation, found));
-    }
-  }
-  document += "\n";
-  fmt::print("{}{}", document, times);
-  if (!settings.document.empty()) write_section(settings.document, "peers", document);
+  Report report{preamble(settings), ""};
+  run<2>(settings, report);
+  run<3>(settings, report);
+  report.document += "\n";
+  fmt::print("{}{}", report.document, report.times);
+  if (!settings.document.empty()) write_section(settings.document, "peers", report.document);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 namespace bench {
 namespace {
 
+using gjkscope::Quad;
+
 /// Memory that child processes write to and their parent reads.
 struct Shared {
   static constexpr std::size_t kMost = 1 << 20;
@@ -52,13 +54,18 @@ std::vector<double> ask(const Contestant& contestant, std::size_t count) {
   return out;
 }
 
-void count(const Library& library, const Case& one, double answer, Tally& tally) {
+template <int D>
+void count(const Library<D>& library, const Case<D>& one, double answer, Tally& tally) {
   const bool in_double = library.in_double;
   const double unit_roundoff = in_double ? 0x1p-53 : 0x1p-24;
   const double smallest = in_double ? std::numeric_limits<double>::denorm_min()
                                     : std::numeric_limits<float>::denorm_min();
   const double limit = in_double ? kDoubleLimit : kFloatLimit;
-  const double error = std::abs(difference(gjkscope::Quad(answer), one.truth));
+  const double error = std::abs(difference(Quad(answer), one.truth));
+  const auto is_neighbour = [&] {  // `error` is rounded, which matters among denormal numbers
+    const Quad off = Quad(answer) - Quad(one.truth.distance) - one.truth.rest;
+    return -Quad(smallest) < off && off < Quad(smallest);
+  };
   ++tally.asked;
   if (answer == kCrashed) {
     ++tally.crashed;
@@ -70,7 +77,7 @@ void count(const Library& library, const Case& one, double answer, Tally& tally)
     const bool close =
         library.measures ? answer <= 4 * unit_roundoff * one.truth.scale : one.truth.touching;
     if (answer > 0.0 && !close) ++tally.missed;
-  } else if (error < smallest) {
+  } else if (is_neighbour()) {
     // Its numbers are not spaced more closely.
   } else if (answer == 0.0) {
     ++tally.invented;
@@ -83,25 +90,23 @@ void count(const Library& library, const Case& one, double answer, Tally& tally)
 
 }  // namespace
 
-std::vector<Case> cases_of(families::Family family, families::Representation representation,
-                           std::size_t count, std::uint64_t seed) {
+template <int D>
+std::vector<Case<D>> cases_of(families::Family family, families::Representation representation,
+                              std::size_t count, std::uint64_t seed) {
   families::Source source(seed + static_cast<std::uint64_t>(family));
-  std::vector<Case> out(count);
-  for (Case& one : out) {
-    one.pair = source.pair<double>(family, representation);
+  std::vector<Case<D>> out(count);
+  for (Case<D>& one : out) {
+    one.pair = source.pair<double, D>(family, representation);
     one.truth = truth_of(one.pair);
   }
   return out;
 }
 
-bool fits(const Library& library, const Pair& pair) {
-  return std::max(pair.x.size(), pair.y.size()) <= library.max_vertices;
-}
-
-Tally tally(const Library& library, const std::vector<Case>& cases) {
-  std::vector<Pair> pairs;
-  std::vector<const Case*> asked;
-  for (const Case& one : cases) {
+template <int D>
+Tally tally(const Library<D>& library, const std::vector<Case<D>>& cases) {
+  std::vector<Pair<D>> pairs;
+  std::vector<const Case<D>*> asked;
+  for (const Case<D>& one : cases) {
     if (!fits(library, one.pair)) continue;
     asked.push_back(&one);
     pairs.push_back(one.pair);
@@ -111,5 +116,12 @@ Tally tally(const Library& library, const std::vector<Case>& cases) {
   for (std::size_t i = 0; i < asked.size(); ++i) count(library, *asked[i], answers[i], out);
   return out;
 }
+
+template std::vector<Case<2>> cases_of(families::Family, families::Representation, std::size_t,
+                                       std::uint64_t);
+template std::vector<Case<3>> cases_of(families::Family, families::Representation, std::size_t,
+                                       std::uint64_t);
+template Tally tally(const Library<2>&, const std::vector<Case<2>>&);
+template Tally tally(const Library<3>&, const std::vector<Case<3>>&);
 
 }  // namespace bench

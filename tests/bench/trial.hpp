@@ -9,14 +9,16 @@
 
 namespace bench {
 
+template <int D>
 struct Case {
-  Pair pair;
-  Truth<2> truth;
+  Pair<D> pair;
+  Truth<D> truth;
 };
 
-[[nodiscard]] std::vector<Case> cases_of(families::Family family,
-                                         families::Representation representation, std::size_t count,
-                                         std::uint64_t seed);
+template <int D>
+[[nodiscard]] std::vector<Case<D>> cases_of(families::Family family,
+                                            families::Representation representation,
+                                            std::size_t count, std::uint64_t seed);
 
 /// Relative errors beyond these count as failures.
 inline constexpr double kFloatLimit = 1e-3;
@@ -35,9 +37,13 @@ struct Tally {
   double worst = 0.0;  ///< Largest relative error.
 };
 
-[[nodiscard]] bool fits(const Library& library, const Pair& pair);
+template <int D>
+[[nodiscard]] bool fits(const Library<D>& library, const Pair<D>& pair) {
+  return std::max(pair.x.size(), pair.y.size()) <= library.max_vertices;
+}
 
 /// Asks about the pairs that fit the library.
-[[nodiscard]] Tally tally(const Library& library, const std::vector<Case>& cases);
+template <int D>
+[[nodiscard]] Tally tally(const Library<D>& library, const std::vector<Case<D>>& cases);
 
 }  // namespace bench
