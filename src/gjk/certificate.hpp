@@ -89,6 +89,9 @@ inline constexpr int kNear = 4096;
 inline constexpr int kQuiteNear = 16;
 /// So is a distance above reach / kFarFromEdge from an edge or triangle: it rounds up to six times.
 inline constexpr int kFarFromEdge = 2;
+/// In space rounding may end a run on a face beside the nearest one. So where the distance is below
+/// reach / kCloseInSpace, bounds must be half as wide, or the face is checked.
+inline constexpr int kCloseInSpace = 4;
 /// The run's own weights put P visibly beside its place in a triangle kThin times as long as high.
 inline constexpr int kThin = 4;
 /// How often a distance in the run's own digits rounds at worst: from a vertex; and what an edge or
@@ -216,7 +219,8 @@ class OutsideBounds {
     return most;
   }
   [[nodiscard]] bool is_allowed() const {
-    const R allowed = ScalarTraits<R>::from(kAllowedWidth) * u_;
+    const bool is_close = D == 3 && R(kCloseInSpace) * foot_.distance < prepared_.reach;
+    const R allowed = ScalarTraits<R>::from(is_close ? kAllowedWidth / 2 : kAllowedWidth) * u_;
     const R width = upper_ - lower_;
     return width <= allowed * larger(prepared_.least_reach, size_) ||
            (upper_ < no_bound() && width <= allowed * corner_reach());
