@@ -74,7 +74,8 @@ void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S
     test(StopReason::no_progress, !nearer, true, state.best_sq, state.p_sq);
   }
   const bool has_tolerance = has_support && 0.0 < options.tolerance;
-  const S wanted = has_tolerance || Rec::kOn
+  const bool asks_tolerance = has_tolerance && state.stop == StopReason::running;
+  const S wanted = asks_tolerance || Rec::kOn
                        ? wanted_plane_distance_sq(state, options, prepared, Rec::kOn)
                        : S(0);
   test(StopReason::within_tolerance, has_tolerance, !(state.plane_distance_sq < wanted), wanted,
