@@ -38,9 +38,9 @@ enum class Family : std::uint8_t {
   shallow,         ///< Overlapping by 1e-6 ... 1e-3.
   touching,        ///< Touching exactly, on a dyadic grid.
   grazing,         ///< Touching up to rounding.
-  tiny,            ///< Size 1e-4, 1e-6 or 1e-30.
-  huge,            ///< Size 1e6 or 1e30.
-  ratio,           ///< One shape 1e4 or 1e8 times the other, close to it.
+  tiny,            ///< Size 1e-4, 1e-6 or 1e-30; in space full doubles from 1e-150.
+  huge,            ///< Size 1e6 or 1e30; in space full doubles to 1e150.
+  ratio,           ///< One shape 1e4 or 1e8 (in space full doubles: 1e12) times the other, close.
   offset,          ///< Vertices 1e3 ... 1e6 from the origin; full doubles to 1e12.
   denormals,       ///< Small multiples of the smallest positive number.
   // In space alone:
