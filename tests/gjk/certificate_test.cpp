@@ -10,8 +10,6 @@
 namespace {
 
 using families::Family;
-using families::kFamilyCount;
-using families::kFamilyNames;
 using families::Pair;
 using gjk::Vec;
 using gjk::Verdict;
@@ -477,43 +475,6 @@ TEST(witnesses,
   CHECK((out.y == Vec<double, 2>(5, 105)));
 }
 
-/// Over the pairs of a family. Widths are in u times the scale.
-struct Shares {
-  int pairs = 0;
-  int settled = 0;
-  double width = 0;
-  double widest = 0;
-};
-/// Runs of floats in float, whose bounds a run in double judges: it is 2^29 times as exact.
-Shares shares_of(Family family, int pairs) {
-  Shares found;
-  families::Source random(kSeed);
-  for (int i = 0; i < pairs; ++i) {
-    const check::Context context("seed", kSeed, "pair", i, kFamilyNames[static_cast<int>(family)]);
-    const auto pair = random.pair<float>(family);
-    const gjk::Query<float, 2> query = pair.query();
-    const auto prepared = gjk::prepare<float>(query, {});
-    if (prepared.error != gjk::Error::none) continue;
-    gjk::State<float, 2> state = gjk::start(query, {}, prepared);
-    gjk::run(state, query, {}, prepared);
-    const auto bounds = proved(state, query, prepared);
-    const auto truth = gjk::distance<double>(query);
-    const double unit = std::ldexp(1.0, -prepared.exponent);
-    CHECK(bounds.lower <= truth.upper * unit);
-    CHECK(bounds.upper >= truth.lower * unit);
-    CHECK(bounds.lower <= bounds.distance);
-    CHECK(bounds.distance <= bounds.upper);
-    ++found.pairs;
-    found.settled += gjk::result(state, query, {}, prepared).settled ? 1 : 0;
-    const double scale = families::scale_of(pair) * unit * kFloatU;
-    if (!bounds.tight || !(scale > 0) || state.best.count == 3) continue;
-    const double width = (bounds.upper - bounds.lower) / scale;
-    found.width += width / pairs;
-    found.widest = std::max(found.widest, width);
-  }
-  return found;
-}
-
 TEST(denormal_gaps, "bounds hold where exact arithmetic settles a distance that is denormal") {
   std::mt19937_64 random(kSeed);
   const auto among = [&](int low, int high) {
@@ -578,50 +539,6 @@ TEST(space, "in space the distance is that of the nearest point found, within it
   const auto result = gjk::distance(gjk::Query<double, 3>{{x}, {y}});
   CHECK_EQ(5.0, result.distance);
   CHECK(result.lower < 5 && 5 < result.upper);
-}
-
-/// At most: settled pairs in percent, and the mean width; a little more than was measured.
-struct Bar {
-  double settled;
-  double width;
-};
-constexpr std::array<Bar, kFamilyCount> kBars = {{
-    {0.2, 4.93},    // random
-    {0.1, 7.37},    // points
-    {19.0, 6.92},   // collinear
-    {0.1, 4.53},    // clouds
-    {0.3, 7.21},    // duplicates
-    {12.1, 5.12},   // grid
-    {66.0, 0.02},   // identical
-    {0.4, 0.5},     // inside
-    {0.1, 7.2},     // posed
-    {0.1, 6.55},    // needle
-    {0.5, 3.95},    // needle-polygon
-    {23.2, 3.84},   // parallel
-    {26.3, 0.48},   // gap
-    {111.2, 0.23},  // speck
-    {30.5, 0.29},   // shallow
-    {113.7, 0.02},  // touching
-    {85.0, 0.02},   // grazing
-    {1.0, 5.82},    // tiny
-    {0.9, 5.81},    // huge
-    {60.9, 0.04},   // ratio
-    {1.1, 6.27},    // offset
-    {4.6, 5.8},     // denormals
-}};
-
-TEST(families, "in every family bounds hold; they are close, and seldom have to be settled") {
-  for (std::size_t i = 0; i < kFamilyCount; ++i) {
-    const check::Context context(kFamilyNames[i]);
-    const Shares found = shares_of(static_cast<Family>(i), 4000);
-    const double settled = 100.0 * found.settled / found.pairs;
-    std::printf("  %-15s settled %5.1f %%, width %5.2f, at most %5.2f\n", kFamilyNames[i].data(),
-                settled, found.width, found.widest);
-    CHECK(found.pairs > 3900);
-    CHECK(settled <= kBars[i].settled);
-    CHECK(found.width <= kBars[i].width);
-    CHECK(found.widest <= 16);
-  }
 }
 
 }  // namespace
