@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <mutex>
-#include <thread>
 
+#include "in_pieces.hpp"
 #include "pairs.hpp"
 #include "truth.hpp"
 
@@ -65,17 +63,15 @@ using Rows = std::array<Row, 3>;  ///< One for each mode.
 struct Work {
   families::Family family = families::Family::random;
   Representation representation = Representation::full_doubles;
-  std::uint64_t seed = 0;
-  long pairs = 0;
-  long first = 0;
+  Piece piece;
 };
 
 class Worker {
  public:
-  explicit Worker(const Work& work) : work_(work), source_(work.seed) {}
+  explicit Worker(const Work& work) : work_(work), source_(work.piece.seed) {}
 
   Rows run() {
-    while (done_ < work_.pairs) {
+    while (done_ < work_.piece.pairs) {
       const Pair pair = meeting_pair(source_, work_.family, work_.representation);
       check(pair);
       check(families::swapped(pair));
@@ -126,9 +122,9 @@ class Worker {
     if (++row.counts[Row::broken] > static_cast<long>(Row::kKept)) return;
     const bool posed = pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns();
     row.failures.push_back(
-        {work_.first + done_,
+        {work_.piece.first + done_,
          fmt::format("{}\n  {{\"name\":\"{}, seed {}{}\",\"a\":{},\"b\":{}}}", what,
-                     kFamilyNames[static_cast<int>(work_.family)], work_.seed,
+                     kFamilyNames[static_cast<int>(work_.family)], work_.piece.seed,
                      posed ? ", posed" : "", json_of(pair.x), json_of(pair.y))});
   }
 
@@ -144,30 +140,10 @@ struct Job {
   Rows rows = {};
 };
 
-/// Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
 void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
-  constexpr long kPiece = 1000;
-  const long job_count = static_cast<long>(jobs.size());
-  const long each = (pairs + job_count - 1) / job_count;
-  const long pieces = (each + kPiece - 1) / kPiece;
-  std::atomic<long> next = 0;
-  std::mutex merging;
-  const auto work = [&] {
-    for (long i = next++; i < pieces * job_count; i = next++) {
-      Job& job = jobs[static_cast<std::size_t>(i % job_count)];
-      const long first = i / job_count * kPiece;
-      const Rows rows =
-          Worker({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
-                  std::min(kPiece, each - first), first})
-              .run();
-      const std::scoped_lock lock(merging);
-      for (std::size_t mode = 0; mode < rows.size(); ++mode) job.rows[mode].add(rows[mode]);
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  in_pieces(jobs, pairs, threads, seed, [](const Job& job, const Piece& piece) {
+    return Worker({job.family, job.representation, piece}).run();
+  });
 }
 
 /// Prints a row for each family, representation and mode; returns how many claims are broken.

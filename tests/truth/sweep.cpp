@@ -6,11 +6,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <mutex>
-#include <thread>
 
 #include "bars.hpp"
+#include "in_pieces.hpp"
 #include "study/families.hpp"
 
 namespace gjkscope::study {
@@ -159,8 +157,7 @@ std::string json_of(const Pair<D>& pair, const std::string& name) {
 struct Work {
   families::Family family = families::Family::random;
   Representation representation = Representation::full_doubles;
-  std::uint64_t seed = 0;
-  long pairs = 0;
+  test::Piece piece;
 };
 
 /// Every so many pairs, one is tried in both orders of arguments and all rotations of its lists.
@@ -169,10 +166,10 @@ constexpr long kAllOrdersEvery = 16;
 template <int D>
 class Worker {
  public:
-  explicit Worker(const Work& work) : work_(work), random_(work.seed) {}
+  explicit Worker(const Work& work) : work_(work), random_(work.piece.seed) {}
 
   Rows run() {
-    for (long drawn = 0; done_ < work_.pairs; ++drawn) {
+    for (long drawn = 0; done_ < work_.piece.pairs; ++drawn) {
       const Pair<D> pair = random_.pair<double, D>(work_.family, work_.representation);
       if (drawn % kAllOrdersEvery != 0) {
         check(pair);
@@ -190,7 +187,7 @@ class Worker {
 
  private:
   void check(const Pair<D>& pair) {
-    if (done_ == work_.pairs) return;
+    if (done_ == work_.piece.pairs) return;
     const auto result = families::run<double>(pair);
     const Truth truth = truth_of(pair, result.warm());
     note(pair, truth, result, Mode::in_double);
@@ -216,15 +213,16 @@ class Worker {
     if (broken.empty()) return;
     ++row.counts[Row::broken];
     if (row.failure_of(broken) != nullptr) return;
-    const std::string name = fmt::format(
-        "{}, seed {}, pair {}", kFamilyNames[static_cast<int>(work_.family)], work_.seed, done_);
+    const std::string name =
+        fmt::format("{}, seed {}, pair {}", kFamilyNames[static_cast<int>(work_.family)],
+                    work_.piece.seed, done_);
     row.failures.push_back(
         {broken,
          fmt::format("{}: exact {:.17g}, found {:.17g} in [{:.17g}, {:.17g}]\n"
                      "  {}",
                      broken, truth.distance, double{result.distance}, double{result.lower},
                      double{result.upper}, json_of<D>(pair, name)),
-         done_});
+         work_.piece.first + done_});
   }
 
   Work work_;
@@ -308,34 +306,11 @@ std::vector<Job> jobs_of(int dimension, const std::vector<std::string>& names) {
   return jobs;
 }
 
-/// Jobs are cut into pieces with a seed each, so that the threads' number changes nothing.
 template <int D>
 void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
-  constexpr long kPiece = 2000;
-  const long job_count = static_cast<long>(jobs.size());
-  const long each = (pairs + job_count - 1) / job_count;
-  const long pieces = (each + kPiece - 1) / kPiece;
-  std::atomic<long> next = 0;
-  std::mutex merging;
-  const auto work = [&] {
-    for (long i = next++; i < pieces * job_count; i = next++) {
-      Job& job = jobs[static_cast<std::size_t>(i % job_count)];
-      const long piece = i / job_count;
-      Rows rows =
-          Worker<D>({job.family, job.representation, seed * 1000003 + static_cast<std::uint64_t>(i),
-                     std::min(kPiece, each - piece * kPiece)})
-              .run();
-      const std::scoped_lock lock(merging);
-      for (std::size_t mode = 0; mode < rows.size(); ++mode) {
-        for (Failure& failure : rows[mode].failures) failure.pair += piece * kPiece;
-        job.rows[mode].add(rows[mode]);
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  test::in_pieces(jobs, pairs, threads, seed, [](const Job& job, const test::Piece& piece) {
+    return Worker<D>({job.family, job.representation, piece}).run();
+  });
 }
 
 int main_of(int argc, char** argv) {
