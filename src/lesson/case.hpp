@@ -29,9 +29,8 @@ using Case = CaseIn<2>;
 
 /// One case of a text, as far as it could be read.
 struct ReadCase {
-  std::string
-      name;     ///< Its `name`, or the file's; "#2" is added to the second of a file and so on.
-  Place place;  ///< Where it begins.
+  std::string name;  ///< Its `name`, or the file's; the second of a file has "#2" added, and so on.
+  Place place;       ///< Where it begins.
   std::optional<Case> value;
   std::optional<CaseIn<3>> in_space;
   std::vector<Problem> problems;  ///< Empty exactly when one of the two is there.
