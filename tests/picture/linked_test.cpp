@@ -91,6 +91,7 @@ TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
 TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   for (Lesson lesson : testing::shipped_lessons()) {
+    if (lesson.study) continue;  // views of measurements have a granularity of their own
     lesson.phases.clear();
     lesson.time.reset();
     for (const Granularity granularity :
