@@ -22,13 +22,6 @@ template <class S, int D>
 using Points = std::vector<gjk::Vec<S, D>>;
 
 template <class S, int D>
-Points<S, D> narrowed_all(const Points<double, D>& points) {
-  Points<S, D> out;
-  for (const gjk::Vec<double, D>& point : points) out.push_back(narrowed<S, D>(point));
-  return out;
-}
-
-template <class S, int D>
 Json json_of(const gjk::Vec<S, D>& point) {
   Json out = Json::array();
   for (const S& coordinate : point) out.push_back(widened(coordinate));

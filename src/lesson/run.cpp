@@ -18,13 +18,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-template <class S, int D>
-std::vector<gjk::Vec<S, D>> narrowed_all(const std::vector<gjk::Vec<double, D>>& vertices) {
-  std::vector<gjk::Vec<S, D>> out;
-  for (const gjk::Vec<double, D>& vertex : vertices) out.push_back(narrowed<S, D>(vertex));
-  return out;
-}
-
 template <class S>
 gjk::Pose<S, 2> pose_of(const Placement& placement) {
   gjk::Pose<S, 2> pose;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <vector>
 
 #include "geometry/rational.hpp"
 #include "gjk/gjk.hpp"
@@ -29,6 +30,13 @@ template <class S, int D>
 [[nodiscard]] gjk::Vec<S, D> narrowed(const gjk::Vec<double, D>& v) {
   gjk::Vec<S, D> out;
   for (int i = 0; i < D; ++i) out[i] = S(v[i]);
+  return out;
+}
+template <class S, int D>
+[[nodiscard]] std::vector<gjk::Vec<S, D>> narrowed_all(
+    const std::vector<gjk::Vec<double, D>>& vertices) {
+  std::vector<gjk::Vec<S, D>> out;
+  for (const gjk::Vec<double, D>& vertex : vertices) out.push_back(narrowed<S, D>(vertex));
   return out;
 }
 
