@@ -9,21 +9,14 @@
 #include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope::testing {
-
-inline std::vector<std::string> view_effects() {
-  std::vector<std::string> names;
-  for (const EffectInfo& effect : registered_effects()) {
-    if (effect.used_by == "view") names.emplace_back(effect.name);
-  }
-  return names;
-}
 
 inline std::vector<Lesson> shipped_lessons() {
   std::vector<Lesson> lessons;
   for (const LoadedLesson& loaded :
-       load_lessons(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "lessons", view_effects())) {
+       load_lessons(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "lessons", vocabulary())) {
     for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
     if (loaded.lesson) lessons.push_back(*loaded.lesson);
   }

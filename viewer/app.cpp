@@ -22,6 +22,7 @@
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -91,7 +92,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       session_(fonts),
       theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)) {
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";
-  for (const LoadedLesson& loaded : load_lessons(folder, view_effects())) {
+  for (const LoadedLesson& loaded : load_lessons(folder, vocabulary())) {
     if (loaded.lesson) {
       lessons_.push_back({loaded.lesson->path, loaded.lesson->id, loaded.lesson->title,
                           loaded.lesson->chapter, ""});
@@ -162,7 +163,7 @@ void App::open_path(const fs::path& path) {
 }
 
 void App::open_lesson(const fs::path& file) {
-  LoadedLesson loaded = parse_lesson(read_whole(file), file, view_effects());
+  LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) return say(all_of(loaded.problems), true);
   if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);
 }
@@ -179,7 +180,7 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
   const Lesson plain = lesson_of(shapes, name, ScalarKind::double_);
   const fs::path template_file = paths_.share / "lessons" / (std::string(kOpening) + ".toml");
-  LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, view_effects());
+  LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, vocabulary());
   if (!loaded.lesson) {
     say(all_of(loaded.problems), true);
     return std::nullopt;
@@ -227,7 +228,7 @@ bool App::show(Lesson lesson, const fs::path& file, const std::string& name, boo
 void App::file_changed(const fs::path& path) {
   if (path != session_.file()) return;
   try {
-    LoadedLesson loaded = parse_lesson(read_whole(path), path, view_effects());
+    LoadedLesson loaded = parse_lesson(read_whole(path), path, vocabulary());
     if (!loaded.lesson) return say(all_of(loaded.problems), true);
     if (*loaded.lesson == session_.lesson()) return;
     release();
@@ -377,8 +378,7 @@ void App::restore() {
       std::string from;
       if (text.starts_with(kKeptFrom) && end != std::string::npos)
         from = text.substr(kKeptFrom.size(), end - kKeptFrom.size());
-      LoadedLesson loaded =
-          parse_lesson(text, from.empty() ? "unsaved.toml" : from, view_effects());
+      LoadedLesson loaded = parse_lesson(text, from.empty() ? "unsaved.toml" : from, vocabulary());
       if (!loaded.lesson || !session_.open(std::move(*loaded.lesson), from, true)) continue;
       restored.push_back(from.empty() ? session_.lesson().title
                                       : fs::path(from).filename().string());
@@ -491,8 +491,8 @@ void App::erase_selected() {
 }
 
 bool App::is_sound(const Lesson& lesson) {
-  const LoadedLesson read = parse_lesson(
-      lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, view_effects());
+  const LoadedLesson read =
+      parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary());
   if (read.lesson) return true;
   std::string why;
   for (const Problem& problem : read.problems) {
@@ -607,7 +607,7 @@ void App::make_commands() {
   add("View", "Study", {"A"}, [toggle] { toggle(Drawer::study); });
   add("View", "Worst run of the configuration", {"Enter"}, [&] {
     const auto& study = session_.lesson().study;
-    const StudyFrame shown = study ? session_.run().study(session_.frame()) : StudyFrame{};
+    const StudyFrame shown = session_.frame().study.value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return say("this frame introduces no configuration of a study");
     const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];

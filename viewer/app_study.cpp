@@ -13,6 +13,7 @@
 #include "cli/input.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
+#include "picture/registry.hpp"
 #include "study/configuration.hpp"
 
 namespace gjkscope {
@@ -82,7 +83,7 @@ void App::open_results(std::string_view json, const fs::path& file) {
   } catch (const std::runtime_error& error) {
     return say(fmt::format("{}: {}", file.string(), error.what()), true);
   }
-  LoadedLesson loaded = load_lesson(paths_.share / "lessons" / kStudyLesson, view_effects());
+  LoadedLesson loaded = load_lesson(paths_.share / "lessons" / kStudyLesson, vocabulary());
   if (!loaded.lesson) return say(to_string(loaded.problems.front()), true);
   Lesson lesson = std::move(*loaded.lesson);
   const std::vector<std::string> families = families_in(study.dots);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "effects/growth.hpp"
+#include "picture/registry.hpp"
 #include "picture/stage.hpp"
 
 namespace gjkscope {
@@ -233,7 +234,7 @@ EffectGraph& Session::effects() { return shown_->effects; }
 
 Session::Place Session::place() const {
   const Frame& now = frame();
-  Place place{now.run, 0, -1, now.detail};
+  Place place{now.run, 0, -1, now.part()};
   if (now.step >= 0) {
     const gjk::Step<double, 2>& step = run().step(now);
     place.iteration = step.iteration;
@@ -246,11 +247,11 @@ int Session::find(const Place& wanted) const {
   // The same place, or the last one before it.
   int best = 0;
   std::array<int, 4> best_key = {-1, -1, -2, -2};
-  const std::array<int, 4> wanted_key = {wanted.run, wanted.iteration, wanted.phase, wanted.detail};
+  const std::array<int, 4> wanted_key = {wanted.run, wanted.iteration, wanted.phase, wanted.part};
   for (int i = 0; i < frame_count(); ++i) {
     const Frame& frame = run().frames[static_cast<std::size_t>(i)];
     if (frame.question >= 0) continue;
-    std::array<int, 4> key = {frame.run, 0, -1, frame.detail};
+    std::array<int, 4> key = {frame.run, 0, -1, frame.part()};
     if (frame.step >= 0) {
       const gjk::Step<double, 2>& step = run().step(frame);
       key[1] = step.iteration;

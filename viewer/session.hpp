@@ -136,7 +136,7 @@ class Session {
     int run = 0;
     int iteration = 0;
     int phase = -1;
-    int detail = -1;
+    int part = -1;
   };
 
   bool replace(Lesson lesson);

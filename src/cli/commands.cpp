@@ -18,6 +18,7 @@
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 #include "picture/theme.hpp"
 
 namespace gjkscope {
@@ -111,7 +112,7 @@ int list_lessons(const Environment& env, bool json) {
   }
   int exit_code = kDone;
   Json list = Json::array();
-  for (const LoadedLesson& loaded : load_lessons(folder, view_effects())) {
+  for (const LoadedLesson& loaded : load_lessons(folder, vocabulary())) {
     for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
     if (!loaded.lesson) {
       exit_code = kProblem;
@@ -227,7 +228,7 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
       if (text) problems = problems_of_cases(*text, name == "-" ? "<stdin>" : name);
       unknown = unknown || !text;
     } else if (const std::optional<fs::path> file = lesson_file(env, name); file) {
-      LoadedLesson loaded = load_lesson(*file, view_effects());
+      LoadedLesson loaded = load_lesson(*file, vocabulary());
       problems = std::move(loaded.problems);
       if (loaded.lesson) problems = problems_of_run(*loaded.lesson);
     } else {

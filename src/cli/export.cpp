@@ -23,6 +23,7 @@
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -11,6 +11,7 @@
 #include <ostream>
 
 #include "effects/registry.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -56,18 +57,10 @@ std::optional<fs::path> lesson_file(const Environment& env, const std::string& n
   return std::nullopt;
 }
 
-std::vector<std::string> view_effects() {
-  std::vector<std::string> names;
-  for (const EffectInfo& info : registered_effects()) {
-    if (info.used_by == "view") names.emplace_back(info.name);
-  }
-  return names;
-}
-
 FoundLesson find_lesson(const Environment& env, const std::string& name) {
   const std::optional<fs::path> file = lesson_file(env, name);
   if (!file) return {std::nullopt, is_path(name) ? kCannot : kUsage};
-  LoadedLesson loaded = load_lesson(*file, view_effects());
+  LoadedLesson loaded = load_lesson(*file, vocabulary());
   for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
   const int exit_code = loaded.lesson ? kDone : kProblem;
   return {std::move(loaded.lesson), exit_code};
@@ -77,7 +70,7 @@ FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
   FoundLessons all;
   const fs::path folder = env.share / "lessons";
   if (choice.all) {
-    for (LoadedLesson& loaded : load_lessons(folder, view_effects())) {
+    for (LoadedLesson& loaded : load_lessons(folder, vocabulary())) {
       for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
       if (loaded.lesson) {
         all.lessons.push_back(std::move(*loaded.lesson));

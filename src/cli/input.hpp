@@ -17,9 +17,6 @@ namespace gjkscope {
 [[nodiscard]] std::optional<std::filesystem::path> lesson_file(const Environment& env,
                                                                const std::string& name);
 
-/// The effects that a lesson's views may call for by name.
-[[nodiscard]] std::vector<std::string> view_effects();
-
 /// The lesson of an id or path, or an exit code after its problems were printed on `env.err`.
 struct FoundLesson {
   std::optional<Lesson> lesson;

@@ -18,6 +18,7 @@
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
+#include "picture/registry.hpp"
 #include "study/report.hpp"
 #include "survey/accuracy_figures.hpp"
 #include "survey/effects_cost.hpp"

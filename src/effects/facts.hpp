@@ -30,6 +30,6 @@ struct FrameFacts {
 };
 
 /// Number of steps that are over when a frame ends.
-[[nodiscard]] int steps_over(const LessonRun& run, const Frame& frame);
+[[nodiscard]] int steps_over(const Frame& frame);
 
 }  // namespace gjkscope

@@ -23,8 +23,9 @@ namespace gjkscope {
 namespace {
 
 template <class E>
-EffectInfo info(std::string_view used_by, std::string_view summary) {
-  return {E::kName, E::kNeeds, summary, used_by};
+EffectInfo info(std::string_view used_by, std::string_view summary, std::string_view act = {},
+                bool second_run = false) {
+  return {E::kName, E::kNeeds, summary, used_by, act, second_run};
 }
 
 }  // namespace
@@ -38,8 +39,9 @@ const std::vector<EffectInfo>& registered_effects() {
       info<Projection>("view",
                        "the line through a segment, and the point G = uA + vB where Q falls on it"),
       info<UnitVector>("view", "n = (B - A) / length, drawn from A"),
-      info<Balance>(
-          "view", "a beam with masses u and v, swinging on its support; needs granularity `time`"),
+      info<Balance>("view",
+                    "a beam with masses u and v, swinging on its support; needs granularity `time`",
+                    "time"),
       info<SignMap>("view", "where u, v and w are negative"),
       info<MapDifference>("view",
                           "where the signs and the Voronoi regions name different features"),
@@ -56,7 +58,8 @@ const std::vector<EffectInfo>& registered_effects() {
       info<RoundedPair>("panel", "the same query as floats and doubles keep it, and exactly"),
       info<History>("view", "simplices and closest points of earlier iterations"),
       info<DirectionRules>("panel", "both ways to build the search direction"),
-      info<SecondRun>("view", "the same query in another scalar: its closest point and search"),
+      info<SecondRun>("view", "the same query in another scalar: its closest point and search", {},
+                      true),
       info<ShapeHull>("view", "convex hulls of shapes that are not convex"),
   };
   return effects;

@@ -10,9 +10,11 @@ struct EffectInfo {
   std::string_view name;
   std::string_view
       needs;  ///< Names of the effects that it pulls, separated by commas; empty: the trace alone.
-  std::string_view summary;  ///< One line for `gjkscope explain`.
-  std::string_view used_by;  ///< "view": a lesson's views call for it by name; "panel": a panel
-                             ///< block does; "frame": any part of a frame may.
+  std::string_view summary;   ///< One line for `gjkscope explain`.
+  std::string_view used_by;   ///< "view": a lesson's views call for it by name; "panel": a panel
+                              ///< block does; "frame": any part of a frame may.
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
 };
 
 /// In the order in which `explain` lists them.

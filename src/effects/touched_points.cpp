@@ -6,8 +6,8 @@
 
 namespace gjkscope {
 
-EffectKey TouchedPoints::key(const LessonRun& run, const Frame& frame) {
-  return {frame.run, steps_over(run, frame), -1};
+EffectKey TouchedPoints::key(const LessonRun&, const Frame& frame) {
+  return {frame.run, steps_over(frame), -1};
 }
 
 TouchedPoints::Value TouchedPoints::compute(EffectGraph&, const LessonRun& run,
@@ -20,7 +20,7 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph&, const LessonRun& run,
     if (!known) touched.push_back(point);
   };
   for (int i = 0; i < trace.initial.simplex.count; ++i) touch(trace.initial.simplex.vertices[i]);
-  for (int i = 0; i < steps_over(run, frame); ++i) {
+  for (int i = 0; i < steps_over(frame); ++i) {
     if (trace.steps[i].phase == gjk::Phase::support) touch(trace.steps[i].after.support);
   }
   return touched;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gjk/gjk.hpp"
@@ -33,69 +34,10 @@ struct LessonShape {
   friend bool operator==(const LessonShape&, const LessonShape&) = default;
 };
 
-/// Steps of a lesson: one frame for each iteration, phase or region test of the run, for each
-/// position on the path, or for each pair of vertices of the Minkowski difference; some frames for
-/// each support point; for the answer at each position, or for how it is carried back to X and Y;
-/// for each moment of a simulation, each map of a triangle's plane, or each order of its region
-/// tests; for each support point of the run and then each size of polygons that is measured.
-enum class Granularity {
-  iteration,
-  phase,
-  test,
-  path,
-  pairs,
-  support,
-  witness,
-  answer,
-  time,
-  maps,
-  orders,
-  growth,
-  study
-};
-
-/// What the frames of granularity `maps` show, one after the other.
-enum class MapStage {
-  voronoi,
-  interior,
-  negative_u,
-  negative_v,
-  negative_w,
-  signs,
-  blended,
-  difference
-};
-inline constexpr int kMapStages = 8;
-
-/// What the frames of granularity `orders` show: the numbers, then one chain of tests each. Short
-/// tests leave out that an edge's own coordinates must be positive.
-enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
-inline constexpr int kOrderStages = 4;
-
-/// What the frames of granularity `study` show, one after the other. First X and Y themselves: from
-/// afar, then their gap enlarged, with the answer of a run in float, and of one in double, and what
-/// an error is. Then a plot of the study: its axis of errors with two marks, its axis of times, the
-/// other marks one by one. At last the front of these marks, that of all dots, and what to take.
-enum class StudyStage {
-  shapes,
-  gap,
-  in_float,
-  in_double,
-  error,
-  error_axis,
-  time_axis,
-  mark,
-  front,
-  all,
-  choice
-};
-
-enum class ViewKind { world, difference, growth, study };
+enum class ViewKind { world, difference, plot };
 
 /// These views have a camera, and take effects; plots have neither.
-[[nodiscard]] constexpr bool shows_shapes(ViewKind kind) {
-  return kind == ViewKind::world || kind == ViewKind::difference;
-}
+[[nodiscard]] constexpr bool shows_shapes(ViewKind kind) { return kind != ViewKind::plot; }
 
 /// What a view shows: the rectangle around `center` that is `height` world units high (wider or
 /// narrower with the stage). Without a camera the view fits what it draws.
@@ -110,38 +52,11 @@ struct LessonView {
   std::string title;
   std::optional<Camera> camera;
   std::vector<std::string> effects;  ///< Names of registered effects (effects/registry.hpp).
+  [[nodiscard]] bool calls_for(std::string_view effect) const {
+    return std::find(effects.begin(), effects.end(), effect) != effects.end();
+  }
   friend bool operator==(const LessonView&, const LessonView&) = default;
 };
-
-/// Blocks of the side panel, from top to bottom.
-enum class PanelBlock {
-  pseudocode,
-  tests,
-  regions,
-  weights,
-  linear_system,
-  simplex,
-  scan,
-  bounds,
-  pairs,
-  direction_rules,
-  witness,
-  counters,
-  starts,
-  bound_steps,
-  unit_vector,
-  areas,
-  balance,
-  signs,
-  orders,
-  stop_tests,
-  two_runs,
-  growth,
-  study
-};
-
-/// The listings that the pseudocode block can show.
-enum class Listing { none, segment, triangle, support, gjk_point, minkowski, gjk };
 
 /// How one shape moves. Without points it stays where it stands, without turns as it is turned.
 struct LessonMotion {
@@ -216,8 +131,8 @@ struct LessonStudy {
 };
 
 /// What a frame can ask before a step answers it: which support point comes next, which region
-/// holds the query point, which vertices are dropped, and whether the run stops. With granularity
-/// `study`: whether X and Y overlap, and how much longer the next mark takes than the one before.
+/// holds the query point, which vertices are dropped, and whether the run stops. Of a study:
+/// whether X and Y overlap, and how much longer the next mark takes than the one before.
 enum class Ask { support, region, dropped, stop, overlap, time };
 [[nodiscard]] constexpr bool is_about_study(Ask ask) {
   return ask == Ask::overlap || ask == Ask::time;
@@ -257,21 +172,26 @@ struct Lesson {
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
-  Granularity granularity = Granularity::phase;
+  std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  std::optional<LessonTime> time;      ///< Set with granularity `time`, and only then.
-  std::optional<LessonGrowth> growth;  ///< Set with granularity `growth`, and only then.
-  std::optional<LessonStudy> study;    ///< Set with granularity `study`, and only then.
+  std::optional<LessonTime> time;      ///< These three are set with the act of their name, and
+  std::optional<LessonGrowth> growth;  ///< only then.
+  std::optional<LessonStudy> study;
 
   std::vector<LessonView> views;
-  std::vector<PanelBlock> panel;
-  Listing listing = Listing::none;
+  std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.
+  std::string listing;             ///< What the pseudocode block shows; empty: nothing.
   std::vector<LessonQuestion> questions;
   Expectation expect;
 
-  [[nodiscard]] bool has_block(PanelBlock block) const {
+  /// True when one of the views does.
+  [[nodiscard]] bool calls_for(std::string_view effect) const {
+    return std::any_of(views.begin(), views.end(),
+                       [&](const LessonView& view) { return view.calls_for(effect); });
+  }
+  [[nodiscard]] bool has_block(std::string_view block) const {
     return std::find(panel.begin(), panel.end(), block) != panel.end();
   }
   friend bool operator==(const Lesson&, const Lesson&) = default;

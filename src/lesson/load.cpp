@@ -47,6 +47,12 @@ FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
   return {std::move(text), {}};
 }
 
+constexpr std::string_view kPathTable = "path";
+
+std::string one_of(const std::vector<std::string>& names) {
+  return fmt::format("one of: {}", fmt::join(names, ", "));
+}
+
 bool has_vertex(const LessonShape& shape, const std::string& name) {
   const auto& names = shape.vertex_names;
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -58,23 +64,14 @@ struct ShapePlace {
   Field rotate;
 };
 
-/// The tables of the file that granularities need.
-struct OtherTables {
-  bool path = false;
-  bool time = false;
-  bool growth = false;
-  bool study = false;
-};
-
 /// Reads the tables of one file, in an order in which each finds what it refers to.
 class LessonReader {
  public:
   /// `folder`: from which the file sees others.
-  LessonReader(Problems& problems, const std::vector<std::string>& known_effects,
-               std::filesystem::path folder)
+  LessonReader(Problems& problems, const Vocabulary& vocabulary, std::filesystem::path folder)
       : problems_(problems),
         reader_(problems),
-        known_effects_(known_effects),
+        vocabulary_(vocabulary),
         folder_(std::move(folder)) {}
 
   Lesson read(const toml::table& root);
@@ -95,9 +92,10 @@ class LessonReader {
                                                 std::size_t positions);
   void read_growth(const Table& growth);
   void read_study(const Table& study);
-  void read_steps(const Table& steps, const OtherTables& has);
-  void check_start(const Field& granularity);
-  void check_needs(Granularity granularity, const Field& field, std::string_view what);
+  void read_steps(const Table& steps, const Table& file);
+  void check_act(const Act& act, const Field& granularity, const Table& file);
+  void check_needs(const Term& term, const Field& field, std::string_view what);
+  void read_effects(const Field& effects, LessonView& view);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
@@ -109,7 +107,7 @@ class LessonReader {
 
   Problems& problems_;
   Reader reader_;
-  const std::vector<std::string>& known_effects_;
+  const Vocabulary& vocabulary_;
   std::filesystem::path folder_;
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
@@ -144,21 +142,17 @@ Lesson LessonReader::read(const toml::table& root) {
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   const Field time_field = file["time"];
   if (const auto time = reader_.table(time_field, "time")) read_time(*time, time_field.place());
-  const Field growth_field = file["growth"];
-  if (const auto growth = reader_.table(growth_field, "growth")) read_growth(*growth);
-  const Field study_field = file["study"];
-  if (const auto study = reader_.table(study_field, "study")) read_study(*study);
-  if (const auto steps = reader_.table(file["steps"], "steps")) {
-    read_steps(*steps, {static_cast<bool>(path_field), static_cast<bool>(time_field),
-                        static_cast<bool>(growth_field), static_cast<bool>(study_field)});
-  }
-  for (const auto& [field, granularity] : {std::pair(time_field, Granularity::time),
-                                           {growth_field, Granularity::growth},
-                                           {study_field, Granularity::study}}) {
-    if (!field || lesson_.granularity == granularity) continue;
-    const std::string_view name = name_of(granularity);
-    problems_.add(field.place(), fmt::format("a table [{0}] without granularity '{0}'", name),
-                  fmt::format("granularity = \"{}\" in [steps]", name));
+  if (const auto growth = reader_.table(file["growth"], "growth")) read_growth(*growth);
+  if (const auto study = reader_.table(file["study"], "study")) read_study(*study);
+  if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
+  for (const Act* act : vocabulary_.acts) {
+    if (act->needs.table != act->name || act->name == kPathTable || lesson_.act == act->name)
+      continue;
+    if (const Field field = file[act->name]) {
+      problems_.add(field.place(),
+                    fmt::format("a table [{0}] without granularity '{0}'", act->name),
+                    fmt::format("granularity = \"{}\" in [steps]", act->name));
+    }
   }
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -588,80 +582,69 @@ void LessonReader::read_study(const Table& study) {
   lesson_.study = std::move(read);
 }
 
-/// Maps and orders of tests belong to a triangle, a beam to a segment: to the first simplex of a
-/// point query.
-void LessonReader::check_start(const Field& granularity) {
-  const bool segment = lesson_.granularity == Granularity::time;
-  const bool triangle =
-      lesson_.granularity == Granularity::maps || lesson_.granularity == Granularity::orders;
-  if ((!segment && !triangle) || shapes_read_ < 2) return;
-  const int wanted = triangle ? 3 : 2;
-  if (lesson_.x.vertices.size() == 1 && lesson_.options.start.count == wanted) return;
-  problems_.add(granularity.place(),
-                fmt::format("granularity '{}' without a {}", name_of(lesson_.granularity),
-                            triangle ? "triangle" : "segment"),
-                fmt::format("a point query whose 'start' names {} vertices", wanted));
+/// A block, a listing or an effect goes with one act, or shows the second run.
+void LessonReader::check_needs(const Term& term, const Field& field, std::string_view what) {
+  if (!term.act.empty() && lesson_.act != term.act) {
+    const Act* act = vocabulary_.act(term.act);
+    problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
+                  fmt::format("granularity = \"{}\" in [steps]", term.act) +
+                      (act != nullptr && !act->needs.table.empty()
+                           ? fmt::format(", and a table [{}]", act->needs.table)
+                           : std::string()));
+  }
+  if (term.second_run && !beside_) {
+    problems_.add(field.place(), fmt::format("{} without a second run", what),
+                  "'beside' in [query]");
+  }
 }
 
-void LessonReader::check_needs(Granularity granularity, const Field& field, std::string_view what) {
-  if (lesson_.granularity == granularity) return;
-  const std::string_view name = name_of(granularity);
-  problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, name),
-                fmt::format("granularity = \"{0}\" in [steps], and a table [{0}]", name));
+void LessonReader::check_act(const Act& act, const Field& granularity, const Table& file) {
+  const auto refuse = [&](std::string_view what, std::string expected) {
+    problems_.add(granularity.place(), fmt::format("granularity '{}' {}", act.name, what),
+                  std::move(expected));
+  };
+  const ActNeeds& needs = act.needs;
+  if (!needs.table.empty() && !file[needs.table])
+    return refuse("without its table", fmt::format("a table [{}]", needs.table));
+  if (!needs.takes_path && file[kPathTable]) refuse("with a path", "no table [path]");
+  if (shapes_read_ < 2) return;
+  const int largest =
+      static_cast<int>(std::max(lesson_.x.vertices.size(), lesson_.y.vertices.size()));
+  if (needs.most_vertices > 0 && largest > needs.most_vertices) {
+    refuse(fmt::format("with a shape of {} vertices", largest),
+           fmt::format("at most {} vertices in each shape", needs.most_vertices));
+  }
+  const bool starts_so =
+      lesson_.x.vertices.size() == 1 && lesson_.options.start.count == needs.start;
+  if (needs.start > 0 && !starts_so) {
+    refuse(needs.start == 3 ? "without a triangle" : "without a segment",
+           fmt::format("a point query whose 'start' names {} vertices", needs.start));
+  }
 }
 
-void LessonReader::read_steps(const Table& steps, const OtherTables& has) {
-  const Field granularity = steps["granularity"];
-  const auto chosen = reader_.choice<Granularity>(granularity, "granularity");
-  lesson_.granularity = chosen.value_or(lesson_.granularity);
-  if (chosen == Granularity::path && !has.path) {
-    problems_.add(granularity.place(), "granularity 'path' without a path", "a table [path]");
+void LessonReader::read_steps(const Table& steps, const Table& file) {
+  const std::vector<std::string> known = names_of(vocabulary_.acts);
+  Field granularity = steps["granularity"];
+  granularity.expected = one_of(known);
+  if (const std::optional<std::string> chosen = reader_.name(granularity, "granularity", known)) {
+    lesson_.act = *chosen;
+    check_act(*vocabulary_.act(*chosen), granularity, file);
   }
-  if (chosen == Granularity::pairs && shapes_read_ == 2) {
-    const std::size_t largest = std::max(lesson_.x.vertices.size(), lesson_.y.vertices.size());
-    if (largest > limits::kPairVertices) {
-      problems_.add(granularity.place(),
-                    fmt::format("granularity 'pairs' with a shape of {} vertices", largest),
-                    fmt::format("at most {} vertices in each shape", limits::kPairVertices));
-    }
-  }
-  const bool lacks_table = (chosen == Granularity::time && !has.time) ||
-                           (chosen == Granularity::growth && !has.growth) ||
-                           (chosen == Granularity::study && !has.study);
-  if (lacks_table) {
-    const std::string_view name = name_of(*chosen);
-    problems_.add(granularity.place(), fmt::format("granularity '{}' without its table", name),
-                  fmt::format("a table [{}]", name));
-  } else {
-    check_start(granularity);
-  }
-  const bool is_measured = chosen == Granularity::growth || chosen == Granularity::study;
-  if (is_measured && !lacks_table && has.path) {
-    problems_.add(granularity.place(),
-                  fmt::format("granularity '{}' with a path", name_of(*chosen)), "no table [path]");
-  }
+  const Act& act = *vocabulary_.act(lesson_.act);
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
   const Field phases = steps["phases"];
-  for (const Field& entry : reader_.entries(
-           phases, fmt::format("one of: {}", fmt::join(names_of<gjk::Phase>(), ", ")))) {
+  for (const Field& entry : reader_.entries(phases, one_of(names_of<gjk::Phase>()))) {
     if (const auto phase = reader_.choice<gjk::Phase>(entry, "phase"))
       lesson_.phases.push_back(*phase);
   }
-  if (phases && lesson_.granularity != Granularity::phase) {
-    problems_.add(phases.place(),
-                  fmt::format("'phases' with granularity '{}'", name_of(lesson_.granularity)),
+  if (phases && !act.needs.takes_phases) {
+    problems_.add(phases.place(), fmt::format("'phases' with granularity '{}'", act.name),
                   "granularity 'phase', or no 'phases'");
   }
-  const bool first_tests = chosen == Granularity::test || chosen == Granularity::time ||
-                           chosen == Granularity::maps || chosen == Granularity::orders;
-  if (until && first_tests) {
-    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
-                  "no 'until': frames go through the first region tests");
-  }
-  if (until && (chosen == Granularity::witness || chosen == Granularity::answer || is_measured)) {
-    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", name_of(*chosen)),
-                  "no 'until': frames show how the run ends");
+  if (until && !act.needs.why_no_until.empty()) {
+    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", act.name),
+                  fmt::format("no 'until': {}", act.needs.why_no_until));
   }
 }
 
@@ -670,14 +653,16 @@ void LessonReader::read_views(const Field& views) {
   if (views && views.node->is_array() && (entries.empty() || entries.size() > 2)) {
     problems_.add(views, fmt::format("{} views", entries.size()));
   }
-  constexpr std::string_view kSecondRun = "second-run";
-  bool shows_second_run = false;
-  std::string effects_expected = fmt::format("one of: {}", fmt::join(known_effects_, ", "));
+  std::vector<std::string> kinds = names_of<ViewKind>();
+  for (const Act* act : vocabulary_.plots) kinds.emplace_back(act->name);
   for (const Field& entry : entries) {
     const std::optional<Table> table = reader_.table(entry, "views");
     if (!table) continue;
     LessonView view;
-    view.kind = reader_.choice<ViewKind>((*table)["show"], "view").value_or(view.kind);
+    Field show = (*table)["show"];
+    show.expected = one_of(kinds);
+    const std::string kind = reader_.name(show, "view", kinds).value_or(kinds[0]);
+    view.kind = value_of<ViewKind>(kind).value_or(ViewKind::plot);
     view.title = reader_.text((*table)["title"], limits::kViewTitleLength).value_or("");
     if (const auto camera = reader_.table((*table)["camera"], "views.camera")) {
       Camera read;
@@ -687,95 +672,93 @@ void LessonReader::read_views(const Field& views) {
               .value_or(read.height);
       view.camera = read;
     }
-    for (const Field& effect : reader_.entries((*table)["effects"], effects_expected)) {
-      const std::optional<std::string> name = reader_.name(effect, "effect", known_effects_);
-      if (!name) continue;
-      if (std::find(view.effects.begin(), view.effects.end(), *name) != view.effects.end()) {
-        problems_.add(effect.place(), "effect " + in_quotes(*name) + " is named twice",
-                      "each effect once");
-        continue;
-      }
-      if (*name == "balance") check_needs(Granularity::time, effect, "effect 'balance'");
-      if (*name == kSecondRun && !beside_) {
-        problems_.add(effect.place(), "effect 'second-run' without a scalar for it",
-                      "'beside' in [query]");
-      }
-      shows_second_run = shows_second_run || *name == kSecondRun;
-      view.effects.push_back(*name);
-    }
+    read_effects((*table)["effects"], view);
     if (!shows_shapes(view.kind)) {
-      check_needs(view.kind == ViewKind::growth ? Granularity::growth : Granularity::study,
-                  (*table)["show"], fmt::format("view '{}'", name_of(view.kind)));
+      check_needs({.name = kind, .act = kind}, show, fmt::format("view '{}'", kind));
       for (const char* key : {"camera", "effects"}) {
         if (const Field field = (*table)[key]) {
-          problems_.add(field.place(),
-                        fmt::format("{} in a view of {}", field.label, name_of(view.kind)),
+          problems_.add(field.place(), fmt::format("{} in a view of {}", field.label, kind),
                         "a view of the world or of the difference");
         }
       }
     }
     lesson_.views.push_back(std::move(view));
   }
-  if (beside_ && !shows_second_run) {
-    problems_.add(beside_.place(), "'beside' without a view that shows the second run",
-                  "\"second-run\" among a view's effects");
+  const auto shows = [&](const Term& term) { return lesson_.calls_for(term.name); };
+  std::vector<Term> second;
+  std::copy_if(vocabulary_.effects.begin(), vocabulary_.effects.end(), std::back_inserter(second),
+               [](const Term& term) { return term.second_run; });
+  if (beside_ && std::none_of(second.begin(), second.end(), shows)) {
+    problems_.add(
+        beside_.place(), "'beside' without a view that shows the second run",
+        fmt::format("\"{}\" among a view's effects", fmt::join(names_of(second), "\" or \"")));
+  }
+}
+
+void LessonReader::read_effects(const Field& effects, LessonView& view) {
+  const std::vector<std::string> known = names_of(vocabulary_.effects);
+  for (const Field& effect : reader_.entries(effects, one_of(known))) {
+    const std::optional<std::string> name = reader_.name(effect, "effect", known);
+    if (!name) continue;
+    if (view.calls_for(*name)) {
+      problems_.add(effect.place(), "effect " + in_quotes(*name) + " is named twice",
+                    "each effect once");
+      continue;
+    }
+    check_needs(*find_term(vocabulary_.effects, *name), effect, fmt::format("effect '{}'", *name));
+    view.effects.push_back(*name);
   }
 }
 
 void LessonReader::read_panel(const Table& panel) {
   const Field blocks = panel["blocks"];
-  const std::string expected = fmt::format("one of: {}", fmt::join(names_of<PanelBlock>(), ", "));
-  for (const Field& entry : reader_.entries(blocks, expected)) {
-    const std::optional<PanelBlock> block = reader_.choice<PanelBlock>(entry, "panel block");
-    if (!block) continue;
-    if (lesson_.has_block(*block)) {
-      problems_.add(entry.place(), fmt::format("block '{}' is named twice", name_of(*block)),
+  const std::vector<std::string> known = names_of(vocabulary_.blocks);
+  std::string_view takes_listing;
+  for (const Field& entry : reader_.entries(blocks, one_of(known))) {
+    const std::optional<std::string> name = reader_.name(entry, "panel block", known);
+    if (!name) continue;
+    if (lesson_.has_block(*name)) {
+      problems_.add(entry.place(), fmt::format("block '{}' is named twice", *name),
                     "each block once");
       continue;
     }
-    for (const auto& [needs, granularity] : {std::pair(PanelBlock::balance, Granularity::time),
-                                             {PanelBlock::growth, Granularity::growth},
-                                             {PanelBlock::study, Granularity::study}}) {
-      if (*block == needs)
-        check_needs(granularity, entry, fmt::format("block '{}'", name_of(*block)));
-    }
-    if (*block == PanelBlock::orders && lesson_.granularity != Granularity::orders) {
-      problems_.add(entry.place(), "block 'orders' without its frames",
-                    "granularity = \"orders\" in [steps]");
-    }
-    if (*block == PanelBlock::two_runs && !beside_) {
-      problems_.add(entry.place(), "block 'two-runs' without a second run", "'beside' in [query]");
-    }
-    lesson_.panel.push_back(*block);
+    const Term& block = *find_term(vocabulary_.blocks, *name);
+    check_needs(block, entry, fmt::format("block '{}'", *name));
+    if (block.takes_listing) takes_listing = block.name;
+    lesson_.panel.push_back(*name);
   }
-  const Field listing = panel["listing"];
-  lesson_.listing = reader_.choice<Listing>(listing, "listing").value_or(Listing::none);
-  const bool shows_code = lesson_.has_block(PanelBlock::pseudocode);
-  if (shows_code && !listing) {
-    problems_.add(blocks.place(), "block 'pseudocode' without a 'listing'",
-                  fmt::format("listing = one of: {}", fmt::join(names_of<Listing>(), ", ")));
+  const std::vector<std::string> listings = names_of(vocabulary_.listings);
+  Field listing = panel["listing"];
+  listing.expected = one_of(listings);
+  lesson_.listing = reader_.name(listing, "listing", listings).value_or("");
+  if (!takes_listing.empty() && !listing) {
+    problems_.add(blocks.place(), fmt::format("block '{}' without a 'listing'", takes_listing),
+                  "listing = " + one_of(listings));
   }
-  if (listing && !shows_code) {
-    problems_.add(listing.place(), "'listing' without the block 'pseudocode'",
-                  "\"pseudocode\" among the blocks");
+  if (listing && takes_listing.empty()) {
+    std::vector<Term> takers;
+    std::copy_if(vocabulary_.blocks.begin(), vocabulary_.blocks.end(), std::back_inserter(takers),
+                 [](const Term& term) { return term.takes_listing; });
+    const std::string blocks_named = fmt::format("{}", fmt::join(names_of(takers), "' or '"));
+    problems_.add(listing.place(), fmt::format("'listing' without the block '{}'", blocks_named),
+                  fmt::format("'{}' among the blocks", blocks_named));
   }
-  if (lesson_.listing == Listing::minkowski && lesson_.granularity != Granularity::pairs) {
-    problems_.add(listing.place(), "listing 'minkowski' without frames for its pairs",
-                  "granularity 'pairs'");
-  }
+  if (const Term* term = find_term(vocabulary_.listings, lesson_.listing))
+    check_needs(*term, listing, fmt::format("listing '{}'", term->name));
 }
 
 void LessonReader::read_questions(const Field& questions) {
-  const Granularity granularity = lesson_.granularity;
-  const bool in_tests = granularity == Granularity::test;
-  const bool in_study = granularity == Granularity::study;
-  if (questions && !in_tests && !in_study && granularity != Granularity::phase &&
-      granularity != Granularity::iteration) {
-    problems_.add(questions.place(),
-                  fmt::format("questions with granularity '{}'", name_of(granularity)),
-                  "granularity 'phase', 'iteration', 'test' or 'study'");
+  const Act& act = *vocabulary_.act(lesson_.act);
+  if (questions && act.asks.empty()) {
+    std::vector<const Act*> asking;
+    std::copy_if(vocabulary_.acts.begin(), vocabulary_.acts.end(), std::back_inserter(asking),
+                 [](const Act* each) { return !each->asks.empty(); });
+    problems_.add(questions.place(), fmt::format("questions with granularity '{}'", act.name),
+                  "granularity " + one_of(names_of(asking)));
     return;
   }
+  std::vector<std::string> known;
+  for (const Ask asked : act.asks) known.emplace_back(name_of(asked));
   for (const Field& entry : reader_.entries(questions, "table [[questions]]")) {
     const std::optional<Table> table = reader_.table(entry, "questions");
     if (!table) continue;
@@ -783,15 +766,10 @@ void LessonReader::read_questions(const Field& questions) {
     const std::optional<Ask> asked = reader_.choice<Ask>(ask, "question");
     const std::optional<int> at = reader_.whole_number((*table)["at"], 1, limits::kCap);
     if (!asked) continue;
-    if (in_tests && asked != Ask::region) {
+    if (std::find(act.asks.begin(), act.asks.end(), *asked) == act.asks.end()) {
       problems_.add(ask.place(),
-                    fmt::format("question '{}' with granularity 'test'", name_of(*asked)),
-                    "'region': frames go through the first region tests");
-    } else if (in_study != is_about_study(*asked)) {
-      problems_.add(
-          ask.place(),
-          fmt::format("question '{}' with granularity '{}'", name_of(*asked), name_of(granularity)),
-          in_study ? "'overlap' or 'time'" : "'support', 'region', 'dropped' or 'stop'");
+                    fmt::format("question '{}' with granularity '{}'", name_of(*asked), act.name),
+                    one_of(known));
     }
     const auto same = [&](const LessonQuestion& other) {
       return other.ask == *asked && (!other.at || !at || *other.at == *at);
@@ -862,21 +840,20 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
 }  // namespace
 
 LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
-                          const std::vector<std::string>& known_effects) {
+                          const Vocabulary& vocabulary) {
   Problems problems(name.string());
   const std::optional<toml::table> file = parse_toml(text, problems);
   if (!file) return {std::nullopt, problems.sorted()};
-  Lesson lesson = LessonReader(problems, known_effects, name.parent_path()).read(*file);
+  Lesson lesson = LessonReader(problems, vocabulary, name.parent_path()).read(*file);
   if (!problems.empty()) return {std::nullopt, problems.sorted()};
   lesson.id = name.stem().string();
   lesson.path = name.string();
   return {std::move(lesson), {}};
 }
 
-LoadedLesson load_lesson(const std::filesystem::path& file,
-                         const std::vector<std::string>& known_effects) {
+LoadedLesson load_lesson(const std::filesystem::path& file, const Vocabulary& vocabulary) {
   const FileText read = read_file(file, limits::kFileBytes);
-  if (read.text) return parse_lesson(*read.text, file, known_effects);
+  if (read.text) return parse_lesson(*read.text, file, vocabulary);
   Problems problems(file.string());
   problems.add({}, read.problem, "a lesson file");
   return {std::nullopt, problems.sorted()};
@@ -912,7 +889,7 @@ Place place_of(const std::filesystem::path& file, std::string_view dotted_key) {
 }
 
 std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
-                                       const std::vector<std::string>& known_effects) {
+                                       const Vocabulary& vocabulary) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (auto entry = std::filesystem::directory_iterator(folder, error);
@@ -926,7 +903,7 @@ std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
   }
   std::sort(files.begin(), files.end());
   std::vector<LoadedLesson> lessons;
-  for (const auto& file : files) lessons.push_back(load_lesson(file, known_effects));
+  for (const auto& file : files) lessons.push_back(load_lesson(file, vocabulary));
   const auto rank = [](const LoadedLesson& loaded) {
     return loaded.lesson ? std::tuple(false, loaded.lesson->chapter, loaded.lesson->order)
                          : std::tuple(true, 0, 0);

@@ -2,8 +2,8 @@
 // Reads a lesson file. Nothing is half-loaded: the lesson is there only when the file has no
 // problem at all.
 //
-// The effects that views call for are registered above this folder (effects/registry.hpp), so their
-// names are handed in: `known_effects` holds those that a view may name.
+// Acts, blocks, listings and effects are registered above this folder (picture/registry.hpp), so
+// the vocabulary of all that a file may name is handed in.
 
 #include <filesystem>
 #include <optional>
@@ -13,6 +13,7 @@
 
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
+#include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
 
@@ -25,11 +26,11 @@ struct LoadedLesson {
 /// Reads and validates; does not run the lesson (see lesson/run.hpp for the expected outcome). A
 /// file that is not TOML has one problem, its first syntax error.
 [[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
-                                       const std::vector<std::string>& known_effects);
+                                       const Vocabulary& vocabulary);
 
 /// The same from text; `name` stands for the file in problems and gives the lesson's id.
 [[nodiscard]] LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
-                                        const std::vector<std::string>& known_effects);
+                                        const Vocabulary& vocabulary);
 
 /// Where a key of a lesson file stands; for problems found only after loading. Keys are dotted,
 /// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2".
@@ -39,7 +40,7 @@ struct LoadedLesson {
 /// Lesson files (*.toml) of a folder in teaching order (chapter, order, id), then those that have
 /// problems, by name.
 [[nodiscard]] std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
-                                                     const std::vector<std::string>& known_effects);
+                                                     const Vocabulary& vocabulary);
 
 /// What the vertices of shape "X" or "Y" are called where a file does not name them: a single one
 /// like the shape, else x1, x2, ... or y1, y2, ...

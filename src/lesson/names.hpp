@@ -25,56 +25,9 @@ struct Named<ScalarKind> {
        {"exact", ScalarKind::exact}}};
 };
 template <>
-struct Named<Granularity> {
-  static constexpr std::array<std::pair<std::string_view, Granularity>, 13> kTable = {
-      {{"iteration", Granularity::iteration},
-       {"phase", Granularity::phase},
-       {"test", Granularity::test},
-       {"path", Granularity::path},
-       {"pairs", Granularity::pairs},
-       {"support", Granularity::support},
-       {"witness", Granularity::witness},
-       {"answer", Granularity::answer},
-       {"time", Granularity::time},
-       {"maps", Granularity::maps},
-       {"orders", Granularity::orders},
-       {"growth", Granularity::growth},
-       {"study", Granularity::study}}};
-};
-template <>
 struct Named<ViewKind> {
-  static constexpr std::array<std::pair<std::string_view, ViewKind>, 4> kTable = {
-      {{"world", ViewKind::world},
-       {"difference", ViewKind::difference},
-       {"growth", ViewKind::growth},
-       {"study", ViewKind::study}}};
-};
-template <>
-struct Named<PanelBlock> {
-  static constexpr std::array<std::pair<std::string_view, PanelBlock>, 23> kTable = {
-      {{"pseudocode", PanelBlock::pseudocode},
-       {"tests", PanelBlock::tests},
-       {"regions", PanelBlock::regions},
-       {"weights", PanelBlock::weights},
-       {"linear-system", PanelBlock::linear_system},
-       {"simplex", PanelBlock::simplex},
-       {"scan", PanelBlock::scan},
-       {"bounds", PanelBlock::bounds},
-       {"pairs", PanelBlock::pairs},
-       {"direction-rules", PanelBlock::direction_rules},
-       {"witness", PanelBlock::witness},
-       {"counters", PanelBlock::counters},
-       {"starts", PanelBlock::starts},
-       {"bound-steps", PanelBlock::bound_steps},
-       {"unit-vector", PanelBlock::unit_vector},
-       {"areas", PanelBlock::areas},
-       {"balance", PanelBlock::balance},
-       {"signs", PanelBlock::signs},
-       {"orders", PanelBlock::orders},
-       {"stop-tests", PanelBlock::stop_tests},
-       {"two-runs", PanelBlock::two_runs},
-       {"growth", PanelBlock::growth},
-       {"study", PanelBlock::study}}};
+  static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
+      {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
 };
 template <>
 struct Named<Ask> {
@@ -85,16 +38,6 @@ struct Named<Ask> {
        {"stop", Ask::stop},
        {"overlap", Ask::overlap},
        {"time", Ask::time}}};
-};
-template <>
-struct Named<Listing> {
-  static constexpr std::array<std::pair<std::string_view, Listing>, 6> kTable = {
-      {{"segment", Listing::segment},
-       {"triangle", Listing::triangle},
-       {"support", Listing::support},
-       {"gjk-point", Listing::gjk_point},
-       {"minkowski", Listing::minkowski},
-       {"gjk", Listing::gjk}}};
 };
 template <>
 struct Named<gjk::Phase> {

@@ -6,11 +6,9 @@
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
-namespace {
-
-/// More than one answer could be given to somebody who sees only what came before.
 bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step) {
   switch (ask) {
     case Ask::support:
@@ -25,37 +23,6 @@ bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step) {
   }
   return false;
 }
-
-/// True when a frame of granularity `study` answers.
-bool answers(const StudyFrame& frame, const LessonQuestion& question) {
-  if (question.ask == Ask::overlap) return frame.stage == StudyStage::gap;
-  return question.ask == Ask::time && frame.stage == StudyStage::mark &&
-         (!question.at || *question.at == frame.marks);
-}
-
-/// Index of the step that `frame` shows and the frame before it did not, and that answers; -1 where
-/// there is none.
-int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
-                   const LessonQuestion& question) {
-  if (before.run != frame.run) return -1;
-  const WideTrace& trace = run.run(frame).trace;
-  if (run.lesson.granularity == Granularity::study)
-    return answers(run.study(frame), question) ? frame.step : -1;
-  if (run.lesson.granularity == Granularity::test) {
-    const int regions = (1 << state_before(trace, frame.step).simplex.count) - 1;
-    const bool decides = frame.detail >= 0 && frame.detail + 1 < regions &&
-                         run.step(frame).record.region_tests[frame.detail].holds;
-    return decides && question.ask == Ask::region ? frame.step : -1;
-  }
-  for (int i = before.step + 1; i <= frame.step; ++i) {
-    const bool is_asked =
-        tells(trace, i, question.ask) && (!question.at || *question.at == trace.steps[i].iteration);
-    if (is_asked && is_open(run, trace, question.ask, i)) return i;
-  }
-  return -1;
-}
-
-}  // namespace
 
 bool tells(const WideTrace& trace, int step, Ask ask) {
   const auto is = [&](std::size_t i, gjk::Phase phase) {
@@ -88,11 +55,13 @@ void add_question_frames(LessonRun& run) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
-      const int answer = answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
+      if (run.frames[i - 1].run != run.frames[i].run) continue;
+      const int answer =
+          run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;
       frames.push_back(run.frames[i - 1]);
       frames.back().question = q;
-      frames.back().answer = answer;
+      frames.back().answering_step = answer;
     }
     frames.push_back(run.frames[i]);
   }

@@ -12,6 +12,9 @@ namespace gjkscope {
 /// The state before a step.
 [[nodiscard]] const gjk::State<double, 2>& state_before(const WideTrace& trace, int step);
 
+/// More than one answer could be given to somebody who sees only what came before `step`.
+[[nodiscard]] bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step);
+
 /// Puts before each frame that answers a question of the lesson the frame that asks it. What has
 /// only one answer is not asked: of what region of a single vertex, say, Q lies in.
 void add_question_frames(LessonRun& run);

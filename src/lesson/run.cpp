@@ -11,6 +11,7 @@
 #include "lesson/names.hpp"
 #include "lesson/questions.hpp"
 #include "lesson/scalar.hpp"
+#include "lesson/vocabulary.hpp"
 #include "lesson/widen.hpp"
 
 namespace gjkscope {
@@ -147,102 +148,6 @@ std::vector<Scenery> sceneries_of(const Lesson& lesson) {
   return out;
 }
 
-/// Index of the last step to show: the first of the phase asked for, else the last of all.
-int last_step(const Lesson& lesson, const WideTrace& trace) {
-  if (lesson.until) {
-    for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-      if (trace.steps[i].phase == *lesson.until) return i;
-    }
-  }
-  return static_cast<int>(trace.steps.size()) - 1;
-}
-
-void add_frames(LessonRun& run, int index) {
-  const Lesson& lesson = run.lesson;
-  const WideTrace& trace = run.runs[index].trace;
-  const int last = last_step(lesson, trace);
-  switch (lesson.granularity) {
-    case Granularity::phase:
-      run.frames.push_back({index, -1, -1});
-      for (int i = 0; i <= last; ++i) {
-        const auto& phases = lesson.phases;
-        const bool is_shown = phases.empty() || std::find(phases.begin(), phases.end(),
-                                                          trace.steps[i].phase) != phases.end();
-        if (is_shown) run.frames.push_back({index, i, -1});
-      }
-      return;
-    case Granularity::iteration:
-      run.frames.push_back({index, -1, -1});
-      for (int i = 0; i <= last; ++i) {
-        const bool ends = i == last || trace.steps[i + 1].iteration != trace.steps[i].iteration;
-        if (ends) run.frames.push_back({index, i, -1});
-      }
-      return;
-    case Granularity::test: {
-      if (trace.steps.empty()) return;
-      const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
-      for (int i = -1; i < tests; ++i) run.frames.push_back({index, 0, i});
-      return;
-    }
-    case Granularity::path:
-      // A refused run has no step: its frame shows the start.
-      run.frames.push_back({index, lesson.until ? last : std::min(0, last), -1});
-      return;
-    case Granularity::time:
-    case Granularity::maps:
-    case Granularity::orders: {
-      if (trace.steps.empty()) return;
-      int first = 0;
-      int count = lesson.granularity == Granularity::orders ? kOrderStages : kMapStages;
-      if (lesson.granularity == Granularity::time)
-        count = static_cast<int>(lesson.time->at(index).size());
-      // The maps are the same wherever X stands.
-      if (lesson.granularity == Granularity::maps && index > 0) first = count - 1;
-      for (int i = first; i < count; ++i) run.frames.push_back({index, 0, i});
-      return;
-    }
-    case Granularity::pairs: {
-      const int pairs = static_cast<int>(lesson.x.vertices.size() * lesson.y.vertices.size());
-      for (int i = 0; i <= pairs + 1; ++i) run.frames.push_back({index, last, i});
-      return;
-    }
-    case Granularity::support: {
-      const std::size_t before = run.frames.size();
-      for (int i = 0; i <= last; ++i) {
-        if (trace.steps[i].phase != gjk::Phase::support) continue;
-        for (int k = kSupportDirection; k <= kSupportOfZ; ++k) run.frames.push_back({index, i, k});
-      }
-      // A run that needs no support point shows how it ends.
-      if (run.frames.size() == before) run.frames.push_back({index, last, -1});
-      return;
-    }
-    case Granularity::witness:
-      if (last < 0) run.frames.push_back({index, last, -1});
-      for (int k = kWitnessP; k <= kWitnessDistance && last >= 0; ++k)
-        run.frames.push_back({index, last, k});
-      return;
-    case Granularity::answer:
-      run.frames.push_back({index, last, -1});
-      return;
-    case Granularity::study: {
-      const int frames = static_cast<int>(study_frames(*lesson.study).size());
-      for (int i = 0; i < frames; ++i) run.frames.push_back({index, last, i});
-      return;
-    }
-    case Granularity::growth: {
-      run.frames.push_back({index, -1, -1});
-      if (last < 0) return;
-      for (int i = 0; i <= last; ++i) {
-        if (trace.steps[i].phase == gjk::Phase::support || i == last)
-          run.frames.push_back({index, i, -1});
-      }
-      const int sizes = static_cast<int>(lesson.growth->vertices.size());
-      for (int i = 0; i <= sizes; ++i) run.frames.push_back({index, last, i});
-      return;
-    }
-  }
-}
-
 /// Half a unit in the last digit of the shortest decimal that reads back as `value`: the precision
 /// it was written with, but at least six decimals.
 double written_precision(double value) {
@@ -259,20 +164,13 @@ double written_precision(double value) {
 
 }  // namespace
 
-std::vector<StudyFrame> study_frames(const LessonStudy& study) {
-  const int all = static_cast<int>(study.marks.size());
-  const int first = std::min(2, all);
-  std::vector<StudyFrame> out;
-  for (const StudyStage stage : {StudyStage::shapes, StudyStage::gap, StudyStage::in_float,
-                                 StudyStage::in_double, StudyStage::error}) {
-    out.push_back({stage, 0});
+int last_step(const Lesson& lesson, const WideTrace& trace) {
+  if (lesson.until) {
+    for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+      if (trace.steps[i].phase == *lesson.until) return i;
+    }
   }
-  out.push_back({StudyStage::error_axis, first});
-  out.push_back({StudyStage::time_axis, first});
-  for (int marks = first + 1; marks <= all; ++marks) out.push_back({StudyStage::mark, marks});
-  for (const StudyStage stage : {StudyStage::front, StudyStage::all, StudyStage::choice})
-    out.push_back({stage, all});
-  return out;
+  return static_cast<int>(trace.steps.size()) - 1;
 }
 
 int support_calls(const WideTrace& trace) {
@@ -310,12 +208,8 @@ const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
 }
 
-StudyFrame LessonRun::study(const Frame& frame) const {
-  return study_frames(*lesson.study)[static_cast<std::size_t>(frame.detail)];
-}
-
 double LessonRun::seconds(const Frame& frame) const {
-  return lesson.time->at(frame.run)[static_cast<std::size_t>(frame.detail)];
+  return lesson.time->at(frame.run)[static_cast<std::size_t>(*frame.moment)];
 }
 
 std::string pair_name(const std::vector<std::string>& x_names,
@@ -339,16 +233,17 @@ RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
 template RunIn<2> run_case(const CaseIn<2>& shapes, ScalarKind scalar);
 template RunIn<3> run_case(const CaseIn<3>& shapes, ScalarKind scalar);
 
-LessonRun run_lesson(Lesson lesson) {
+LessonRun run_lesson(Lesson lesson, const Act& act) {
   LessonRun run;
   run.lesson = std::move(lesson);
+  run.act = &act;
   for (const Scenery& scenery : sceneries_of(run.lesson)) {
     const bool is_warm = run.lesson.warm_start && !run.runs.empty();
     const gjk::Options& cold = run.lesson.options;
     run.runs.push_back(
         run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
   }
-  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) add_frames(run, i);
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) act.add_frames(run, i);
   add_question_frames(run);
   return run;
 }

@@ -1,11 +1,12 @@
 #pragma once
-// A lesson, run: one traced GJK run for each position of X, and the frames that the lesson's
-// granularity makes of them.
+// A lesson, run: one traced GJK run for each position of X, and the frames that the lesson's act
+// makes of them.
 
 #include <string>
 #include <vector>
 
 #include "lesson/case.hpp"
+#include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
 
@@ -61,46 +62,11 @@ using PositionedRun = RunIn<2>;
 /// number, or its lengths are not in the world's unit. Empty for all others.
 [[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
-/// What the frames of one support step show, one after the other: d, the support point of Y along
-/// d, that of X along -d, their difference.
-inline constexpr int kSupportDirection = 0;
-inline constexpr int kSupportOfY = 1;
-inline constexpr int kSupportOfX = 2;
-inline constexpr int kSupportOfZ = 3;
-
-/// What the frames of one answer show, one after the other: P and its weights, the same weights on
-/// the vertices of Y, on those of X, and the distance between what they give.
-inline constexpr int kWitnessP = 0;
-inline constexpr int kWitnessY = 1;
-inline constexpr int kWitnessX = 2;
-inline constexpr int kWitnessDistance = 3;
-
-/// What one frame shows.
-struct Frame {
-  int run = 0;        ///< Index into LessonRun::runs.
-  int step = -1;      ///< Index into the trace's steps; -1: the start, before the first phase.
-  int detail = -1;    ///< Granularity::test: index of the region test reached, -1 before the first.
-                      ///< Granularity::pairs: number of pairs made so far; one more than there are:
-                      ///< the hull. Granularity::support and witness: kSupportDirection
-                      ///< and so on, kWitnessP and so on. Granularity::time: index of the moment.
-                      ///< Granularity::maps, orders: MapStage, OrderStage. Granularity::growth:
-                      ///< index of the size, -1 in the lesson's own run; as many as there are:
-                      ///< the outcome. Granularity::study: index into study_frames.
-  int question = -1;  ///< Index into Lesson::questions: this frame asks it, over what the frame
-                      ///< before it shows; the next frame that asks nothing answers.
-  int answer = -1;    ///< Of a frame that asks: index of the step that answers.
-};
-
-/// What a frame of granularity `study` shows.
-struct StudyFrame {
-  StudyStage stage = StudyStage::shapes;
-  int marks = 0;  ///< The first so many marks of the lesson have been introduced.
-};
-/// All of them, in order.
-[[nodiscard]] std::vector<StudyFrame> study_frames(const LessonStudy& study);
+struct Act;
 
 struct LessonRun {
   Lesson lesson;
+  const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
   std::vector<Frame> frames;
 
@@ -111,10 +77,7 @@ struct LessonRun {
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
-  /// Only with granularity `study`.
-  [[nodiscard]] StudyFrame study(const Frame& frame) const;
-
-  /// Time of a frame; only with granularity `time`.
+  /// Time of a frame; only where frame.moment is set.
   [[nodiscard]] double seconds(const Frame& frame) const;
 
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
@@ -123,7 +86,12 @@ struct LessonRun {
   [[nodiscard]] bool point_query() const { return lesson.x.vertices.size() == 1; }
 };
 
-[[nodiscard]] LessonRun run_lesson(Lesson lesson);
+/// `act` is the one that the lesson names; it must outlive the run.
+[[nodiscard]] LessonRun run_lesson(Lesson lesson, const Act& act);
+
+/// Index of the last step that frames of a run may show: the first of Lesson::until, else the last
+/// of all. -1 where GJK refused the run.
+[[nodiscard]] int last_step(const Lesson& lesson, const WideTrace& trace);
 
 /// A pasted case, run with the default options. D: 2 or 3.
 template <int D>

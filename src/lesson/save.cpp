@@ -212,7 +212,7 @@ void write_query(TomlText& out, const Lesson& lesson) {
 
 void write_steps(TomlText& out, const Lesson& lesson) {
   out.table("[steps]");
-  out.choice("granularity", lesson.granularity, Lesson().granularity);
+  out.text("granularity", lesson.act, Lesson().act);
   if (lesson.until) out.key("until", as_text(name_of(*lesson.until)));
   if (!lesson.phases.empty()) out.list("phases", names_as_texts(lesson.phases));
 }
@@ -255,9 +255,10 @@ void write_study(TomlText& out, const LessonStudy& study) {
   }
 }
 
-void write_view(TomlText& out, const LessonView& view) {
+/// A plot is called like the act that fills it.
+void write_view(TomlText& out, const LessonView& view, const std::string& act) {
   out.table("[[views]]");
-  out.key("show", as_text(name_of(view.kind)));
+  out.key("show", as_text(view.kind == ViewKind::plot ? act : name_of(view.kind)));
   out.text("title", view.title, "");
   if (view.camera) {
     out.key("camera", fmt::format("{{ center = {}, height = {} }}",
@@ -298,10 +299,10 @@ std::string lesson_toml(const Lesson& lesson) {
   }
   if (lesson.growth) write_growth(out, *lesson.growth);
   if (lesson.study) write_study(out, *lesson.study);
-  for (const LessonView& view : lesson.views) write_view(out, view);
+  for (const LessonView& view : lesson.views) write_view(out, view, lesson.act);
   out.table("[panel]");
-  if (!lesson.panel.empty()) out.list("blocks", names_as_texts(lesson.panel));
-  out.choice("listing", lesson.listing, Listing::none);
+  if (!lesson.panel.empty()) out.list("blocks", as_texts(lesson.panel));
+  out.text("listing", lesson.listing, "");
   for (const LessonQuestion& question : lesson.questions) {
     out.table("[[questions]]");
     out.key("ask", as_text(name_of(question.ask)));

@@ -80,7 +80,7 @@ std::vector<LessonKey> make_keys() {
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
 
-      {"steps", "granularity", one_of<Granularity>(), "phase", "what one frame is"},
+      {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
        "frames end with the first step of this phase; along a path each shows it (else the closest "
        "point)"},
@@ -137,7 +137,7 @@ std::vector<LessonKey> make_keys() {
       {"study.marks", "note", text_up_to(kNoteLength), "none",
        "a sentence about it, for the frame that introduces it"},
 
-      {"views", "show", one_of<ViewKind>(), required,
+      {"views", "show", "world, difference, or a granularity that fills a view", required,
        "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
        "what [study] shows: one pair, then error against time"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
@@ -151,9 +151,8 @@ std::vector<LessonKey> make_keys() {
        fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
        "height of the view in world units"},
 
-      {"panel", "blocks", fmt::format("list of: {}", fmt::join(names_of<PanelBlock>(), ", ")),
-       "none", "blocks from top to bottom"},
-      {"panel", "listing", one_of<Listing>(), "none",
+      {"panel", "blocks", "list of panel blocks", "none", "blocks from top to bottom"},
+      {"panel", "listing", "name of a listing", "none",
        "what the block `pseudocode` shows; needed with that block and only then"},
 
       {"questions", "ask", one_of<Ask>(), required,

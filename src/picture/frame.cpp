@@ -8,12 +8,11 @@
 #include <set>
 #include <string_view>
 
-#include "lesson/names.hpp"
 #include "picture/caption.hpp"
 #include "picture/panel.hpp"
+#include "picture/registry.hpp"
 #include "picture/stage.hpp"
 #include "picture/timeline.hpp"
-#include "picture/words.hpp"
 
 namespace gjkscope {
 namespace {
@@ -96,64 +95,18 @@ Layout layout_of(const LessonRun& run, int prose_lines, double width, double hei
 
 std::string position_of(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
-  const int count = static_cast<int>(run.frames.size());
-  const Granularity granularity = run.lesson.granularity;
-  if (frame.question >= 0) {
-    const bool has_iterations =
-        granularity != Granularity::test && granularity != Granularity::study;
-    if (!has_iterations) return fmt::format("step {} · question", index + 1);
-    // How many iterations there are would tell whether this is the last.
-    return fmt::format("iteration {} · question",
-                       run.run(frame).trace.steps[frame.answer].iteration);
-  }
-  // How many steps there are would answer a question to come.
-  const bool asks = std::any_of(run.frames.begin() + index, run.frames.end(),
-                                [](const Frame& later) { return later.question >= 0; });
-  const bool grows = granularity == Granularity::growth;
-  if (grows && frame.detail == static_cast<int>(run.lesson.growth->vertices.size()))
-    return fmt::format("outcome · {} of {}", index + 1, count);
-  if (grows && frame.detail >= 0) {
-    return fmt::format("n = {} · {} of {}",
-                       grouped(run.lesson.growth->vertices[static_cast<std::size_t>(frame.detail)]),
-                       index + 1, count);
-  }
-  if (grows || granularity == Granularity::phase || granularity == Granularity::iteration) {
-    if (frame.step < 0) return asks ? "start" : fmt::format("start · {} of {}", index + 1, count);
-    const gjk::Step<double, 2>& step = run.step(frame);
-    const std::string_view phase = phase_word(step.phase);
-    if (asks) return fmt::format("iteration {} · {}", step.iteration, phase);
-    return fmt::format("iteration {} of {} · {}", step.iteration,
-                       run.run(frame).trace.result.iterations, phase);
-  }
-  if (granularity == Granularity::pairs && index > 0 && index + 1 < count)
-    return fmt::format("difference {} of {}", index, count - 2);
-  if (granularity == Granularity::time)
-    return fmt::format("t = {} s · {} of {}", fixed(run.seconds(frame), 2), index + 1, count);
-  if (granularity == Granularity::support && frame.detail >= 0) {
-    constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
-                                                        "support of Z"};
-    return fmt::format("iteration {} of {} · {}", run.step(frame).iteration,
-                       run.run(frame).trace.result.iterations,
-                       kParts[static_cast<std::size_t>(frame.detail)]);
-  }
-  std::string position =
-      fmt::format("position {} of {}", frame.run + 1, static_cast<int>(run.runs.size()));
-  if (run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds)
-    return fmt::format("{} · t = {} s", position, fixed(run.run(frame).time, 2));
-  if (granularity == Granularity::witness && frame.detail >= 0) {
-    constexpr std::array<std::string_view, 4> kParts = {"P", "on Y", "on X", "y − x"};
-    return fmt::format("{} · {}", position, kParts[static_cast<std::size_t>(frame.detail)]);
-  }
-  if (granularity == Granularity::path || granularity == Granularity::answer) return position;
-  return asks ? fmt::format("step {}", index + 1) : fmt::format("{} of {}", index + 1, count);
+  if (frame.question < 0) return staged(run).position(run, index);
+  if (!run.act->follows_run) return fmt::format("step {} · question", index + 1);
+  // How many iterations there are would tell whether this is the last.
+  return fmt::format("iteration {} · question",
+                     run.run(frame).trace.steps[frame.answering_step].iteration);
 }
 
 std::string default_title(const LessonRun& run, const LessonView& view) {
   if (!view.title.empty()) return view.title;
   if (view.kind == ViewKind::world)
     return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
-  if (view.kind == ViewKind::growth) return "Iterations as polygons grow";
-  if (view.kind == ViewKind::study) return fmt::format("Pairs: {}", run.lesson.study->family);
+  if (view.kind == ViewKind::plot) return staged(run).plot_title(run);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
 }
 

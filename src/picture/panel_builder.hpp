@@ -40,7 +40,7 @@ struct PanelBuilder {
   void bar(double x0, double x1, double low, double high, double value, const std::string& role);
 
   /// True where frames step through the region tests.
-  [[nodiscard]] bool gradual() const { return run.lesson.granularity == Granularity::test; }
+  [[nodiscard]] bool gradual() const { return frame.tests.has_value(); }
   /// The numbers that decide a region test.
   [[nodiscard]] std::string test_values(const gjk::RegionTest<double>& test) const;
 

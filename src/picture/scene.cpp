@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "effects/barycentric.hpp"
-#include "effects/sign_map.hpp"
-#include "effects/voronoi.hpp"
+#include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
 
@@ -15,10 +14,6 @@ std::vector<Vector2d> StageMap::visible() const {
   const Vector2d half = 0.5 * area_.size() / scale();
   return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
           camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
-}
-
-bool calls_for(const LessonView& view, std::string_view effect) {
-  return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
 }
 
 Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
@@ -112,27 +107,10 @@ double SceneBuilder::arrow_length(const Vector2d& p) const {
   return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
 }
 
-bool SceneBuilder::shows(std::string_view effect) const {
-  if (!calls_for(view, effect)) return false;
-  if (run.lesson.granularity != Granularity::maps) return true;
-  const MapStage stage{frame.detail};
-  if (effect == VoronoiRegions::kName)
-    return stage == MapStage::voronoi || stage >= MapStage::blended;
-  if (effect == SignMap::kName) return stage != MapStage::voronoi;
-  return effect != MapDifference::kName || stage == MapStage::difference;
-}
-
 bool SceneBuilder::shows_closest_point() const {
   // Frames that measure weights along a path leave P out: it would lie on what they measure.
-  const bool measures =
-      run.lesson.granularity == Granularity::path && calls_for(view, BarycentricParts::kName);
+  const bool measures = run.act->sweeps && shows(BarycentricParts::kName);
   return knows.closest_point && !measures;
-}
-
-bool SceneBuilder::shows_whole_simplex() const {
-  return run.lesson.granularity == Granularity::phase ||
-         run.lesson.granularity == Granularity::iteration ||
-         run.lesson.granularity == Granularity::growth;
 }
 
 }  // namespace gjkscope

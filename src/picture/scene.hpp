@@ -10,6 +10,7 @@
 
 #include "effects/facts.hpp"
 #include "effects/graph.hpp"
+#include "lesson/vocabulary.hpp"
 #include "picture/labels.hpp"
 
 namespace gjkscope {
@@ -69,9 +70,6 @@ inline constexpr double kLengthOffset = 13.0;  // of a fractional length from it
 /// d, of unit length, in frame pixels.
 [[nodiscard]] Point direction_on_screen(const Eigen::Vector2d& d);
 
-/// True when a lesson's view names this effect.
-[[nodiscard]] bool calls_for(const LessonView& view, std::string_view effect);
-
 /// A vertex of the Minkowski difference; of a point query it is a vertex of Y.
 [[nodiscard]] Subject subject_of(const LessonRun& run, gjk::VertexPair pair);
 
@@ -116,15 +114,12 @@ struct SceneBuilder {
   /// Of a search direction that starts at `p`, a point of the difference.
   [[nodiscard]] double arrow_length(const Eigen::Vector2d& p) const;
 
-  /// True when the view calls for the effect, and, where frames go through maps, this map shows it.
-  [[nodiscard]] bool shows(std::string_view effect) const;
-  [[nodiscard]] bool shows_map(MapStage stage) const {
-    return run.lesson.granularity == Granularity::maps && frame.detail == static_cast<int>(stage);
-  }
+  [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }
   /// True when P is known, and does not lie on what frames measure.
   [[nodiscard]] bool shows_closest_point() const;
   [[nodiscard]] bool reaches_query() const { return shows_closest_point() && knows.is_at_query; }
-  [[nodiscard]] bool shows_whole_simplex() const;
+  /// Elsewhere frames are about the vertices that P needs.
+  [[nodiscard]] bool shows_whole_simplex() const { return run.act->follows_run; }
 
   const LessonRun& run;
   EffectGraph& effects;

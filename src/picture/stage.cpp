@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
-#include "effects/balance.hpp"
-#include "effects/barycentric.hpp"
-#include "effects/history.hpp"
 #include "effects/motion.hpp"
-#include "effects/projection.hpp"
-#include "effects/region_orders.hpp"
-#include "effects/second_run.hpp"
-#include "effects/shape_hull.hpp"
-#include "effects/sign_map.hpp"
-#include "effects/slab.hpp"
-#include "effects/touched_points.hpp"
-#include "effects/voronoi.hpp"
 #include "picture/layers/layers.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 
@@ -52,7 +42,7 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     for (const Vector2d& vertex : positioned.y_world) y.extend(vertex);
     const bool is_world = view.kind == ViewKind::world;
     if (is_world) seen.extend(x).extend(y);
-    if (is_world && !calls_for(view, GrownObstacle::kName)) continue;
+    if (is_world && !view.calls_for(GrownObstacle::kName)) continue;
     const Vector2d shift = is_world ? positioned.x.translate : Vector2d(0.0, 0.0);
     seen.extend(shift);
     seen.extend(y.min() - x.max() + shift).extend(y.max() - x.min() + shift);
@@ -60,66 +50,43 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   return camera_around(seen, area);
 }
 
+namespace {
+
+bool is_on(const Layer& layer, ViewKind kind) {
+  return layer.on == Layer::On::every_view ||
+         (layer.on == Layer::On::world) == (kind == ViewKind::world);
+}
+
+/// From the lowest to the highest.
+std::vector<const Layer*> sorted_layers() {
+  std::vector<const Layer*> all = {
+#define GJKSCOPE_LAYER(name) &layers::k##name,
+#include "picture/layers/list.def"
+#undef GJKSCOPE_LAYER
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Layer* a, const Layer* b) { return a->order < b->order; });
+  return all;
+}
+
+}  // namespace
+
 Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                   const LessonView& view, const StageMap& map, const Fonts& fonts) {
+  static const std::vector<const Layer*> all = sorted_layers();
+  const StagedAct& act = staged(run);
   SceneBuilder scene(run, effects, frame, view, map);
-  if (view.kind == ViewKind::growth) {
-    layers::growth(scene, fonts);
-    return std::move(scene.out);
-  }
-  if (view.kind == ViewKind::study) {
-    layers::study(scene, fonts);
-    return std::move(scene.out);
-  }
-  if (run.lesson.granularity == Granularity::growth && frame.detail >= 0 &&
-      view.kind == ViewKind::difference) {
-    layers::growth_example(scene);
-    return std::move(scene.out);
-  }
-  if (scene.shows(VoronoiRegions::kName)) layers::regions(scene);
-  if (scene.shows(SignMap::kName)) layers::signs(scene);
-  if (scene.shows(MapDifference::kName)) layers::map_difference(scene);
-  if (scene.shows(RegionOrders::kName)) layers::short_test(scene);
-  if (view.kind == ViewKind::world) {
-    if (calls_for(view, ShapeHull::kName)) layers::shape_hull(scene);
-    layers::shapes(scene);
-  }
-  if (view.kind == ViewKind::difference) layers::difference(scene);
-  if (calls_for(view, Projection::kName)) layers::projection(scene);
-  if (calls_for(view, BarycentricParts::kName)) layers::parts(scene);
-  if (calls_for(view, UnitVector::kName)) layers::unit_vector(scene);
-  if (calls_for(view, Balance::kName)) layers::balance(scene);
-  if (calls_for(view, GrownObstacle::kName)) layers::grown_obstacle(scene);
-  if (calls_for(view, LastPosition::kName)) layers::last_position(scene);
-  if (calls_for(view, Slab::kName)) layers::slab(scene);
-  if (calls_for(view, TouchedPoints::kName)) layers::touched_points(scene);
-  const bool shows_last = calls_for(view, LastPosition::kName);  // arrows, in place of a way
-  if (run.lesson.path_of_shapes && view.kind == ViewKind::world && !shows_last) layers::path(scene);
-  const Granularity granularity = run.lesson.granularity;
-  if (granularity == Granularity::pairs) {
-    layers::pair_under_construction(scene);
-  } else if (granularity == Granularity::support && frame.detail >= 0) {
-    layers::support_in_parts(scene);
-  } else if (granularity == Granularity::answer || granularity == Granularity::witness ||
-             granularity == Granularity::study) {
-    layers::answer(scene);
-  } else {
-    if (scene.shows_difference && !calls_for(view, Slab::kName)) layers::best_support_line(scene);
-    if (calls_for(view, History::kName)) layers::history(scene);
-    layers::simplex(scene);
-    if (scene.shows_difference) {
-      layers::closest_line(scene);
-      if (calls_for(view, SecondRun::kName)) layers::second_run(scene);
-      layers::search(scene);
-      layers::closest_point(scene);
-    } else {
-      layers::witness_points(scene);
-      layers::search_between_shapes(scene);
+  if (act.fill != nullptr && act.fill(scene, fonts)) return std::move(scene.out);
+  const auto draw = [&](bool above) {
+    for (const Layer* layer : all) {
+      const bool is_above = layer->order > Layer::kOfAct;
+      const bool is_called = layer->effect.empty() || scene.shows(layer->effect);
+      if (is_above == above && is_called && is_on(*layer, view.kind)) layer->draw(scene);
     }
-  }
-  if (scene.shows(RegionOrders::kName)) layers::wrong_point(scene);
-  layers::query_point(scene);
-  if (calls_for(view, MinkowskiHull::kName)) layers::corner_names(scene);
+  };
+  draw(false);
+  act.stage(scene);
+  draw(true);
   return std::move(scene.out);
 }
 

@@ -7,174 +7,35 @@
 #include <optional>
 
 #include "lesson/names.hpp"
-#include "picture/words.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
 
 using fmt::format;
 
-struct Tick {
-  std::string label;
-  std::string short_label;  ///< Where the label is wider than the tick.
-  bool event = false;       ///< A vertex dropped, containment, the end.
-  bool question = false;
-  std::optional<gjk::Phase> phase = {};
-};
 struct Group {
   std::string label;
   std::vector<Tick> ticks;
 };
 
-/// "30k", "1M"; in full what is no whole number of thousands.
-std::string short_count(int count) {
-  constexpr int kThousand = 1000;
-  constexpr int kMillion = kThousand * kThousand;
-  if (count % kMillion == 0) return std::to_string(count / kMillion) + "M";
-  if (count % kThousand == 0) return std::to_string(count / kThousand) + "k";
-  return std::to_string(count);
-}
-
-std::string act_of(const StudyFrame& frame) {
-  if (frame.stage < StudyStage::error_axis) return "one pair";
-  return frame.stage < StudyStage::front ? "time and error" : "the front";
-}
-
-Tick tick_of(const LessonRun& run, const StudyFrame& frame) {
-  switch (frame.stage) {
-    case StudyStage::shapes:
-      return {"shapes", "", false};
-    case StudyStage::gap:
-      return {"gap", "", false};
-    case StudyStage::in_float:
-      return {"float", "", false};
-    case StudyStage::in_double:
-      return {"double", "", false};
-    case StudyStage::error:
-      return {"error", "", true};
-    case StudyStage::error_axis:
-      return {"errors", "", false};
-    case StudyStage::time_axis:
-      return {"times", "", false};
-    case StudyStage::mark:
-      return {run.lesson.study->marks[static_cast<std::size_t>(frame.marks - 1)].configuration, "",
-              false};
-    case StudyStage::front:
-      return {"of the marks", "", false};
-    case StudyStage::all:
-      return {"of all", "", false};
-    case StudyStage::choice:
-      return {"what to take", "", true};
-  }
-  return {};
-}
-
 std::vector<Group> timeline_groups(const LessonRun& run) {
+  const StagedAct& act = staged(run);
   std::vector<Group> groups;
-  const auto group = [&](const std::string& label) -> Group& {
-    if (groups.empty() || groups.back().label != label) groups.push_back({label, {}});
-    return groups.back();
-  };
-  const Granularity granularity = run.lesson.granularity;
-  const int per_x = static_cast<int>(run.lesson.y.vertices.size());
-  const int all = static_cast<int>(run.lesson.x.vertices.size()) * per_x;
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    const Frame& frame = run.frames[i];
-    if (frame.question >= 0) {
-      // A question belongs to the group of its answer.
-      const int iteration = run.run(frame).trace.steps[frame.answer].iteration;
-      const bool stays = granularity == Granularity::test || granularity == Granularity::study;
-      (stays ? groups.back() : group(format("iteration {}", iteration)))
-          .ticks.push_back({"question", "", false, true});
-    } else if (granularity == Granularity::path) {
-      const SimplexWords words(run, run.state(frame).simplex);
-      const gjk::Face face = run.state(frame).region;
-      group(gjk::vertex_count(face) == 3 ? "interior" : "region " + words.face(face))
-          .ticks.push_back({});
-    } else if (granularity == Granularity::test) {
-      Group& position =
-          group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "ordered tests");
-      if (frame.detail < 0) {
-        position.ticks.push_back({"weights", "", false});
-      } else {
-        const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[frame.detail];
-        position.ticks.push_back(
-            {"region " + SimplexWords(run, run.state(frame).simplex).face(test.region),
-             SimplexWords(run, run.state(frame).simplex).face(test.region), test.holds});
-      }
-    } else if (granularity == Granularity::time) {
-      const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
-      const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
-      const auto weight = [&](int k) {
-        return fixed(weights.numerator[k] / weights.denominator, 2);
-      };
-      group(format("u = {}, v = {}", weight(0), weight(1)))
-          .ticks.push_back({fixed(run.seconds(frame), 2) + " s", "", false});
-    } else if (granularity == Granularity::maps) {
-      constexpr std::array<std::string_view, kMapStages> kMaps = {
-          "Voronoi", "interior", "u < 0", "v < 0", "w < 0", "signs", "both", "difference"};
-      group(frame.run == 0 ? "maps" : format("position {}", frame.run + 1))
-          .ticks.push_back({std::string(kMaps[frame.detail]), "", false});
-    } else if (granularity == Granularity::orders) {
-      constexpr std::array<std::string_view, kOrderStages> kOrders = {"numbers", "vertices first",
-                                                                      "edges first", "whole tests"};
-      group(format("position {}", frame.run + 1))
-          .ticks.push_back({std::string(kOrders[frame.detail]), "", false});
-    } else if (granularity == Granularity::growth && frame.detail >= 0) {
-      const std::vector<int>& sizes = run.lesson.growth->vertices;
-      const auto size = static_cast<std::size_t>(frame.detail);
-      if (size < sizes.size()) {
-        group("vertices n").ticks.push_back({short_count(sizes[size]), "", false});
-      } else {
-        group("outcome").ticks.push_back({"all n", "", true});
-      }
-    } else if (granularity == Granularity::study) {
-      group(act_of(run.study(frame))).ticks.push_back(tick_of(run, run.study(frame)));
-    } else if (granularity == Granularity::pairs) {
-      if (frame.detail == 0) {
-        group("start").ticks.push_back({});
-      } else if (frame.detail > all) {
-        group("hull").ticks.push_back({"Z", "", true});
-      } else {
-        const gjk::VertexPair pair{(frame.detail - 1) / per_x, (frame.detail - 1) % per_x};
-        group(format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]))
-            .ticks.push_back({run.pair_name(pair), "", false});
-      }
-    } else if (granularity == Granularity::support && frame.detail >= 0) {
-      constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
-      const auto part = static_cast<std::size_t>(frame.detail);
-      group(format("iteration {}", run.step(frame).iteration))
-          .ticks.push_back({std::string(kParts[part]), std::string(1, "dYXZ"[part]),
-                            frame.detail == kSupportOfZ});
-    } else if (granularity == Granularity::witness && frame.detail >= 0) {
-      constexpr std::array<std::string_view, 4> kParts = {"P", "on Y", "on X", "y − x"};
-      group(run.runs.size() > 1 ? format("position {}", frame.run + 1) : "answer")
-          .ticks.push_back({std::string(kParts[static_cast<std::size_t>(frame.detail)]), "",
-                            frame.detail == kWitnessDistance});
-    } else if (granularity == Granularity::answer && frame.step >= 0) {
-      const gjk::Result<double, 2>& result = run.run(frame).trace.result;
-      const std::string closest = result.distance > 0.0
-                                      ? format("{} – {}", feature_name(run, result.simplex, true),
-                                               feature_name(run, result.simplex, false))
-                                      : "distance 0";
-      group(closest).ticks.push_back({});
-    } else if (frame.step < 0) {
-      group("start").ticks.push_back({"S", "", false});
+  for (const Frame& frame : run.frames) {
+    Tick tick;
+    if (frame.question < 0) {
+      tick = act.tick(run, frame);
     } else {
-      const gjk::Step<double, 2>& step = run.step(frame);
-      const bool event =
-          !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running;
-      constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
-                                                                           {"drop", "−"},
-                                                                           {"direction", "d"},
-                                                                           {"support", "V"},
-                                                                           {"stop?", "?"},
-                                                                           {"add", "+"}}};
-      const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
-      group(format("iteration {}", step.iteration))
-          .ticks.push_back(
-              {std::string(label), std::string(short_label), event, false, step.phase});
+      // A question belongs to the group of its answer.
+      const int iteration = run.run(frame).trace.steps[frame.answering_step].iteration;
+      tick = {
+          .group = run.act->follows_run ? format("iteration {}", iteration) : groups.back().label,
+          .label = "question",
+          .question = true};
     }
+    if (groups.empty() || groups.back().label != tick.group) groups.push_back({tick.group, {}});
+    groups.back().ticks.push_back(std::move(tick));
   }
   return groups;
 }

@@ -21,10 +21,10 @@ constexpr std::size_t kMostRepetitions = 201;
 struct Caller {
   int view = -1;  ///< Index into Lesson::views, or -1: of the panel.
   std::string effect;
-  PanelBlock block = {};
+  std::string block;
 
   [[nodiscard]] std::string words() const {
-    return view < 0 ? fmt::format("block {}", name_of(block)) : fmt::format("{} in a view", effect);
+    return view < 0 ? fmt::format("block {}", block) : fmt::format("{} in a view", effect);
   }
 };
 
@@ -35,7 +35,7 @@ std::vector<Caller> callers_of(const Lesson& lesson) {
       out.push_back({static_cast<int>(i), effect, {}});
     }
   }
-  for (const PanelBlock block : lesson.panel) out.push_back({-1, "", block});
+  for (const std::string& block : lesson.panel) out.push_back({-1, "", block});
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/balance.hpp"
+#include "picture/registry.hpp"
 #include "study/report.hpp"
 
 namespace gjkscope {

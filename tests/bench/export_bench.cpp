@@ -11,12 +11,12 @@
 
 #include "cli/export.hpp"
 #include "effects/graph.hpp"
-#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 #include "sample_picture.hpp"
 
 namespace {
@@ -28,10 +28,8 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 
 std::vector<Lesson> shipped_lessons() {
-  std::vector<std::string> effects;
-  for (const EffectInfo& effect : registered_effects()) effects.emplace_back(effect.name);
   std::vector<Lesson> lessons;
-  for (LoadedLesson& loaded : load_lessons(kSource / "lessons", effects)) {
+  for (LoadedLesson& loaded : load_lessons(kSource / "lessons", vocabulary())) {
     if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
     lessons.push_back(std::move(*loaded.lesson));
   }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lesson/run.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

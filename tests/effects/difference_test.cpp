@@ -12,6 +12,7 @@
 #include "effects/touched_points.hpp"
 #include "geometry/polygon.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -14,6 +14,7 @@
 #include "effects/shape_hull.hpp"
 #include "effects/voronoi.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -27,7 +28,7 @@ Lesson point_and_triangle(const Vector2d& q) {
   lesson.y = {
       "ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, {0.5, 1.5}}, Vector2d::Zero(), 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
-  lesson.granularity = Granularity::path;
+  lesson.act = "path";
   return lesson;
 }
 

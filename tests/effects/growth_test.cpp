@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -149,7 +150,7 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   const auto& steps = run.runs[0].trace.steps;
   const int last = static_cast<int>(steps.size()) - 1;
   const auto sizes = std::find_if(run.frames.begin(), run.frames.end(),
-                                  [](const Frame& frame) { return frame.detail >= 0; });
+                                  [](const Frame& frame) { return frame.size.has_value(); });
   ASSERT_EQ(run.frames.end() - sizes, 4);
   EXPECT_EQ(sizes - run.frames.begin(), support_calls(run.runs[0].trace) + 2);
   EXPECT_EQ(run.frames.front().step, -1);

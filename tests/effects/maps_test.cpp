@@ -6,6 +6,7 @@
 #include "effects/region_orders.hpp"
 #include "effects/sign_map.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -19,7 +20,7 @@ LessonRun triangle_and(const Vector2d& q, bool obtuse) {
   const Vector2d c = obtuse ? Vector2d(3.5, 1.5) : Vector2d(0.5, 1.5);
   lesson.y = {"ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, c}, Vector2d::Zero(), 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
-  lesson.granularity = Granularity::orders;
+  lesson.act = "orders";
   return run_lesson(lesson);
 }
 

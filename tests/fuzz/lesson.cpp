@@ -20,6 +20,7 @@
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope::fuzz {
 namespace {
@@ -163,8 +164,7 @@ void claim_drawn(LessonRun run) {
 
 void feed(std::string_view text) {
   static const LessonFile file;
-  static const std::vector<std::string> effects = view_effects();
-  const LoadedLesson loaded = load_lesson(file.write(text), effects);
+  const LoadedLesson loaded = load_lesson(file.write(text), vocabulary());
   claim(loaded.lesson.has_value() == loaded.problems.empty(), "a lesson loads, or has problems");
   for (const Problem& problem : loaded.problems) claim_located(problem, text);
   if (!loaded.lesson || !is_cheap(*loaded.lesson)) return;

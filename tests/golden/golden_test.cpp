@@ -18,6 +18,7 @@
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION

@@ -12,14 +12,6 @@
 
 namespace gjkscope::testing {
 
-inline std::vector<std::string> effects_of_views() {
-  std::vector<std::string> names;
-  for (const EffectInfo& effect : registered_effects()) {
-    if (effect.used_by == "view") names.emplace_back(effect.name);
-  }
-  return names;
-}
-
 inline std::string file_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

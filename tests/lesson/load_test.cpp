@@ -10,13 +10,14 @@
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
 namespace {
 
 LoadedLesson parse(std::string_view text) {
-  return parse_lesson(text, "lessons/two.toml", testing::effects_of_views());
+  return parse_lesson(text, "lessons/two.toml", vocabulary());
 }
 
 std::string all_of(const std::vector<Problem>& problems) {
@@ -45,8 +46,7 @@ using Edits = std::vector<std::array<std::string, 3>>;
 void expect_refused(const std::string& text, const Edits& edits,
                     const std::filesystem::path& file = "lessons/two.toml") {
   for (const auto& [from, to, what] : edits) {
-    const LoadedLesson loaded =
-        parse_lesson(replaced(text, from, to), file, testing::effects_of_views());
+    const LoadedLesson loaded = parse_lesson(replaced(text, from, to), file, vocabulary());
     const std::string problems = all_of(loaded.problems);
     EXPECT_NE(problems.find(what), std::string::npos) << to << "\n" << problems;
   }
@@ -100,7 +100,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
   ASSERT_EQ(options.start.count, 2);
   EXPECT_EQ(options.start.pairs[0], (gjk::VertexPair{2, 2}));
   EXPECT_EQ(options.start.pairs[1], (gjk::VertexPair{0, 0}));
-  EXPECT_EQ(lesson.granularity, Granularity::iteration);
+  EXPECT_EQ(lesson.act, "iteration");
   EXPECT_EQ(lesson.until, gjk::Phase::stop);
   ASSERT_TRUE(lesson.path_of_shapes);
   EXPECT_EQ(lesson.path_of_shapes->x.points.size(), 2u);
@@ -112,8 +112,8 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[0].camera->height, 6.0);
   EXPECT_EQ(lesson.views[0].effects, (std::vector<std::string>{"voronoi-regions", "history"}));
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
-  EXPECT_EQ(lesson.panel, (std::vector<PanelBlock>{PanelBlock::pseudocode, PanelBlock::weights}));
-  EXPECT_EQ(lesson.listing, Listing::gjk);
+  EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
+  EXPECT_EQ(lesson.listing, "gjk");
   EXPECT_EQ(lesson.expect.stop, gjk::StopReason::no_progress);
   EXPECT_EQ(lesson.expect.supports, (std::vector<std::string>{"K-B"}));
   EXPECT_EQ(lesson.expect.distance, 2.5);
@@ -140,11 +140,11 @@ expect.stop = "repeated-support"
   EXPECT_TRUE(lesson.options.stop_on_repeated_support);
   EXPECT_TRUE(lesson.options.stop_on_no_progress);
   EXPECT_EQ(lesson.options.start.count, 1);
-  EXPECT_EQ(lesson.granularity, Granularity::phase);
+  EXPECT_EQ(lesson.act, "phase");
   EXPECT_FALSE(lesson.path_of_shapes);
   EXPECT_FALSE(lesson.views[0].camera);
   EXPECT_TRUE(lesson.panel.empty());
-  EXPECT_EQ(lesson.listing, Listing::none);
+  EXPECT_EQ(lesson.listing, "");
   EXPECT_FALSE(lesson.expect.supports);
 }
 
@@ -374,7 +374,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"granularity = \"iteration\"\nuntil = \"stop\"",
                 "granularity = \"test\"\nuntil = ¦\"stop\"", "'until' with granularity 'test'"},
         Refused{"\"iteration\"\nuntil = \"stop\"\n\n[path]\npoints = [[0, 0], [1, 1]]\nframes = 13",
-                "¦\"path\"", "granularity 'path' without a path"},
+                "¦\"path\"", "granularity 'path' without its table"},
         Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"time\"",
                 "granularity 'time' without its table"},
         Refused{"[steps]", "¦[time]\nseconds = 2\nframes = 3\n[steps]",
@@ -396,7 +396,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "view 'study' without granularity 'study'"},
         Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without granularity 'time'"},
         Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without granularity 'time'"},
-        Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without its frames"},
+        Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without granularity 'orders'"},
         Refused{"rotate = 15.0", "translate = ¦[1, 1]", "'translate' of X besides a path"},
         Refused{"\"history\"", "\"history\", ¦\"history\"", "effect 'history' is named twice"},
         Refused{"\"weights\"", "¦\"pseudocode\"", "block 'pseudocode' is named twice"},
@@ -481,18 +481,16 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
 TEST(Load, AStudyShowsWhatItsFileHolds) {
   const std::filesystem::path file = testing::lessons_folder() / "accuracy-cost.toml";
   const std::string text = testing::file_text(file);
-  const LoadedLesson loaded = parse_lesson(text, file, testing::effects_of_views());
+  const LoadedLesson loaded = parse_lesson(text, file, vocabulary());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const LessonStudy& study = *loaded.lesson->study;
   for (const StudyMark& mark : study.marks)
     EXPECT_EQ(study.dot(mark.configuration).configuration, mark.configuration);
   EXPECT_FALSE(study.processor.empty());
   const LessonRun run = run_lesson(*loaded.lesson);
-  const std::vector<StudyFrame> frames = study_frames(study);
-  EXPECT_EQ(frames.size(), 5 + study.marks.size() + 3);
-  EXPECT_EQ(run.frames.size(), frames.size() + loaded.lesson->questions.size());
-  EXPECT_EQ(run.study(run.frames.front()).stage, StudyStage::shapes);
-  EXPECT_EQ(run.study(run.frames.back()).stage, StudyStage::choice);
+  EXPECT_EQ(run.frames.size(), 5 + study.marks.size() + 3 + loaded.lesson->questions.size());
+  EXPECT_EQ(run.frames.front().study->stage, StudyStage::shapes);
+  EXPECT_EQ(run.frames.back().study->stage, StudyStage::choice);
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
   const Edits refused = {
@@ -526,7 +524,7 @@ TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
             "lessons/two.toml:22:10: the second run has the scalar of the first; expected another "
             "one than 'float'");
   EXPECT_EQ(only_problem(shown),
-            "lessons/two.toml:41:42: effect 'second-run' without a scalar for it; expected "
+            "lessons/two.toml:41:42: effect 'second-run' without a second run; expected "
             "'beside' in [query]");
   EXPECT_EQ(only_problem(replaced(testing::kFullLesson, scalar, scalar + "\nbeside = \"exact\"")),
             "lessons/two.toml:22:10: 'beside' without a view that shows the second run; expected "
@@ -550,8 +548,8 @@ TEST(Load, TheListingOfTheDifferenceNeedsFramesForThePairs) {
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
   EXPECT_EQ(to_string(loaded.problems[0]),
-            "lessons/two.toml:48:11: listing 'minkowski' without frames for its pairs; expected "
-            "granularity 'pairs'");
+            "lessons/two.toml:48:11: listing 'minkowski' without granularity 'pairs'; expected "
+            "granularity = \"pairs\" in [steps]");
   EXPECT_TRUE(parse(replaced(text, "\"iteration\"", "\"pairs\"")).lesson);
 }
 
@@ -719,7 +717,7 @@ class LessonFolder : public ::testing::Test {
 
 TEST_F(LessonFolder, FilesAreLoadedUnderTheirName) {
   const std::filesystem::path file = temporary_.file("my-lesson.toml", testing::kFullLesson);
-  const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
+  const LoadedLesson loaded = load_lesson(file, vocabulary());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   EXPECT_EQ(loaded.lesson->id, "my-lesson");
   EXPECT_EQ(loaded.lesson->path, file.string());
@@ -748,7 +746,7 @@ TEST_F(LessonFolder, LessonsComeInTeachingOrderBrokenOnesLast) {
   temporary_.file("e.toml", numbered("1", "1"));
   temporary_.file("README.md", "no lesson");
   std::string ids;
-  const std::vector<LoadedLesson> lessons = load_lessons(folder_, testing::effects_of_views());
+  const std::vector<LoadedLesson> lessons = load_lessons(folder_, vocabulary());
   for (const LoadedLesson& loaded : lessons) ids += loaded.lesson ? loaded.lesson->id : "-";
   EXPECT_EQ(ids, "ceba-");
   ASSERT_FALSE(lessons.back().problems.empty());
@@ -790,7 +788,7 @@ TEST_F(LessonFolder, PlacesOfKeys) {
 
 TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
   const std::filesystem::path file = temporary_.file("a.toml", testing::kFullLesson);
-  const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
+  const LoadedLesson loaded = load_lesson(file, vocabulary());
   ASSERT_TRUE(loaded.lesson);
   std::string listed;
   for (const LessonText& text : texts_of(*loaded.lesson)) {

@@ -5,6 +5,7 @@
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -56,7 +57,7 @@ std::string edited(const std::string& from, const std::string& to) {
 }
 
 LoadedLesson parse(const std::string& text) {
-  return parse_lesson(text, "motion.toml", testing::effects_of_views());
+  return parse_lesson(text, "motion.toml", vocabulary());
 }
 
 Lesson motion() {
@@ -180,9 +181,9 @@ TEST(WarmStart, NeedsAPath) {
 
 TEST(Granularity, AnswerWitnessAndSupportMakeTheirFrames) {
   Lesson lesson = motion();
-  lesson.granularity = Granularity::witness;
+  lesson.act = "witness";
   EXPECT_EQ(run_lesson(lesson).frames.size(), 4u * 9u);
-  lesson.granularity = Granularity::support;
+  lesson.act = "support";
   const LessonRun run = run_lesson(lesson);
   int calls = 0;
   for (const PositionedRun& positioned : run.runs) calls += support_calls(positioned.trace);
@@ -192,7 +193,7 @@ TEST(Granularity, AnswerWitnessAndSupportMakeTheirFrames) {
 
 TEST(Granularity, PhasesPicksThoseThatGetAFrame) {
   Lesson lesson = motion();
-  lesson.granularity = Granularity::phase;
+  lesson.act = "phase";
   lesson.phases = {gjk::Phase::support, gjk::Phase::stop};
   const LessonRun run = run_lesson(lesson);
   for (const Frame& frame : run.frames) {

@@ -14,6 +14,7 @@
 #include "lesson/run.hpp"
 #include "lesson/save.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -181,9 +182,11 @@ void slip(std::string& text, Slip kind, Random& random) {
     case Slip::other_name: {
       // Names of the same kind, so that the file is a lesson more often than not.
       const std::vector<std::string> kinds[] = {
-          names_of<ScalarKind>(), names_of<Granularity>(),        names_of<gjk::Phase>(),
-          names_of<ViewKind>(),   names_of<gjk::DirectionRule>(), names_of<gjk::RegionOrder>(),
-          names_of<PanelBlock>(), names_of<gjk::StopReason>(),    testing::effects_of_views()};
+          names_of<ScalarKind>(),         names_of(vocabulary().acts),
+          names_of<gjk::Phase>(),         names_of<ViewKind>(),
+          names_of<gjk::DirectionRule>(), names_of<gjk::RegionOrder>(),
+          names_of(vocabulary().blocks),  names_of<gjk::StopReason>(),
+          names_of(vocabulary().effects)};
       std::vector<std::pair<Span, std::string>> choices;
       for (const Span& word : words(text)) {
         for (const auto& names : kinds) {
@@ -228,8 +231,8 @@ struct Tally {
 };
 
 /// Adds one mutant to the tally; fails where it breaks the promise.
-void meet(const std::string& text, const std::vector<std::string>& effects, Tally& tally) {
-  const LoadedLesson loaded = parse_lesson(text, "mutant.toml", effects);
+void meet(const std::string& text, Tally& tally) {
+  const LoadedLesson loaded = parse_lesson(text, "mutant.toml", vocabulary());
   ASSERT_NE(loaded.lesson.has_value(), !loaded.problems.empty());
   const auto line_count = std::count(text.begin(), text.end(), '\n') + 1;
   for (const Problem& problem : loaded.problems) {
@@ -244,7 +247,8 @@ void meet(const std::string& text, const std::vector<std::string>& effects, Tall
     const LessonRun run = run_lesson(*loaded.lesson);
     expect_sound(run);
     (void)check_expectation(run);
-    const LoadedLesson saved = parse_lesson(lesson_toml(*loaded.lesson), "mutant.toml", effects);
+    const LoadedLesson saved =
+        parse_lesson(lesson_toml(*loaded.lesson), "mutant.toml", vocabulary());
     ASSERT_TRUE(saved.lesson) << to_string(saved.problems[0]);
     ASSERT_EQ(*saved.lesson, *loaded.lesson);
   } else if (loaded.problems[0].what.starts_with("not TOML")) {
@@ -256,7 +260,6 @@ void meet(const std::string& text, const std::vector<std::string>& effects, Tall
 
 TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
   const std::vector<std::string> texts = originals();
-  const std::vector<std::string> effects = testing::effects_of_views();
   const int file_count = static_cast<int>(texts.size());
   const int of_each = (kMutants + file_count - 1) / file_count;
   Tally tally;
@@ -275,7 +278,7 @@ TEST(Mutants, EachIsALessonThatEndsOrHasProblemsWithPlaces) {
 
       const int not_toml = tally.not_toml;
       const auto begin = std::chrono::steady_clock::now();
-      meet(text, effects, tally);
+      meet(text, tally);
       // A hang would be longer by far; this is no benchmark.
       ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
       if (HasFatalFailure()) return;
@@ -317,11 +320,11 @@ const std::string kTiny = lesson_of_size("half", "[[0, 0], [1e-7, 0], [0, 1e-7]]
 TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
   for (const auto& [shapes, error] :
        {std::pair(kFar, gjk::Error::overflow), std::pair(kTiny, gjk::Error::underflow)}) {
-    for (const std::string& granularity : names_of<Granularity>()) {
+    for (const std::string& granularity : names_of(vocabulary().acts)) {
       SCOPED_TRACE(granularity);
       std::string text = shapes;
       text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
-      const LoadedLesson loaded = parse_lesson(text, "large.toml", testing::effects_of_views());
+      const LoadedLesson loaded = parse_lesson(text, "large.toml", vocabulary());
       if (granularity == "time" || granularity == "maps" || granularity == "orders" ||
           granularity == "growth" || granularity == "study") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, or no path";
@@ -341,7 +344,7 @@ TEST(VerticesBeyondTheScalar, AreAProblem) {
                                     "[[95, 0], [600, 3], [500, 200]]");
   const std::string corner = "[0, 0]]\nframes";
   text.replace(text.find(corner), corner.size(), "[0, 65504]]\nframes");
-  const LoadedLesson loaded = parse_lesson(text, "high.toml", testing::effects_of_views());
+  const LoadedLesson loaded = parse_lesson(text, "high.toml", vocabulary());
   ASSERT_TRUE(loaded.lesson);
   const LessonRun run = run_lesson(*loaded.lesson);
   EXPECT_FALSE(why_not_drawn(run.runs.back()).empty());
@@ -352,7 +355,7 @@ TEST(ShapesOfAnotherUnit, AreAnsweredAndNotDrawn) {
   const LoadedLesson loaded =
       parse_lesson(lesson_of_size("double", "[[0, 0], [1e-200, 0], [0, 1e-200]]",
                                   "[[4e-200, 0], [4e-200, 1e-200], [5e-200, 0]]"),
-                   "tiny.toml", testing::effects_of_views());
+                   "tiny.toml", vocabulary());
   ASSERT_TRUE(loaded.lesson);
   const LessonRun run = run_lesson(*loaded.lesson);
   const PositionedRun& positioned = run.runs.back();
@@ -370,7 +373,7 @@ TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
                      "[[95, 0], [600, 3], [500, 200]]"),
       lesson_of_size("exact", "[[0, 1], [3, 1], [1, 0.125]]", "[[2, 0.75], [6, 0.5], [5, 2]]")};
   for (const std::string& text : shapes) {
-    LoadedLesson loaded = parse_lesson(text, "bounds.toml", testing::effects_of_views());
+    LoadedLesson loaded = parse_lesson(text, "bounds.toml", vocabulary());
     ASSERT_TRUE(loaded.lesson);
     Lesson& lesson = *loaded.lesson;
     lesson.x.rotate_degrees = 0.0;

@@ -5,6 +5,7 @@
 
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -30,7 +31,7 @@ vertices = [[-1.4, -1.6], [1.2, -1.8], [2.4, -0.4], [0.9, 2.2], [-2.0, 0.4]]
 }
 
 LoadedLesson parse(const std::string& text) {
-  return parse_lesson(text, "pentagon.toml", testing::effects_of_views());
+  return parse_lesson(text, "pentagon.toml", vocabulary());
 }
 
 LessonRun ran(const std::string& granularity, const std::string& questions) {
@@ -51,8 +52,8 @@ std::vector<Frame> asking(const LessonRun& run) {
       continue;
     }
     EXPECT_EQ(run.frames[i - 1].step, frame.step) << "shows what the last frame showed";
-    EXPECT_EQ(run.frames[i - 1].detail, frame.detail);
-    EXPECT_LT(frame.step, frame.answer);
+    EXPECT_EQ(run.frames[i - 1].part(), frame.part());
+    EXPECT_LT(frame.step, frame.answering_step);
   }
   return out;
 }
@@ -64,7 +65,7 @@ TEST(Questions, EachStandsBeforeTheFrameThatAnswers) {
   ASSERT_EQ(asked.size(), 3u);
   EXPECT_EQ(run.frames.size(), plain.frames.size() + 3);
   for (const Frame& frame : asked) {
-    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[frame.answer];
+    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[frame.answering_step];
     EXPECT_EQ(step.phase, gjk::Phase::support);
     EXPECT_EQ(run.step(frame).phase, gjk::Phase::direction);
   }
@@ -90,7 +91,7 @@ TEST(Questions, OneIterationMayBeMeant) {
   const std::vector<Frame> asked = asking(run);
   ASSERT_EQ(asked.size(), 1u);
   const auto& steps = run.run(asked[0]).trace.steps;
-  const std::size_t answer = static_cast<std::size_t>(asked[0].answer);
+  const std::size_t answer = static_cast<std::size_t>(asked[0].answering_step);
   EXPECT_EQ(steps[answer].iteration, 3);
   EXPECT_EQ(steps[answer + 1].after.stop, gjk::StopReason::repeated_support);
 }
@@ -114,7 +115,7 @@ TEST(Questions, AFrameForAnIterationIsAskedForAllThatItAnswers) {
     if (frame.question < 0) continue;
     ++asked;
     EXPECT_EQ(run.step(frame).iteration, 1);
-    EXPECT_EQ(run.run(frame).trace.steps[frame.answer].iteration, 2);
+    EXPECT_EQ(run.run(frame).trace.steps[frame.answering_step].iteration, 2);
   }
   EXPECT_EQ(asked, 2);
 }
@@ -139,7 +140,7 @@ vertices = [[-1.85, -1.05], [1.55, -0.75], [0.0, 1.7]]
   // The weights, regions A, B, C and AB, which fail, the question, and BC.
   ASSERT_EQ(run.frames.size(), 7u);
   EXPECT_EQ(run.frames[5].question, 0);
-  EXPECT_EQ(run.frames[5].detail, 3);
+  EXPECT_EQ(run.frames[5].tests, 4);
   EXPECT_TRUE(run.step(run.frames[6]).record.region_tests[4].holds);
 }
 

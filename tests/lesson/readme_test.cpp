@@ -11,6 +11,7 @@
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -35,16 +36,6 @@ std::string joined(const std::vector<std::string>& rows) {
   std::string out;
   for (const std::string& row : rows) out += row + "\n";
   return out;
-}
-
-/// The names in the first column.
-std::vector<std::string> names_under(const std::string& heading) {
-  std::vector<std::string> names;
-  for (const std::string& row : table_under(heading)) {
-    const std::size_t begin = row.find('`') + 1;
-    names.push_back(row.substr(begin, row.find('`', begin) - begin));
-  }
-  return names;
 }
 
 TEST(Readme, ListsEveryKey) {
@@ -75,14 +66,20 @@ TEST(Readme, ListsEveryEffectOfViews) {
 }
 
 TEST(Readme, ListsEveryGranularityBlockAndListing) {
-  EXPECT_EQ(names_under("## Granularity"), names_of<Granularity>());
-  EXPECT_EQ(names_under("## Panel blocks"), names_of<PanelBlock>());
-  EXPECT_EQ(names_under("## Listings"), names_of<Listing>());
+  const auto row = [](const auto& of) { return fmt::format("| `{}` | {} |", of.name, of.meaning); };
+  std::vector<std::string> acts;
+  for (const StagedAct* each : registered_acts()) acts.push_back(row(each->act));
+  EXPECT_EQ(joined(table_under("## Granularity")), joined(acts));
+  std::vector<std::string> blocks;
+  for (const Block* each : registered_blocks()) blocks.push_back(row(*each));
+  EXPECT_EQ(joined(table_under("## Panel blocks")), joined(blocks));
+  std::vector<std::string> rows;
+  for (const Listing& each : listings()) rows.push_back(row(each));
+  EXPECT_EQ(joined(table_under("## Listings")), joined(rows));
 }
 
 TEST(Readme, TheExampleIsALessonThatKeepsItsWord) {
-  const LoadedLesson loaded =
-      parse_lesson(testing::readme_example(), "example.toml", testing::effects_of_views());
+  const LoadedLesson loaded = parse_lesson(testing::readme_example(), "example.toml", vocabulary());
   for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
   ASSERT_TRUE(loaded.lesson);
   const LessonRun run = run_lesson(*loaded.lesson);
@@ -92,7 +89,7 @@ TEST(Readme, TheExampleIsALessonThatKeepsItsWord) {
 
 TEST(ShippedLessons, AllLoad) {
   for (const auto& file : testing::shipped_lessons()) {
-    for (const Problem& problem : load_lesson(file, testing::effects_of_views()).problems)
+    for (const Problem& problem : load_lesson(file, vocabulary()).problems)
       ADD_FAILURE() << to_string(problem);
   }
 }

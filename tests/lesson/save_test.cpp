@@ -16,6 +16,7 @@
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson_texts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 using Eigen::Vector2d;
 
 LoadedLesson parse(const std::string& text, const std::filesystem::path& folder = {}) {
-  return parse_lesson(text, folder / "saved.toml", testing::effects_of_views());
+  return parse_lesson(text, folder / "saved.toml", vocabulary());
 }
 
 /// `folder`: where the file would stand.
@@ -153,7 +154,7 @@ TEST(SavedLesson, IsWrittenLikeTheOnesByHand) {
 TEST(SavedLesson, IsTheLessonAgain) {
   for (const auto& file : testing::shipped_lessons()) {
     SCOPED_TRACE(file.string());
-    const LoadedLesson loaded = load_lesson(file, testing::effects_of_views());
+    const LoadedLesson loaded = load_lesson(file, vocabulary());
     ASSERT_TRUE(loaded.lesson);
     Lesson read = lesson(lesson_toml(*loaded.lesson), file.parent_path());
     EXPECT_EQ(read.id, "saved");
@@ -254,6 +255,10 @@ E any_of(Random& random) {
   return table[below(random, table.size())].second;
 }
 
+std::string any_name(Random& random, const std::vector<std::string>& names) {
+  return names[below(random, names.size())];
+}
+
 std::string any_text(Random& random, std::size_t longest) {
   static const std::vector<std::string> pieces = {
       "\"",     "\\",   " ",  "  ", "a",   "word", "'''", "\"\"\"", "#",      "\u00a0", "é",
@@ -327,14 +332,13 @@ Lesson any_lesson(Random& random) {
   out.y = any_shape(random, "Y");
   if (one_in(random, 2)) out.scalar = any_of<ScalarKind>(random);
   if (out.scalar == ScalarKind::half) out.scalar = ScalarKind::single;
-  const std::vector<std::string> effects = testing::effects_of_views();
   out.views.resize(1 + below(random, 2));
   for (LessonView& view : out.views) {
     view.kind = any_of<ViewKind>(random);
     if (one_in(random, 2)) view.title = any_text(random, 20);
     if (one_in(random, 2))
       view.camera = {any_point(random, 1e18), std::abs(any_number(random, 1e17)) + 1e-18};
-    if (one_in(random, 2)) view.effects = {effects[below(random, effects.size())]};
+    if (one_in(random, 2)) view.effects = {any_name(random, names_of(vocabulary().effects))};
   }
   if (one_in(random, 6) && out.scalar != ScalarKind::exact) {
     out.beside = ScalarKind::exact;
@@ -352,9 +356,9 @@ Lesson any_lesson(Random& random) {
     pair = {static_cast<int>(below(random, out.x.vertices.size())),
             static_cast<int>(below(random, out.y.vertices.size()))};
 
-  if (one_in(random, 2)) out.granularity = any_of<Granularity>(random);
+  if (one_in(random, 2)) out.act = any_name(random, names_of(vocabulary().acts));
   if (one_in(random, 3)) out.until = any_of<gjk::Phase>(random);
-  if (out.granularity == Granularity::phase && one_in(random, 2))
+  if (out.act == "phase" && one_in(random, 2))
     out.phases = {any_of<gjk::Phase>(random), any_of<gjk::Phase>(random)};
   if (one_in(random, 2)) {
     LessonPath& path = out.path_of_shapes.emplace();
@@ -369,7 +373,7 @@ Lesson any_lesson(Random& random) {
     out.y.rotate_degrees = 0.0;
     out.warm_start = one_in(random, 2);
   }
-  if (out.granularity == Granularity::time) {
+  if (out.act == "time") {
     LessonTime& time = out.time.emplace();
     time.seconds = 0.5 + std::abs(any_number(random, 3000.0));
     time.frames = one_in(random, 2) ? 0 : 2 + static_cast<int>(below(random, 4));
@@ -383,7 +387,7 @@ Lesson any_lesson(Random& random) {
         moments.push_back(time.seconds * i / 3);
     }
   }
-  if (out.granularity == Granularity::growth) {
+  if (out.act == "growth") {
     LessonGrowth& growth = out.growth.emplace();
     for (int size = 3; growth.vertices.size() < 2 || !one_in(random, 4); size *= 2)
       growth.vertices.push_back(size + static_cast<int>(below(random, 3)));
@@ -391,27 +395,24 @@ Lesson any_lesson(Random& random) {
     growth.seed = static_cast<int>(below(random, 3));
     if (one_in(random, 2)) growth.tolerance = std::uniform_real_distribution<double>()(random);
   }
-  if (out.granularity == Granularity::study) {
+  if (out.act == "study") {
     static const LessonStudy kShipped =
-        *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", testing::effects_of_views())
-             .lesson->study;
+        *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", vocabulary()).lesson->study;
     LessonStudy& study = out.study.emplace(kShipped);
     study.results = std::filesystem::absolute(testing::lessons_folder() / study.results).string();
     study.marks.resize(1 + below(random, study.marks.size()));
   }
   for (LessonView& view : out.views) {
-    const bool has_results = (view.kind == ViewKind::growth && out.growth) ||
-                             (view.kind == ViewKind::study && out.study);
-    if (!shows_shapes(view.kind) && !has_results) view.kind = ViewKind::difference;
+    if ((out.growth || out.study) && one_in(random, 2)) view.kind = ViewKind::plot;
     if (!shows_shapes(view.kind)) view.camera.reset();
     if (!shows_shapes(view.kind) && !out.beside) view.effects.clear();
   }
   for (std::size_t i = below(random, 4); i > 0; --i) {
-    const auto block = any_of<PanelBlock>(random);
+    const std::string block = any_name(random, names_of(vocabulary().blocks));
     if (std::count(out.panel.begin(), out.panel.end(), block) == 0) out.panel.push_back(block);
-    if (block == PanelBlock::pseudocode) out.listing = any_of<Listing>(random);
+    if (block == "pseudocode") out.listing = any_name(random, names_of(vocabulary().listings));
   }
-  if (out.granularity == Granularity::iteration && one_in(random, 2)) {
+  if (out.act == "iteration" && one_in(random, 2)) {
     out.questions = {{any_of<Ask>(random), 3}, {any_of<Ask>(random), 7}};
     if (one_in(random, 2)) out.questions.resize(1);
     if (out.questions.size() == 1) out.questions[0].at.reset();
@@ -425,7 +426,6 @@ Lesson any_lesson(Random& random) {
 TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
   constexpr int kLessons = 5000;
   constexpr unsigned kSeed = 20100311;
-  const std::vector<std::string> effects = testing::effects_of_views();
   int taken = 0;
   int long_prose = 0;
   int points = 0;
@@ -438,7 +438,7 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     const Lesson made = any_lesson(random);
     const std::string text = lesson_toml(made);
     SCOPED_TRACE(fmt::format("lesson {}:\n{}", i, text));
-    const LoadedLesson loaded = parse_lesson(text, "saved.toml", effects);
+    const LoadedLesson loaded = parse_lesson(text, "saved.toml", vocabulary());
     ASSERT_TRUE(loaded.lesson || !loaded.problems[0].what.starts_with("not TOML"))
         << to_string(loaded.problems[0]);
     if (!loaded.lesson) continue;

@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "cli/contact_sheet.hpp"
-#include "effects/registry.hpp"
 #include "lesson/html.hpp"
 #include "lesson/load.hpp"
+#include "picture/registry.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
@@ -28,9 +28,7 @@ namespace fs = std::filesystem;
 const fs::path kSource = GJKSCOPE_SOURCE_DIR;
 
 Lesson lesson(const std::string& id) {
-  std::vector<std::string> effects;
-  for (const EffectInfo& effect : registered_effects()) effects.emplace_back(effect.name);
-  LoadedLesson loaded = load_lesson(kSource / "lessons" / (id + ".toml"), effects);
+  LoadedLesson loaded = load_lesson(kSource / "lessons" / (id + ".toml"), vocabulary());
   if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
   return *loaded.lesson;
 }

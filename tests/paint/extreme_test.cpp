@@ -7,6 +7,7 @@
 #include "lessons.hpp"
 #include "paint/canvas.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
 #include "picture/words.hpp"
@@ -327,7 +328,7 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
   lesson.y.vertex_names.resize(1);
   lesson.options.start.pairs[0] = {0, 0};
   lesson.options.start.count = 1;
-  lesson.granularity = Granularity::phase;
+  lesson.act = "phase";
   EXPECT_FALSE(says(lesson, "|²"));
 }
 
@@ -512,8 +513,8 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
     std::set<std::string> called;
     for (const LessonView& view : lesson.views)
       called.insert(view.effects.begin(), view.effects.end());
-    const bool counts = std::find(lesson.panel.begin(), lesson.panel.end(), PanelBlock::counters) !=
-                        lesson.panel.end();
+    const bool counts =
+        std::find(lesson.panel.begin(), lesson.panel.end(), "counters") != lesson.panel.end();
     // What these pull themselves, and what that pulls.
     std::set<std::string> wanted = called;
     if (counts) wanted.insert("touched-points");

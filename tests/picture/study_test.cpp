@@ -9,6 +9,7 @@
 #include "effects/rounded_pair.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 #include "picture/study_plot.hpp"
 #include "picture/study_words.hpp"
 
@@ -67,9 +68,11 @@ TEST(StudyPicture, MarksComeOneByOneAndStayWhereTheyAre) {
   const Shown shown;
   std::size_t named = 0;
   std::set<std::string> names;
-  for (const StudyFrame& frame : study_frames(shown.study())) {
-    if (frame.stage != StudyStage::time_axis && frame.stage != StudyStage::mark) continue;
-    const Plot plot = study_plot(shown.study(), frame);
+  for (const Frame& frame : shown.run.frames) {
+    const StudyStage stage = frame.study->stage;
+    if (frame.question >= 0 || (stage != StudyStage::time_axis && stage != StudyStage::mark))
+      continue;
+    const Plot plot = study_plot(shown.study(), *frame.study);
     ASSERT_EQ(plot.notes.size(), std::max<std::size_t>(2, named + 1));
     named = plot.notes.size();
     for (const PlotNote& note : plot.notes) {
@@ -100,8 +103,8 @@ TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
   int told = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Frame& frame = shown.run.frames[i];
-    if (frame.question >= 0 || shown.run.study(frame).stage != StudyStage::mark) continue;
-    const StudyDot dot = introduced(shown.study(), shown.run.study(frame).marks).back();
+    if (frame.question >= 0 || frame.study->stage != StudyStage::mark) continue;
+    const StudyDot dot = introduced(shown.study(), frame.study->marks).back();
     SCOPED_TRACE(texts[i].caption);
     EXPECT_TRUE(
         holds(texts[i].caption, dot.configuration + ": " + time_text(dot.ns) + " for a pair"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -10,6 +10,7 @@
 #include "effects/registry.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -18,6 +18,7 @@
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 #include "study/configuration.hpp"
 
 namespace gjkscope {
@@ -172,10 +173,11 @@ TEST(App, APredictionIsClickedOnTheStage) {
   const int asked = static_cast<int>(session.answers().size());
   window.key("Right");
   ASSERT_TRUE(session.question()) << "an open question is not stepped over";
-  const gjk::VertexPair pair = session.run()
-                                   .run(session.frame())
-                                   .trace.steps[static_cast<std::size_t>(session.frame().answer)]
-                                   .after.support.pair;
+  const gjk::VertexPair pair =
+      session.run()
+          .run(session.frame())
+          .trace.steps[static_cast<std::size_t>(session.frame().answering_step)]
+          .after.support.pair;
   window.click(window.at({Kind::difference_vertex, pair.x, pair.y}));
   ASSERT_EQ(asked + 1, static_cast<int>(session.answers().size()));
   EXPECT_TRUE(session.answers().back().is_right());
@@ -349,7 +351,7 @@ TEST(App, SavesALessonThatGivesTheSameRun) {
   const std::string file = (folder.path() / "saved.toml").string();
   window.app().save_to(file);
   EXPECT_FALSE(window.session().is_unsaved());
-  const auto loaded = load_lesson(file, testing::view_effects());
+  const auto loaded = load_lesson(file, vocabulary());
   ASSERT_TRUE(loaded.lesson);
   EXPECT_EQ(window.session().lesson().y.vertices, loaded.lesson->y.vertices);
 }
@@ -467,7 +469,7 @@ TEST(Study, EnterOpensTheRunOfTheConfigurationThatTheFrameIntroduces) {
   const std::vector<StudyMark> marks = session.lesson().study->marks;
   int opened = 0;
   for (int i = 0; i < session.frame_count(); ++i) {
-    const StudyFrame shown = session.run().study(session.run().frames[static_cast<std::size_t>(i)]);
+    const StudyFrame shown = *session.run().frames[static_cast<std::size_t>(i)].study;
     if (shown.stage != StudyStage::mark) continue;
     session.go_to(i);
     window.settle();
@@ -524,7 +526,7 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   fs::create_directories(folder.path() / "elsewhere");
   const fs::path saved = folder.path() / "elsewhere" / "mine.toml";
   window.app().save_to(saved);
-  const LoadedLesson read = load_lesson(saved, testing::view_effects());
+  const LoadedLesson read = load_lesson(saved, vocabulary());
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
   EXPECT_EQ(read.lesson->study->dots, window.session().lesson().study->dots);
 

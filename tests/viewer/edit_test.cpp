@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

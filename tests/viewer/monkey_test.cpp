@@ -10,6 +10,7 @@
 #include "headless_app.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -87,7 +88,7 @@ TEST(Monkey, RandomEventsBreakNothing) {
     window.settle();
     // What is shown can be written and read again.
     const LoadedLesson read =
-        parse_lesson(lesson_toml(window.session().lesson()), lesson.path, testing::view_effects());
+        parse_lesson(lesson_toml(window.session().lesson()), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     EXPECT_LT(window.session().index(), window.session().frame_count());
   }

@@ -11,6 +11,7 @@
 #include "effects/growth.hpp"
 #include "headless_app.hpp"
 #include "lessons.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {

@@ -48,40 +48,49 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
   panel.y += kRow + 6.0;
 }
 
-}  // namespace
-
 void witness(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const gjk::Result<double, 2>& result = positioned.trace.result;
-  const bool gradual = panel.run.lesson.granularity == Granularity::witness;
-  const int reached = gradual ? panel.frame.detail : static_cast<int>(kWitnessDistance);
-  const auto sum = [&](std::string heading, std::string name, int detail, const Vector2d& value) {
-    return Sum{std::move(heading), std::move(name), reached >= detail, gradual && reached == detail,
+  const bool gradual = panel.frame.witness_part.has_value();
+  const WitnessPart reached = panel.frame.witness_part.value_or(WitnessPart::distance);
+  const auto sum = [&](std::string heading, std::string name, WitnessPart part,
+                       const Vector2d& value) {
+    return Sum{std::move(heading), std::move(name), reached >= part, gradual && reached == part,
                value};
   };
   const Lesson& lesson = panel.run.lesson;
   write_sum(
-      panel, sum("Weights of P", "P =", kWitnessP, result.y - result.x),
+      panel, sum("Weights of P", "P =", WitnessPart::p, result.y - result.x),
       [&](gjk::VertexPair pair) { return panel.run.pair_name(pair); },
       [](const auto& vertex) { return vertex.w; });
   write_sum(
-      panel, sum(format("The same weights on {}", lesson.y.name), "y =", kWitnessY, result.y),
+      panel,
+      sum(format("The same weights on {}", lesson.y.name), "y =", WitnessPart::on_y, result.y),
       [&](gjk::VertexPair pair) { return lesson.y.vertex_names[pair.y]; },
       [&](const auto& vertex) { return positioned.y_world[vertex.pair.y]; });
   write_sum(
-      panel, sum(format("The same weights on {}", lesson.x.name), "x =", kWitnessX, result.x),
+      panel,
+      sum(format("The same weights on {}", lesson.x.name), "x =", WitnessPart::on_x, result.x),
       [&](gjk::VertexPair pair) { return lesson.x.vertex_names[pair.x]; },
       [&](const auto& vertex) { return positioned.x_world[vertex.pair.x]; });
   panel.write("heading", panel.left, "|y − x| = |P|", type::kHeading);
-  panel.write(reached >= kWitnessDistance ? "code.current" : "untried", panel.right,
-              reached >= kWitnessDistance ? panel.numbers(result.distance) : "–", type::kCodeBold,
-              Align::right);
+  panel.write(reached >= WitnessPart::distance ? "code.current" : "untried", panel.right,
+              reached >= WitnessPart::distance ? panel.numbers(result.distance) : "–",
+              type::kCodeBold, Align::right);
   panel.y += kRow;
 }
 
+}  // namespace
+
+const Block kWitness{
+    .name = "witness",
+    .meaning = "the weights on the differences, on the vertices of Y and on those of X",
+    .write = witness};
+
+namespace {
+
 void counters(PanelBuilder& panel) {
-  if (panel.run.lesson.granularity == Granularity::growth && panel.frame.detail >= 0)
-    return growth_counters(panel);
+  if (panel.frame.size) return growth_counters(panel);
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
   const int all = static_cast<int>(positioned.x_world.size() * positioned.y_world.size());
@@ -96,6 +105,14 @@ void counters(PanelBuilder& panel) {
   panel.bar(panel.left, panel.right, 0.0, all, touched, "weight.bar");
   panel.y += kRow;
 }
+
+}  // namespace
+
+const Block kCounters{.name = "counters",
+                      .meaning = "iterations, support calls and differences computed so far",
+                      .write = counters};
+
+namespace {
 
 void starts(PanelBuilder& panel) {
   const int now = panel.frame.run;
@@ -155,6 +172,15 @@ void starts(PanelBuilder& panel) {
       std::accumulate(warm.begin(), warm.end(), 0));
 }
 
+}  // namespace
+
+const Block kStarts{
+    .name = "starts",
+    .meaning = "cold start against warm start: iterations and support calls at each position",
+    .write = starts};
+
+namespace {
+
 void bound_steps(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   panel.heading("Bounds after each iteration");
@@ -196,5 +222,11 @@ void bound_steps(PanelBuilder& panel) {
     panel.y += kRow + 2.0;
   }
 }
+
+}  // namespace
+
+const Block kBoundSteps{.name = "bound-steps",
+                        .meaning = "lower and upper bound of the distance after each iteration",
+                        .write = bound_steps};
 
 }  // namespace gjkscope::blocks

@@ -12,10 +12,12 @@ namespace gjkscope::blocks {
 using fmt::format;
 using namespace rows;
 
+namespace {
+
 void balance(PanelBuilder& panel) {
   const Balance::Value& value = panel.effects.get<Balance>(panel.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[panel.frame.detail];
+  const Beam& beam = value.moments[*panel.frame.moment];
   panel.heading(format("The beam at t = {} s", fixed(beam.seconds, 2)));
   const double mass_at = panel.left + 168.0;
   const double arm_at = panel.left + 268.0;
@@ -46,5 +48,13 @@ void balance(PanelBuilder& panel) {
               type::kCodeBold, Align::right);
   panel.y += kRow;
 }
+
+}  // namespace
+
+const Block kBalance{
+    .name = "balance",
+    .meaning = "masses, support, turning moments and tilt of the beam at this time",
+    .write = balance,
+    .act = "time"};
 
 }  // namespace gjkscope::blocks

@@ -1,12 +1,31 @@
 #pragma once
-// The blocks of the panel: one family a file. Each writes from the current row downwards.
+// The blocks of the panel. Each is a value, defined in one of the files here, and listed in
+// list.def; it writes from the current row downwards.
+
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "picture/panel_builder.hpp"
 
-namespace gjkscope::blocks {
+namespace gjkscope {
 
-// pseudocode.cpp
-void pseudocode(PanelBuilder& panel);
+struct Block {
+  std::string_view name;     ///< By which lessons call for it.
+  std::string_view meaning;  ///< What it shows.
+  void (*write)(PanelBuilder& panel) = nullptr;
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+  bool takes_listing = false;
+};
+
+namespace blocks {
+
+#define GJKSCOPE_BLOCK(name) extern const Block k##name;
+#include "picture/blocks/list.def"
+#undef GJKSCOPE_BLOCK
+
+// What several blocks are written with.
 
 // regions.cpp
 enum class TestMark { untried, fails, holds };
@@ -15,50 +34,21 @@ void test_mark(PanelBuilder& panel, TestMark mark);
 /// One row of a chain of tests: mark, region, condition and numbers.
 void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
               const std::string& condition, const std::string& values);
-void tests(PanelBuilder& panel);
-void regions(PanelBuilder& panel);
-
-// weights.cpp
-void weights(PanelBuilder& panel);
-void linear_system(PanelBuilder& panel);
-void unit_vector(PanelBuilder& panel);
-void areas(PanelBuilder& panel);
-
-// balance.cpp
-void balance(PanelBuilder& panel);
-
-// maps.cpp
-void signs(PanelBuilder& panel);
-void orders(PanelBuilder& panel);
-
-// run.cpp
-void simplex(PanelBuilder& panel);
-void scan(PanelBuilder& panel);
-void bounds(PanelBuilder& panel);
-void direction_rules(PanelBuilder& panel);
-
-// stop_tests.cpp
-void stop_tests(PanelBuilder& panel);
-
-// two_runs.cpp
-void two_runs(PanelBuilder& panel);
-
-// difference.cpp
-void pairs(PanelBuilder& panel);
-
-// answer.cpp
-void witness(PanelBuilder& panel);
-void counters(PanelBuilder& panel);
-void starts(PanelBuilder& panel);
-void bound_steps(PanelBuilder& panel);
 
 // growth.cpp
-void growth(PanelBuilder& panel);
-/// In place of `counters` where a frame is about many runs.
+/// In place of the counters where a frame is about many runs.
 void growth_counters(PanelBuilder& panel);
 
-// study.cpp
-/// What a frame of the study knows: the answers to one pair, the marks, the front, what to take.
-void study(PanelBuilder& panel);
+}  // namespace blocks
 
-}  // namespace gjkscope::blocks
+/// The listings that the block `pseudocode` can show.
+struct Listing {
+  std::string_view name;
+  std::string_view meaning;  ///< The algorithm that it is one of.
+  void (*write)(PanelBuilder& panel) = nullptr;
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+};
+/// In the order in which lessons/README.md lists them. (pseudocode.cpp)
+[[nodiscard]] std::span<const Listing> listings();
+
+}  // namespace gjkscope

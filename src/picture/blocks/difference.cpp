@@ -9,21 +9,24 @@ namespace gjkscope::blocks {
 using fmt::format;
 using namespace rows;
 
+namespace {
+
 void pairs(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int per_x = static_cast<int>(positioned.y_world.size());
   const int all = static_cast<int>(positioned.x_world.size()) * per_x;
   panel.heading("Z = { y − x }: every pair");
+  const int made = panel.frame.pairs.value_or(all + 1);
   constexpr int kMost = 16;
   for (int i = 0; i < std::min(all, kMost); ++i) {
     const gjk::VertexPair pair{i / per_x, i % per_x};
-    const bool made = i < panel.frame.detail;
-    const bool current = i == panel.frame.detail - 1;
+    const bool is_made = i < made;
+    const bool current = i == made - 1;
     if (current) panel.highlight();
-    const std::string role = !made ? "untried" : current ? "code.current" : "code";
+    const std::string role = !is_made ? "untried" : current ? "code.current" : "code";
     const TextStyle style = current ? type::kCodeBold : type::kCode;
     panel.write(role, panel.left, panel.run.pair_name(pair), style);
-    if (made)
+    if (is_made)
       panel.write(role, panel.right,
                   panel.numbers.point(positioned.y_world[pair.y] - positioned.x_world[pair.x]),
                   style, Align::right);
@@ -35,5 +38,10 @@ void pairs(PanelBuilder& panel) {
     panel.y += kRow;
   }
 }
+
+}  // namespace
+
+const Block kPairs{
+    .name = "pairs", .meaning = "the pairs of vertices and their differences", .write = pairs};
 
 }  // namespace gjkscope::blocks

@@ -7,6 +7,8 @@
 
 namespace gjkscope::blocks {
 
+namespace {
+
 void growth(PanelBuilder& panel) {
   constexpr double kHeight = 272.0;
   panel.heading("Differences and vertices per run, as n grows");
@@ -17,9 +19,18 @@ void growth(PanelBuilder& panel) {
   panel.y = area.max.y() + rows::kRow;
 }
 
+}  // namespace
+
+const Block kGrowth{
+    .name = "growth",
+    .meaning =
+        "as the polygons of [growth] grow: points of Z and those computed, vertices looked at",
+    .write = growth,
+    .act = "growth"};
+
 void growth_counters(PanelBuilder& panel) {
   const Growth::Value& measured = panel.effects.get<Growth>(panel.frame);
-  const auto index = static_cast<std::size_t>(panel.frame.detail);
+  const auto index = static_cast<std::size_t>(*panel.frame.size);
   const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
   const auto row = [&](const std::string& name, const std::string& value) {
     panel.write("heading", panel.left, name, type::kHeading);

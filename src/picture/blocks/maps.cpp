@@ -75,8 +75,6 @@ void sign_highlight(PanelBuilder& panel, double x) {
   panel.add("highlight", Box{{{x - 6.0, panel.y - rise - 4.5}, {x + 32.0, panel.y + 4.5}}, 5.0});
 }
 
-}  // namespace
-
 void signs(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (value.weights.size() != 3) return;
@@ -91,14 +89,11 @@ void signs(PanelBuilder& panel) {
     return format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
   // Q's place in the maps is told when the maps are there.
-  const auto told = [&](MapStage stage) {
-    return panel.run.lesson.granularity != Granularity::maps ||
-           MapStage{panel.frame.detail} >= stage;
-  };
+  const auto told = [&](MapStage stage) { return !panel.frame.map || *panel.frame.map >= stage; };
   // The sign that a map of one coordinate shows.
   const auto is_shown = [&](gjk::Face face, int i) {
-    if (panel.run.lesson.granularity != Granularity::maps) return false;
-    switch (MapStage{panel.frame.detail}) {
+    if (!panel.frame.map) return false;
+    switch (*panel.frame.map) {
       case MapStage::negative_u:
         return i == 0 && !gjk::contains(face, i);
       case MapStage::negative_v:
@@ -109,8 +104,7 @@ void signs(PanelBuilder& panel) {
         return false;
     }
   };
-  const bool is_interior = panel.run.lesson.granularity == Granularity::maps &&
-                           MapStage{panel.frame.detail} == MapStage::interior;
+  const bool is_interior = panel.frame.map == MapStage::interior;
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
     const bool current = is_interior ? face == 0b111 : face == positive && told(MapStage::signs);
@@ -137,12 +131,20 @@ void signs(PanelBuilder& panel) {
   panel.y += kRow;
 }
 
+}  // namespace
+
+const Block kSigns{.name = "signs",
+                   .meaning = "what the signs of u, v and w would say, beside the Voronoi region",
+                   .write = signs};
+
+namespace {
+
 void orders(PanelBuilder& panel) {
   const RegionOrders::Value& chains = panel.effects.get<RegionOrders>(panel.frame);
   if (chains.empty()) return;
-  const OrderStage stage{panel.frame.detail};
+  const OrderStage stage = *panel.frame.order;
   if (stage == OrderStage::numbers) return numbers_of(panel);
-  const RegionOrders::Chain& chain = chains[panel.frame.detail - 1];
+  const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
   panel.heading(format("{} first, {} tests of the edges",
                        chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices",
                        chain.whole ? "whole" : "short"));
@@ -174,5 +176,13 @@ void orders(PanelBuilder& panel) {
   row("its distance from " + query_name(panel.run), panel.numbers(chain.p.norm()));
   row("its distance from P: the error", panel.numbers(chain.error));
 }
+
+}  // namespace
+
+const Block kOrders{
+    .name = "orders",
+    .meaning = "one chain of region tests, the point it takes, and how wrong that is",
+    .write = orders,
+    .act = "orders"};
 
 }  // namespace gjkscope::blocks

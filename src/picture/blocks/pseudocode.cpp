@@ -144,9 +144,9 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
 
 LineView weights_line(const PanelBuilder& panel) {
   if (panel.frame.step < 0) return {};
-  LineView line{panel.gradual() && panel.frame.detail < 0 ? State::current : State::past};
+  LineView line{panel.frame.tests == 0 ? State::current : State::past};
   const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
-  if (panel.run.lesson.listing == Listing::segment && value.weights.size() == 2) {
+  if (panel.run.lesson.listing == "segment" && value.weights.size() == 2) {
     line.value = format("{}, {}", panel.numbers.weight(value.weights[0]),
                         panel.numbers.weight(value.weights[1]));
   }
@@ -268,7 +268,7 @@ void minkowski_listing(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int per_x = static_cast<int>(positioned.y_world.size());
   const int all = static_cast<int>(positioned.x_world.size()) * per_x;
-  const int made = panel.frame.detail;
+  const int made = *panel.frame.pairs;
   const bool building = made >= 1 && made <= all;
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
   const auto value = [&](const std::string& text) { return building ? text : std::string(); };
@@ -285,24 +285,37 @@ void minkowski_listing(PanelBuilder& panel) {
              {made > all ? State::current : State::idle, {}, {}});
 }
 
-}  // namespace
+void segment_listing(PanelBuilder& panel) { region_chain(panel, segment_lines(), true); }
+void triangle_listing(PanelBuilder& panel) { region_chain(panel, triangle_lines(), false); }
+
+constexpr std::array<Listing, 6> kListings = {
+    Listing{.name = "segment", .meaning = "point to segment", .write = segment_listing},
+    Listing{.name = "triangle", .meaning = "point to triangle", .write = triangle_listing},
+    Listing{.name = "support", .meaning = "support point of a polygon", .write = support_listing},
+    Listing{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop},
+    Listing{.name = "minkowski",
+            .meaning = "Minkowski difference, pair by pair",
+            .write = minkowski_listing,
+            .act = "pairs"},
+    Listing{.name = "gjk", .meaning = "convex polygon to convex polygon", .write = loop}};
 
 void pseudocode(PanelBuilder& panel) {
-  switch (panel.run.lesson.listing) {
-    case Listing::none:
-      return;
-    case Listing::segment:
-      return region_chain(panel, segment_lines(), true);
-    case Listing::triangle:
-      return region_chain(panel, triangle_lines(), false);
-    case Listing::support:
-      return support_listing(panel);
-    case Listing::minkowski:
-      return minkowski_listing(panel);
-    case Listing::gjk_point:
-    case Listing::gjk:
-      return loop(panel);
+  for (const Listing& listing : listings()) {
+    if (listing.name == panel.run.lesson.listing) listing.write(panel);
   }
 }
 
+}  // namespace
+
+const Block kPseudocode{.name = "pseudocode",
+                        .meaning = "a listing with the current line marked",
+                        .write = pseudocode,
+                        .takes_listing = true};
+
 }  // namespace gjkscope::blocks
+
+namespace gjkscope {
+
+std::span<const Listing> listings() { return blocks::kListings; }
+
+}  // namespace gjkscope

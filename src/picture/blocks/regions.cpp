@@ -87,8 +87,6 @@ void between_ends(PanelBuilder& panel, const gjk::RegionTest<double>& test) {
   panel.y += kRow + 2.0;
 }
 
-}  // namespace
-
 void tests(PanelBuilder& panel) {
   // Once P is found, its tests stay, with the simplex that they were about.
   Frame asked = panel.frame;
@@ -123,6 +121,12 @@ void tests(PanelBuilder& panel) {
   panel.y = before.y;
   std::move(before.marks.begin(), before.marks.end(), std::back_inserter(panel.marks));
 }
+
+}  // namespace
+
+const Block kTests{.name = "tests",
+                   .meaning = "the region tests in order, with their numbers and verdicts",
+                   .write = tests};
 
 namespace {
 
@@ -197,8 +201,6 @@ void candidates(PanelBuilder& panel) {
   row("G", on_edge ? "on the segment" : "not on the segment", g->norm(), on_edge);
 }
 
-}  // namespace
-
 void regions(PanelBuilder& panel) {
   panel.heading("Closest feature");
   const int count = panel.state.simplex.count;
@@ -237,5 +239,11 @@ void regions(PanelBuilder& panel) {
   for (int i = 0; i + 1 < count; ++i) ruler(panel, i, i + 1);
   if (count == 3) ruler(panel, 2, 0);
 }
+
+}  // namespace
+
+const Block kRegions{.name = "regions",
+                     .meaning = "the Voronoi regions, and which holds the query point",
+                     .write = regions};
 
 }  // namespace gjkscope::blocks

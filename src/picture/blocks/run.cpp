@@ -58,8 +58,6 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
   }
 }
 
-}  // namespace
-
 void simplex(PanelBuilder& panel) {
   panel.write("heading", panel.left, "Simplex S", type::kHeading);
   const double x0 = panel.left + 152.0;
@@ -113,6 +111,12 @@ void simplex(PanelBuilder& panel) {
   for (; rows < 4; ++rows) panel.y += kRow;
 }
 
+}  // namespace
+
+const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex};
+
+namespace {
+
 void scan(PanelBuilder& panel) {
   static const std::vector<gjk::ScanEntry<double>> none;
   const gjk::Record<double, 2>* record = nullptr;
@@ -126,16 +130,23 @@ void scan(PanelBuilder& panel) {
     return;
   }
   const double middle = 0.5 * (panel.left + panel.right);
-  // Granularity "support" looks at one shape after the other.
-  const bool in_parts = panel.run.lesson.granularity == Granularity::support;
-  const bool knows_y = record && !(in_parts && panel.frame.detail < kSupportOfY);
-  const bool knows_x = record && !(in_parts && panel.frame.detail < kSupportOfX);
+  // A support step in parts looks at one shape after the other.
+  const SupportPart reached = panel.frame.support_part.value_or(SupportPart::of_z);
+  const bool knows_y = record && reached >= SupportPart::of_y;
+  const bool knows_x = record && reached >= SupportPart::of_x;
   scan_of(panel, knows_y ? record->scan_y : none, false, panel.left, middle - 14.0, "dot(d, Y)");
   const double bottom = panel.y;
   panel.y = top;
   scan_of(panel, knows_x ? record->scan_x : none, true, middle + 14.0, panel.right, "dot(−d, X)");
   panel.y = std::max(panel.y, bottom);
 }
+
+}  // namespace
+
+const Block kScan{
+    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan};
+
+namespace {
 
 void bounds(PanelBuilder& panel) {
   panel.write("heading", panel.left, "Distance lies in", type::kHeading);
@@ -185,6 +196,13 @@ void bounds(PanelBuilder& panel) {
   panel.y += kRow;
 }
 
+}  // namespace
+
+const Block kBounds{
+    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds};
+
+namespace {
+
 void direction_rules(PanelBuilder& panel) {
   panel.heading("Two ways to build d");
   const auto phase = panel.knows.phase;
@@ -227,5 +245,11 @@ void direction_rules(PanelBuilder& panel) {
     panel.y += kRow + 6.0;
   }
 }
+
+}  // namespace
+
+const Block kDirectionRules{.name = "direction-rules",
+                            .meaning = "both ways to build the search direction, side by side",
+                            .write = direction_rules};
 
 }  // namespace gjkscope::blocks

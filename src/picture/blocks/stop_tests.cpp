@@ -120,8 +120,6 @@ void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* t
   row(panel, TestMark::fails, name, format("{} < {}", number(lengths[0]), number(lengths[1])));
 }
 
-}  // namespace
-
 void stop_tests(PanelBuilder& panel) {
   panel.heading("Stop tests: the first that holds");
   const auto& steps = panel.run.run(panel.frame).trace.steps;
@@ -151,5 +149,12 @@ void stop_tests(PanelBuilder& panel) {
     }
   }
 }
+
+}  // namespace
+
+const Block kStopTests{
+    .name = "stop-tests",
+    .meaning = "the stop tests in order, with what they compare and their verdicts",
+    .write = stop_tests};
 
 }  // namespace gjkscope::blocks

@@ -170,11 +170,9 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
   }
 }
 
-}  // namespace
-
 void study(PanelBuilder& panel) {
   const LessonStudy& study = *panel.run.lesson.study;
-  const StudyFrame frame = panel.run.study(panel.frame);
+  const StudyFrame frame = *panel.frame.study;
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
   if (frame.stage == StudyStage::front) return beaten(panel, study);
@@ -182,5 +180,14 @@ void study(PanelBuilder& panel) {
   if (frame.stage == StudyStage::choice) return needs(panel, family);
   legend(panel, study, frame);
 }
+
+}  // namespace
+
+const Block kStudy{.name = "study",
+                   .meaning =
+                       "with granularity `study`: the answers to one pair, then the marks and what "
+                       "they are, the front, what to take",
+                   .write = study,
+                   .act = "study"};
 
 }  // namespace gjkscope::blocks

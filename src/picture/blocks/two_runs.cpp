@@ -22,8 +22,6 @@ struct Column {
   Numbers numbers;
 };
 
-}  // namespace
-
 void two_runs(PanelBuilder& panel) {
   const Lesson& lesson = panel.run.lesson;
   const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
@@ -91,5 +89,12 @@ void two_runs(PanelBuilder& panel) {
       },
       as_it_is);
 }
+
+}  // namespace
+
+const Block kTwoRuns{.name = "two-runs",
+                     .meaning = "the lesson's run and the second one side by side",
+                     .write = two_runs,
+                     .second_run = true};
 
 }  // namespace gjkscope::blocks

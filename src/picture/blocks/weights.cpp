@@ -19,8 +19,6 @@ using namespace rows;
 
 constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
 
-}  // namespace
-
 void weights(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   const int count = value.simplex.count;
@@ -40,7 +38,7 @@ void weights(PanelBuilder& panel) {
   // In the colours of the lengths, areas or masses that a view shows.
   const bool coloured = std::any_of(
       panel.run.lesson.views.begin(), panel.run.lesson.views.end(), [](const LessonView& view) {
-        return calls_for(view, BarycentricParts::kName) || calls_for(view, Balance::kName);
+        return view.calls_for(BarycentricParts::kName) || view.calls_for(Balance::kName);
       });
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -90,6 +88,13 @@ void weights(PanelBuilder& panel) {
   formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
 }
 
+}  // namespace
+
+const Block kWeights{
+    .name = "weights", .meaning = "barycentric weights as signed bars", .write = weights};
+
+namespace {
+
 void linear_system(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (value.simplex.count != 3) return;
@@ -135,6 +140,14 @@ void linear_system(PanelBuilder& panel) {
   bracket(panel.left + 344.0, -5.0);
 }
 
+}  // namespace
+
+const Block kLinearSystem{.name = "linear-system",
+                          .meaning = "the linear system that the weights solve",
+                          .write = linear_system};
+
+namespace {
+
 void unit_vector(PanelBuilder& panel) {
   const UnitVector::Value& built = panel.effects.get<UnitVector>(panel.frame);
   if (!built) return;
@@ -174,6 +187,14 @@ void unit_vector(PanelBuilder& panel) {
        built->of_q.from_a / built->length, true);
 }
 
+}  // namespace
+
+const Block kUnitVector{.name = "unit-vector",
+                        .meaning = "n, and u and v as lengths along it: from G, then from Q",
+                        .write = unit_vector};
+
+namespace {
+
 void areas(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (value.simplex.count != 3 || value.weights.empty()) return;
@@ -204,5 +225,10 @@ void areas(PanelBuilder& panel) {
   }
   row(names[0], names[1], names[2], signed_area(corners), "sum " + fixed(sum, 3));
 }
+
+}  // namespace
+
+const Block kAreas{
+    .name = "areas", .meaning = "signed areas, and the weights as their quotients", .write = areas};
 
 }  // namespace gjkscope::blocks

@@ -4,6 +4,7 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
+#include "picture/blocks/blocks.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -41,18 +42,6 @@ void overlap(const Story& story, FrameText& text) {
                        words.kind_and_face(simplex.all()));
 }
 
-/// Of a lesson whose other view is about ways to compute the distance.
-void two_shapes(const Story& story, FrameText& text) {
-  const Lesson& lesson = story.run.lesson;
-  text.caption =
-      story.trace.result.distance > 0.0
-          ? format("{} and {} are {} apart: {} are closest.", lesson.x.name, lesson.y.name,
-                   story.numbers(story.trace.result.distance), features(story))
-          : format("{} and {} overlap: the distance is 0.", lesson.x.name, lesson.y.name);
-  text.detail =
-      "Each mark of the chart is one way to compute such a distance. The next frames tell of some.";
-}
-
 void warm_start(const Story& story, FrameText& text) {
   const gjk::Result<double, 2>& result = story.trace.result;
   const std::string starts =
@@ -86,7 +75,7 @@ void warm_start(const Story& story, FrameText& text) {
                                                story.numbers(result.distance))
                                       : format("{} and {} overlap: O lies in Z.",
                                                story.run.lesson.x.name, story.run.lesson.y.name);
-  if (!story.run.lesson.has_block(PanelBlock::starts)) return;
+  if (!story.run.lesson.has_block(blocks::kStarts.name)) return;
   const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
   if (story.frame.run < last) {
@@ -200,7 +189,6 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
 }  // namespace
 
 void answer(const Story& story, FrameText& text) {
-  if (story.run.lesson.granularity == Granularity::study) return two_shapes(story, text);
   if (story.run.lesson.warm_start) return warm_start(story, text);
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
@@ -217,8 +205,8 @@ void witness(const Story& story, FrameText& text) {
   for (int i = 0; i < result.simplex.count; ++i) {
     of_z.push_back(result.simplex.count == 1 ? words.vertex(i) : format("({})", words.vertex(i)));
   }
-  switch (story.frame.detail) {
-    case kWitnessP:
+  switch (*story.frame.witness_part) {
+    case WitnessPart::p:
       text.caption =
           format("{}P = {} is the point of Z closest to O.",
                  x_has_moved(story) ? story.run.lesson.x.name + " has moved. " : std::string(),
@@ -227,11 +215,11 @@ void witness(const Story& story, FrameText& text) {
           "Each difference remembers its two vertices. Put the weights on those: first on Y's, "
           "then on X's.";
       return;
-    case kWitnessY:
+    case WitnessPart::on_y:
       return carried_back(story, false, text);
-    case kWitnessX:
+    case WitnessPart::on_x:
       return carried_back(story, true, text);
-    default:
+    case WitnessPart::distance:
       if (!(result.distance > 0.0)) return overlap(story, text);
       text.caption =
           format("y − x = {} − {} = {} is P, so |y − x| = |P| = {}.", story.numbers.point(result.y),

@@ -16,7 +16,7 @@ using fmt::format;
 void balance(const Story& story, FrameText& text) {
   const Balance::Value& value = story.effects.get<Balance>(story.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[story.frame.detail];
+  const Beam& beam = value.moments[*story.frame.moment];
   const std::string a = story.words.vertex(0);
   const std::string b = story.words.vertex(1);
   const auto& [u, v] = value.weights;

@@ -13,21 +13,21 @@ void pairs(const Story& story, FrameText& text) {
   const int all = static_cast<int>(story.positioned.x_world.size()) * per_x;
   const std::string& x = story.run.lesson.x.name;
   const std::string& y = story.run.lesson.y.name;
-  if (story.frame.detail == 0) {
+  if (*story.frame.pairs == 0) {
     text.caption =
         format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
                y, per_x, all / per_x, all);
     text.detail =
         "Each difference is a point of the view beside it: the arrow from the vertex of X to "
         "the vertex of Y, moved so that it starts at O = (0, 0).";
-  } else if (story.frame.detail <= all) {
-    const gjk::VertexPair pair{(story.frame.detail - 1) / per_x, (story.frame.detail - 1) % per_x};
+  } else if (*story.frame.pairs <= all) {
+    const gjk::VertexPair pair{(*story.frame.pairs - 1) / per_x, (*story.frame.pairs - 1) % per_x};
     const Vector2d a = story.positioned.x_world[pair.x];
     const Vector2d b = story.positioned.y_world[pair.y];
     text.caption = format("{} = {} − {} = {}.", story.run.pair_name(pair), story.numbers.point(b),
                           story.numbers.point(a), story.numbers.point(b - a));
     text.detail = format("Point {} of {}: the arrow from {} to {}, moved so that it starts at O.",
-                         story.frame.detail, all, story.run.lesson.x.vertex_names[pair.x],
+                         *story.frame.pairs, all, story.run.lesson.x.vertex_names[pair.x],
                          story.run.lesson.y.vertex_names[pair.y]);
   } else {
     const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();

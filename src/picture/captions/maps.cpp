@@ -56,7 +56,7 @@ void negative(const Story& story, FrameText& text, int i) {
 
 void maps(const Story& story, FrameText& text) {
   const std::string region = feature(story, story.state.region);
-  switch (MapStage{story.frame.detail}) {
+  switch (*story.frame.map) {
     case MapStage::voronoi:
       text.caption =
           format("Voronoi map: a point's region names its closest feature, for {} it is {}.",
@@ -107,7 +107,7 @@ void maps(const Story& story, FrameText& text) {
 void orders(const Story& story, FrameText& text) {
   const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
   if (chains.empty()) return;
-  const OrderStage stage{story.frame.detail};
+  const OrderStage stage = *story.frame.order;
   if (stage == OrderStage::numbers) {
     text.caption =
         format("The coordinates of {} come first; in which order to test them is ours to choose.",
@@ -117,7 +117,7 @@ void orders(const Story& story, FrameText& text) {
         "vertices first.";
     return;
   }
-  const RegionOrders::Chain& chain = chains[story.frame.detail - 1];
+  const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
   const std::string region = feature(story, chain.region);
   const bool is_edge = gjk::vertex_count(chain.region) == 2;
   const std::string distance = story.numbers(chain.p.norm());

@@ -34,8 +34,8 @@ class Asking {
       : story_(story),
         text_(text),
         run_(story.run),
-        step_(story.trace.steps[story.frame.answer]),
-        before_(state_before(story.trace, story.frame.answer)),
+        step_(story.trace.steps[story.frame.answering_step]),
+        before_(state_before(story.trace, story.frame.answering_step)),
         words_(run_, before_.simplex),
         asked_(*text.question) {}
 
@@ -68,8 +68,8 @@ class Asking {
     const gjk::FaceList order =
         gjk::tested_faces(before_.simplex.count, run_.lesson.options.region_order);
     // Those that the frame does not rule out.
-    const bool gradual = run_.lesson.granularity == Granularity::test;
-    for (int i = gradual ? story_.frame.detail + 1 : 0; i < order.count; ++i)
+    const bool gradual = story_.frame.tests.has_value();
+    for (int i = story_.frame.tests.value_or(0); i < order.count; ++i)
       asked_.choices.push_back(words_.face(order.faces[i]));
     // In the order of the tests the first one left would be the answer.
     if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());
@@ -109,7 +109,7 @@ class Asking {
  private:
   /// Where what is asked for happens, if not in the step that tells it.
   [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
-    return story_.trace.steps[static_cast<std::size_t>(story_.frame.answer) + 1];
+    return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];
   }
 
   const Story& story_;
@@ -126,7 +126,6 @@ class Asking {
 void question(const Story& story, FrameText& text) {
   const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   text.question = FrameQuestion{std::string(name_of(ask)), {}, {}};
-  if (is_about_study(ask)) return study_question(story, text);
   Asking asking(story, text);
   switch (ask) {
     case Ask::support:

@@ -5,6 +5,7 @@
 
 #include "effects/barycentric.hpp"
 #include "effects/projection.hpp"
+#include "picture/blocks/blocks.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -16,7 +17,7 @@ using fmt::format;
 bool names_coordinates(const Story& story) {
   const Lesson& lesson = story.run.lesson;
   return story.run.point_query() &&
-         (lesson.has_block(PanelBlock::tests) || lesson.has_block(PanelBlock::weights));
+         (lesson.has_block(blocks::kTests.name) || lesson.has_block(blocks::kWeights.name));
 }
 
 std::string region_reason(const Story& story) {
@@ -85,7 +86,7 @@ std::string region_reason(const Story& story) {
 
 /// A lesson that shows the areas is told by them.
 bool tells_areas(const Story& story) {
-  return story.state.simplex.count == 3 && story.run.lesson.granularity == Granularity::path &&
+  return story.state.simplex.count == 3 && story.run.act->sweeps &&
          story.shows(BarycentricParts::kName);
 }
 
@@ -142,8 +143,8 @@ void areas(const Story& story, FrameText& text) {
 /// A lesson that shows no weights is told by features: weights may be new to its reader.
 bool tells_features(const Story& story) {
   const Lesson& lesson = story.run.lesson;
-  return story.state.simplex.count == 3 && lesson.granularity == Granularity::path &&
-         !lesson.has_block(PanelBlock::weights);
+  return story.state.simplex.count == 3 && story.run.act->sweeps &&
+         !lesson.has_block(blocks::kWeights.name);
 }
 
 /// The region of the next position; 0 after the last one.
@@ -230,7 +231,7 @@ void closest(const Story& story, FrameText& text) {
   if (tells_features(story)) return features(story, text);
   if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
   if (story.shows(Projection::kName) && story.state.simplex.count == 2 && story.run.point_query() &&
-      story.run.lesson.granularity == Granularity::path) {
+      story.run.act->sweeps) {
     return projection(story, text);
   }
   text.caption = region_reason(story);
@@ -248,7 +249,7 @@ void closest(const Story& story, FrameText& text) {
 
 void region_test(const Story& story, FrameText& text) {
   const gjk::Simplex<double, 2>& simplex = story.state.simplex;
-  if (story.frame.detail < 0) {
+  if (story.frame.tests == 0) {
     text.caption = format(
         "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
     if (simplex.count == 2) {
@@ -269,7 +270,7 @@ void region_test(const Story& story, FrameText& text) {
     }
     return;
   }
-  const gjk::RegionTest<double>& test = story.knows.region_tests[story.frame.detail];
+  const gjk::RegionTest<double>& test = story.knows.region_tests[*story.frame.tests - 1];
   if (test.holds) {
     text.caption = region_reason(story);
     text.detail =
@@ -285,7 +286,7 @@ void region_test(const Story& story, FrameText& text) {
   text.caption =
       format("Not region {}: {} = {} is {}positive.", story.words.face(test.region), coordinate,
              story.signed_weight(*failed), failed->wants_positive ? "not " : "");
-  const gjk::RegionTest<double>& next = story.knows.region_tests[story.frame.detail + 1];
+  const gjk::RegionTest<double>& next = story.knows.region_tests[*story.frame.tests];
   text.detail =
       format("{} Next test: region {}.", where(story, *failed), story.words.face(next.region));
 }

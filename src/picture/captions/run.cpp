@@ -2,9 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "effects/slab.hpp"
+#include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
 
@@ -295,6 +297,69 @@ void add(const Story& story, FrameText& text) {
                         story.simplex_name());
   text.detail = format("Iteration {} asks again: which of its points is closest to {}?",
                        story.state.iteration, story.q);
+}
+
+namespace {
+
+/// A lesson that shows the slab is told by what each phase proves.
+bool tells_slab(const Story& story) {
+  const bool proves = story.knows.phase_is(gjk::Phase::closest) ||
+                      story.knows.phase_is(gjk::Phase::support) ||
+                      (story.knows.phase_is(gjk::Phase::stop) && story.knows.support);
+  return proves && story.shows(Slab::kName);
+}
+
+}  // namespace
+
+void step(const Story& story, FrameText& text) {
+  if (tells_slab(story)) return slab(story, text);
+  switch (story.run.step(story.frame).phase) {
+    case gjk::Phase::closest:
+      return story.frame.tests ? region_test(story, text) : closest(story, text);
+    case gjk::Phase::cull:
+      return cull(story, text);
+    case gjk::Phase::direction:
+      return direction(story, text);
+    case gjk::Phase::support:
+      return support(story, text);
+    case gjk::Phase::stop:
+      stop(story, text);
+      if (story.knows.has_ended && story.shows(TouchedPoints::kName)) touched_points(story, text);
+      return;
+    case gjk::Phase::add:
+      return add(story, text);
+  }
+}
+
+void run_values(const Story& story, FrameText& text) {
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  const gjk::Result<double, 2>& result = story.trace.result;
+  const bool running = story.frame.step >= 0;
+  put("x", story.run.lesson.x.name);
+  put("y", story.run.lesson.y.name);
+  put("iteration", std::to_string(running ? story.run.step(story.frame).iteration : 0));
+  put("iterations", std::to_string(result.iterations));
+  put("simplex", story.words.face(story.state.simplex.all()));
+  if (story.run.point_query()) put("Q", story.numbers.point(story.positioned.x_world[0]));
+  if (story.knows.closest_point) {
+    put("region", story.words.face(story.state.region));
+    constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+    for (int i = 0; i < story.state.simplex.count; ++i)
+      put(std::string(kLetters[i]), story.numbers.weight(story.state.simplex.weights[i]));
+    put("P", story.numbers.point(story.p_world()));
+    put("distance", story.numbers(std::sqrt(story.state.p_sq)));
+  }
+  if (story.knows.direction) put("d", story.numbers.point(story.state.d));
+  if (story.knows.support) put("support", story.run.pair_name(story.state.support.pair));
+  if (running) {
+    put("lower", story.numbers(story.run.bounds(story.frame).lower));
+    put("upper", story.numbers(story.run.bounds(story.frame).upper));
+  }
+  if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
+    put("stop", std::string(name_of(story.state.stop)));
+  }
 }
 
 }  // namespace gjkscope::captions

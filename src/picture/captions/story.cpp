@@ -17,13 +17,6 @@ Story::Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown
       words(run, state.simplex),
       q(query_name(run)) {}
 
-bool Story::shows(std::string_view effect) const {
-  const auto calls = [&](const LessonView& view) {
-    return std::find(view.effects.begin(), view.effects.end(), effect) != view.effects.end();
-  };
-  return std::any_of(run.lesson.views.begin(), run.lesson.views.end(), calls);
-}
-
 Eigen::Vector2d Story::p_world() const {
   return run.point_query() ? Eigen::Vector2d(state.p + positioned.x_world[0]) : state.p;
 }

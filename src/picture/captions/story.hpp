@@ -16,7 +16,7 @@ struct Story {
   Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown);
 
   /// True when a view of the lesson calls for this effect.
-  [[nodiscard]] bool shows(std::string_view effect) const;
+  [[nodiscard]] bool shows(std::string_view effect) const { return run.lesson.calls_for(effect); }
 
   [[nodiscard]] Eigen::Vector2d p_world() const;
   [[nodiscard]] std::string distance() const;
@@ -50,7 +50,11 @@ void closest(const Story& story, FrameText& text);
 void region_test(const Story& story, FrameText& text);
 
 // run.cpp
+/// What a phase did, and why.
+void step(const Story& story, FrameText& text);
 void start(const Story& story, FrameText& text);
+/// The values of a run's step.
+void run_values(const Story& story, FrameText& text);
 void cull(const Story& story, FrameText& text);
 void direction(const Story& story, FrameText& text);
 void support(const Story& story, FrameText& text);

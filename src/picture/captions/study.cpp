@@ -220,9 +220,10 @@ std::string ratio_words(double ratio) {
 
 void study_question(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.study;
-  const StudyFrame before = story.run.study(story.frame);
-  FrameQuestion& asked = *text.question;
-  if (asked.ask == "overlap") {
+  const StudyFrame before = *story.frame.study;
+  const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(name_of(ask)), {}, {}});
+  if (ask == Ask::overlap) {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
     asked.choices = {"yes", "no"};
     asked.answer = pair.distance() > 0.0 ? "no" : "yes";
@@ -248,7 +249,7 @@ void study_question(const Story& story, FrameText& text) {
 
 void study(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.study;
-  const StudyFrame frame = story.run.study(story.frame);
+  const StudyFrame frame = *story.frame.study;
   const auto pair = [&]() -> const RoundedPair::Value& {
     return story.effects.get<RoundedPair>(story.frame);
   };

@@ -46,8 +46,8 @@ void support_in_parts(const Story& story, FrameText& text) {
   const gjk::State<double, 2>& next =
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
-  switch (story.frame.detail) {
-    case kSupportDirection: {
+  switch (*story.frame.support_part) {
+    case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
           story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
       text.caption = format("d = {} {}. Which point of Z lies farthest that way?",
@@ -61,14 +61,14 @@ void support_in_parts(const Story& story, FrameText& text) {
           lesson.y.name, lesson.x.name);
       return;
     }
-    case kSupportOfY:
+    case SupportPart::of_y:
       text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
                             lesson.y.name, k, story.numbers(along_y),
                             rank(story.positioned.y_world, lesson.y, pair.y, story.state.d));
       text.detail = format("So {}. The support point of Z is one of the ringed {} − x.",
                            behind(lesson.y, pair.y), k);
       return;
-    case kSupportOfX:
+    case SupportPart::of_x:
       text.caption = format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
                             lesson.x.name, c, story.numbers(along_x),
                             rank(story.positioned.x_world, lesson.x, pair.x, -story.state.d));

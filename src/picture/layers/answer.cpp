@@ -12,16 +12,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// How much of the answer a frame shows; all of it but in granularity "witness".
-int shown(const SceneBuilder& scene) {
-  return scene.run.lesson.granularity == Granularity::witness ? scene.frame.detail
-                                                              : kWitnessDistance;
+/// How much of the answer a frame shows.
+WitnessPart shown(const SceneBuilder& scene) {
+  return scene.frame.witness_part.value_or(WitnessPart::distance);
 }
 
 /// Weights are the question, and there is more than one.
 bool shows_weights(const SceneBuilder& scene) {
-  return scene.run.lesson.granularity == Granularity::witness &&
-         scene.positioned.trace.result.simplex.count > 1;
+  return scene.frame.witness_part && scene.positioned.trace.result.simplex.count > 1;
 }
 
 /// The simplex of the result in the difference, and P on it.
@@ -85,7 +83,7 @@ void witness_point(SceneBuilder& scene, const Vector2d& point, const Vector2d& o
 /// The shortest way, and, once that is the question, how long it is.
 void way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
-  if (shown(scene) < kWitnessDistance) return;
+  if (shown(scene) < WitnessPart::distance) return;
   const Point across = Point(from.y() - to.y(), to.x() - from.x());
   scene.out.moving_labels.push_back(
       scene.label("distance", Numbers(scene.run.lesson)(scene.positioned.trace.result.distance),
@@ -97,7 +95,7 @@ void way(SceneBuilder& scene, const Point& from, const Point& to) {
 void answer(SceneBuilder& scene) {
   const gjk::Result<double, 2>& result = scene.positioned.trace.result;
   if (result.simplex.count == 0) return;
-  const int reached = shown(scene);
+  const WitnessPart reached = shown(scene);
   const bool meet = result.distance == 0.0;
   if (scene.shows_difference) {
     closest_feature(scene);
@@ -120,17 +118,18 @@ void answer(SceneBuilder& scene) {
     }
     return;
   }
-  if (reached >= kWitnessDistance && !meet) way(scene, scene.at(result.x), scene.at(result.y));
-  if (reached >= kWitnessY) carried_back(scene, false);
-  if (reached >= kWitnessX) carried_back(scene, true);
-  if (calls_for(scene.view, GrownObstacle::kName)) {  // which names points of its own
+  if (reached >= WitnessPart::distance && !meet) way(scene, scene.at(result.x), scene.at(result.y));
+  if (reached >= WitnessPart::on_y) carried_back(scene, false);
+  if (reached >= WitnessPart::on_x) carried_back(scene, true);
+  if (scene.shows(GrownObstacle::kName)) {  // which names points of its own
     for (const Vector2d& point : {result.x, result.y})
       scene.disk("closest", scene.at(point), sizes::kClosestRadius);
     return;
   }
-  if (reached >= kWitnessX && meet) return witness_point(scene, result.x, result.x, "x = y");
-  if (reached >= kWitnessY) witness_point(scene, result.y, result.x, "y");
-  if (reached >= kWitnessX) witness_point(scene, result.x, result.y, "x");
+  if (reached >= WitnessPart::on_x && meet)
+    return witness_point(scene, result.x, result.x, "x = y");
+  if (reached >= WitnessPart::on_y) witness_point(scene, result.y, result.x, "y");
+  if (reached >= WitnessPart::on_x) witness_point(scene, result.x, result.y, "x");
 }
 
 }  // namespace gjkscope::layers

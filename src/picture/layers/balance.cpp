@@ -38,12 +38,10 @@ void mass(SceneBuilder& scene, int vertex, double weight, const Point& center, d
       there ? "beam.label" : "beam.missing.label", type::kSmallVertex, center, radius, up));
 }
 
-}  // namespace
-
 void balance(SceneBuilder& scene) {
   const Balance::Value& value = scene.effects.get<Balance>(scene.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[scene.frame.detail];
+  const Beam& beam = value.moments[*scene.frame.moment];
   const Vector2d a = scene.state.simplex.vertices[0].w + scene.shift;
   const Vector2d along = scene.state.simplex.vertices[1].w + scene.shift - a;
   Vector2d up(-along.y(), along.x());
@@ -87,5 +85,10 @@ void balance(SceneBuilder& scene) {
                                                 type::kSmallVertex, at(beam.support, -kBeamHeight),
                                                 2.0, -lifted));
 }
+
+}  // namespace
+
+const Layer kBalance{
+    .effect = gjkscope::Balance::kName, .on = Layer::On::every_view, .order = 110, .draw = balance};
 
 }  // namespace gjkscope::layers

@@ -9,13 +9,12 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// How many differences granularity "pairs" has made by this frame; all of them elsewhere.
+/// How many differences have been made by this frame.
 int pairs_made(const SceneBuilder& scene, int all) {
-  return scene.run.lesson.granularity == Granularity::pairs ? std::min(scene.frame.detail, all)
-                                                            : all;
+  return std::min(scene.frame.pairs.value_or(all), all);
 }
 bool hull_is_shown(const SceneBuilder& scene, int all) {
-  return scene.run.lesson.granularity != Granularity::pairs || scene.frame.detail > all;
+  return !scene.frame.pairs || *scene.frame.pairs > all;
 }
 
 /// An arrow that is there for one frame.
@@ -24,15 +23,13 @@ void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.out.obstacles.passing.push_back({from, to});
 }
 
-}  // namespace
-
 void difference(SceneBuilder& scene) {
-  const bool wants_hull = calls_for(scene.view, MinkowskiHull::kName);
-  const bool wants_cloud = calls_for(scene.view, MinkowskiCloud::kName);
+  const bool wants_hull = scene.shows(MinkowskiHull::kName);
+  const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
   const int all =
       static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
-  const bool names_all = all <= 12 && scene.run.lesson.granularity == Granularity::pairs;
+  const bool names_all = all <= 12 && scene.frame.pairs;
   if (wants_hull && hull_is_shown(scene, all)) {
     const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
     const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
@@ -61,11 +58,14 @@ void difference(SceneBuilder& scene) {
   }
 }
 
-/// Granularity "pairs": the pair that makes the newest difference, in both views.
+}  // namespace
+
+const Layer kDifference{.effect = {}, .on = Layer::On::difference, .order = 70, .draw = difference};
+
 void pair_under_construction(SceneBuilder& scene) {
   const int all =
       static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
-  const int made = scene.frame.detail;
+  const int made = *scene.frame.pairs;
   if (made > all) {
     if (scene.view.kind == ViewKind::difference) {
       scene.line("closest.line", scene.at(Vector2d::Zero()),
@@ -96,12 +96,14 @@ void pair_under_construction(SceneBuilder& scene) {
   }
 }
 
+namespace {
+
 void corner_names(SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
   // Where shapes turn, corners come and go; those of the simplex are named in any case.
   const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x.turns.empty() ||
                                                !lesson.path_of_shapes->y.turns.empty());
-  if (lesson.granularity == Granularity::pairs || turns) return;
+  if (scene.frame.pairs || turns) return;
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   constexpr std::size_t kMostNames = 16;  // more would hide what they name
@@ -121,5 +123,12 @@ void corner_names(SceneBuilder& scene) {
     if (!named) labels.push_back(label);
   }
 }
+
+}  // namespace
+
+const Layer kCornerNames{.effect = gjkscope::MinkowskiHull::kName,
+                         .on = Layer::On::every_view,
+                         .order = 1030,
+                         .draw = corner_names};
 
 }  // namespace gjkscope::layers

@@ -1,59 +1,33 @@
 #pragma once
-// The layers of a stage: one family a file, drawn in the order of stage.cpp.
+// What a stage is drawn of. A layer is a value, defined in one of the files here and listed in
+// list.def. It lies below or above what the act draws; the functions here are what acts draw with.
+
+#include <string_view>
 
 #include "picture/plot.hpp"
 #include "picture/scene.hpp"
 
-namespace gjkscope::layers {
+namespace gjkscope {
 
-// regions.cpp
-/// Voronoi regions of the simplex under test, and their borders.
-void regions(SceneBuilder& scene);
+struct Layer {
+  enum class On { every_view, world, difference };
+  std::string_view effect = {};  ///< Drawn where a view calls for it; empty: always.
+  On on = On::every_view;
+  int order = 0;  ///< Those with lower numbers lie below; the act's own marks have kOfAct.
+  void (*draw)(SceneBuilder& scene) = nullptr;
 
-// shapes.cpp
-void shapes(SceneBuilder& scene);
-/// The ways of the shapes that move.
-void path(SceneBuilder& scene);
-/// Q in the world of a point query, O in the difference.
-void query_point(SceneBuilder& scene);
+  static constexpr int kOfAct = 500;
+};
 
-// shape_hull.cpp
-/// Hulls of shapes that are not convex.
-void shape_hull(SceneBuilder& scene);
+namespace layers {
+
+#define GJKSCOPE_LAYER(name) extern const Layer k##name;
+#include "picture/layers/list.def"
+#undef GJKSCOPE_LAYER
 
 // difference.cpp
-/// Cloud and hull of the differences.
-void difference(SceneBuilder& scene);
-/// Granularity "pairs": the pair that makes the newest difference, in both views.
+/// The pair that makes the newest difference, in both views.
 void pair_under_construction(SceneBuilder& scene);
-
-/// Names of the hull's corners, but for those that the run has named.
-void corner_names(SceneBuilder& scene);
-
-// parts.cpp
-/// Lengths and areas in proportion to the barycentric coordinates.
-void parts(SceneBuilder& scene);
-
-// line.cpp
-/// The line through a segment, and the point G of it that Q falls on.
-void projection(SceneBuilder& scene);
-void unit_vector(SceneBuilder& scene);
-
-// balance.cpp
-/// The beam below the segment whose weights are its masses.
-void balance(SceneBuilder& scene);
-
-// maps.cpp
-/// The plane by the signs of u, v and w.
-void signs(SceneBuilder& scene);
-/// Where signs and Voronoi regions name different features.
-void map_difference(SceneBuilder& scene);
-
-// orders.cpp
-/// The half-plane in which the short test that took an edge is true.
-void short_test(SceneBuilder& scene);
-/// The point that it took for P.
-void wrong_point(SceneBuilder& scene);
 
 // run.cpp
 /// The support line that the lower bound comes from, where it is not that of the frame's search.
@@ -77,24 +51,13 @@ void search(SceneBuilder& scene);
 void search_between_shapes(SceneBuilder& scene);
 
 // support.cpp
-/// Granularity "support": d, the support point of Y, that of X, their difference, one after the
-/// other.
+/// d, the support point of Y, that of X, their difference, one after the other.
 void support_in_parts(SceneBuilder& scene);
 
 // answer.cpp
-/// Granularities "answer" and "witness": P on its simplex, and the closest points that its weights
+/// P on its simplex, and the closest points that its weights
 /// give.
 void answer(SceneBuilder& scene);
-
-// motion.cpp
-/// Where everything was a position ago.
-void last_position(SceneBuilder& scene);
-/// Y grown by X, and X as a point against it.
-void grown_obstacle(SceneBuilder& scene);
-/// The differences that the run has computed so far.
-void touched_points(SceneBuilder& scene);
-/// The widest strip proved empty between X and Y.
-void slab(SceneBuilder& scene);
 
 // second_run.cpp
 /// Closest point, search direction, support line and support point of the second run.
@@ -113,4 +76,5 @@ void study(SceneBuilder& scene, const Fonts& fonts);
 /// A plot that fills the view. (growth.cpp)
 void add_plot(SceneBuilder& scene, const Plot& plot, const Fonts& fonts);
 
-}  // namespace gjkscope::layers
+}  // namespace layers
+}  // namespace gjkscope

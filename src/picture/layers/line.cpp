@@ -19,8 +19,6 @@ Point upwards(const Point& a, const Point& b) {
   return normal.y() > 0.0 ? Point(-normal) : normal;
 }
 
-}  // namespace
-
 void projection(SceneBuilder& scene) {
   const Projection::Value& g = scene.effects.get<Projection>(scene.frame);
   if (!g) return;
@@ -53,6 +51,15 @@ void projection(SceneBuilder& scene) {
       scene.label("G", "G", "projection.label", type::kVertex, foot, kOwnRoom - 2.0, foot - q));
 }
 
+}  // namespace
+
+const Layer kProjection{.effect = gjkscope::Projection::kName,
+                        .on = Layer::On::every_view,
+                        .order = 80,
+                        .draw = projection};
+
+namespace {
+
 void unit_vector(SceneBuilder& scene) {
   const UnitVector::Value& built = scene.effects.get<UnitVector>(scene.frame);
   if (!built) return;
@@ -64,5 +71,12 @@ void unit_vector(SceneBuilder& scene) {
   scene.out.moving_labels.push_back(
       scene.label("n", "n", "unit-vector.label", type::kVertex, 0.5 * (from + to), 2.0, offset));
 }
+
+}  // namespace
+
+const Layer kUnitVector{.effect = gjkscope::UnitVector::kName,
+                        .on = Layer::On::every_view,
+                        .order = 100,
+                        .draw = unit_vector};
 
 }  // namespace gjkscope::layers

@@ -53,9 +53,9 @@ void add_name(SceneBuilder& scene, const std::string& id, const std::string& nam
 
 /// The single coordinate whose sign a map shows, or none.
 std::optional<int> coordinate_of(const SceneBuilder& scene) {
-  if (scene.shows_map(MapStage::negative_u)) return 0;
-  if (scene.shows_map(MapStage::negative_v)) return 1;
-  if (scene.shows_map(MapStage::negative_w)) return 2;
+  if (scene.frame.map == MapStage::negative_u) return 0;
+  if (scene.frame.map == MapStage::negative_v) return 1;
+  if (scene.frame.map == MapStage::negative_w) return 2;
   return std::nullopt;
 }
 
@@ -68,13 +68,12 @@ void zero_line(SceneBuilder& scene, int vertex) {
   scene.line("sign.border", a - reach * along, b + reach * along);
 }
 
-}  // namespace
-
 void signs(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
+  if (scene.frame.map == MapStage::voronoi) return;
   const std::optional<int> coordinate = coordinate_of(scene);
-  const bool interior_only = scene.shows_map(MapStage::interior);
-  const bool lines_only = scene.shows_map(MapStage::difference);
+  const bool interior_only = scene.frame.map == MapStage::interior;
+  const bool lines_only = scene.frame.map == MapStage::difference;
   for (const SignMap::Region& region : scene.effects.get<SignMap>(scene.frame)) {
     if (lines_only || (interior_only && region.positive != 0b111)) continue;
     std::vector<HalfPlane> half_planes = region.half_planes;
@@ -89,7 +88,7 @@ void signs(SceneBuilder& scene) {
     if (points.empty()) continue;
     constexpr std::array<std::string_view, 4> kKinds = {"", "two", "one", "none"};
     scene.area(fmt::format("sign.{}", kKinds[gjk::vertex_count(region.positive)]), points);
-    if (scene.shows_map(MapStage::blended)) continue;
+    if (scene.frame.map == MapStage::blended) continue;
     add_name(scene, "sign:" + name, name, type::kRegion, points);
   }
   if (scene.state.simplex.count != 3) return;
@@ -98,8 +97,16 @@ void signs(SceneBuilder& scene) {
   }
 }
 
+}  // namespace
+
+const Layer kSigns{
+    .effect = gjkscope::SignMap::kName, .on = Layer::On::every_view, .order = 20, .draw = signs};
+
+namespace {
+
 void map_difference(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
+  if (scene.frame.map && *scene.frame.map != MapStage::difference) return;
   const SimplexWords words(scene.run, scene.state.simplex);
   for (const MapDifference::Part& part : scene.effects.get<MapDifference>(scene.frame)) {
     const std::vector<Point> points = visible_part(scene, part.half_planes);
@@ -110,5 +117,12 @@ void map_difference(SceneBuilder& scene) {
     add_name(scene, "difference:" + name, name, type::kSmallVertex, points);
   }
 }
+
+}  // namespace
+
+const Layer kMapDifference{.effect = gjkscope::MapDifference::kName,
+                           .on = Layer::On::every_view,
+                           .order = 30,
+                           .draw = map_difference};
 
 }  // namespace gjkscope::layers

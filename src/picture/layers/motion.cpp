@@ -32,8 +32,6 @@ void ghost(SceneBuilder& scene, const std::vector<Vector2d>& polygon, const Vect
   scene.arrow("ghost.arrow", scene.at(middle), scene.at(middle + by));
 }
 
-}  // namespace
-
 void last_position(SceneBuilder& scene) {
   const LastPosition::Value& last = scene.effects.get<LastPosition>(scene.frame);
   if (!last) return;
@@ -44,6 +42,15 @@ void last_position(SceneBuilder& scene) {
     ghost(scene, last->y, last->y_by, !last->turned);
   }
 }
+
+}  // namespace
+
+const Layer kLastPosition{.effect = gjkscope::LastPosition::kName,
+                          .on = Layer::On::every_view,
+                          .order = 130,
+                          .draw = last_position};
+
+namespace {
 
 void grown_obstacle(SceneBuilder& scene) {
   const std::vector<Point> grown = placed(scene, scene.effects.get<GrownObstacle>(scene.frame));
@@ -69,10 +76,28 @@ void grown_obstacle(SceneBuilder& scene) {
       scene.label("reference", "p", "query.label", type::kVertex, p, sizes::kPointRadius));
 }
 
+}  // namespace
+
+const Layer kGrownObstacle{.effect = gjkscope::GrownObstacle::kName,
+                           .on = Layer::On::every_view,
+                           .order = 120,
+                           .draw = grown_obstacle};
+
+namespace {
+
 void touched_points(SceneBuilder& scene) {
   for (const auto& point : scene.effects.get<TouchedPoints>(scene.frame))
     scene.disk("cloud.touched", scene.at_difference(point.w), sizes::kTouchedRadius);
 }
+
+}  // namespace
+
+const Layer kTouchedPoints{.effect = gjkscope::TouchedPoints::kName,
+                           .on = Layer::On::every_view,
+                           .order = 150,
+                           .draw = touched_points};
+
+namespace {
 
 void slab(SceneBuilder& scene) {
   const Slab::Value& strip = scene.effects.get<Slab>(scene.frame);
@@ -93,5 +118,10 @@ void slab(SceneBuilder& scene) {
     scene.out.obstacles.passing.push_back(line);
   }
 }
+
+}  // namespace
+
+const Layer kSlab{
+    .effect = gjkscope::Slab::kName, .on = Layer::On::every_view, .order = 140, .draw = slab};
 
 }  // namespace gjkscope::layers

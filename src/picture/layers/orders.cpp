@@ -12,13 +12,10 @@ using namespace sizes;
 /// The chain of tests that the frame shows; none beside the numbers.
 const RegionOrders::Chain* chain_of(const SceneBuilder& scene) {
   const RegionOrders::Value& chains = scene.effects.get<RegionOrders>(scene.frame);
-  const int index = scene.frame.detail - 1;
-  if (scene.run.lesson.granularity != Granularity::orders || index < 0 || chains.empty())
-    return nullptr;
+  const int index = static_cast<int>(scene.frame.order.value_or(OrderStage::numbers)) - 1;
+  if (index < 0 || chains.empty()) return nullptr;
   return &chains[index];
 }
-
-}  // namespace
 
 void short_test(SceneBuilder& scene) {
   const RegionOrders::Chain* chain = chain_of(scene);
@@ -42,6 +39,15 @@ void short_test(SceneBuilder& scene) {
       {"short:" + condition, condition, "wrong.label", type::kSmallVertex, points, {}});
 }
 
+}  // namespace
+
+const Layer kShortTest{.effect = gjkscope::RegionOrders::kName,
+                       .on = Layer::On::every_view,
+                       .order = 40,
+                       .draw = short_test};
+
+namespace {
+
 void wrong_point(SceneBuilder& scene) {
   const RegionOrders::Chain* chain = chain_of(scene);
   if (!chain || chain->error == 0.0) return;
@@ -57,5 +63,12 @@ void wrong_point(SceneBuilder& scene) {
                                                 "wrong.label", type::kSmallVertex,
                                                 0.5 * (p + right), 4.0, p - q));
 }
+
+}  // namespace
+
+const Layer kWrongPoint{.effect = gjkscope::RegionOrders::kName,
+                        .on = Layer::On::every_view,
+                        .order = 1010,
+                        .draw = wrong_point};
 
 }  // namespace gjkscope::layers

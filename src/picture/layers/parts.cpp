@@ -13,17 +13,15 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// Granularity "test" shows an area only while its sign decides: when the region of its edge is
-/// tested.
+/// Frames that go through the region tests show an area only while its sign decides: when the
+/// region of its edge is tested.
 bool measures_tested_edge(const SceneBuilder& scene, const BarycentricParts::Part& part) {
-  if (scene.run.lesson.granularity != Granularity::test || part.points.size() != 3) return true;
-  if (scene.frame.detail < 0) return false;
+  if (!scene.frame.tests || part.points.size() != 3) return true;
+  if (scene.frame.tests == 0) return false;
   const gjk::Face tested =
-      scene.run.step(scene.frame).record.region_tests[scene.frame.detail].region;
+      scene.run.step(scene.frame).record.region_tests[*scene.frame.tests - 1].region;
   return gjk::vertex_count(tested) == 2 && !gjk::contains(tested, part.vertex);
 }
-
-}  // namespace
 
 /// Lengths and areas in proportion to the barycentric coordinates.
 void parts(SceneBuilder& scene) {
@@ -80,5 +78,12 @@ void parts(SceneBuilder& scene) {
     ++side;
   }
 }
+
+}  // namespace
+
+const Layer kParts{.effect = gjkscope::BarycentricParts::kName,
+                   .on = Layer::On::every_view,
+                   .order = 90,
+                   .draw = parts};
 
 }  // namespace gjkscope::layers

@@ -13,12 +13,12 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// What the region tests have said of a face so far; granularity "test" reveals them one by one.
+/// What the region tests have said of a face so far; frames may reveal them one by one.
 enum class RegionFate { untried, rejected, testing, holds };
 RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
   const auto& tests = scene.run.step(scene.frame).record.region_tests;
-  const bool gradual = scene.run.lesson.granularity == Granularity::test;
-  const int reached = gradual ? scene.frame.detail : static_cast<int>(tests.size()) - 1;
+  const bool gradual = scene.frame.tests.has_value();
+  const int reached = scene.frame.tests.value_or(static_cast<int>(tests.size())) - 1;
   for (int i = 0; i <= reached; ++i) {
     if (tests[i].region != face) continue;
     if (tests[i].holds) return RegionFate::holds;
@@ -32,8 +32,8 @@ RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
 bool keeps_answer_back(const SceneBuilder& scene) {
   const LessonRun& run = scene.run;
   const Frame& frame = scene.frame;
-  if (run.lesson.granularity != Granularity::test) return false;
-  if (frame.detail >= 0 && run.step(frame).record.region_tests[frame.detail].holds) return false;
+  if (!frame.tests) return false;
+  if (frame.tests > 0 && run.step(frame).record.region_tests[*frame.tests - 1].holds) return false;
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
     return other.run == frame.run && other.question >= 0 &&
            run.lesson.questions[static_cast<std::size_t>(other.question)].ask == Ask::region;
@@ -67,17 +67,17 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
   }
 }
 
-}  // namespace
-
 void regions(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  if (scene.shows_map(MapStage::difference)) return borders(scene, [](gjk::Face) { return true; });
+  if (scene.frame.map > MapStage::voronoi && scene.frame.map < MapStage::blended) return;
+  if (scene.frame.map == MapStage::difference)
+    return borders(scene, [](gjk::Face) { return true; });
   const bool untried_are_drawn = !keeps_answer_back(scene);
   const auto is_drawn = [&](gjk::Face face) {
     return untried_are_drawn || fate_of(scene, face) != RegionFate::untried;
   };
   const SimplexWords words(scene.run, scene.state.simplex);
-  const bool gradual = scene.run.lesson.granularity == Granularity::test;
+  const bool gradual = scene.frame.tests.has_value();
   for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
     std::vector<Vector2d> polygon = scene.map.visible();
     for (const HalfPlane& half_plane : region.half_planes) {
@@ -89,7 +89,7 @@ void regions(SceneBuilder& scene) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     const RegionFate fate = fate_of(scene, region.face);
     std::string role = fmt::format("region.{}", kKinds[gjk::vertex_count(region.face)]);
-    const bool is_map = scene.run.lesson.granularity == Granularity::maps;
+    const bool is_map = scene.frame.map.has_value();
     if (fate == RegionFate::holds && !is_map) role = "region.active";
     if (gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
@@ -103,5 +103,12 @@ void regions(SceneBuilder& scene) {
   }
   borders(scene, is_drawn);
 }
+
+}  // namespace
+
+const Layer kRegions{.effect = gjkscope::VoronoiRegions::kName,
+                     .on = Layer::On::every_view,
+                     .order = 10,
+                     .draw = regions};
 
 }  // namespace gjkscope::layers

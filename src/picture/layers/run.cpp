@@ -5,6 +5,7 @@
 #include "effects/history.hpp"
 #include "effects/projection.hpp"
 #include "effects/slab.hpp"
+#include "picture/blocks/blocks.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
 
@@ -31,8 +32,8 @@ void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& ver
 /// True where no block of the panel says the weights that decide what is dropped.
 bool weights_untold(const SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
-  return !lesson.has_block(PanelBlock::simplex) && !lesson.has_block(PanelBlock::weights) &&
-         !lesson.has_block(PanelBlock::pseudocode) && !lesson.has_block(PanelBlock::two_runs);
+  return !lesson.has_block(blocks::kSimplex.name) && !lesson.has_block(blocks::kWeights.name) &&
+         !lesson.has_block(blocks::kPseudocode.name) && !lesson.has_block(blocks::kTwoRuns.name);
 }
 
 /// The weight that a vertex has in P, on the side away from P.

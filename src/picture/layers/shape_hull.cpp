@@ -4,6 +4,8 @@
 
 namespace gjkscope::layers {
 
+namespace {
+
 void shape_hull(SceneBuilder& scene) {
   const ShapeHull::Value& hulls = scene.effects.get<ShapeHull>(scene.frame);
   const auto draw = [&](const ShapeHull::Hull& hull, const std::vector<Eigen::Vector2d>& world) {
@@ -21,5 +23,10 @@ void shape_hull(SceneBuilder& scene) {
     scene.line("outline.line", q, scene.at(hulls.outline_point));
   }
 }
+
+}  // namespace
+
+const Layer kShapeHull{
+    .effect = gjkscope::ShapeHull::kName, .on = Layer::On::world, .order = 50, .draw = shape_hull};
 
 }  // namespace gjkscope::layers

@@ -1,3 +1,4 @@
+#include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "geometry/polygon.hpp"
 #include "picture/layers/layers.hpp"
@@ -59,8 +60,6 @@ void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std
   }
 }
 
-}  // namespace
-
 void shapes(SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
   const LessonMotion* of_x = lesson.path_of_shapes ? &lesson.path_of_shapes->x : nullptr;
@@ -73,7 +72,15 @@ void shapes(SceneBuilder& scene) {
   }
 }
 
+}  // namespace
+
+const Layer kShapes{.effect = {}, .on = Layer::On::world, .order = 60, .draw = shapes};
+
+namespace {
+
 void path(SceneBuilder& scene) {
+  // Arrows stand in place of a way.
+  if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
   const LessonPath& path = *scene.run.lesson.path_of_shapes;
   // Without a number of frames a path is a set of places to be in, not a way between them.
   if (path.frames == 0) return;
@@ -89,6 +96,12 @@ void path(SceneBuilder& scene) {
   }
 }
 
+}  // namespace
+
+const Layer kPath{.effect = {}, .on = Layer::On::world, .order = 160, .draw = path};
+
+namespace {
+
 void query_point(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
     const Point q = scene.at(scene.positioned.x_world[0]);
@@ -100,8 +113,8 @@ void query_point(SceneBuilder& scene) {
       if (g && (scene.at_difference(*g) - q).norm() < 1.0) name = "G = " + name;
     }
     // Along a path, on the side where the line to P is not.
-    const bool has_way = scene.run.lesson.granularity == Granularity::path &&
-                         scene.shows_closest_point() && !scene.reaches_query();
+    const bool has_way =
+        scene.run.act->sweeps && scene.shows_closest_point() && !scene.reaches_query();
     const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
     scene.out.moving_labels.push_back(scene.label("Q", scene.reaches_query() ? "P = " + name : name,
                                                   "query.label", type::kVertex, q, kPointRadius,
@@ -115,5 +128,10 @@ void query_point(SceneBuilder& scene) {
         scene.label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
   }
 }
+
+}  // namespace
+
+const Layer kQueryPoint{
+    .effect = {}, .on = Layer::On::every_view, .order = 1020, .draw = query_point};
 
 }  // namespace gjkscope::layers

@@ -261,7 +261,7 @@ class PairPicture {
 }  // namespace
 
 void study(SceneBuilder& scene, const Fonts& fonts) {
-  const StudyFrame shown = scene.run.study(scene.frame);
+  const StudyFrame shown = *scene.frame.study;
   if (shown.stage < StudyStage::error_axis) return PairPicture(scene, shown.stage).draw();
   add_plot(scene, study_plot(*scene.run.lesson.study, shown), fonts);
 }

@@ -55,17 +55,18 @@ void row(SceneBuilder& scene, int y) {
 
 void support_in_parts(SceneBuilder& scene) {
   const gjk::State<double, 2>& state = scene.state;
-  const int reached = scene.frame.detail;
+  const SupportPart reached = *scene.frame.support_part;
   if (!scene.shows_difference) {
     along(scene, scene.positioned.y_world, state.support.pair.y, state.d, "d",
-          reached >= kSupportOfY);
+          reached >= SupportPart::of_y);
     along(scene, scene.positioned.x_world, state.support.pair.x, -state.d, "−d",
-          reached >= kSupportOfX);
+          reached >= SupportPart::of_x);
     return;
   }
-  if (reached == kSupportOfY || reached == kSupportOfX) row(scene, state.support.pair.y);
+  if (reached == SupportPart::of_y || reached == SupportPart::of_x)
+    row(scene, state.support.pair.y);
   simplex(scene);
-  const bool at_end = reached == kSupportOfZ;
+  const bool at_end = reached == SupportPart::of_z;
   if (at_end) support_line(scene, scene.at_difference(state.support.w), state.d);
   closest_line(scene);
   search_direction(scene);

@@ -1,0 +1,31 @@
+#include "lesson/vocabulary.hpp"
+
+#include <algorithm>
+
+namespace gjkscope {
+
+const Act* Vocabulary::act(std::string_view name) const {
+  const auto found =
+      std::find_if(acts.begin(), acts.end(), [&](const Act* each) { return each->name == name; });
+  return found == acts.end() ? nullptr : *found;
+}
+
+const Term* find_term(const std::vector<Term>& terms, std::string_view name) {
+  const auto found =
+      std::find_if(terms.begin(), terms.end(), [&](const Term& term) { return term.name == name; });
+  return found == terms.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> names_of(const std::vector<Term>& terms) {
+  std::vector<std::string> names;
+  for (const Term& term : terms) names.emplace_back(term.name);
+  return names;
+}
+
+std::vector<std::string> names_of(const std::vector<const Act*>& acts) {
+  std::vector<std::string> names;
+  for (const Act* act : acts) names.emplace_back(act->name);
+  return names;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,67 @@
+#pragma once
+// What a lesson file can name though it is defined above this folder: acts, panel blocks, listings
+// and effects. The loader is handed all of them, and looks up names and needs; lesson/ names none.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/run.hpp"
+
+namespace gjkscope {
+
+/// What an act wants of a lesson.
+struct ActNeeds {
+  /// A table of the file, "path" say. All tables but that one belong to the act of their name.
+  std::string_view table = {};
+  int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
+  int most_vertices = 0;      ///< Of each shape; 0: as many as a lesson may have.
+  bool takes_path = true;     ///< False: no table [path] may go with it.
+  bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
+  std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
+};
+
+/// How runs become frames (`steps.granularity`): a lesson is told act by act.
+struct Act {
+  std::string_view name;     ///< "phase"
+  std::string_view meaning;  ///< What one frame is for, after "one frame for each".
+  ActNeeds needs = {};
+  /// Appends the frames of run `index`.
+  void (*add_frames)(LessonRun& run, int index) = nullptr;
+  /// Frames go through the steps of a run: questions belong to its iterations.
+  bool follows_run = false;
+  /// Each frame is another position of the path.
+  bool sweeps = false;
+  std::span<const Ask> asks = {};  ///< The questions that its frames can ask.
+  /// Index of the step that `frame` shows and the frame before it did not, and that answers; -1
+  /// where there is none. Only with `asks`.
+  int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
+                        const LessonQuestion& question) = nullptr;
+};
+
+/// A panel block, a listing or an effect.
+struct Term {
+  std::string_view name;
+  std::string_view act = {};   ///< The act that it goes with; empty: any.
+  bool second_run = false;     ///< It shows the run in the scalar `query.beside`.
+  bool takes_listing = false;  ///< A block that shows `panel.listing`.
+};
+
+struct Vocabulary {
+  std::vector<const Act*> acts;
+  std::vector<const Act*> plots;  ///< Those that fill a view with a plot, called like the act.
+  std::vector<Term> blocks;
+  std::vector<Term> listings;
+  std::vector<Term> effects;  ///< That views can call for.
+
+  /// nullptr when there is none of this name.
+  [[nodiscard]] const Act* act(std::string_view name) const;
+};
+
+/// nullptr when there is none of this name.
+[[nodiscard]] const Term* find_term(const std::vector<Term>& terms, std::string_view name);
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Term>& terms);
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<const Act*>& acts);
+
+}  // namespace gjkscope

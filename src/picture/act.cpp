@@ -1,0 +1,106 @@
+#include "picture/act.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "effects/history.hpp"
+#include "effects/second_run.hpp"
+#include "effects/slab.hpp"
+#include "lesson/questions.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope {
+
+using fmt::format;
+
+bool asks_later(const LessonRun& run, int index) {
+  return std::any_of(run.frames.begin() + index, run.frames.end(),
+                     [](const Frame& later) { return later.question >= 0; });
+}
+
+std::string position_in_run(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const bool asks = asks_later(run, index);
+  if (frame.step < 0)
+    return asks ? "start" : format("start · {} of {}", index + 1, run.frames.size());
+  const gjk::Step<double, 2>& step = run.step(frame);
+  const std::string_view phase = phase_word(step.phase);
+  if (asks) return format("iteration {} · {}", step.iteration, phase);
+  return format("iteration {} of {} · {}", step.iteration, run.run(frame).trace.result.iterations,
+                phase);
+}
+
+std::string position_on_path(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const std::string position = format("position {} of {}", frame.run + 1, run.runs.size());
+  const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
+  return has_clock ? format("{} · t = {} s", position, fixed(run.run(frame).time, 2)) : position;
+}
+
+std::string position_in_lesson(const LessonRun& run, int index) {
+  if (run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds)
+    return position_on_path(run, index);
+  return asks_later(run, index) ? format("step {}", index + 1)
+                                : format("{} of {}", index + 1, run.frames.size());
+}
+
+Tick tick_of_step(const LessonRun& run, const Frame& frame) {
+  if (frame.step < 0) return {.group = "start", .label = "S"};
+  const gjk::Step<double, 2>& step = run.step(frame);
+  constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
+                                                                       {"drop", "−"},
+                                                                       {"direction", "d"},
+                                                                       {"support", "V"},
+                                                                       {"stop?", "?"},
+                                                                       {"add", "+"}}};
+  const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
+  return {.group = format("iteration {}", step.iteration),
+          .label = std::string(label),
+          .short_label = std::string(short_label),
+          .event = !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running,
+          .phase = step.phase};
+}
+
+std::string group_of_position(const LessonRun& run, const Frame& frame,
+                              const std::string& otherwise) {
+  return run.runs.size() > 1 ? format("position {}", frame.run + 1) : otherwise;
+}
+
+void add_step_frames(LessonRun& run, int index,
+                     bool (*shows)(const LessonRun&, int index, int step)) {
+  run.frames.push_back({.run = index});
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  for (int i = 0; i <= last; ++i) {
+    if (shows(run, index, i)) run.frames.push_back({.run = index, .step = i});
+  }
+}
+
+int answering_step_of_run(const LessonRun& run, const Frame& before, const Frame& frame,
+                          const LessonQuestion& question) {
+  const WideTrace& trace = run.run(frame).trace;
+  for (int i = before.step + 1; i <= frame.step; ++i) {
+    const bool is_asked =
+        tells(trace, i, question.ask) && (!question.at || *question.at == trace.steps[i].iteration);
+    if (is_asked && is_open(run, trace, question.ask, i)) return i;
+  }
+  return -1;
+}
+
+void stage_step(SceneBuilder& scene) {
+  if (scene.shows_difference && !scene.shows(Slab::kName)) layers::best_support_line(scene);
+  if (scene.shows(History::kName)) layers::history(scene);
+  layers::simplex(scene);
+  if (scene.shows_difference) {
+    layers::closest_line(scene);
+    if (scene.shows(SecondRun::kName)) layers::second_run(scene);
+    layers::search(scene);
+    layers::closest_point(scene);
+  } else {
+    layers::witness_points(scene);
+    layers::search_between_shapes(scene);
+  }
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,33 @@
+#include <array>
+
+#include "picture/acts/acts.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<Ask, 4> kIterationAsks = {Ask::support, Ask::region, Ask::dropped, Ask::stop};
+
+bool ends_iteration(const LessonRun& run, int index, int step) {
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  return step == last_step(run.lesson, trace) ||
+         trace.steps[step + 1].iteration != trace.steps[step].iteration;
+}
+
+void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, ends_iteration); }
+
+}  // namespace
+
+const StagedAct kIteration{
+    .act = {.name = "iteration",
+            .meaning = "iteration of the run",
+            .add_frames = iteration_frames,
+            .follows_run = true,
+            .asks = kIterationAsks,
+            .answering_step = answering_step_of_run},
+    .position = position_in_run,
+    .tick = tick_of_step,
+    .words = captions::step,
+    .stage = stage_step,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "picture/acts/acts.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void orders_frames(LessonRun& run, int index) {
+  using enum OrderStage;
+  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  for (const OrderStage stage :
+       {numbers, vertices_first_short, edges_first_short, edges_first_whole})
+    run.frames.push_back({.run = index, .step = 0, .order = stage});
+}
+
+Tick orders_tick(const LessonRun&, const Frame& frame) {
+  constexpr std::array<std::string_view, 4> kLabels = {"numbers", "vertices first", "edges first",
+                                                       "whole tests"};
+  return {.group = fmt::format("position {}", frame.run + 1),
+          .label = std::string(kLabels[static_cast<std::size_t>(*frame.order)])};
+}
+
+}  // namespace
+
+const StagedAct kOrders{
+    .act = {.name = "orders",
+            .meaning = "order in which the region tests of a triangle are asked: the numbers, then "
+                       "three chains of tests",
+            .needs = {.start = 3, .why_no_until = "frames go through the first region tests"},
+            .add_frames = orders_frames},
+    .position = position_in_lesson,
+    .tick = orders_tick,
+    .words = captions::orders,
+    .stage = stage_step,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <array>
+
+#include "picture/acts/acts.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<Ask, 4> kPhaseAsks = {Ask::support, Ask::region, Ask::dropped, Ask::stop};
+
+bool is_chosen(const LessonRun& run, int index, int step) {
+  const std::vector<gjk::Phase>& phases = run.lesson.phases;
+  const gjk::Phase phase = run.runs[static_cast<std::size_t>(index)].trace.steps[step].phase;
+  return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
+}
+
+void phase_frames(LessonRun& run, int index) { add_step_frames(run, index, is_chosen); }
+
+}  // namespace
+
+const StagedAct kPhase{
+    .act = {.name = "phase",
+            .meaning = "phase of each iteration: closest point, cull, direction, support, stop "
+                       "tests, add",
+            .needs = {.takes_phases = true},
+            .add_frames = phase_frames,
+            .follows_run = true,
+            .asks = kPhaseAsks,
+            .answering_step = answering_step_of_run},
+    .position = position_in_run,
+    .tick = tick_of_step,
+    .words = captions::step,
+    .stage = stage_step,
+};
+
+}  // namespace gjkscope::acts

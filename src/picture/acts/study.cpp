@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "picture/acts/acts.hpp"
+#include "picture/layers/layers.hpp"
+#include "picture/study_words.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<Ask, 2> kStudyAsks = {Ask::overlap, Ask::time};
+
+void study_frames(LessonRun& run, int index) {
+  using enum StudyStage;
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int all_marks = static_cast<int>(run.lesson.study->marks.size());
+  const int first = std::min(2, all_marks);
+  const auto add = [&](StudyStage stage, int marks) {
+    run.frames.push_back({.run = index, .step = last, .study = StudyFrame{stage, marks}});
+  };
+  for (const StudyStage stage : {shapes, gap, in_float, in_double, error}) add(stage, 0);
+  for (const StudyStage stage : {error_axis, time_axis}) add(stage, first);
+  for (int marks = first + 1; marks <= all_marks; ++marks) add(mark, marks);
+  for (const StudyStage stage : {front, all, choice}) add(stage, all_marks);
+}
+
+int study_answer(const LessonRun&, const Frame&, const Frame& frame,
+                 const LessonQuestion& question) {
+  using enum StudyStage;
+  const bool answers = question.ask == Ask::overlap
+                           ? frame.study->stage == gap
+                           : question.ask == Ask::time && frame.study->stage == mark &&
+                                 (!question.at || *question.at == frame.study->marks);
+  return answers ? frame.step : -1;
+}
+
+Tick study_tick(const LessonRun& run, const Frame& frame) {
+  using enum StudyStage;
+  const auto [stage, marks] = *frame.study;
+  Tick tick{.group = stage < error_axis ? "one pair"
+                     : stage < front    ? "time and error"
+                                        : "the front",
+            .event = stage == error || stage == choice};
+  constexpr std::array<std::string_view, 11> kLabels = {
+      "shapes", "gap", "float",        "double", "error",       "errors",
+      "times",  "",    "of the marks", "of all", "what to take"};
+  tick.label = stage == mark
+                   ? run.lesson.study->marks[static_cast<std::size_t>(marks - 1)].configuration
+                   : std::string(kLabels[static_cast<std::size_t>(stage)]);
+  return tick;
+}
+
+void study_values(const Story& story, FrameText& text) {
+  using enum StudyStage;
+  text.values.emplace_back("x", story.run.lesson.x.name);
+  text.values.emplace_back("y", story.run.lesson.y.name);
+  for (const StudyDot& dot : introduced(*story.run.lesson.study, story.frame.study->marks)) {
+    text.values.emplace_back(dot.configuration,
+                             fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
+  }
+}
+
+bool study_fill(SceneBuilder& scene, const Fonts& fonts) {
+  if (scene.view.kind != ViewKind::plot) return false;
+  layers::study(scene, fonts);
+  return true;
+}
+
+std::string study_plot_title(const LessonRun& run) {
+  return fmt::format("Pairs: {}", run.lesson.study->family);
+}
+
+}  // namespace
+
+const StagedAct kStudy{
+    .act = {.name = "study",
+            .meaning =
+                "part of three acts: the pair X and Y, its gap, its answers in float and double, "
+                "what an error is; the axis of errors, that of times, each mark of [study]; the "
+                "front of the marks, that of all, what to take",
+            .needs = {.table = "study",
+                      .takes_path = false,
+                      .why_no_until = "frames show how the run ends"},
+            .add_frames = study_frames,
+            .asks = kStudyAsks,
+            .answering_step = study_answer},
+    .position = position_in_lesson,
+    .tick = study_tick,
+    .words = captions::study,
+    .stage = layers::answer,
+    .question = captions::study_question,
+    .values = study_values,
+    .fill = study_fill,
+    .plot_title = study_plot_title,
+};
+
+}  // namespace gjkscope::acts

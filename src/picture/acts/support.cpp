@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "picture/acts/acts.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void support_frames(LessonRun& run, int index) {
+  using enum SupportPart;
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const int last = last_step(run.lesson, trace);
+  const std::size_t before = run.frames.size();
+  for (int i = 0; i <= last; ++i) {
+    if (trace.steps[i].phase != gjk::Phase::support) continue;
+    for (const SupportPart part : {direction, of_y, of_x, of_z})
+      run.frames.push_back({.run = index, .step = i, .support_part = part});
+  }
+  // A run that needs no support point shows how it ends.
+  if (run.frames.size() == before) run.frames.push_back({.run = index, .step = last});
+}
+
+std::string support_position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  if (!frame.support_part) return position_in_lesson(run, index);
+  constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
+                                                      "support of Z"};
+  return fmt::format("iteration {} of {} · {}", run.step(frame).iteration,
+                     run.run(frame).trace.result.iterations,
+                     kParts[static_cast<std::size_t>(*frame.support_part)]);
+}
+
+Tick support_tick(const LessonRun& run, const Frame& frame) {
+  using enum SupportPart;
+  if (!frame.support_part) return tick_of_step(run, frame);
+  constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
+  const auto part = static_cast<std::size_t>(*frame.support_part);
+  return {.group = fmt::format("iteration {}", run.step(frame).iteration),
+          .label = std::string(kParts[part]),
+          .short_label = std::string(1, "dYXZ"[part]),
+          .event = frame.support_part == of_z};
+}
+
+void support_words(const Story& story, FrameText& text) {
+  return story.frame.support_part ? captions::support_in_parts(story, text)
+                                  : captions::step(story, text);
+}
+
+void support_stage(SceneBuilder& scene) {
+  return scene.frame.support_part ? layers::support_in_parts(scene) : stage_step(scene);
+}
+
+}  // namespace
+
+const StagedAct kSupport{
+    .act = {.name = "support",
+            .meaning = "part of each support step: the direction, the support point of Y, that of "
+                       "X, their difference",
+            .add_frames = support_frames},
+    .position = support_position,
+    .tick = support_tick,
+    .words = support_words,
+    .stage = support_stage,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,49 @@
+#include <array>
+
+#include "lesson/questions.hpp"
+#include "picture/acts/acts.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<Ask, 1> kTestAsks = {Ask::region};
+
+void test_frames(LessonRun& run, int index) {
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  if (trace.steps.empty()) return;
+  const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
+  for (int i = 0; i <= tests; ++i) run.frames.push_back({.run = index, .step = 0, .tests = i});
+}
+
+int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                const LessonQuestion& question) {
+  const int regions = (1 << state_before(run.run(frame).trace, frame.step).simplex.count) - 1;
+  const bool decides = frame.tests > 0 && *frame.tests < regions &&
+                       run.step(frame).record.region_tests[*frame.tests - 1].holds;
+  return decides && question.ask == Ask::region ? frame.step : -1;
+}
+
+Tick test_tick(const LessonRun& run, const Frame& frame) {
+  const std::string group = group_of_position(run, frame, "ordered tests");
+  if (frame.tests == 0) return {.group = group, .label = "weights"};
+  const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[*frame.tests - 1];
+  const std::string face = SimplexWords(run, run.state(frame).simplex).face(test.region);
+  return {.group = group, .label = "region " + face, .short_label = face, .event = test.holds};
+}
+
+}  // namespace
+
+const StagedAct kTest{
+    .act = {.name = "test",
+            .meaning = "test of a Voronoi region, in the first closest-point phase",
+            .needs = {.why_no_until = "frames go through the first region tests"},
+            .add_frames = test_frames,
+            .asks = kTestAsks,
+            .answering_step = test_answer},
+    .position = position_in_lesson,
+    .tick = test_tick,
+    .words = captions::step,
+    .stage = stage_step,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include "picture/acts/acts.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void time_frames(LessonRun& run, int index) {
+  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  const int moments = static_cast<int>(run.lesson.time->at(index).size());
+  for (int i = 0; i < moments; ++i) run.frames.push_back({.run = index, .step = 0, .moment = i});
+}
+
+std::string time_position(const LessonRun& run, int index) {
+  const double seconds = run.seconds(run.frames[static_cast<std::size_t>(index)]);
+  return fmt::format("t = {} s · {} of {}", fixed(seconds, 2), index + 1, run.frames.size());
+}
+
+Tick time_tick(const LessonRun& run, const Frame& frame) {
+  const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
+  const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
+  const auto weight = [&](int k) { return fixed(weights.numerator[k] / weights.denominator, 2); };
+  return {.group = fmt::format("u = {}, v = {}", weight(0), weight(1)),
+          .label = fixed(run.seconds(frame), 2) + " s"};
+}
+
+}  // namespace
+
+const StagedAct kTime{
+    .act = {.name = "time",
+            .meaning =
+                "moment of [time], at each position of X; for a point query whose `start` is a "
+                "segment",
+            .needs = {.table = "time",
+                      .start = 2,
+                      .why_no_until = "frames go through the first region tests"},
+            .add_frames = time_frames},
+    .position = time_position,
+    .tick = time_tick,
+    .words = captions::balance,
+    .stage = stage_step,
+};
+
+}  // namespace gjkscope::acts

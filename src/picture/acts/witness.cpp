@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "picture/acts/acts.hpp"
+#include "picture/layers/layers.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<std::string_view, 4> kWitnessParts = {"P", "on Y", "on X", "y − x"};
+
+void witness_frames(LessonRun& run, int index) {
+  using enum WitnessPart;
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  if (last < 0) return run.frames.push_back({.run = index});
+  for (const WitnessPart part : {p, on_y, on_x, distance})
+    run.frames.push_back({.run = index, .step = last, .witness_part = part});
+}
+
+std::string witness_position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
+  if (!frame.witness_part || has_clock) return position_in_lesson(run, index);
+  return fmt::format("{} · {}", position_on_path(run, index),
+                     kWitnessParts[static_cast<std::size_t>(*frame.witness_part)]);
+}
+
+Tick witness_tick(const LessonRun& run, const Frame& frame) {
+  using enum WitnessPart;
+  if (!frame.witness_part) return tick_of_step(run, frame);
+  return {.group = group_of_position(run, frame, "answer"),
+          .label = std::string(kWitnessParts[static_cast<std::size_t>(*frame.witness_part)]),
+          .event = frame.witness_part == distance};
+}
+
+}  // namespace
+
+const StagedAct kWitness{
+    .act = {.name = "witness",
+            .meaning = "part of each answer: P, its weights on the vertices of Y, on those of X, "
+                       "the distance",
+            .needs = {.why_no_until = "frames show how the run ends"},
+            .add_frames = witness_frames},
+    .position = witness_position,
+    .tick = witness_tick,
+    .words = captions::witness,
+    .stage = layers::answer,
+};
+
+}  // namespace gjkscope::acts

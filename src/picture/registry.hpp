@@ -1,0 +1,25 @@
+#pragma once
+// All that a lesson can name, in tables: acts, panel blocks, listings and effects.
+
+#include <span>
+
+#include "lesson/vocabulary.hpp"
+#include "picture/act.hpp"
+#include "picture/blocks/blocks.hpp"
+
+namespace gjkscope {
+
+/// In the order in which lessons/README.md lists them.
+[[nodiscard]] std::span<const StagedAct* const> registered_acts();
+[[nodiscard]] std::span<const Block* const> registered_blocks();
+
+/// What the loader knows of them.
+[[nodiscard]] const Vocabulary& vocabulary();
+
+/// The act of a run.
+[[nodiscard]] const StagedAct& staged(const LessonRun& run);
+
+/// Runs a lesson with the act that it names, which must be registered.
+[[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+}  // namespace gjkscope
