@@ -14,9 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cli/commands.hpp"
-#include "cli/export.hpp"
-#include "cli/input.hpp"
+#include "effects/registry.hpp"
+#include "export/export.hpp"
 #include "lesson/case.hpp"
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"

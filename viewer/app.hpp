@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "edit.hpp"
 #include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
-#include "session.hpp"
+#include "session/edit.hpp"
+#include "session/session.hpp"
 
 namespace gjkscope {
 

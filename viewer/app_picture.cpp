@@ -10,10 +10,10 @@
 
 #include "app.hpp"
 #include "geometry/polygon.hpp"
-#include "hit.hpp"
 #include "imgui_vec.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
+#include "session/hit.hpp"
 
 namespace gjkscope {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app.hpp"
-#include "cli/input.hpp"
+#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
 #include "picture/registry.hpp"

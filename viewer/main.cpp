@@ -8,7 +8,6 @@
 #include <iostream>
 #include <iterator>
 
-#include "cli/commands.hpp"
 #include "lesson/file.hpp"
 #include "paint/png.hpp"
 #include "script.hpp"
@@ -18,6 +17,9 @@ namespace {
 using namespace gjkscope;
 namespace fs = std::filesystem;
 
+constexpr int kProblem = 1;
+constexpr int kUsage = 2;
+constexpr int kCannot = 3;
 constexpr const char* kFooter = R"(Exit codes:
   0  done
   1  a lesson or case cannot be shown
@@ -87,7 +89,7 @@ int run(int argc, char** argv) {
     }
     if (script.empty() && screenshot.empty()) {
       window.run();
-      return kDone;
+      return 0;
     }
     if (!script.empty()) {
       std::ifstream stream(script, std::ios::binary);
@@ -98,7 +100,7 @@ int run(int argc, char** argv) {
       const std::vector<std::uint8_t> png = encode_png(window.screenshot());
       write_whole(screenshot, std::span<const std::uint8_t>(png));
     }
-    return kDone;
+    return 0;
   } catch (const NoWindow& error) {
     std::cerr << "gjkscope-viewer: " << error.what()
               << "\nWithout a window, `gjkscope export LESSON --out DIR` draws the same frames "

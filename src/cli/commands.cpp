@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -67,19 +66,6 @@ std::vector<Problem> problems_of_cases(std::string_view text, const std::string&
 }
 
 }  // namespace
-
-fs::path share_folder() {
-  if (const char* given = std::getenv("GJKSCOPE_SHARE"); given != nullptr && *given != '\0') {
-    return given;
-  }
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  if (!failed) {
-    fs::path installed = program.parent_path().parent_path() / "share" / "gjkscope";
-    if (fs::is_directory(installed / "lessons", failed)) return installed;
-  }
-  return GJKSCOPE_SOURCE_DIR;
-}
 
 std::optional<std::pair<int, int>> parse_size(std::string_view text) {
   const std::size_t x = text.find('x');

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/export.hpp"
+#include "export/export.hpp"
 #include "lesson/lesson.hpp"
 
 namespace gjkscope {
@@ -30,10 +30,6 @@ struct Environment {
   std::ostream& out;  ///< What was asked for.
   std::ostream& err;  ///< What went wrong.
 };
-
-/// Where lessons/ and assets/ are: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of the
-/// program, if it is there; else the source tree that the program was built from.
-[[nodiscard]] std::filesystem::path share_folder();
 
 /// A list of lessons by id or path, or all of the shipped ones.
 struct LessonChoice {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cli/commands.hpp"
+#include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/problem.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
-#include "cli/signal_watch.hpp"
+#include "export/signal_watch.hpp"
 #include "lesson/case.hpp"
 #include "lesson/file.hpp"
 #include "paint/canvas.hpp"

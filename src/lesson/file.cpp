@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -113,6 +114,19 @@ void remove_leftovers(const std::filesystem::path& folder) {
     if (process != ::getpid() && is_alive(process)) continue;
     std::filesystem::remove(entry.path(), ignored);
   }
+}
+
+std::filesystem::path share_folder() {
+  if (const char* given = std::getenv("GJKSCOPE_SHARE"); given != nullptr && *given != '\0') {
+    return given;
+  }
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  if (!failed) {
+    std::filesystem::path installed = program.parent_path().parent_path() / "share" / "gjkscope";
+    if (std::filesystem::is_directory(installed / "lessons", failed)) return installed;
+  }
+  return GJKSCOPE_SOURCE_DIR;
 }
 
 }  // namespace gjkscope

@@ -1,5 +1,5 @@
 #pragma once
-// Files that appear whole or not at all.
+// Files that appear whole or not at all, and where the shipped ones are.
 
 #include <cstdint>
 #include <filesystem>
@@ -19,5 +19,9 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 
 /// Removes the temporary files that a killed process left in `folder`.
 void remove_leftovers(const std::filesystem::path& folder);
+
+/// Where lessons/ and assets/ are: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of the
+/// program, if it is there; else the source tree that the program was built from.
+[[nodiscard]] std::filesystem::path share_folder();
 
 }  // namespace gjkscope

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/export.hpp"
 #include "effects/graph.hpp"
+#include "export/export.hpp"
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"

@@ -13,10 +13,10 @@
 #include <numeric>
 
 #include "claims.hpp"
-#include "cli/input.hpp"
 #include "cli/trace_json.hpp"
 #include "cli/trace_text.hpp"
 #include "effects/graph.hpp"
+#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"

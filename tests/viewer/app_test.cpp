@@ -14,11 +14,11 @@
 
 #include "command_line.hpp"
 #include "headless_app.hpp"
-#include "hit.hpp"
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
+#include "session/hit.hpp"
 #include "study/configuration.hpp"
 
 namespace gjkscope {

@@ -2,16 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "fonts.hpp"
+
 namespace gjkscope::test {
 
-namespace {
-const std::filesystem::path kShare = GJKSCOPE_SOURCE_DIR;
-}
-
-const Fonts& fonts() {
-  static const Fonts loaded(kShare / "assets" / "fonts.toml");
-  return loaded;
-}
+using testing::fonts;
 
 HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& state)
     : context_(ImGui::CreateContext()) {
@@ -20,7 +15,7 @@ HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& s
   io.IniFilename = nullptr;
   io.MousePos = ImVec2(-1e9f, -1e9f);
   try {
-    app_ = std::make_unique<App>(App::Paths{kShare, state}, fonts(), name);
+    app_ = std::make_unique<App>(App::Paths{GJKSCOPE_SOURCE_DIR, state}, fonts(), name);
   } catch (...) {
     ImGui::DestroyContext(context_);
     throw;

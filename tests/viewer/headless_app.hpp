@@ -10,8 +10,6 @@
 
 namespace gjkscope::test {
 
-[[nodiscard]] const Fonts& fonts();
-
 class HeadlessApp {
  public:
   /// `state`: where unsaved work is kept; empty: nowhere.

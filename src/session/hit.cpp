@@ -1,4 +1,4 @@
-#include "hit.hpp"
+#include "session/hit.hpp"
 
 #include <algorithm>
 #include <cmath>

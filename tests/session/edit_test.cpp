@@ -1,6 +1,6 @@
 // Changes of shapes.
 
-#include "edit.hpp"
+#include "session/edit.hpp"
 
 #include <gtest/gtest.h>
 

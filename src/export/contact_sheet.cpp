@@ -1,4 +1,4 @@
-#include "cli/contact_sheet.hpp"
+#include "export/contact_sheet.hpp"
 
 #include <fmt/format.h>
 

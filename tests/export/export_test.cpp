@@ -1,4 +1,4 @@
-#include "cli/export.hpp"
+#include "export/export.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cli/contact_sheet.hpp"
+#include "export/contact_sheet.hpp"
 #include "lesson/html.hpp"
 #include "lesson/load.hpp"
 #include "picture/registry.hpp"

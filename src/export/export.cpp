@@ -1,4 +1,4 @@
-#include "cli/export.hpp"
+#include "export/export.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,10 +14,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cli/contact_sheet.hpp"
-#include "cli/frame_writer.hpp"
-#include "cli/signal_watch.hpp"
 #include "effects/graph.hpp"
+#include "export/contact_sheet.hpp"
+#include "export/frame_writer.hpp"
+#include "export/signal_watch.hpp"
 #include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"

@@ -1,4 +1,4 @@
-#include "edit.hpp"
+#include "session/edit.hpp"
 
 #include <fmt/format.h>
 

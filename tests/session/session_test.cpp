@@ -1,24 +1,24 @@
 // History, the place in the run, and predict mode.
 
-#include "session.hpp"
+#include "session/session.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "edit.hpp"
 #include "effects/growth.hpp"
-#include "headless_app.hpp"
+#include "fonts.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
+#include "session/edit.hpp"
 
 namespace gjkscope {
 namespace {
 
 using edit::Which;
 using Eigen::Vector2d;
-using test::fonts;
+using testing::fonts;
 using testing::shipped_lesson;
 
 void move_y(Session& session, double by) {

@@ -1,4 +1,4 @@
-#include "cli/frame_writer.hpp"
+#include "export/frame_writer.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "cli/signal_watch.hpp"
+#include "export/signal_watch.hpp"
 
 namespace gjkscope {
 namespace {

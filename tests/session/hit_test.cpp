@@ -1,16 +1,16 @@
 // What is under the pointer.
 
-#include "hit.hpp"
+#include "session/hit.hpp"
 
 #include <gtest/gtest.h>
 
-#include "headless_app.hpp"
+#include "fonts.hpp"
 
 namespace gjkscope {
 namespace {
 
 using Kind = Subject::Kind;
-using test::fonts;
+using testing::fonts;
 
 TEST(Hit, PointsComeBeforeLinesAndLinesBeforeAreas) {
   Picture picture;
