@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "cli/input.hpp"
-#include "cli/trace_json.hpp"
+#include "trace/trace_json.hpp"
 #include "cli/trace_text.hpp"
 #include "cli/transcript.hpp"
 #include "effects/registry.hpp"

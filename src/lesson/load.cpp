@@ -25,28 +25,6 @@ using detail::Problems;
 using detail::Reader;
 using detail::Table;
 
-struct FileText {
-  std::optional<std::string> text;
-  std::string problem;
-};
-
-FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
-  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return {std::nullopt, "the file cannot be opened"};
-  // One byte more than allowed tells that there is more, however large the file.
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return {std::nullopt, "the file cannot be read"};
-  std::string text(std::min<std::uintmax_t>(size, most_bytes) + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) return {std::nullopt, "the file cannot be read"};
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return {std::move(text), {}};
-}
-
 constexpr std::string_view kPathTable = "path";
 
 std::string one_of(const std::vector<std::string>& names) {
@@ -68,11 +46,13 @@ struct ShapePlace {
 class LessonReader {
  public:
   /// `folder`: from which the file sees others.
-  LessonReader(Problems& problems, const Vocabulary& vocabulary, std::filesystem::path folder)
+  LessonReader(Problems& problems, const Vocabulary& vocabulary, std::filesystem::path folder,
+               const FileReader& read_file)
       : problems_(problems),
         reader_(problems),
         vocabulary_(vocabulary),
-        folder_(std::move(folder)) {}
+        folder_(std::move(folder)),
+        read_file_(read_file) {}
 
   Lesson read(const toml::table& root);
 
@@ -109,6 +89,7 @@ class LessonReader {
   Reader reader_;
   const Vocabulary& vocabulary_;
   std::filesystem::path folder_;
+  const FileReader& read_file_;
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
@@ -536,7 +517,7 @@ void LessonReader::read_study(const Table& study) {
   read.results = reader_.text(results, kPathLength).value_or("");
   if (!read.results.empty()) {
     const std::filesystem::path file = folder_ / read.results;
-    const FileText text = read_file(file, kResultsBytes);
+    const FileText text = read_file_(file, kResultsBytes);
     if (!text.text) {
       problems_.add(results.place(), fmt::format("{}: {}", file.string(), text.problem),
                     "accuracy.json of `gjkscope study accuracy --out`");
@@ -839,12 +820,29 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
 
 }  // namespace
 
+FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
+  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {std::nullopt, "the file cannot be opened"};
+  // One byte more than allowed tells that there is more, however large the file.
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return {std::nullopt, "the file cannot be read"};
+  std::string text(std::min<std::uintmax_t>(size, most_bytes) + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) return {std::nullopt, "the file cannot be read"};
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return {std::move(text), {}};
+}
+
 LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
-                          const Vocabulary& vocabulary) {
+                          const Vocabulary& vocabulary, const FileReader& read) {
   Problems problems(name.string());
   const std::optional<toml::table> file = parse_toml(text, problems);
   if (!file) return {std::nullopt, problems.sorted()};
-  Lesson lesson = LessonReader(problems, vocabulary, name.parent_path()).read(*file);
+  Lesson lesson = LessonReader(problems, vocabulary, name.parent_path(), read).read(*file);
   if (!problems.empty()) return {std::nullopt, problems.sorted()};
   lesson.id = name.stem().string();
   lesson.path = name.string();

@@ -6,6 +6,7 @@
 // the vocabulary of all that a file may name is handed in.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,9 +29,22 @@ struct LoadedLesson {
 [[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
                                        const Vocabulary& vocabulary);
 
-/// The same from text; `name` stands for the file in problems and gives the lesson's id.
+/// A file's text, or why there is none.
+struct FileText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+/// Gives files that a lesson names; of a larger file than `most_bytes` the first bytes, one more.
+using FileReader =
+    std::function<FileText(const std::filesystem::path& file, std::size_t most_bytes)>;
+/// From the file system.
+[[nodiscard]] FileText read_file(const std::filesystem::path& file, std::size_t most_bytes);
+
+/// The same from text; `name` stands for the file in problems and gives the lesson's id. Results of
+/// a study are read by `read`.
 [[nodiscard]] LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
-                                        const Vocabulary& vocabulary);
+                                        const Vocabulary& vocabulary,
+                                        const FileReader& read = read_file);
 
 /// Where a key of a lesson file stands; for problems found only after loading. Keys are dotted,
 /// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2".

@@ -59,8 +59,9 @@ int weight(Face face) {
 /// One mark as an element, without its clip.
 class MarkWriter {
  public:
-  MarkWriter(const Style& style, const Fonts& fonts, const std::string& clip)
-      : style_(style), fonts_(fonts), clip_(clip) {}
+  /// `more`: attributes of each element.
+  MarkWriter(const Style& style, const Fonts& fonts, const std::string& more)
+      : style_(style), fonts_(fonts), more_(more) {}
 
   std::string operator()(const Polygon& polygon) const {
     return outline(polygon.points, style_.fill, style_.stroke, true);
@@ -79,7 +80,7 @@ class MarkWriter {
   std::string operator()(const Disk& disk) const {
     return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}{}{}/>\n", number(disk.center.x()),
                        number(disk.center.y()), number(disk.radius), paint("fill", style_.fill),
-                       stroke(style_.stroke), clip_);
+                       stroke(style_.stroke), more_);
   }
   std::string operator()(const Cross& cross) const {
     const Point x(cross.radius, 0.0);
@@ -96,7 +97,7 @@ class MarkWriter {
                        number(box.rect.min.x() + inset), number(box.rect.min.y() + inset),
                        number(size.x()), number(size.y()),
                        number(std::max(0.0, box.corner - inset)), paint("fill", style_.fill),
-                       stroke(style_.stroke), clip_);
+                       stroke(style_.stroke), more_);
   }
   std::string operator()(const Text& text) const {
     if (!style_.fill) return "";
@@ -105,7 +106,7 @@ class MarkWriter {
         "<text x=\"{}\" y=\"{}\" textLength=\"{}\" font-family=\"{}\" font-size=\"{}\" "
         "font-weight=\"{}\"{}{}>{}</text>\n",
         number(box.min.x()), number(text.at.y()), number(box.size().x()), family(text.style.face),
-        number(text.style.size), weight(text.style.face), paint("fill", style_.fill), clip_,
+        number(text.style.size), weight(text.style.face), paint("fill", style_.fill), more_,
         escape_html(text.text));
   }
 
@@ -132,15 +133,44 @@ class MarkWriter {
                                     const std::optional<Color>& line, bool closed) const {
     if (points.empty()) return "";
     return fmt::format("<path d=\"{}\"{}{}{}/>\n", path(points, closed), paint("fill", fill),
-                       stroke(line), clip_);
+                       stroke(line), more_);
   }
 
   const Style& style_;
   const Fonts& fonts_;
-  const std::string& clip_;
+  const std::string& more_;
 };
 
 }  // namespace
+
+std::string subject_name(const Subject& subject) {
+  using Kind = Subject::Kind;
+  switch (subject.kind) {
+    case Kind::none:
+      return "";
+    case Kind::vertex_of_x:
+      return fmt::format("x {}", subject.x);
+    case Kind::vertex_of_y:
+      return fmt::format("y {}", subject.y);
+    case Kind::shape_x:
+      return "X";
+    case Kind::shape_y:
+      return "Y";
+    case Kind::difference_vertex:
+      return fmt::format("z {} {}", subject.x, subject.y);
+    case Kind::difference:
+      return "Z";
+    case Kind::region:
+      return fmt::format("region {}", subject.x);
+    case Kind::frame:
+      return fmt::format("frame {}", subject.x);
+    case Kind::phase:
+      return fmt::format("phase {}", subject.x);
+    case Kind::study_dot:
+      return fmt::format("dot {}", subject.x);
+  }
+  return "";
+}
 
 std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& theme,
                    const std::string& title) {
@@ -163,9 +193,11 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
   out += fmt::format("<rect width=\"{}\" height=\"{}\"{}/>\n", width, height,
                      paint("fill", theme.background()));
   for (const Mark& mark : picture.marks) {
-    const std::string clip =
-        mark.clip < 0 ? "" : fmt::format(" clip-path=\"url(#clip{})\"", mark.clip);
-    out += std::visit(MarkWriter(theme.style(mark.role), fonts, clip), mark.shape);
+    std::string more = mark.clip < 0 ? "" : fmt::format(" clip-path=\"url(#clip{})\"", mark.clip);
+    more += fmt::format(" data-mark=\"{}\"", mark.role);
+    if (const std::string name = subject_name(mark.subject); !name.empty())
+      more += fmt::format(" data-of=\"{}\"", name);
+    out += std::visit(MarkWriter(theme.style(mark.role), fonts, more), mark.shape);
   }
   return out + "</svg>\n";
 }

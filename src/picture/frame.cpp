@@ -61,7 +61,8 @@ struct Layout {
   Rect timeline;
 };
 
-Layout layout_of(const LessonRun& run, int prose_lines, double width, double height) {
+Layout layout_of(const LessonRun& run, int prose_lines, const Page& page) {
+  const auto [width, height, zoom, bare] = page;
   Layout layout;
   layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0},
                      {width - kMargin, height - kMargin + 8.0}};
@@ -70,8 +71,9 @@ Layout layout_of(const LessonRun& run, int prose_lines, double width, double hei
   layout.prose_y = 70.0;
   const double top = 64.0 + kProseLine * prose_lines;
   const int views = static_cast<int>(run.lesson.views.size());
-  const Rect cards{{kMargin, top}, {width - kMargin, bottom}};
-  const bool has_panel = !run.lesson.panel.empty();
+  const Rect cards =
+      bare ? Rect{{0.0, 0.0}, {width, height}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
+  const bool has_panel = !bare && !run.lesson.panel.empty();
   // A tall page has its cards one below the other, any other page side by side.
   const bool tall = height > kTall * width;
   const int axis = tall ? 1 : 0;
@@ -209,7 +211,7 @@ LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const
     prose_lines =
         std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
   }
-  const Layout layout = layout_of(run_, static_cast<int>(prose_lines), page_.width, page_.height);
+  const Layout layout = layout_of(run_, static_cast<int>(prose_lines), page_);
   panel_ = layout.panel;
   prose_y_ = layout.prose_y;
   caption_y_ = layout.caption_y;
@@ -303,11 +305,14 @@ Picture LessonPictures::picture(int index) {
   picture.clip_corner = kCardCorner;
   PageWriter page{picture};
 
-  page.write("title", {kMargin, 44.0}, run_.lesson.title, type::kTitle);
-  page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
-             Align::right);
-  page.write_lines("prose", {kMargin, prose_y_},
-                   wrapped(fonts_, type::kProse, text.prose, text_width), type::kProse, kProseLine);
+  if (!page_.bare) {
+    page.write("title", {kMargin, 44.0}, run_.lesson.title, type::kTitle);
+    page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
+               Align::right);
+    page.write_lines("prose", {kMargin, prose_y_},
+                     wrapped(fonts_, type::kProse, text.prose, text_width), type::kProse,
+                     kProseLine);
+  }
 
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
@@ -345,6 +350,7 @@ Picture LessonPictures::picture(int index) {
     page.append(panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_));
   }
 
+  if (page_.bare) return picture;
   const double detail_y = page.write_lines(
       text.question ? "caption.question" : "caption", {kMargin, caption_y_},
       wrapped(fonts_, type::kCaption, text.caption, text_width), type::kCaption, kCaptionLine);

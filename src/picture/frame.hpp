@@ -50,6 +50,10 @@ struct Page {
   double width = 1280.0;
   double height = 720.0;
   double zoom = 1.0;
+  /// Holds the stages alone, from edge to edge, and may be smaller: the words, the panel and the
+  /// timeline are shown by other means.
+  bool bare = false;
+  friend bool operator==(const Page&, const Page&) = default;
 };
 /// The page of an image of `width` x `height` pixels.
 [[nodiscard]] Page page_of(int width, int height);

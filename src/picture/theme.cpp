@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace gjkscope {
@@ -134,10 +136,10 @@ class Reader {
   Color background_;
 };
 
-toml::table parse(const std::filesystem::path& file) {
+toml::table parse(std::string_view text, std::string_view path) {
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    table = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     fail(error.source(), std::string(error.description()));
   }
@@ -150,32 +152,59 @@ toml::table parse(const std::filesystem::path& file) {
   return table;
 }
 
+/// A theme's file, its base before it; `folder` is what errors say that they are in.
+std::vector<toml::table> parse_files(const ThemeTexts& texts, std::string_view name,
+                                     const std::filesystem::path& folder) {
+  const auto path = [&](std::string_view theme) {
+    return (folder / fmt::format("{}.toml", theme)).string();
+  };
+  const std::optional<std::string> text = texts(name);
+  if (!text) throw std::runtime_error(fmt::format(R"(no theme "{}")", name));
+  std::vector<toml::table> files;  // Moved, never copied: a copy forgets where it was read from.
+  files.push_back(parse(*text, path(name)));
+  const toml::node* base = files.front().get("base");
+  if (!base) return files;
+  const std::string base_name = base->value_or(std::string());
+  const std::optional<std::string> base_text = base_name == name ? std::nullopt : texts(base_name);
+  if (!base_text) fail(base->source(), "expected the name of another theme");
+  files.insert(files.begin(), parse(*base_text, path(base_name)));
+  if (const toml::node* further = files.front().get("base"))
+    fail(further->source(), "the base of a theme has no base itself");
+  return files;
+}
+
 }  // namespace
 
-Theme Theme::load(const std::filesystem::path& folder, std::string_view name) {
-  const std::vector<std::string> known = names(folder);
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw std::runtime_error(fmt::format(R"(no theme "{}" in {}; it has {})", name, folder.string(),
-                                         fmt::join(known, ", ")));
-  }
-  const auto file = [&](std::string_view theme) { return folder / fmt::format("{}.toml", theme); };
-  std::vector<toml::table> files;  // Moved, never copied: a copy forgets where it was read from.
-  files.push_back(parse(file(name)));
-  if (const toml::node* base = files.front().get("base")) {
-    const std::string base_name = base->value_or(std::string());
-    if (base_name == name || std::find(known.begin(), known.end(), base_name) == known.end()) {
-      fail(base->source(), "expected the name of another theme");
-    }
-    files.insert(files.begin(), parse(file(base_name)));
-    if (const toml::node* further = files.front().get("base")) {
-      fail(further->source(), "the base of a theme has no base itself");
-    }
-  }
+Theme Theme::resolve(const ThemeTexts& texts, std::string_view name,
+                     const std::filesystem::path& folder) {
+  const std::vector<toml::table> files = parse_files(texts, name, folder);
   Reader reader(files);
   Theme theme;
   theme.background_ = reader.background();
   theme.styles_ = std::move(reader).styles();
   return theme;
+}
+
+Theme Theme::read(const ThemeTexts& texts, std::string_view name) {
+  return resolve(texts, name, {});
+}
+
+Theme Theme::load(const std::filesystem::path& folder, std::string_view name) {
+  const std::vector<std::string> known = names(folder);
+  const auto is_known = [&](std::string_view theme) {
+    return std::find(known.begin(), known.end(), theme) != known.end();
+  };
+  if (!is_known(name)) {
+    throw std::runtime_error(fmt::format(R"(no theme "{}" in {}; it has {})", name, folder.string(),
+                                         fmt::join(known, ", ")));
+  }
+  const auto text = [&](std::string_view theme) -> std::optional<std::string> {
+    if (!is_known(theme)) return std::nullopt;
+    std::ifstream stream(folder / fmt::format("{}.toml", theme), std::ios::binary);
+    if (!stream) throw std::runtime_error(fmt::format("cannot read the theme \"{}\"", theme));
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  return resolve(text, name, folder);
 }
 
 std::vector<std::string> Theme::names(const std::filesystem::path& folder) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,8 +24,14 @@ struct Style {
   std::vector<double> dash;  ///< On, off, ... in frame pixels; empty: solid.
 };
 
+/// The text of a theme's file, by the theme's name; nothing when there is no such theme.
+using ThemeTexts = std::function<std::optional<std::string>(std::string_view name)>;
+
 class Theme {
  public:
+  /// Throws std::runtime_error with name.toml:line:column for a malformed theme, and for a name
+  /// that `texts` does not know.
+  [[nodiscard]] static Theme read(const ThemeTexts& texts, std::string_view name);
   /// Throws std::runtime_error with file:line:column for a malformed theme or an unknown name
   /// (naming those there are).
   [[nodiscard]] static Theme load(const std::filesystem::path& folder, std::string_view name);
@@ -37,6 +44,9 @@ class Theme {
   [[nodiscard]] const Style& style(std::string_view role) const;
 
  private:
+  [[nodiscard]] static Theme resolve(const ThemeTexts& texts, std::string_view name,
+                                     const std::filesystem::path& folder);
+
   Color background_;
   std::map<std::string, Style, std::less<>> styles_;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -118,21 +119,27 @@ struct FontFile {
   }
 };
 
-FontFile read_first(const std::vector<std::string>& candidates, std::string_view face,
-                    const std::vector<std::string>& packages) {
+/// Nothing when the bytes are no font.
+std::optional<FontFile> parse(std::vector<unsigned char> bytes) {
+  FontFile file;
+  file.bytes = std::move(bytes);
+  const int offset = file.bytes.empty() ? -1 : stbtt_GetFontOffsetForIndex(file.bytes.data(), 0);
+  if (offset < 0 || !stbtt_InitFont(&file.info, file.bytes.data(), offset)) return std::nullopt;
+  file.em = 1.0 / stbtt_ScaleForMappingEmToPixels(&file.info, 1.0f);
+  file.height = 1.0 / (stbtt_ScaleForPixelHeight(&file.info, 1.0f) * file.em);
+  return file;
+}
+
+std::vector<unsigned char> read_first(const std::vector<std::string>& candidates,
+                                      std::string_view face,
+                                      const std::vector<std::string>& packages) {
   std::string tried;
   for (const std::string& candidate : candidates) {
     std::ifstream stream(candidate, std::ios::binary);
-    FontFile file;
-    file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    const int offset = file.bytes.empty() ? -1 : stbtt_GetFontOffsetForIndex(file.bytes.data(), 0);
-    if (offset >= 0 && stbtt_InitFont(&file.info, file.bytes.data(), offset)) {
-      file.em = 1.0 / stbtt_ScaleForMappingEmToPixels(&file.info, 1.0f);
-      file.height = 1.0 / (stbtt_ScaleForPixelHeight(&file.info, 1.0f) * file.em);
-      return file;
-    }
-    tried += fmt::format("\n  {}: {}", candidate,
-                         file.bytes.empty() ? "cannot be read" : "is not a font");
+    std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(stream), {});
+    if (parse(bytes)) return bytes;
+    tried +=
+        fmt::format("\n  {}: {}", candidate, bytes.empty() ? "cannot be read" : "is not a font");
   }
   throw std::runtime_error(
       fmt::format("no font file for the face \"{}\"; tried:{}\nDebian has it: apt-get install {}",
@@ -190,23 +197,41 @@ struct Fonts::Loaded {
   }
 };
 
-Fonts::Fonts(const std::filesystem::path& config) : loaded_(std::make_unique<Loaded>()) {
+namespace {
+
+std::array<FaceBytes, kFaceCount> read_files(const std::filesystem::path& config) {
   toml::table table;
   try {
     table = toml::parse_file(config.string());
   } catch (const toml::parse_error& error) {
     throw problem(error.source(), error.description());
   }
-  for (int f = 0; f < kFaceCount; ++f) {
+  std::array<FaceBytes, kFaceCount> files;
+  for (std::size_t f = 0; f < files.size(); ++f) {
     const toml::table* entry = table[kFaceNames[f]].as_table();
     if (!entry) {
       throw problem(table.source(), fmt::format("expected a table [{}]", kFaceNames[f]));
     }
     const std::vector<std::string> packages = string_list(*entry, "packages");
-    Loaded::FaceFiles& face = loaded_->faces[f];
-    face.main = read_first(string_list(*entry, "files"), kFaceNames[f], packages);
-    face.fallback = read_first(string_list(*entry, "fallback"), kFaceNames[f], packages);
+    files[f].main = read_first(string_list(*entry, "files"), kFaceNames[f], packages);
+    files[f].fallback = read_first(string_list(*entry, "fallback"), kFaceNames[f], packages);
+  }
+  return files;
+}
 
+}  // namespace
+
+Fonts::Fonts(const std::filesystem::path& config) : Fonts(read_files(config)) {}
+
+Fonts::Fonts(std::array<FaceBytes, kFaceCount> files) : loaded_(std::make_unique<Loaded>()) {
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    std::optional<FontFile> main = parse(std::move(files[f].main));
+    std::optional<FontFile> fallback = parse(std::move(files[f].fallback));
+    if (!main || !fallback)
+      throw std::runtime_error(fmt::format("the face \"{}\" has no font", kFaceNames[f]));
+    Loaded::FaceFiles& face = loaded_->faces[f];
+    face.main = *std::move(main);
+    face.fallback = *std::move(fallback);
     for (char32_t digit = '0'; digit <= '9'; ++digit) {
       face.digit = std::max(face.digit, face.main.advance(face.main.glyph(digit)));
     }

@@ -2,6 +2,7 @@
 // Type: which faces and sizes there are, and how wide a text will be. No GL; widths come from the
 // font files.
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -51,9 +52,17 @@ inline constexpr TextStyle kTickBold{Face::semibold, 12};
 /// The characters of a text. What is not UTF-8 gives U+FFFD, one for each byte.
 [[nodiscard]] std::u32string code_points(std::string_view utf8);
 
-/// The font files of the six faces, from assets/fonts.toml.
+/// The bytes of a face's font file, and of the one that draws what the first lacks.
+struct FaceBytes {
+  std::vector<unsigned char> main;
+  std::vector<unsigned char> fallback;
+};
+
+/// The font files of the six faces.
 class Fonts {
  public:
+  /// In the order of Face. Throws std::runtime_error naming the face whose bytes are no font.
+  explicit Fonts(std::array<FaceBytes, kFaceCount> files);
   /// Reads `config` (assets/fonts.toml). Throws std::runtime_error naming the missing file and the
   /// Debian package that has it.
   explicit Fonts(const std::filesystem::path& config);

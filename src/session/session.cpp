@@ -348,7 +348,7 @@ std::string Session::answers_json() const {
 }
 
 void Session::set_page(const Page& page) {
-  if (page.width == page_.width && page.height == page_.height && page.zoom == page_.zoom) return;
+  if (page == page_) return;
   page_ = page;
   if (shown_) show(dragging_);
 }

@@ -1,4 +1,4 @@
-#include "cli/trace_json.hpp"
+#include "trace/trace_json.hpp"
 
 #include <fmt/format.h>
 

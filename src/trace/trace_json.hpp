@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/traced.hpp"
+#include "trace/traced.hpp"
 
 namespace gjkscope {
 

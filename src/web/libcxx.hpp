@@ -1,0 +1,39 @@
+#pragma once
+// What libc++ 14, which Debian's Emscripten has, lacks of C++20.
+
+#include <bit>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
+namespace std {
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
+
+/// Without a sign of its own: who calls it reads that.
+inline from_chars_result from_chars(const char* first, const char* last, double& value,
+                                    chars_format format = chars_format::general) {
+  const bool hex = format == chars_format::hex;
+  const string digits = hex ? "0123456789abcdefABCDEF." : "0123456789.";
+  if (first == last || digits.find(*first) == string::npos) return {first, errc::invalid_argument};
+  if (!hex && last - first > 1 && (first[1] == 'x' || first[1] == 'X')) last = first + 1;
+  const string text = (hex ? "0x" : "") + string(first, last);
+  char* end = nullptr;
+  errno = 0;
+  const double read = strtod(text.c_str(), &end);
+  const ptrdiff_t length = end - text.c_str() - (hex ? 2 : 0);
+  if (length <= 0) return {first, errc::invalid_argument};
+  if (isinf(read) || (read == 0.0 && errno == ERANGE))
+    return {first + length, errc::result_out_of_range};
+  value = read;
+  return {first + length, errc()};
+}
+
+}  // namespace std
+#endif
