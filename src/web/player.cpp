@@ -1,6 +1,7 @@
 #include "web/player.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "trace/trace_json.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -36,9 +38,9 @@ constexpr std::size_t kMostPairs = 100'000;  // differences that are drawn one b
 constexpr std::size_t kMostText = 1 << 21;   // bytes of a case; as of a lesson file
 
 std::string lines(const std::vector<Problem>& problems) {
-  std::string out;
-  for (const Problem& problem : problems) out += (out.empty() ? "" : "\n") + to_string(problem);
-  return out;
+  std::vector<std::string> out;
+  for (const Problem& problem : problems) out.push_back(to_string(problem));
+  return fmt::format("{}", fmt::join(out, "\n"));
 }
 
 std::string dumped(const Json& json) {
@@ -99,7 +101,6 @@ void add_depth(Json& list, const PositionedRun& run, ScalarKind scalar) {
 /// Names and values, as decimals and as hex floats.
 Json numbers(const LessonRun& run, const Frame& frame) {
   const gjk::State<double, 2>& state = run.state(frame);
-  const PositionedRun& here = run.run(frame);
   Json list = Json::array();
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
@@ -144,7 +145,7 @@ Json shape_json(const LessonShape& shape) {
 }
 
 template <class E>
-Json names_of() {
+Json json_names() {
   Json names = Json::array();
   for (const auto& [name, value] : Named<E>::kTable) names.push_back(name);
   return names;
@@ -292,7 +293,7 @@ void Player::open(const Asked& asked) {
   };
   const std::string text = asked.text("lesson");
   if (text.size() > kMostText) throw std::runtime_error("the lesson is too large");
-  LoadedLesson loaded = parse_lesson(text, asked.text("name"), view_effects(), read);
+  LoadedLesson loaded = parse_lesson(text, asked.text("name"), vocabulary(), read);
   if (!loaded.lesson) throw std::runtime_error(lines(loaded.problems));
   open_sound(*std::move(loaded.lesson));
 }
@@ -314,12 +315,13 @@ void Player::open_case(const Asked& asked) {
   lesson.options.start = plain.options.start;
   lesson.path_of_shapes.reset();
   lesson.questions.clear();
-  lesson.expect = {.stop = gjk::StopReason::repeated_support};
+  lesson.expect = {};
+  lesson.expect.stop = gjk::StopReason::repeated_support;
   for (LessonView& view : lesson.views) view.camera.reset();
   if (lesson.x.vertices.size() * lesson.y.vertices.size() > kMostPairs) {
     for (LessonView& view : lesson.views) view.effects.clear();
   }
-  const LoadedLesson read = parse_lesson(lesson_toml(lesson), name, view_effects());
+  const LoadedLesson read = parse_lesson(lesson_toml(lesson), name, vocabulary());
   if (!read.lesson) throw std::runtime_error(lines(read.problems));
   if (!session_.change("other shapes", [&](Lesson& changed) { changed = *read.lesson; }))
     throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
@@ -413,7 +415,7 @@ namespace {
 
 /// Refuses what a lesson file could not say, with the loader's words.
 void require_sound(const Lesson& lesson, const FileReader& read) {
-  const LoadedLesson loaded = parse_lesson(lesson_toml(lesson), "lesson", view_effects(), read);
+  const LoadedLesson loaded = parse_lesson(lesson_toml(lesson), "lesson", vocabulary(), read);
   if (loaded.lesson) return;
   std::string why;
   for (const Problem& problem : loaded.problems) {
@@ -546,9 +548,9 @@ std::string Player::shown() {
   out["numbers"] = numbers(run, session_.frame());
   out["outcome"] = outcome(run, session_.frame());
   out["numerics"] = numerics(lesson);
-  out["choices"] = {{"scalar", names_of<ScalarKind>()},
-                    {"direction", names_of<gjk::DirectionRule>()},
-                    {"regions", names_of<gjk::RegionOrder>()}};
+  out["choices"] = {{"scalar", json_names<ScalarKind>()},
+                    {"direction", json_names<gjk::DirectionRule>()},
+                    {"regions", json_names<gjk::RegionOrder>()}};
   if (std::max(lesson.x.vertices.size(), lesson.y.vertices.size()) <= edit::kMostEditable)
     out["shapes"] = {{"x", shape_json(lesson.x)}, {"y", shape_json(lesson.y)}};
   return dumped(out);

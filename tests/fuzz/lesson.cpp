@@ -13,12 +13,7 @@
 #include <numeric>
 
 #include "claims.hpp"
-<<<<<<< HEAD
-#include "cli/trace_json.hpp"
-=======
-#include "cli/input.hpp"
 #include "trace/trace_json.hpp"
->>>>>>> 102c17f (Fonts, themes and results of a study can be read from memory; vectors link without a renderer, and say of each mark what it is)
 #include "cli/trace_text.hpp"
 #include "effects/graph.hpp"
 #include "effects/registry.hpp"
