@@ -65,7 +65,12 @@ Lesson with_absolute_results(Lesson lesson) {
 /// What a run came to, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
-  Expectation expect{trace.result.stop, std::vector<std::string>(), trace.result.distance};
+  Expectation expect;
+  expect.stop = trace.result.stop;
+  expect.distance = trace.result.distance;
+  if (!run.depths.empty() && run.depths.back().result.depth >= 0.0)
+    expect.depth = run.depths.back().result.depth;
+  expect.supports.emplace();
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;

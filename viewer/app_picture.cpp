@@ -291,7 +291,7 @@ void App::press_on(const Subject& subject, const Point& on_page) {
     return open_worst_run(dots()[static_cast<std::size_t>(subject.x)]);
   if (subject.kind == Kind::phase) {
     playing_ = false;
-    if (!session_.go_to_next(static_cast<gjk::Phase>(subject.x))) say("this run has no such step");
+    if (!session_.go_to_next(session_.run().phase_name(subject.x))) say("this run has no such step");
     return;
   }
   const std::optional<std::size_t> stage = stage_at(on_page);

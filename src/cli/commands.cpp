@@ -9,7 +9,6 @@
 #include <ostream>
 
 #include "cli/input.hpp"
-#include "trace/trace_json.hpp"
 #include "cli/trace_text.hpp"
 #include "cli/transcript.hpp"
 #include "effects/registry.hpp"
@@ -19,6 +18,7 @@
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/theme.hpp"
+#include "trace/trace_json.hpp"
 
 namespace gjkscope {
 namespace {

@@ -33,6 +33,9 @@ class TraceText {
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
       one_run(traced_.runs[i]);
+      if constexpr (D == 2) {
+        if (i < traced_.depths.size()) depth_run(traced_.depths[i]);
+      }
     }
     return std::move(out_);
   }
@@ -218,6 +221,74 @@ class TraceText {
     line("on " + traced_.y.name, point(value.y));
     line("simplex", weights(value.simplex));
     line("iterations", fmt::format("{}", value.iterations));
+  }
+
+  /// "K−C L−D"
+  [[nodiscard]] std::string edge(const depth::State<double>& state,
+                                 const depth::Edge<double>& value) const {
+    const auto corner = [&](int i) {
+      return name(state.polygon.corners[static_cast<std::size_t>(i)].point);
+    };
+    return fmt::format("{} {}", corner(value.from), corner(value.to));
+  }
+
+  [[nodiscard]] std::string polygon(const depth::State<double>& state) const {
+    std::vector<std::string> names;
+    for (const depth::Edge<double>& each : edges_in_order(state.polygon))
+      names.push_back(name(state.polygon.corners[static_cast<std::size_t>(each.from)].point));
+    return fmt::format("{}", fmt::join(names, " "));
+  }
+
+  void depth_run(const DepthTrace& trace) {
+    out_ += "\ndepth\n";
+    if (trace.steps.empty()) {
+      line("stop", std::string(name_of(trace.result.stop)));
+      return;
+    }
+    line("polygon", polygon(trace.initial));
+    for (const depth::Step<double>& step : trace.steps) {
+      if (step.phase == depth::Phase::nearest)
+        out_ += fmt::format("\ndepth, iteration {}\n", step.iteration);
+      depth_step(step);
+    }
+    out_ += "\ndepth, result\n";
+    const depth::Result<double>& result = trace.result;
+    line("stop", std::string(name_of(result.stop)));
+    line("verdict", fmt::format("{}{}", name_of(result.verdict),
+                                result.settled ? ", settled in exact arithmetic" : ""));
+    line("depth", number(result.depth));
+    line("bounds", fmt::format("{} to {}", number(result.lower), number(result.upper)));
+    line("move", fmt::format("{} by {}", traced_.x.name, point(result.translation)));
+    line("on " + traced_.x.name, point(result.x));
+    line("on " + traced_.y.name, point(result.y));
+  }
+
+  void depth_step(const depth::Step<double>& step) {
+    const depth::State<double>& after = step.after;
+    switch (step.phase) {
+      case depth::Phase::nearest:
+        line("nearest", fmt::format("{}, distance^2 = {}, n = {}", edge(after, after.edge),
+                                    number(after.edge.distance_sq), point(after.n)));
+        break;
+      case depth::Phase::support:
+        scan("scan", traced_.y, step.record.scan_y, after.support.pair.y);
+        scan("", traced_.x, step.record.scan_x, after.support.pair.x);
+        line("support", fmt::format("{} = {}", name(after.support), point(after.support.w)));
+        break;
+      case depth::Phase::stop:
+        for (const depth::StopTest<double>& test : step.record.stop_tests) {
+          line("stop?", !test.tried ? fmt::format("{}: not tried", name_of(test.reason))
+                                    : fmt::format("{}: {} (left {}, right {})",
+                                                  name_of(test.reason), test.holds ? "yes" : "no",
+                                                  number(test.left), number(test.right)));
+        }
+        line("bounds",
+             fmt::format("{} to {}", number(step.bounds.lower), number(step.bounds.upper)));
+        break;
+      case depth::Phase::expand:
+        line("expand", fmt::format("polygon {}", polygon(after)));
+        break;
+    }
   }
 
   const Traced<D>& traced_;

@@ -86,7 +86,7 @@ void set_rounded_answer(const State<R>& state, const gjk::Result<R, 2>& found,
     out.upper = gjk::scaled_above(proof.upper, prepared.exponent);
   }
   out.direction = proof.direction + Vec<R, 2>::Zero();  // no -0
-  out.translation = out.direction * out.depth;
+  out.translation = out.direction * out.depth + Vec<R, 2>::Zero();  // no -0
   out.edge = proof.edge;
 }
 

@@ -3,6 +3,7 @@
 // much of it.
 
 #include <optional>
+#include <string_view>
 
 namespace gjkscope {
 
@@ -52,6 +53,13 @@ struct StudyFrame {
   int marks = 0;  ///< The first so many marks of the lesson have been introduced.
 };
 
+/// Where in its algorithm a step is.
+struct StepInfo {
+  int iteration = 0;       ///< From 1; 0 before the first.
+  std::string_view phase;  ///< "support"; "start" before the first.
+  bool is_event = false;   ///< A vertex dropped, containment, the end.
+};
+
 struct Frame {
   int run = 0;    ///< Index into LessonRun::runs.
   int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
@@ -67,10 +75,13 @@ struct Frame {
   std::optional<int> size =
       {};  ///< Index into LessonGrowth::vertices; as many as there are: all sizes.
   std::optional<StudyFrame> study = {};
+  std::optional<int> depth = {};  ///< Steps of the expanding polygon that are over; one more than
+                                  ///< there are: the answer.
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the
                             ///< frame before it shows; the next frame that asks nothing answers.
-  int answering_step = -1;  ///< Of a frame that asks: index of the step that answers.
+  int answering_step = -1;  ///< Of a frame that asks: index of the step that answers, among those
+                            ///< of the algorithm that the act shows.
 
   /// Which of the frames of its step this is, from 0; -1 where a step has one frame.
   [[nodiscard]] int part() const {
@@ -82,6 +93,7 @@ struct Frame {
     if (map) return static_cast<int>(*map);
     if (order) return static_cast<int>(*order);
     if (size) return *size;
+    if (depth) return *depth;
     if (study) return 100 * static_cast<int>(study->stage) + study->marks;
     return -1;
   }

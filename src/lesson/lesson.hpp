@@ -132,8 +132,9 @@ struct LessonStudy {
 
 /// What a frame can ask before a step answers it: which support point comes next, which region
 /// holds the query point, which vertices are dropped, and whether the run stops. Of a study:
-/// whether X and Y overlap, and how much longer the next mark takes than the one before.
-enum class Ask { support, region, dropped, stop, overlap, time };
+/// whether X and Y overlap, and how much longer the next mark takes than the one before. Of a
+/// polygon that expands: which edge is nearest.
+enum class Ask { support, region, dropped, stop, overlap, time, edge };
 [[nodiscard]] constexpr bool is_about_study(Ask ask) {
   return ask == Ask::overlap || ask == Ask::time;
 }
@@ -152,6 +153,7 @@ struct Expectation {
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.
+  std::optional<double> depth;     ///< The same; of an act that goes on to it.
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 

@@ -771,6 +771,12 @@ void LessonReader::read_expect(const Table& expect) {
     lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
   }
   lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);
+  const Field depth = expect["depth"];
+  lesson_.expect.depth = reader_.number(depth, 0.0, 4.0 * limits::kLargest);
+  if (depth && !vocabulary_.act(lesson_.act)->goes_deep) {
+    problems_.add(depth.place(), fmt::format("'depth' with granularity '{}'", lesson_.act),
+                  "granularity 'depth', or no 'depth'");
+  }
 
   const Field supports = expect["supports"];
   if (!supports) return;

@@ -16,7 +16,7 @@ struct PlaceholderInfo {
 };
 
 /// All placeholders there are.
-inline constexpr std::array<PlaceholderInfo, 17> kPlaceholders = {{
+inline constexpr std::array<PlaceholderInfo, 19> kPlaceholders = {{
     {"distance", "distance between the shapes, as far as this step knows it"},
     {"lower", "certified lower bound of the distance"},
     {"upper", "certified upper bound of the distance"},
@@ -32,6 +32,8 @@ inline constexpr std::array<PlaceholderInfo, 17> kPlaceholders = {{
     {"iteration", "iteration of this step"},
     {"iterations", "iterations of the whole run"},
     {"stop", "why the run ended"},
+    {"depth", "penetration depth, once it is known"},
+    {"t", "the shortest translation of X that parts the shapes, once it is known"},
     {"x", "name of shape X"},
     {"y", "name of shape Y"},
 }};

@@ -19,6 +19,7 @@ bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step) {
     case Ask::stop:
     case Ask::overlap:
     case Ask::time:
+    case Ask::edge:
       return true;
   }
   return false;
@@ -40,6 +41,7 @@ bool tells(const WideTrace& trace, int step, Ask ask) {
       return is(at + 1, gjk::Phase::stop);
     case Ask::overlap:
     case Ask::time:
+    case Ask::edge:
       return false;
   }
   return false;

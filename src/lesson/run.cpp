@@ -12,7 +12,7 @@
 #include "lesson/questions.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/vocabulary.hpp"
-#include "lesson/widen.hpp"
+#include "lesson/widen_depth.hpp"
 
 namespace gjkscope {
 namespace {
@@ -83,6 +83,15 @@ PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
     return run_query<S, 2>({{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}}, options, at);
+  });
+}
+
+DepthTrace depth_at(const Lesson& lesson, const Scenery& at) {
+  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
+    const gjk::Query<S, 2> query{{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}};
+    return widened(depth::trace<S>(query, lesson.options));
   });
 }
 
@@ -199,6 +208,24 @@ const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
   return run(frame).trace.steps[frame.step];
 }
 
+StepInfo LessonRun::info(const Frame& frame) const {
+  if (frame.step < 0) return {0, "start"};
+  if (act->info != nullptr) return act->info(*this, frame);
+  const gjk::Step<double, 2>& shown = step(frame);
+  return {shown.iteration, name_of(shown.phase),
+          !shown.record.dropped.empty() || shown.after.stop != gjk::StopReason::running};
+}
+
+std::string_view LessonRun::phase_name(int phase) const {
+  return act->phases.empty() ? name_of(static_cast<gjk::Phase>(phase))
+                             : act->phases[static_cast<std::size_t>(phase)];
+}
+
+int LessonRun::answering_iteration(const Frame& frame) const {
+  if (act->iteration_of != nullptr) return act->iteration_of(*this, frame, frame.answering_step);
+  return run(frame).trace.steps[frame.answering_step].iteration;
+}
+
 bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
   return std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
                      [&](const auto& vertex) { return vertex.pair == pair; });
@@ -242,6 +269,7 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
     const gjk::Options& cold = run.lesson.options;
     run.runs.push_back(
         run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
+    if (act.goes_deep) run.depths.push_back(depth_at(run.lesson, scenery));
   }
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) act.add_frames(run, i);
   add_question_frames(run);
@@ -311,6 +339,13 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
            fmt::format("iteration {}, stop: '{}'", trace.result.iterations,
                        name_of(trace.result.stop)),
            fmt::format("'{}'", name_of(*expect.stop)));
+  }
+  if (expect.depth) {
+    const double found = run.depths.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                            : run.depths.back().result.depth;
+    if (!(std::abs(*expect.depth - found) <= written_precision(*expect.depth) * 1.0001))
+      differ("expect.depth", fmt::format("the depth is {}", found),
+             fmt::format("{}", *expect.depth));
   }
   if (expect.distance && !(std::abs(*expect.distance - trace.result.distance) <=
                            written_precision(*expect.distance) * 1.0001)) {

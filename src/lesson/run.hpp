@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "depth/depth.hpp"
 #include "lesson/case.hpp"
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
@@ -64,10 +65,14 @@ using PositionedRun = RunIn<2>;
 
 struct Act;
 
+/// What the expanding polygon did with the end of a run; of `gjk` nothing is filled in.
+using DepthTrace = depth::Trace<double>;
+
 struct LessonRun {
   Lesson lesson;
   const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
+  std::vector<DepthTrace> depths;  ///< One for each run, where the act goes on to the depth.
   std::vector<Frame> frames;
 
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
@@ -76,6 +81,13 @@ struct LessonRun {
   /// The step of a frame, and what is proved by then; only where frame.step >= 0.
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
+
+  /// The step of a frame in the algorithm that the act shows: GJK, or what follows it.
+  [[nodiscard]] StepInfo info(const Frame& frame) const;
+  /// "support": the phase with this number in the algorithm that the act shows.
+  [[nodiscard]] std::string_view phase_name(int phase) const;
+  /// The iteration of the step that answers a frame's question.
+  [[nodiscard]] int answering_iteration(const Frame& frame) const;
 
   /// Time of a frame; only where frame.moment is set.
   [[nodiscard]] double seconds(const Frame& frame) const;

@@ -272,6 +272,7 @@ void write_expect(TomlText& out, const Expectation& expect) {
   if (expect.stop) out.key("stop", as_text(name_of(*expect.stop)));
   if (expect.supports) out.list("supports", as_texts(*expect.supports));
   if (expect.distance) out.key("distance", decimal(*expect.distance));
+  if (expect.depth) out.key("depth", decimal(*expect.depth));
 }
 
 }  // namespace

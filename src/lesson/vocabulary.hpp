@@ -31,6 +31,8 @@ struct Act {
   void (*add_frames)(LessonRun& run, int index) = nullptr;
   /// Frames go through the steps of a run: questions belong to its iterations.
   bool follows_run = false;
+  /// Runs go on to the penetration depth (LessonRun::depths).
+  bool goes_deep = false;
   /// Each frame is another position of the path.
   bool sweeps = false;
   std::span<const Ask> asks = {};  ///< The questions that its frames can ask.
@@ -38,6 +40,11 @@ struct Act {
   /// where there is none. Only with `asks`.
   int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
                         const LessonQuestion& question) = nullptr;
+  // Of an algorithm that is not GJK: its phases, and where a frame's step and any step by its index
+  // are.
+  std::span<const std::string_view> phases = {};
+  StepInfo (*info)(const LessonRun& run, const Frame& frame) = nullptr;
+  int (*iteration_of)(const LessonRun& run, const Frame& frame, int step) = nullptr;
 };
 
 /// A panel block, a listing or an effect.

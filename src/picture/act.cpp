@@ -59,8 +59,8 @@ Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   return {.group = format("iteration {}", step.iteration),
           .label = std::string(label),
           .short_label = std::string(short_label),
-          .event = !step.record.dropped.empty() || step.after.stop != gjk::StopReason::running,
-          .phase = step.phase};
+          .event = run.info(frame).is_event,
+          .phase = std::string(run.info(frame).phase)};
 }
 
 std::string group_of_position(const LessonRun& run, const Frame& frame,

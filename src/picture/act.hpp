@@ -17,7 +17,7 @@ struct Tick {
   std::string short_label = {};  ///< Where the label is wider than the tick.
   bool event = false;            ///< A vertex dropped, containment, the end.
   bool question = false;
-  std::optional<gjk::Phase> phase = {};
+  std::string phase = {};  ///< Whose colour the tick has; empty: none.
 };
 
 struct StagedAct {

@@ -4,7 +4,6 @@
 
 #include "effects/second_run.hpp"
 #include "effects/shape_hull.hpp"
-#include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "picture/registry.hpp"
 
@@ -14,12 +13,13 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   FrameText text;
   const Story story(run, effects, frame);
   const StagedAct& act = staged(run);
-  text.phase = frame.step < 0 ? "start" : std::string(name_of(run.step(frame).phase));
-  text.iteration = frame.step < 0 ? 0 : run.step(frame).iteration;
+  const StepInfo info = run.info(frame);
+  text.phase = info.phase;
+  text.iteration = info.iteration;
   if (frame.question >= 0) {
     act.question(story, text);
     text.phase = "question";
-    text.iteration = run.run(frame).trace.steps[frame.answering_step].iteration;
+    text.iteration = run.answering_iteration(frame);
   } else if (frame.step < 0) {
     captions::start(story, text);
   } else {

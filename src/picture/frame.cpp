@@ -100,8 +100,7 @@ std::string position_of(const LessonRun& run, int index) {
   if (frame.question < 0) return staged(run).position(run, index);
   if (!run.act->follows_run) return fmt::format("step {} · question", index + 1);
   // How many iterations there are would tell whether this is the last.
-  return fmt::format("iteration {} · question",
-                     run.run(frame).trace.steps[frame.answering_step].iteration);
+  return fmt::format("iteration {} · question", run.answering_iteration(frame));
 }
 
 std::string default_title(const LessonRun& run, const LessonView& view) {

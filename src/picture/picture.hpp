@@ -70,7 +70,7 @@ struct Subject {
     difference,         ///< Z as a whole.
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
-    phase,              ///< `x` is the gjk::Phase.
+    phase,              ///< `x` is its number: LessonRun::phase_name.
     study_dot           ///< `x` is its index in its family.
   };
   Kind kind = Kind::none;

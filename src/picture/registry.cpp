@@ -22,6 +22,12 @@ constexpr std::array kBlocks = {
 #undef GJKSCOPE_BLOCK
 };
 
+constexpr std::array kListings = {
+#define GJKSCOPE_LISTING(name) &listings::k##name,
+#include "picture/blocks/listings.def"
+#undef GJKSCOPE_LISTING
+};
+
 Vocabulary make_vocabulary() {
   Vocabulary out;
   for (const StagedAct* staged : kActs) {
@@ -30,7 +36,7 @@ Vocabulary make_vocabulary() {
   }
   for (const Block* block : kBlocks)
     out.blocks.push_back({block->name, block->act, block->second_run, block->takes_listing});
-  for (const Listing& listing : listings()) out.listings.push_back({listing.name, listing.act});
+  for (const Listing* listing : kListings) out.listings.push_back({listing->name, listing->act});
   for (const EffectInfo& effect : registered_effects()) {
     if (effect.used_by == "view")
       out.effects.push_back({effect.name, effect.act, effect.second_run});
@@ -42,6 +48,7 @@ Vocabulary make_vocabulary() {
 
 std::span<const StagedAct* const> registered_acts() { return kActs; }
 std::span<const Block* const> registered_blocks() { return kBlocks; }
+std::span<const Listing* const> registered_listings() { return kListings; }
 
 const Vocabulary& vocabulary() {
   static const Vocabulary all = make_vocabulary();

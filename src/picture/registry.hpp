@@ -12,6 +12,7 @@ namespace gjkscope {
 /// In the order in which lessons/README.md lists them.
 [[nodiscard]] std::span<const StagedAct* const> registered_acts();
 [[nodiscard]] std::span<const Block* const> registered_blocks();
+[[nodiscard]] std::span<const Listing* const> registered_listings();
 
 /// What the loader knows of them.
 [[nodiscard]] const Vocabulary& vocabulary();

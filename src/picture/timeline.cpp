@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "lesson/names.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope {
@@ -28,11 +27,10 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       tick = act.tick(run, frame);
     } else {
       // A question belongs to the group of its answer.
-      const int iteration = run.run(frame).trace.steps[frame.answering_step].iteration;
-      tick = {
-          .group = run.act->follows_run ? format("iteration {}", iteration) : groups.back().label,
-          .label = "question",
-          .question = true};
+      tick = {.group = run.act->follows_run ? format("iteration {}", run.answering_iteration(frame))
+                                            : groups.back().label,
+              .label = "question",
+              .question = true};
     }
     if (groups.empty() || groups.back().label != tick.group) groups.push_back({tick.group, {}});
     groups.back().ticks.push_back(std::move(tick));
@@ -96,10 +94,9 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       } else {
         const Rect bar{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}};
         marks.push_back({role, Box{bar, 4.0}, -1, subject});
-        if (tick.phase) {
+        if (!tick.phase.empty()) {
           const Rect stripe{{x, bar.max.y() + 2.0}, {x + width, bar.max.y() + 5.0}};
-          marks.push_back(
-              {format("timeline.phase.{}", name_of(*tick.phase)), Box{stripe, 1.5}, -1, subject});
+          marks.push_back({format("timeline.phase.{}", tick.phase), Box{stripe, 1.5}, -1, subject});
         }
       }
       if (tick.event)

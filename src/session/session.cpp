@@ -281,8 +281,7 @@ bool Session::step(int by) {
 bool Session::step_iteration(int by) {
   const auto group = [&](int i) {
     const Frame& frame = run().frames[static_cast<std::size_t>(i)];
-    const int iteration = frame.step < 0 ? 0 : run().step(frame).iteration;
-    return std::pair(frame.run, iteration);
+    return std::pair(frame.run, run().info(frame).iteration);
   };
   int to = index_;
   if (by > 0) {
@@ -296,11 +295,11 @@ bool Session::step_iteration(int by) {
   return moved;
 }
 
-bool Session::go_to_next(gjk::Phase phase) {
+bool Session::go_to_next(std::string_view phase) {
   for (int k = 1; k <= frame_count(); ++k) {
     const int i = (index_ + k) % frame_count();
     const Frame& frame = run().frames[static_cast<std::size_t>(i)];
-    if (frame.question >= 0 || frame.step < 0 || run().step(frame).phase != phase) continue;
+    if (frame.question >= 0 || run().info(frame).phase != phase) continue;
     go_to(i);
     return true;
   }

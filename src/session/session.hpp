@@ -86,7 +86,7 @@ class Session {
   /// To the first frame of the next iteration, or of this one, or of the one before.
   bool step_iteration(int by);
   /// To the next frame of the phase, from the start again after the last. False when there is none.
-  bool go_to_next(gjk::Phase phase);
+  bool go_to_next(std::string_view phase);
 
   // Predict mode: frames ask before they tell
 

@@ -53,7 +53,13 @@ class TraceWriter {
     out["x"] = shape(traced_.x);
     out["y"] = shape(traced_.y);
     out["runs"] = Json::array();
-    for (const RunIn<D>& run : traced_.runs) out["runs"].push_back(one_run(run));
+    for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
+      Json run = one_run(traced_.runs[i]);
+      if constexpr (D == 2) {
+        if (i < traced_.depths.size()) run["depth"] = depth_run(traced_.depths[i]);
+      }
+      out["runs"].push_back(std::move(run));
+    }
     return out;
   }
 
@@ -257,6 +263,85 @@ class TraceWriter {
     out["witness_y"] = point(value.y);
     out["iterations"] = value.iterations;
     out["simplex"] = simplex(value.simplex);
+    return out;
+  }
+
+  static Json edge(const depth::Edge<double>& value) {
+    return {{"corners", {value.from, value.to}}, {"distance_sq", number(value.distance_sq)}};
+  }
+
+  Json depth_state(const depth::State<double>& value) const {
+    Json out;
+    out["next_phase"] =
+        value.stop == depth::StopReason::running ? Json(name_of(value.phase)) : Json();
+    out["iteration"] = value.iteration;
+    out["corners"] = Json::array();
+    for (const depth::Corner<double>& corner : value.polygon.corners)
+      out["corners"].push_back(vertex(corner.point));
+    out["polygon"] = Json::array();
+    if (value.polygon.count > 0) {
+      for (const depth::Edge<double>& each : edges_in_order(value.polygon))
+        out["polygon"].push_back(each.from);
+    }
+    out["edge"] = edge(value.edge);
+    out["n"] = point(value.n);
+    out["stop"] = name_of(value.stop);
+    return out;
+  }
+
+  Json depth_step(const depth::Step<double>& step) const {
+    Json out;
+    out["phase"] = name_of(step.phase);
+    out["iteration"] = step.iteration;
+    const depth::Record<double>& record = step.record;
+    switch (step.phase) {
+      case depth::Phase::nearest:
+        out["edges"] = Json::array();
+        for (const depth::Edge<double>& each : record.edges) out["edges"].push_back(edge(each));
+        break;
+      case depth::Phase::support:
+        out["scan_x"] = scan(record.scan_x, traced_.x);
+        out["scan_y"] = scan(record.scan_y, traced_.y);
+        out["support"] = vertex(step.after.support);
+        break;
+      case depth::Phase::stop:
+        out["stop_tests"] = Json::array();
+        for (const depth::StopTest<double>& test : record.stop_tests) {
+          out["stop_tests"].push_back({{"reason", name_of(test.reason)},
+                                       {"tried", test.tried},
+                                       {"holds", test.holds},
+                                       {"left", number(test.left)},
+                                       {"right", number(test.right)}});
+        }
+        break;
+      case depth::Phase::expand:
+        out["outgrown"] = record.outgrown;
+        break;
+    }
+    out["after"] = depth_state(step.after);
+    out["lower"] = number(step.bounds.lower);
+    out["upper"] = number(step.bounds.upper);
+    return out;
+  }
+
+  Json depth_run(const DepthTrace& trace) const {
+    Json out;
+    out["initial"] = depth_state(trace.initial);
+    out["steps"] = Json::array();
+    for (const depth::Step<double>& step : trace.steps) out["steps"].push_back(depth_step(step));
+    const depth::Result<double>& result = trace.result;
+    Json& answer = out["result"];
+    answer["stop"] = name_of(result.stop);
+    answer["verdict"] = name_of(result.verdict);
+    answer["settled"] = result.settled;
+    answer["depth"] = number(result.depth);
+    answer["lower"] = number(result.lower);
+    answer["upper"] = number(result.upper);
+    answer["direction"] = point<2>(result.direction);
+    answer["translation"] = point<2>(result.translation);
+    answer["contact_x"] = point<2>(result.x);
+    answer["contact_y"] = point<2>(result.y);
+    answer["iterations"] = result.iterations;
     return out;
   }
 

@@ -60,8 +60,8 @@ template std::string point_text<3>(ScalarKind scalar, const gjk::Vec<double, 3>&
 
 Traced<2> traced(const LessonRun& run) {
   const Lesson& lesson = run.lesson;
-  return {lesson.id,        lesson.title,     lesson.scalar, lesson.options,
-          traced(lesson.x), traced(lesson.y), run.runs,      headings(run)};
+  return {lesson.id,        lesson.title, lesson.scalar, lesson.options, traced(lesson.x),
+          traced(lesson.y), run.runs,     headings(run), run.depths};
 }
 
 template <int D>

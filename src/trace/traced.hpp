@@ -26,7 +26,8 @@ struct Traced {
   TracedShape<D> x;
   TracedShape<D> y;
   std::vector<RunIn<D>> runs;
-  std::vector<std::string> headings;  ///< One for each run, where there are several.
+  std::vector<std::string> headings;    ///< One for each run, where there are several.
+  std::vector<DepthTrace> depths = {};  ///< One for each run, where it goes on to the depth.
 };
 
 /// As few digits as name a value of the scalar.

@@ -37,8 +37,8 @@ EMSCRIPTEN_KEEPALIVE void gjk_font(int face, int fallback, const unsigned char* 
 EMSCRIPTEN_KEEPALIVE bool gjk_start(const char* themes, std::size_t size) {
   try {
     player = std::make_unique<Player>(
-        std::move(fonts), nlohmann::json::parse(themes, themes + size)
-                              .get<std::map<std::string, std::string>>());
+        std::move(fonts),
+        nlohmann::json::parse(themes, themes + size).get<std::map<std::string, std::string>>());
     return true;
   } catch (const std::exception&) {
     return false;

@@ -18,11 +18,11 @@
 #include "lesson/widen.hpp"
 #include "paint/svg.hpp"
 #include "picture/panel.hpp"
+#include "picture/registry.hpp"
 #include "picture/timeline.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "trace/trace_json.hpp"
-#include "picture/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -127,10 +127,9 @@ Json outcome(const LessonRun& run, const Frame& frame) {
   add_point(list, "closest point of " + run.lesson.x.name, result.x);
   add_point(list, "closest point of " + run.lesson.y.name, result.y);
   add_depth(list, here, run.lesson.scalar);
-  for (const auto& [name, value] :
-       {std::pair("verdict", std::string(name_of(result.verdict))),
-        {"stop", std::string(name_of(result.stop))},
-        {"iterations", std::to_string(result.iterations)}})
+  for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
+                                    {"stop", std::string(name_of(result.stop))},
+                                    {"iterations", std::to_string(result.iterations)}})
     list.push_back({name, value, value});
   return list;
 }
@@ -186,9 +185,7 @@ struct Player::Asked {
       throw std::runtime_error(fmt::format("'{}' is not a number of a moderate size", key));
     return value.get<double>();
   }
-  [[nodiscard]] int whole(const char* key) const {
-    return static_cast<int>(std::floor(real(key)));
-  }
+  [[nodiscard]] int whole(const char* key) const { return static_cast<int>(std::floor(real(key))); }
   [[nodiscard]] Point point() const { return {real("x"), real("y")}; }
   [[nodiscard]] edit::Which shape() const {
     return text("shape") == "x" ? edit::Which::x : edit::Which::y;
@@ -234,7 +231,7 @@ std::string Player::answer(std::string_view request) {
     } else if (what == "iteration") {
       session_.step_iteration(asked.whole("by"));
     } else if (what == "phase") {
-      if (!session_.go_to_next(static_cast<gjk::Phase>(asked.whole("phase"))))
+      if (!session_.go_to_next(session_.run().phase_name(asked.whole("phase"))))
         throw std::runtime_error("this run has no such step");
     } else if (what == "press") {
       press(asked.point());
@@ -393,8 +390,7 @@ void Player::move(const Point& at) {
   constexpr double kStill = 2.0;  // pixels: a tap is not a drag
   if (!drag.moved && (at - drag.last).norm() < kStill) return;
   const Subject subject = drag.subject;
-  const bool is_vertex =
-      subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
+  const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
   if (!std::exchange(drag.moved, true))
     session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const LessonPictures::Stage stage = session_.stages()[drag.stage];
@@ -478,8 +474,7 @@ std::string Player::linked(const Point& at, double slack) {
 Picture Player::panel() {
   Picture picture{panel_width_, panel_height_, {}, 0.0, {}};
   const Rect card{{0.0, 0.0}, {panel_width_, panel_height_}};
-  picture.marks = panel_marks(session_.run(), session_.effects(),
-                              session_.frame(), fonts_, card);
+  picture.marks = panel_marks(session_.run(), session_.effects(), session_.frame(), fonts_, card);
   picture.marks.insert(picture.marks.begin(), {"card", Box{card, 10.0}, -1, {}});
   enlarge_small_type(picture);
   return picture;
@@ -492,8 +487,7 @@ double Player::panel_height() {
   double lowest = 0.0;
   for (const Frame& frame : session_.run().frames) {
     const Rect card{{0.0, 0.0}, {panel_width_, 0.0}};
-    for (const Mark& mark : panel_marks(session_.run(), session_.effects(),
-                                        frame, fonts_, card))
+    for (const Mark& mark : panel_marks(session_.run(), session_.effects(), frame, fonts_, card))
       lowest = std::max(lowest, bottom_of(mark));
   }
   return std::ceil(lowest + kPad);
@@ -501,9 +495,8 @@ double Player::panel_height() {
 
 Picture Player::timeline() const {
   Picture picture{timeline_width_, kTimelineHeight, {}, 0.0, {}};
-  picture.marks =
-      timeline_marks(session_.run(), session_.index(), fonts_,
-                     {{0.0, 0.0}, {timeline_width_, kTimelineHeight}});
+  picture.marks = timeline_marks(session_.run(), session_.index(), fonts_,
+                                 {{0.0, 0.0}, {timeline_width_, kTimelineHeight}});
   enlarge_small_type(picture);
   return picture;
 }

@@ -48,7 +48,7 @@ class Player {
   std::map<std::string, std::string> theme_texts_;
   Theme theme_;
   Session session_;
-  std::optional<Lesson> opened_;               ///< What "reset" goes back to.
+  std::optional<Lesson> opened_;                ///< What "reset" goes back to.
   std::map<std::string, std::string> results_;  ///< Files that the lesson names.
   double panel_width_ = 368.0;
   double timeline_width_ = 960.0;

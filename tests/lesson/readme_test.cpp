@@ -74,7 +74,7 @@ TEST(Readme, ListsEveryGranularityBlockAndListing) {
   for (const Block* each : registered_blocks()) blocks.push_back(row(*each));
   EXPECT_EQ(joined(table_under("## Panel blocks")), joined(blocks));
   std::vector<std::string> rows;
-  for (const Listing& each : listings()) rows.push_back(row(each));
+  for (const Listing* each : registered_listings()) rows.push_back(row(*each));
   EXPECT_EQ(joined(table_under("## Listings")), joined(rows));
 }
 

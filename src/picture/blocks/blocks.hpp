@@ -2,7 +2,7 @@
 // The blocks of the panel. Each is a value, defined in one of the files here, and listed in
 // list.def; it writes from the current row downwards.
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +35,15 @@ void test_mark(PanelBuilder& panel, TestMark mark);
 void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
               const std::string& condition, const std::string& values);
 
+// pseudocode.cpp
+/// What a line says of the frame's step.
+struct LineView {
+  enum class State { idle, untried, current, past, rejected } state = State::idle;
+  std::optional<bool> verdict = {};  ///< Of a region test.
+  std::string value = {};            ///< What the line computed.
+};
+void write_line(PanelBuilder& panel, const std::string& text, const LineView& line);
+
 // growth.cpp
 /// In place of the counters where a frame is about many runs.
 void growth_counters(PanelBuilder& panel);
@@ -48,7 +57,13 @@ struct Listing {
   void (*write)(PanelBuilder& panel) = nullptr;
   std::string_view act = {};  ///< The act that it goes with; empty: any.
 };
-/// In the order in which lessons/README.md lists them. (pseudocode.cpp)
-[[nodiscard]] std::span<const Listing> listings();
+
+namespace listings {
+
+#define GJKSCOPE_LISTING(name) extern const Listing k##name;
+#include "picture/blocks/listings.def"
+#undef GJKSCOPE_LISTING
+
+}  // namespace listings
 
 }  // namespace gjkscope

@@ -4,10 +4,39 @@
 #include <string_view>
 
 #include "effects/barycentric.hpp"
-#include "picture/blocks/blocks.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope::blocks {
+
+void write_line(PanelBuilder& panel, const std::string& text, const LineView& line) {
+  const bool current = line.state == LineView::State::current;
+  if (current) panel.highlight();
+  const std::string role = current                                   ? "code.current"
+                           : line.state == LineView::State::untried  ? "untried"
+                           : line.state == LineView::State::rejected ? "code.muted"
+                                                                     : "code";
+  const TextStyle style = current ? type::kCodeBold : type::kCode;
+  const std::size_t indent = text.find_first_not_of(' ');
+  const double at = panel.left + 10.0 * static_cast<double>(indent);
+  const std::string words = text.substr(indent);
+  panel.write(role, at, words, style);
+  double right = panel.right;
+  if (line.verdict) {
+    panel.write(*line.verdict ? "pass" : "fail", right, *line.verdict ? "✓" : "✗", style,
+                Align::right);
+    right -= 20.0;
+  }
+  constexpr double kSpace = 10.0;
+  const double room = right - at - panel.fonts.width(style, words) - kSpace;
+  if (!line.value.empty() && panel.fonts.width(style, line.value) <= room) {
+    panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
+  }
+  panel.y += kRow;
+}
+
 namespace {
+
+using State = LineView::State;
 
 using namespace rows;
 using fmt::format;
@@ -82,40 +111,6 @@ Lines gjk_lines(const LessonRun& run) {
     lines.push_back({format("  if {}: stop", last), {}, {}, false, Phase::support});
   lines.push_back({"  add V to S", Phase::add});
   return lines;
-}
-
-/// What a line says of the frame's step.
-struct LineView {
-  enum class State { idle, untried, current, past, rejected } state = State::idle;
-  std::optional<bool> verdict = {};  ///< Of a region test.
-  std::string value = {};            ///< What the line computed.
-};
-using State = LineView::State;
-
-void write_line(PanelBuilder& panel, const std::string& text, const LineView& line) {
-  const bool current = line.state == State::current;
-  if (current) panel.highlight();
-  const std::string role = current                         ? "code.current"
-                           : line.state == State::untried  ? "untried"
-                           : line.state == State::rejected ? "code.muted"
-                                                           : "code";
-  const TextStyle style = current ? type::kCodeBold : type::kCode;
-  const std::size_t indent = text.find_first_not_of(' ');
-  const double at = panel.left + 10.0 * static_cast<double>(indent);
-  const std::string words = text.substr(indent);
-  panel.write(role, at, words, style);
-  double right = panel.right;
-  if (line.verdict) {
-    panel.write(*line.verdict ? "pass" : "fail", right, *line.verdict ? "✓" : "✗", style,
-                Align::right);
-    right -= 20.0;
-  }
-  constexpr double kSpace = 10.0;
-  const double room = right - at - panel.fonts.width(style, words) - kSpace;
-  if (!line.value.empty() && panel.fonts.width(style, line.value) <= room) {
-    panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
-  }
-  panel.y += kRow;
 }
 
 // Region tests
@@ -288,20 +283,9 @@ void minkowski_listing(PanelBuilder& panel) {
 void segment_listing(PanelBuilder& panel) { region_chain(panel, segment_lines(), true); }
 void triangle_listing(PanelBuilder& panel) { region_chain(panel, triangle_lines(), false); }
 
-constexpr std::array<Listing, 6> kListings = {
-    Listing{.name = "segment", .meaning = "point to segment", .write = segment_listing},
-    Listing{.name = "triangle", .meaning = "point to triangle", .write = triangle_listing},
-    Listing{.name = "support", .meaning = "support point of a polygon", .write = support_listing},
-    Listing{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop},
-    Listing{.name = "minkowski",
-            .meaning = "Minkowski difference, pair by pair",
-            .write = minkowski_listing,
-            .act = "pairs"},
-    Listing{.name = "gjk", .meaning = "convex polygon to convex polygon", .write = loop}};
-
 void pseudocode(PanelBuilder& panel) {
-  for (const Listing& listing : listings()) {
-    if (listing.name == panel.run.lesson.listing) listing.write(panel);
+  for (const Listing* listing : registered_listings()) {
+    if (listing->name == panel.run.lesson.listing) listing->write(panel);
   }
 }
 
@@ -314,8 +298,20 @@ const Block kPseudocode{.name = "pseudocode",
 
 }  // namespace gjkscope::blocks
 
-namespace gjkscope {
+namespace gjkscope::listings {
 
-std::span<const Listing> listings() { return blocks::kListings; }
+using namespace blocks;
 
-}  // namespace gjkscope
+const Listing kSegment{.name = "segment", .meaning = "point to segment", .write = segment_listing};
+const Listing kTriangle{
+    .name = "triangle", .meaning = "point to triangle", .write = triangle_listing};
+const Listing kSupport{
+    .name = "support", .meaning = "support point of a polygon", .write = support_listing};
+const Listing kGjkPoint{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop};
+const Listing kMinkowski{.name = "minkowski",
+                         .meaning = "Minkowski difference, pair by pair",
+                         .write = minkowski_listing,
+                         .act = "pairs"};
+const Listing kGjk{.name = "gjk", .meaning = "convex polygon to convex polygon", .write = loop};
+
+}  // namespace gjkscope::listings

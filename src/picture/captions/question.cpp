@@ -138,6 +138,7 @@ void question(const Story& story, FrameText& text) {
       return asking.stop();
     case Ask::overlap:
     case Ask::time:
+    case Ask::edge:
       return;
   }
 }

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+constexpr std::array<std::string_view, 3> kCoordinates = {"u", "v", "w"};
 
 /// What the view shows of an intersection of half-planes; empty when nothing.
 std::vector<Point> visible_part(const SceneBuilder& scene,
@@ -33,7 +33,7 @@ std::string signs_of(gjk::Face positive) {
   std::string out;
   for (int i = 0; i < 3; ++i) {
     if (gjk::contains(positive, i)) continue;
-    out += fmt::format("{}{}", out.empty() ? "" : ", ", kLetters[i]);
+    out += fmt::format("{}{}", out.empty() ? "" : ", ", kCoordinates[i]);
   }
   return out + " < 0";
 }
@@ -82,7 +82,7 @@ void signs(SceneBuilder& scene) {
       // One region that has this coordinate alone negative knows the whole half-plane.
       if (region.positive != (0b111 & ~gjk::face_of(*coordinate))) continue;
       half_planes = {region.half_planes[*coordinate]};
-      name = fmt::format("{} < 0", kLetters[*coordinate]);
+      name = fmt::format("{} < 0", kCoordinates[*coordinate]);
     }
     const std::vector<Point> points = visible_part(scene, half_planes);
     if (points.empty()) continue;

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "picture/acts/acts.hpp"
+#include "picture/depth/depth.hpp"
+
+namespace gjkscope::depths {
+
+Shown::Shown(const LessonRun& run, const Frame& frame)
+    : trace(run.depths[static_cast<std::size_t>(frame.run)]),
+      state(
+          *frame.depth == 0 || trace.steps.empty()
+              ? trace.initial
+              : trace
+                    .steps[std::min(static_cast<std::size_t>(*frame.depth), trace.steps.size()) - 1]
+                    .after),
+      step(&state == &trace.initial
+               ? nullptr
+               : &trace.steps[std::min(static_cast<std::size_t>(*frame.depth), trace.steps.size()) -
+                              1]),
+      is_answer(static_cast<std::size_t>(*frame.depth) > trace.steps.size()) {}
+
+std::optional<double> Shown::distance(const depth::Edge<double>& edge) const {
+  const std::vector<depth::Edge<double>>* measured = nullptr;
+  for (const depth::Step<double>& each : trace.steps) {
+    if (each.phase == depth::Phase::nearest) measured = &each.record.edges;
+    if (&each == step) break;
+  }
+  if (step == nullptr || measured == nullptr) return std::nullopt;
+  const auto found = std::find_if(measured->begin(), measured->end(), [&](const auto& other) {
+    return other.from == edge.from && other.to == edge.to;
+  });
+  if (found == measured->end()) return std::nullopt;
+  return std::sqrt(found->distance_sq);
+}
+
+std::string ends(const LessonRun& run, const depth::State<double>& state,
+                 const depth::Edge<double>& edge) {
+  const auto name = [&](int corner) {
+    return run.pair_name(state.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
+  };
+  return edge.from == edge.to ? name(edge.from)
+                              : fmt::format("{} to {}", name(edge.from), name(edge.to));
+}
+
+std::string edge_name(const LessonRun& run, const depth::State<double>& state,
+                      const depth::Edge<double>& edge) {
+  return edge.from == edge.to ? fmt::format("the point {}", ends(run, state, edge))
+                              : fmt::format("the edge from {}", ends(run, state, edge));
+}
+
+namespace {
+
+constexpr std::array<std::string_view, depth::kPhaseCount> kPhases = {"nearest", "support", "stop",
+                                                                      "expand"};
+constexpr std::array<Ask, 1> kAsks = {Ask::edge};
+
+void frames(LessonRun& run, int index) {
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int steps = static_cast<int>(run.depths[static_cast<std::size_t>(index)].steps.size());
+  // Shapes apart have no depth: the frame says so.
+  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
+    run.frames.push_back({.run = index, .step = last, .depth = i});
+}
+
+StepInfo info(const LessonRun& run, const Frame& frame) {
+  const Shown shown(run, frame);
+  if (shown.is_answer) return {shown.state.iteration, "answer", true};
+  if (shown.step == nullptr) return {0, "start"};
+  return {shown.step->iteration, kPhases[static_cast<std::size_t>(shown.step->phase)],
+          shown.state.stop != depth::StopReason::running || !shown.step->record.outgrown.empty()};
+}
+
+int iteration_of(const LessonRun& run, const Frame& frame, int step) {
+  return run.depths[static_cast<std::size_t>(frame.run)]
+      .steps[static_cast<std::size_t>(step)]
+      .iteration;
+}
+
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, frame);
+  if (question.ask != Ask::edge || !shown.is(depth::Phase::nearest)) return -1;
+  if (question.at && *question.at != shown.step->iteration) return -1;
+  return shown.step->record.edges.size() > 1 ? *frame.depth - 1 : -1;
+}
+
+std::string position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Shown shown(run, frame);
+  if (shown.step == nullptr) return "start";
+  if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
+  constexpr std::array<std::string_view, depth::kPhaseCount> kWords = {"nearest edge", "support",
+                                                                       "stop?", "expand"};
+  const std::string_view phase = kWords[static_cast<std::size_t>(shown.step->phase)];
+  if (asks_later(run, index)) return fmt::format("iteration {} · {}", shown.step->iteration, phase);
+  return fmt::format("iteration {} of {} · {}", shown.step->iteration,
+                     shown.trace.result.iterations, phase);
+}
+
+Tick tick(const LessonRun& run, const Frame& frame) {
+  const Shown shown(run, frame);
+  const StepInfo at = info(run, frame);
+  if (shown.step == nullptr)
+    return {.group = group_of_position(run, frame, "GJK's end"), .label = "S"};
+  if (shown.is_answer) return {.group = "answer", .label = "t", .event = true};
+  constexpr std::array<std::array<std::string_view, 2>, depth::kPhaseCount> kLabels = {
+      {{"nearest edge", "e"}, {"support", "V"}, {"stop?", "?"}, {"expand", "+"}}};
+  const auto& [label, short_label] = kLabels[static_cast<std::size_t>(shown.step->phase)];
+  return {.group = fmt::format("iteration {}", at.iteration),
+          .label = std::string(label),
+          .short_label = std::string(short_label),
+          .event = at.is_event,
+          .phase = std::string(at.phase)};
+}
+
+}  // namespace
+}  // namespace gjkscope::depths
+
+namespace gjkscope::acts {
+
+const StagedAct kDepth{
+    .act = {.name = "depth",
+            .meaning = "phase of the polygon that expands where GJK has found the shapes to "
+                       "overlap; then the shortest way out",
+            .needs = {.why_no_until = "frames show how the run ends"},
+            .add_frames = depths::frames,
+            .follows_run = true,
+            .goes_deep = true,
+            .asks = depths::kAsks,
+            .answering_step = depths::answering_step,
+            .phases = depths::kPhases,
+            .info = depths::info,
+            .iteration_of = depths::iteration_of},
+    .position = depths::position,
+    .tick = depths::tick,
+    .words = depths::words,
+    .stage = depths::stage,
+    .question = depths::question,
+    .values = depths::values,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,45 @@
+#pragma once
+// Penetration depth in pictures: what a frame shows of the expanding polygon (src/depth), and what
+// its act draws and says.
+
+#include "picture/act.hpp"
+
+namespace gjkscope::depths {
+
+/// The part of the run that a frame shows.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame);
+
+  const DepthTrace& trace;
+  const depth::State<double>& state;          ///< After the steps that are over.
+  const depth::Step<double>* step = nullptr;  ///< The last of them; none at the start.
+  bool is_answer = false;                     ///< The frame after the last step.
+
+  [[nodiscard]] bool is(depth::Phase phase) const {
+    return step != nullptr && !is_answer && step->phase == phase;
+  }
+  /// The nearest edge is known, and part of the polygon.
+  [[nodiscard]] bool knows_edge() const { return step != nullptr && !is(depth::Phase::expand); }
+  [[nodiscard]] bool knows_support() const {
+    return is(depth::Phase::support) || is(depth::Phase::stop);
+  }
+  /// Distance of O from an edge, where a step has measured it.
+  [[nodiscard]] std::optional<double> distance(const depth::Edge<double>& edge) const;
+};
+
+/// "the edge from K−C to L−D"; a point is an edge, too.
+[[nodiscard]] std::string edge_name(const LessonRun& run, const depth::State<double>& state,
+                                    const depth::Edge<double>& edge);
+/// "K−C to L−D"
+[[nodiscard]] std::string ends(const LessonRun& run, const depth::State<double>& state,
+                               const depth::Edge<double>& edge);
+
+// layers.cpp
+void stage(SceneBuilder& scene);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::depths
