@@ -2,25 +2,16 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
+#include "drawers/study.hpp"
 #include "effects/registry.hpp"
-#include "export/export.hpp"
-#include "lesson/case.hpp"
-#include "lesson/file.hpp"
+#include "files.hpp"
 #include "lesson/load.hpp"
-#include "lesson/names.hpp"
-#include "lesson/save.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope {
@@ -28,65 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Vector2d;
+using Kind = Subject::Kind;
 
-constexpr const char* kOpening = "polygons-gjk";
-constexpr double kSaveEvery = 1.0;  // seconds; what a crash may cost
-constexpr std::size_t kMostRecent = 10;
-
-std::string read_whole(const fs::path& file) {
-  std::error_code none;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file, none))
-    throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// What is saved has no comments: a file that may have some is kept beside itself, and its new name
-/// returned.
-std::string keep_commented(const fs::path& file) {
-  std::error_code none;
-  if (!fs::exists(file, none)) return "";
-  const std::string text = read_whole(file);
-  if (text.find('#') == std::string::npos) return "";
-  std::string beside = file.string() + "~";
-  write_whole(beside, text);
-  return beside;
-}
-
-/// A lesson that can be written anywhere.
-Lesson with_absolute_results(Lesson lesson) {
-  if (lesson.study) {
-    lesson.study->results =
-        fs::absolute(fs::path(lesson.path).parent_path() / lesson.study->results).string();
-  }
-  return lesson;
-}
-
-/// What a run came to, for the lesson's file to expect.
-Expectation outcome_of(const LessonRun& run) {
-  const WideTrace& trace = run.runs.back().trace;
-  Expectation expect;
-  expect.stop = trace.result.stop;
-  expect.distance = trace.result.distance;
-  if (!run.depths.empty() && run.depths.back().result.depth >= 0.0)
-    expect.depth = run.depths.back().result.depth;
-  expect.supports.emplace();
-  for (const gjk::Step<double, 2>& step : trace.steps) {
-    if (step.phase != gjk::Phase::support) continue;
-    const gjk::VertexPair pair = step.after.support.pair;
-    const std::string& y = run.lesson.y.vertex_names[static_cast<std::size_t>(pair.y)];
-    const std::string& x = run.lesson.x.vertex_names[static_cast<std::size_t>(pair.x)];
-    expect.supports->push_back(run.point_query() ? y : fmt::format("{}-{}", y, x));
-  }
-  return expect;
-}
-
-std::string all_of(const std::vector<Problem>& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    text += fmt::format("{}{}", text.empty() ? "" : "\n", to_string(problem));
-  return text;
-}
+constexpr double kSaveEvery = 1.0;     // seconds; what a crash may cost
+constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
+constexpr double kSlowest = 0.25;      // frames a second
+constexpr double kFastest = 32.0;
 
 }  // namespace
 
@@ -94,7 +32,9 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
     : paths_(std::move(paths)),
       fonts_(fonts),
       session_(fonts),
-      theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)) {
+      theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)),
+      picture_(*this),
+      unsaved_(paths_.state) {
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";
   for (const LoadedLesson& loaded : load_lessons(folder, vocabulary())) {
     if (loaded.lesson) {
@@ -106,299 +46,42 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
                           fs::path(first.file).filename().string(), 0, to_string(first)});
     }
   }
+#define DRAWER(name) drawers_.push_back(name##_drawer(*this));
+#include "drawers.def"
+#undef DRAWER
   make_commands();
-  const fs::path opening = paths_.share / "lessons" / (std::string(kOpening) + ".toml");
-  fs::path file = opening;
-  if (!name.empty() && !fs::is_directory(name)) {
-    const fs::path by_id = paths_.share / "lessons" / (name + ".toml");
-    file = fs::exists(name) ? fs::path(name) : by_id;
-    if (!fs::exists(file)) {
-      throw std::runtime_error(fmt::format(
-          "there is no lesson, case or folder '{}'; `gjkscope lessons` lists the lessons", name));
-    }
-  } else if (fs::is_directory(name)) {
+  read_recent();
+  fs::path file = opening_lesson(paths_.share);
+  if (fs::is_directory(name)) {
     const auto good =
         std::find_if(lessons_.begin(), lessons_.end(),
                      [](const ListedLesson& lesson) { return lesson.problem.empty(); });
     if (good == lessons_.end())
       throw std::runtime_error(fmt::format("{} holds no lesson that can be shown", name));
     file = good->file;
+  } else if (!name.empty()) {
+    file = fs::exists(name) ? fs::path(name) : paths_.share / "lessons" / (name + ".toml");
+    if (!fs::exists(file)) {
+      throw std::runtime_error(fmt::format(
+          "there is no lesson, case or folder '{}'; `gjkscope lessons` lists the lessons", name));
+    }
   }
+  const bool is_first = recent_.empty();
   open_path(file);
   if (message_is_error_) throw std::runtime_error(message_);
-  message_.clear();
-  if (name.empty()) session_.step_iteration(1);
-  if (!paths_.state.empty()) {
-    std::error_code none;
-    fs::create_directories(paths_.state, none);
-    std::ifstream recent(paths_.state / "recent");
-    for (std::string line; std::getline(recent, line) && recent_.size() < kMostRecent;)
-      recent_.push_back(line);
-    restore();
-  }
+  if (is_first) say("Drag a vertex. → shows the next step, ? all keys.");
+  offer_left_work();
 }
 
-App::~App() {
-  if (session_.all_unsaved().empty()) keep_only(0);
-}
+App::~App() { keep_unsaved(); }
 
-// Files ------------------------------------------------------------------------------------------
+// Time -------------------------------------------------------------------------------------------
 
 void App::say(std::string message, bool is_error) {
   message_ = std::move(message);
   message_is_error_ = is_error;
+  message_ends_.reset();
 }
-
-void App::open_path(const fs::path& path) {
-  try {
-    if (path.extension() == ".json") {
-      const std::string text = read_whole(path);
-      if (text.find("\"rows\":") == std::string::npos) {
-        open_case_text(text, path.string());
-      } else {
-        open_results(text, path);
-      }
-    } else {
-      open_lesson(path);
-    }
-  } catch (const std::runtime_error& error) {
-    say(error.what(), true);
-  }
-}
-
-void App::open_lesson(const fs::path& file) {
-  LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
-  if (!loaded.lesson) return say(all_of(loaded.problems), true);
-  if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);
-}
-
-void App::open_case_text(std::string_view text, const std::string& name, bool unsaved) {
-  const std::vector<ReadCase> cases = parse_cases(text, name);
-  if (!cases.front().value) return say(all_of(cases.front().problems), true);
-  std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
-  if (lesson && show(*std::move(lesson), {}, name, unsaved) && cases.size() > 1)
-    say(fmt::format("the first of {} cases", cases.size()));
-}
-
-std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
-  // A case has no words and no views: it is shown as the opening lesson shows its shapes.
-  const Lesson plain = lesson_of(shapes, name, ScalarKind::double_);
-  const fs::path template_file = paths_.share / "lessons" / (std::string(kOpening) + ".toml");
-  LoadedLesson loaded = parse_lesson(read_whole(template_file), template_file, vocabulary());
-  if (!loaded.lesson) {
-    say(all_of(loaded.problems), true);
-    return std::nullopt;
-  }
-  Lesson lesson = std::move(*loaded.lesson);
-  lesson.id = plain.id;
-  lesson.path.clear();
-  lesson.title = name;
-  lesson.prose = "Shapes of a case. The distance is {distance}.";
-  lesson.source.clear();
-  lesson.x = plain.x;
-  lesson.y = plain.y;
-  lesson.options = plain.options;
-  lesson.questions.clear();
-  lesson.expect = {};
-  for (LessonView& view : lesson.views) view.camera.reset();
-  // All differences of large shapes are more than can be told apart, and than can be computed.
-  constexpr std::size_t kMostPairs = 100'000;
-  if (lesson.x.vertices.size() * lesson.y.vertices.size() > kMostPairs) {
-    for (LessonView& view : lesson.views) view.effects.clear();
-  }
-  lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to
-  return lesson;
-}
-
-bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
-  release();
-  const bool leaves_unsaved = session_.is_unsaved();
-  if (!session_.open(std::move(lesson), file, unsaved)) {
-    say(fmt::format("{}: {}", name, session_.problem()), true);
-    return false;
-  }
-  say(leaves_unsaved ? "undo goes back to what was not saved" : "");
-  selected_ = {};
-  playing_ = false;
-  if (leaves_unsaved || unsaved) {
-    keep_unsaved();
-  } else {
-    kept_version_ = session_.version();
-  }
-  back_.reset();
-  return true;
-}
-
-void App::file_changed(const fs::path& path) {
-  if (path != session_.file()) return;
-  try {
-    LoadedLesson loaded = parse_lesson(read_whole(path), path, vocabulary());
-    if (!loaded.lesson) return say(all_of(loaded.problems), true);
-    if (*loaded.lesson == session_.lesson()) return;
-    release();
-    if (!session_.reload(std::move(*loaded.lesson)))
-      return say(fmt::format("{}: {}", path.string(), session_.problem()), true);
-    say(fmt::format("{} has changed and was read again; undo brings back what was here",
-                    path.filename().string()));
-  } catch (const std::runtime_error&) {
-    // Between two writes of an editor there may be no file.
-  }
-}
-
-void App::save_to(const fs::path& file) {
-  try {
-    if (file.extension() == ".json") {
-      const PositionedRun& run = session_.run().run(session_.frame());
-      write_whole(file, case_json(case_of(run), session_.lesson().id));
-      return say(fmt::format("saved the case {}", file.string()));
-    }
-    Lesson lesson = with_absolute_results(session_.lesson_as_seen());
-    lesson.expect = outcome_of(session_.run());
-    const std::string commented = keep_commented(file);
-    write_whole(file, lesson_toml(lesson));
-    session_.mark_saved(file);
-    remember_recent(file);
-    keep_unsaved();
-    say(fmt::format("saved {}{}", file.string(),
-                    commented.empty() ? "" : "; as it was, with its comments: " + commented));
-  } catch (const std::runtime_error& error) {
-    say(error.what(), true);
-  }
-}
-
-void App::save_answers_to(const fs::path& file) {
-  try {
-    write_whole(file, session_.answers_json());
-    say(fmt::format("saved {}", file.string()));
-  } catch (const std::runtime_error& error) {
-    say(error.what(), true);
-  }
-}
-
-void App::export_to(const fs::path& folder, bool all) {
-  ExportOptions options;
-  options.out_dir = folder;
-  options.assets_dir = paths_.share / "assets";
-  options.theme = theme_name_;
-  options.index = all;
-  options.questions = false;
-  Lesson lesson = session_.lesson_as_seen();
-  lesson.questions.clear();
-  if (!all) {
-    int step = 0;
-    for (int i = 0; i <= session_.index(); ++i)
-      step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
-    options.first_step = options.last_step = std::max(step, 1);
-  }
-  std::string outcome;
-  bool failed = false;
-  // A thread of its own: there the off-screen renderer's context is current, and here the window's.
-  std::thread([&] {
-    try {
-      const ExportResult result = export_lessons({lesson}, options);
-      outcome = fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                            folder.string());
-    } catch (const std::exception& error) {
-      outcome = error.what();
-      failed = true;
-    }
-  }).join();
-  say(outcome, failed);
-}
-
-void App::remember_recent(const fs::path& file) {
-  const std::string path = fs::absolute(file).lexically_normal().string();
-  std::erase(recent_, path);
-  recent_.insert(recent_.begin(), path);
-  if (recent_.size() > kMostRecent) recent_.resize(kMostRecent);
-  if (paths_.state.empty()) return;
-  std::string text;
-  for (const std::string& each : recent_) text += each + "\n";
-  try {
-    write_whole(paths_.state / "recent", text);
-  } catch (const std::runtime_error&) {
-    // A convenience; a full disk is said where work is saved.
-  }
-}
-
-// Unsaved work -----------------------------------------------------------------------------------
-
-namespace {
-constexpr std::string_view kKeptFrom = "# unsaved work on ";
-std::string kept_name(long process, int number) {
-  return fmt::format("unsaved-{}-{}.toml", process, number);
-}
-}  // namespace
-
-void App::autosave() {
-  if (session_.version() != kept_version_) keep_unsaved();
-}
-
-void App::keep_unsaved() {
-  if (paths_.state.empty()) return;
-  kept_version_ = session_.version();
-  next_save_ = now_ + kSaveEvery;
-  int kept = 0;
-  try {
-    for (const Session::Unsaved& each : session_.all_unsaved()) {
-      const std::string text = fmt::format("{}{}\n{}", kKeptFrom, each.file.string(),
-                                           lesson_toml(with_absolute_results(each.lesson)));
-      // Bytes: not pushed to the disk, which would hold up a drag; a killed process loses none.
-      write_whole(paths_.state / kept_name(::getpid(), ++kept),
-                  std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-    }
-    keep_only(kept);
-  } catch (const std::runtime_error& error) {
-    say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
-  }
-}
-
-void App::keep_only(int count) const {
-  if (paths_.state.empty()) return;
-  std::error_code none;
-  while (fs::remove(paths_.state / kept_name(::getpid(), ++count), none)) continue;
-}
-
-void App::restore() {
-  std::error_code none;
-  std::map<std::pair<long, int>, fs::path> kept;
-  for (const fs::directory_entry& entry : fs::directory_iterator(paths_.state, none)) {
-    const std::string name = entry.path().filename().string();
-    long process = 0;
-    int number = 0;
-    if (std::sscanf(name.c_str(), "unsaved-%ld-%d.toml", &process, &number) != 2 ||
-        name != kept_name(process, number)) {
-      continue;
-    }
-    const bool alive = ::kill(static_cast<pid_t>(process), 0) == 0;
-    if (!alive) kept[{process, number}] = entry.path();
-  }
-  std::vector<std::string> restored;
-  std::vector<fs::path> taken;
-  for (const auto& [key, path] : kept) {
-    try {
-      const std::string text = read_whole(path);
-      const std::size_t end = text.find('\n');
-      std::string from;
-      if (text.starts_with(kKeptFrom) && end != std::string::npos)
-        from = text.substr(kKeptFrom.size(), end - kKeptFrom.size());
-      LoadedLesson loaded = parse_lesson(text, from.empty() ? "unsaved.toml" : from, vocabulary());
-      if (!loaded.lesson || !session_.open(std::move(*loaded.lesson), from, true)) continue;
-      restored.push_back(from.empty() ? session_.lesson().title
-                                      : fs::path(from).filename().string());
-      taken.push_back(path);
-    } catch (const std::runtime_error&) {
-      continue;
-    }
-  }
-  if (restored.empty()) return;
-  keep_unsaved();
-  for (const fs::path& path : taken) fs::remove(path, none);
-  say(fmt::format("restored what was not saved of {}{}", fmt::join(restored, ", "),
-                  restored.size() > 1 ? "; undo goes back through them" : ""));
-}
-
-// Time -------------------------------------------------------------------------------------------
 
 void App::tick(double now) {
   now_ = now;
@@ -407,104 +90,117 @@ void App::tick(double now) {
     if (waits || !session_.step(1)) playing_ = false;
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
-  if (now_ >= next_save_) autosave();
+  if (!message_ends_) message_ends_ = message_is_error_ ? HUGE_VAL : now_ + kMessageStays;
+  if (now_ >= *message_ends_) message_.clear();
+  if (now_ >= next_save_ && session_.version() != kept_version_) keep_unsaved();
+  note_finished();
 }
 
 std::optional<double> App::wakes_at() const {
-  std::optional<double> at;
+  double at = HUGE_VAL;
   if (playing_) at = next_step_;
-  if (!paths_.state.empty() && session_.version() != kept_version_)
-    at = std::min(at.value_or(HUGE_VAL), next_save_);
+  if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
+  if (unsaved_.keeps() && session_.version() != kept_version_) at = std::min(at, next_save_);
+  if (std::isinf(at)) return std::nullopt;
   return at;
 }
 
-// Commands ---------------------------------------------------------------------------------------
-
-void App::step(int by) {
-  playing_ = false;
-  if (by > 0 && session_.question()) {
-    say("a question is open: answer it, or go on with Shift+Right");
-    return;
+void App::keep_unsaved() {
+  kept_version_ = session_.version();
+  next_save_ = now_ + kSaveEvery;
+  try {
+    unsaved_.keep(session_.all_unsaved());
+  } catch (const std::runtime_error& error) {
+    say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
   }
-  session_.step(by);
 }
 
-void App::choose(int number) {
-  const FrameQuestion* question = session_.question();
-  if (question && number < static_cast<int>(question->choices.size()))
-    answer(question->choices[static_cast<std::size_t>(number)]);
-}
+// Changes ----------------------------------------------------------------------------------------
 
-void App::answer(const std::string& choice) {
-  session_.answer(choice);
-  const Answer& given = session_.answers().back();
-  last_answer_ = given.is_right();
-  say(given.is_right() ? fmt::format("Right: {}.", given.right)
-                       : fmt::format("Not {}: {}.", given.chosen, given.right));
+bool App::edit(const std::string& name, Lesson lesson) {
+  if (session_.edit(name, std::move(lesson))) return true;
+  say(session_.problem(), true);
+  return false;
 }
 
 void App::select_next(int by) {
-  using Kind = Subject::Kind;
   const int of_x = static_cast<int>(session_.lesson().x.vertices.size());
   const int of_y = static_cast<int>(session_.lesson().y.vertices.size());
-  int at = selected_.kind == Kind::vertex_of_x   ? selected_.x
-           : selected_.kind == Kind::vertex_of_y ? of_x + selected_.y
-           : by > 0                              ? -1
-                                                 : 0;
+  Subject& selected = picture_.selected;
+  int at = selected.kind == Kind::vertex_of_x   ? selected.x
+           : selected.kind == Kind::vertex_of_y ? of_x + selected.y
+           : by > 0                             ? -1
+                                                : 0;
   at = (at + by + of_x + of_y) % (of_x + of_y);
-  selected_ =
-      at < of_x ? Subject{Kind::vertex_of_x, at} : Subject{Kind::vertex_of_y, -1, at - of_x};
+  selected = at < of_x ? Subject{Kind::vertex_of_x, at} : Subject{Kind::vertex_of_y, -1, at - of_x};
 }
 
 void App::nudge(const Vector2d& pixels) {
-  using Kind = Subject::Kind;
-  if (session_.stages().empty()) return;
-  const LessonPictures::Stage stage = session_.stages().front();
-  const double unit = stage.camera.height / stage.card.size().y();
+  const Subject& selected = picture_.selected;
+  const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
+  const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
+  const LessonPictures::Stage view = session_.views().front();
+  const double unit = view.camera.height / view.card.size().y();
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
                                   : Vector2d(2.0 * unit * pixels);
-  const bool of_x = selected_.kind == Kind::vertex_of_x || selected_.kind == Kind::shape_x;
   const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
-  session_.end_drag();
+  session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = of_x ? run.x_world : run.y_world;
-  if (selected_.kind == Kind::vertex_of_x || selected_.kind == Kind::vertex_of_y) {
-    const int index = of_x ? selected_.x : selected_.y;
-    session_.change("move a vertex", [&](Lesson& lesson) {
-      if (world.size() == 1) return edit::move_shape(lesson, which, by);
-      edit::put_vertex(lesson, which, index, edit::placement_of(run, which),
-                       world[static_cast<std::size_t>(index)] + by);
-    });
-  } else if (selected_.kind == Kind::shape_x || selected_.kind == Kind::shape_y) {
-    session_.change("move a shape", [&](Lesson& lesson) { edit::move_shape(lesson, which, by); });
-  }
+  session_.drag([&](Lesson& lesson) {
+    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, which, by);
+    const int index = of_x ? selected.x : selected.y;
+    edit::put_vertex(lesson, which, index, edit::placement_of(run, which),
+                     world[static_cast<std::size_t>(index)] + by);
+  });
+  session_.end_drag();
 }
 
 void App::erase_selected() {
-  using Kind = Subject::Kind;
-  const bool of_x = selected_.kind == Kind::vertex_of_x;
-  if (!of_x && selected_.kind != Kind::vertex_of_y) return say("no vertex is selected");
-  const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
-  const int index = of_x ? selected_.x : selected_.y;
-  const Lesson& lesson = session_.lesson();
-  Lesson tried = lesson;
-  if (!edit::erase_vertex(tried, which, index)) return say("a shape keeps its last vertex", true);
-  if (!is_sound(tried)) return;
-  session_.change("delete a vertex", [&](Lesson& edited) { edited = tried; });
-  selected_ = {};
+  const Subject& selected = picture_.selected;
+  const bool of_x = selected.kind == Kind::vertex_of_x;
+  Lesson lesson = session_.lesson();
+  if (!edit::erase_vertex(lesson, of_x ? edit::Which::x : edit::Which::y,
+                          of_x ? selected.x : selected.y))
+    return say("a shape keeps its last vertex");
+  if (edit("delete a vertex", std::move(lesson))) picture_.selected = {};
 }
 
-bool App::is_sound(const Lesson& lesson) {
-  const LoadedLesson read =
-      parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary());
-  if (read.lesson) return true;
-  std::string why;
-  for (const Problem& problem : read.problems) {
-    why += fmt::format("{}{}", why.empty() ? "" : "; ", problem.what);
-    if (!problem.expected.empty()) why += fmt::format(", expected {}", problem.expected);
+void App::step(int by, bool over_questions) {
+  playing_ = false;
+  if (by > 0 && !over_questions && session_.question())
+    return say("a question is open: choose with ↑ and ↓, answer with Enter, or Page Down tells");
+  session_.step(by);
+}
+
+void App::note_finished() {
+  if (session_.index() + 1 == session_.frame_count() &&
+      finished_.insert(session_.lesson().id).second)
+    write_lines("finished", {finished_.begin(), finished_.end()});
+}
+
+// Parts of the window ----------------------------------------------------------------------------
+
+void App::show_dialog(Dialog dialog) { dialog_ = std::make_shared<Dialog>(std::move(dialog)); }
+
+void App::show_drawer(std::string_view name, bool open) {
+  for (std::size_t i = 0; i < drawers_.size(); ++i) {
+    if (drawers_[i].name == name && (drawer_ == i) != open) toggle_drawer(i);
   }
-  say(fmt::format("this lesson cannot have that: {}", why), true);
-  return false;
+}
+
+void App::toggle_drawer(std::size_t index) {
+  const std::optional<std::size_t> was = drawer_;
+  drawer_ = was == index ? std::nullopt : std::optional(index);
+  for (const std::optional<std::size_t>& changed : {was, drawer_}) {
+    if (changed && drawers_[*changed].toggled) drawers_[*changed].toggled(changed == drawer_);
+  }
+}
+
+bool App::offer_click(const Subject& subject) {
+  return std::any_of(drawers_.begin(), drawers_.end(), [&](const Drawer& drawer) {
+    return drawer.clicked && drawer.clicked(subject);
+  });
 }
 
 void App::set_theme(const std::string& name) {
@@ -517,58 +213,108 @@ bool App::is_dark() const {
   return 0.3 * c.r + 0.6 * c.g + 0.1 * c.b < 128.0;
 }
 
+bool App::panels_have_keys() const { return focused_ || dialog_ || ImGui::GetIO().WantTextInput; }
+
+// Commands ---------------------------------------------------------------------------------------
+
 void App::make_commands() {
   const auto add = [&](std::string group, std::string name, std::vector<std::string> keys,
-                       std::function<void()> run) {
-    commands_.push_back({std::move(name), std::move(group), std::move(keys), std::move(run)});
+                       std::function<void()> run, std::function<bool()> can = nullptr) {
+    commands_.push_back(
+        {std::move(name), std::move(group), std::move(keys), std::move(run), std::move(can)});
   };
-  add("Step", "Next step", {"Right", "PageDown"}, [&] { step(1); });
-  add("Step", "Step before", {"Left", "PageUp"}, [&] { step(-1); });
-  add("Step", "Next iteration", {"Shift+Right"}, [&] {
-    playing_ = false;
-    session_.step_iteration(1);
-  });
-  add("Step", "Iteration before", {"Shift+Left"}, [&] {
-    playing_ = false;
-    session_.step_iteration(-1);
-  });
-  add("Step", "First frame", {"Home"}, [&] { session_.go_to(0); });
-  add("Step", "Last frame", {"End"}, [&] { session_.go_to(session_.frame_count() - 1); });
-  add("Step", "Play or pause", {"Space"}, [&] {
-    playing_ = !playing_;
-    if (playing_ && session_.index() + 1 == session_.frame_count()) session_.go_to(0);
-    next_step_ = now_ + 1.0 / frames_per_second_;
-  });
+  const auto is_not_first = [&] { return session_.index() > 0; };
+  const auto is_not_last = [&] { return session_.index() + 1 < session_.frame_count(); };
+  add(
+      "Step", "Next step", {"Right"}, [&] { step(1, false); }, is_not_last);
+  add(
+      "Step", "Step before", {"Left", "PageUp"}, [&] { step(-1, true); }, is_not_first);
+  add(
+      "Step", "Next step, over questions", {"PageDown"}, [&] { step(1, true); }, is_not_last);
+  add(
+      "Step", "Next iteration", {"Shift+Right"},
+      [&] {
+        playing_ = false;
+        session_.step_iteration(1);
+      },
+      is_not_last);
+  add(
+      "Step", "Iteration before", {"Shift+Left"},
+      [&] {
+        playing_ = false;
+        session_.step_iteration(-1);
+      },
+      is_not_first);
+  add(
+      "Step", "First frame", {"Home"}, [&] { session_.go_to(0); }, is_not_first);
+  add(
+      "Step", "Last frame", {"End"}, [&] { session_.go_to(session_.frame_count() - 1); },
+      is_not_last);
+  add(
+      "Step", "Play or pause", {"Space"},
+      [&] {
+        playing_ = !playing_;
+        if (playing_ && session_.index() + 1 == session_.frame_count()) session_.go_to(0);
+        next_step_ = now_ + 1.0 / frames_per_second_;
+      },
+      [&] { return session_.frame_count() > 1; });
   add("Step", "Play faster", {"]"},
-      [&] { frames_per_second_ = std::min(2.0 * frames_per_second_, 32.0); });
+      [&] { frames_per_second_ = std::min(2.0 * frames_per_second_, kFastest); });
   add("Step", "Play slower", {"["},
-      [&] { frames_per_second_ = std::max(0.5 * frames_per_second_, 0.25); });
-  add("Predict", "Predict mode", {"P"}, [&] {
-    session_.set_predicting(!session_.is_predicting());
-    drawer_ = session_.is_predicting() ? Drawer::predict : Drawer::none;
-    last_answer_.reset();
-  });
-  for (int i = 0; i < 9; ++i) {
-    add("Predict", fmt::format("Answer {}", i + 1), {std::to_string(i + 1)},
-        [this, i] { choose(i); });
-  }
-  add("Edit", "Undo", {"Ctrl+Z"}, [&] {
-    release();  // what is held may not be there afterwards
-    const std::string name = session_.undo_name();
-    say(session_.undo() ? fmt::format("undone: {}", name) : "nothing to undo");
-  });
-  add("Edit", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"}, [&] {
-    release();
-    const std::string name = session_.redo_name();
-    say(session_.redo() ? fmt::format("done again: {}", name) : "nothing to do again");
-  });
+      [&] { frames_per_second_ = std::max(0.5 * frames_per_second_, kSlowest); });
+  const auto neighbour = [this](int by) -> const ListedLesson* {
+    const auto open = std::find_if(lessons_.begin(), lessons_.end(), [&](const ListedLesson& each) {
+      return each.id == session_.lesson().id;
+    });
+    if (open == lessons_.end()) return nullptr;
+    for (auto i = open - lessons_.begin() + by; i >= 0 && i < std::ssize(lessons_); i += by) {
+      const ListedLesson& lesson = lessons_[static_cast<std::size_t>(i)];
+      if (lesson.problem.empty()) return &lesson;
+    }
+    return nullptr;
+  };
+  add(
+      "Step", "Next lesson", {"Ctrl+PageDown"},
+      [this, neighbour] { open_path(neighbour(1)->file); },
+      [neighbour] { return neighbour(1) != nullptr; });
+  add(
+      "Step", "Lesson before", {"Ctrl+PageUp"},
+      [this, neighbour] { open_path(neighbour(-1)->file); },
+      [neighbour] { return neighbour(-1) != nullptr; });
+
+  add(
+      "Edit", "Undo", {"Ctrl+Z"},
+      [&] {
+        picture_.release();  // what is held may not be there afterwards
+        const std::string name = session_.undo_name();
+        if (session_.undo()) say(fmt::format("undone: {}", name));
+      },
+      [&] { return !session_.undo_name().empty(); });
+  add(
+      "Edit", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"},
+      [&] {
+        picture_.release();
+        const std::string name = session_.redo_name();
+        if (session_.redo()) say(fmt::format("done again: {}", name));
+      },
+      [&] { return !session_.redo_name().empty(); });
   add("Edit", "Select the next vertex", {"Tab"}, [&] { select_next(1); });
   add("Edit", "Select the vertex before", {"Shift+Tab"}, [&] { select_next(-1); });
-  add("Edit", "Move what is selected right", {"Ctrl+Right"}, [&] { nudge({1, 0}); });
-  add("Edit", "Move what is selected left", {"Ctrl+Left"}, [&] { nudge({-1, 0}); });
-  add("Edit", "Move what is selected up", {"Ctrl+Up"}, [&] { nudge({0, 1}); });
-  add("Edit", "Move what is selected down", {"Ctrl+Down"}, [&] { nudge({0, -1}); });
-  add("Edit", "Delete the selected vertex", {"Delete", "Backspace"}, [&] { erase_selected(); });
+  const auto has_selected = [&] { return picture_.selected.kind != Kind::none; };
+  for (const auto& [key, by] :
+       {std::pair("Right", Vector2d(1, 0)), {"Left", {-1, 0}}, {"Up", {0, 1}}, {"Down", {0, -1}}}) {
+    std::string where = key;
+    where[0] = static_cast<char>(std::tolower(where[0]));
+    add(
+        "Edit", "Move what is selected " + where, {std::string("Ctrl+") + key},
+        [this, by = by] { nudge(by); }, has_selected);
+  }
+  add(
+      "Edit", "Delete the selected vertex", {"Delete", "Backspace"}, [&] { erase_selected(); },
+      [&] {
+        const Kind kind = picture_.selected.kind;
+        return kind == Kind::vertex_of_x || kind == Kind::vertex_of_y;
+      });
   add("Edit", "Snap to a grid", {"G"}, [&] { snap_ = snap_ > 0.0 ? 0.0 : 0.25; });
   add("Edit", "Copy as case", {"Ctrl+C"}, [&] {
     if (copy) copy(case_json(case_of(session_.run().run(session_.frame())), session_.lesson().id));
@@ -577,101 +323,120 @@ void App::make_commands() {
   add("Edit", "Paste a case", {"Ctrl+V"}, [&] {
     if (paste) open_case_text(paste(), "pasted", true);
   });
-  add("File", "Open", {"Ctrl+O"}, [&] {
-    dialog_ = Dialog::open;
-    field_ = session_.file().parent_path().string();
-  });
-  add("File", "Save", {"Ctrl+S"}, [&] {
+
+  add("File", "Open", {"Ctrl+O"}, [&] { show_dialog(open_dialog(*this)); });
+  const auto save_as = [this] {
+    const std::string title = "Save as a lesson (.toml) or a case (.json)";
+    const bool is_shipped = session_.file().empty() || is_in(session_.file(), share() / "lessons");
+    show_dialog(save_dialog(*this, title,
+                            is_shipped ? session_.lesson().id + ".toml" : session_.file().string(),
+                            session_.file(), [this](const fs::path& file) { save_to(file); }));
+  };
+  add("File", "Save", {"Ctrl+S"}, [this, save_as] {
     const fs::path& file = session_.file();
-    std::error_code none;
-    const bool shipped =
-        !file.empty() && fs::equivalent(file.parent_path(), paths_.share / "lessons", none);
-    if (!file.empty() && !shipped) return save_to(file);
-    dialog_ = Dialog::save;
-    field_ = fmt::format("{}.toml", session_.lesson().id);
+    if (file.empty() || is_in(file, share() / "lessons")) return save_as();
+    save_to(file);
   });
-  add("File", "Save as", {"Ctrl+Shift+S"}, [&] {
-    dialog_ = Dialog::save;
-    field_ = session_.file().empty() ? session_.lesson().id + ".toml" : session_.file().string();
-  });
-  add("File", "Export frames", {"Ctrl+E"}, [&] {
-    dialog_ = Dialog::export_frames;
-    field_ = "frames";
-  });
+  add("File", "Save as", {"Ctrl+Shift+S"}, save_as);
+  add(
+      "File", "Revert to what is saved", {"Ctrl+R"},
+      [&] {
+        picture_.release();
+        if (!session_.revert()) return say(session_.problem(), true);
+        say("as it is saved; undo brings back what was here");
+      },
+      [&] { return session_.saved() && session_.is_unsaved(); });
+  add(
+      "File", "Open unsaved work", {}, [&] { open_left_work(); }, [&] { return !left_.empty(); });
+  add(
+      "File", "Discard unsaved work", {},
+      [&] {
+        unsaved_.forget_left();
+        left_.clear();
+      },
+      [&] { return !left_.empty(); });
+  add("File", "Export frames", {"Ctrl+E"}, [&] { show_dialog(export_dialog(*this)); });
   add("File", "Quit", {"Ctrl+Q"}, [&] { quit_ = true; });
+
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
   add("View", "Lessons", {"L"}, [&] { lessons_shown_ = !lessons_shown_; });
-  const auto toggle = [this](Drawer drawer) {
-    drawer_ = drawer_ == drawer ? Drawer::none : drawer;
-  };
-  add("View", "Shapes", {"S"}, [toggle] { toggle(Drawer::shapes); });
-  add("View", "Values", {"V"}, [toggle] { toggle(Drawer::values); });
-  add("View", "Numerics", {"N"}, [toggle] { toggle(Drawer::numerics); });
-  add("View", "Effects", {"E"}, [toggle] { toggle(Drawer::effects); });
-  add("View", "Study", {"A"}, [toggle] { toggle(Drawer::study); });
-  add("View", "Worst run of the configuration", {"Enter"}, [&] {
-    const auto& study = session_.lesson().study;
-    const StudyFrame shown = session_.frame().study.value_or(StudyFrame{});
-    if (shown.stage != StudyStage::mark)
-      return say("this frame introduces no configuration of a study");
-    const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];
-    open_worst_run(study->dot(mark.configuration));
-  });
-  add("View", "Back to the study", {"B"}, [&] { go_back(); });
+  for (std::size_t i = 0; i < drawers_.size(); ++i) {
+    add("View", drawers_[i].name, {drawers_[i].key}, [this, i] { toggle_drawer(i); });
+    for (const Command& command : drawers_[i].commands) commands_.push_back(command);
+  }
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
       [&] { panel_size_ = std::min(panel_size_ + 0.125, 3.0); });
   add("View", "Smaller panels", {"Ctrl+-"},
       [&] { panel_size_ = std::max(panel_size_ - 0.125, 0.75); });
-  for (const std::string& theme : Theme::names(paths_.share / "assets" / "themes"))
+  add("View", "Next panel by keyboard", {"F6"}, [&] { focus_next_panel(1); });
+  add("View", "Panel before by keyboard", {"Shift+F6"}, [&] { focus_next_panel(-1); });
+  const std::vector<std::string> themes = Theme::names(paths_.share / "assets" / "themes");
+  for (const std::string& theme : themes)
     add("View", "Theme " + theme, {}, [this, theme] { set_theme(theme); });
-  add("View", "Next theme", {"T"}, [&] {
-    const std::vector<std::string> names = Theme::names(paths_.share / "assets" / "themes");
-    const auto now = std::find(names.begin(), names.end(), theme_name_);
-    set_theme(now == names.end() || now + 1 == names.end() ? names.front() : *(now + 1));
+  add("View", "Next theme", {"T"}, [this, themes] {
+    const auto now = std::find(themes.begin(), themes.end(), theme_name_);
+    set_theme(now == themes.end() || now + 1 == themes.end() ? themes.front() : *(now + 1));
   });
-  add("Help", "Keys", {"?", "F1"},
-      [&] { dialog_ = dialog_ == Dialog::help ? Dialog::none : Dialog::help; });
-  add("Help", "Any command", {"Ctrl+P", "/"}, [&] {
-    dialog_ = Dialog::palette;
-    filter_.clear();
-  });
+
+  add("Help", "Keys", {"?", "F1"}, [&] { show_dialog(keys_dialog(*this)); });
+  add("Help", "Any command", {"Ctrl+P", "/"}, [&] { show_dialog(palette_dialog(*this)); });
   add("Help", "Close or leave", {"Escape"}, [&] {
-    if (dialog_ != Dialog::none) {
-      dialog_ = Dialog::none;
+    if (dialog_) {
+      close_dialog();
+    } else if (focused_) {
+      focused_.reset();
+      focus_moves_ = true;
     } else if (presenting_) {
       presenting_ = false;
     } else {
-      selected_ = {};
-      say("");
+      message_.clear();
+      picture_.selected = {};
     }
   });
+}
+
+void App::focus_next_panel(int by) {
+  std::vector<std::optional<std::string>> panels = {std::nullopt, "##top"};
+  if (lessons_shown_) panels.emplace_back("##lessons");
+  panels.emplace_back("##transport");
+  if (drawer_) panels.emplace_back("##drawer");
+  const auto now = std::find(panels.begin(), panels.end(), focused_) - panels.begin();
+  const auto count = std::ssize(panels);
+  focused_ = panels[static_cast<std::size_t>((now + by + count) % count)];
+  focus_moves_ = true;
 }
 
 bool App::press(const KeyPress& press) {
   const std::string name =
       fmt::format("{}{}{}", press.ctrl ? "Ctrl+" : "", press.shift ? "Shift+" : "", press.key);
   // Under a dialog nothing moves but the dialog.
-  if (dialog_ != Dialog::none && name != "Escape" && !(dialog_ == Dialog::help && name == "?"))
-    return false;
+  if (dialog_ && name != "Escape") return false;
+  if (panels_have_keys() && name != "Escape" && !name.ends_with("F6")) return false;
+  bool has_key = false;
   for (const Command& command : commands_) {
     if (std::find(command.keys.begin(), command.keys.end(), name) == command.keys.end()) continue;
+    has_key = true;
+    if (!command.is_enabled()) continue;
     command.run();
-    return true;
+    break;
   }
-  return false;
+  return has_key;
+}
+
+const Command* App::command(std::string_view name) const {
+  const auto found = std::find_if(commands_.begin(), commands_.end(),
+                                  [&](const Command& command) { return command.name == name; });
+  return found == commands_.end() ? nullptr : &*found;
 }
 
 bool App::run_command(std::string_view name) {
-  for (const Command& command : commands_) {
-    if (command.name != name) continue;
-    command.run();
-    return true;
-  }
-  return false;
+  const Command* found = command(name);
+  if (found && found->is_enabled()) found->run();
+  return found != nullptr;
 }
 
-// For tests and scripts --------------------------------------------------------------------------
+// For scripts ------------------------------------------------------------------------------------
 
 std::string App::title() const {
   return fmt::format("{}{} - gjkscope", session_.is_unsaved() ? "* " : "", session_.lesson().title);
@@ -692,7 +457,11 @@ std::string App::state_json() {
                                  {"playing", playing_},
                                  {"presenting", presenting_},
                                  {"theme", theme_name_},
+                                 {"drawer", drawer_ ? drawers_[*drawer_].name : ""},
+                                 {"dialog", dialog_ ? dialog_->title : ""},
                                  {"message", message_},
+                                 {"left", left_.size()},
+                                 {"recent", recent_},
                                  {"question", session_.question() != nullptr},
                                  {"asked", session_.answers().size()},
                                  {"right", session_.right_answers()}};

@@ -2,27 +2,26 @@
 // The window's content: Dear ImGui calls from a session, and from input back to it. Knows no SDL
 // and no GL; window.cpp feeds it, and so do tests.
 
-#include <array>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "command.hpp"
+#include "dialog.hpp"
+#include "drawer.hpp"
+#include "icon.hpp"
 #include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
-#include "session/edit.hpp"
+#include "picture_view.hpp"
 #include "session/session.hpp"
+#include "unsaved.hpp"
 
 namespace gjkscope {
-
-/// A key as it was pressed: "Right", "PageUp", "Space", "F5", "A", "/" and so on.
-struct KeyPress {
-  std::string key;
-  bool ctrl = false;
-  bool shift = false;
-};
 
 /// A lesson file of the list beside the picture.
 struct ListedLesson {
@@ -44,6 +43,8 @@ class App {
   /// Throws std::runtime_error with the problems of a file that cannot be shown.
   App(Paths paths, const Fonts& fonts, const std::string& name);
   ~App();
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
 
   // Called by the window
 
@@ -52,12 +53,12 @@ class App {
   [[nodiscard]] double layout(double width, double height, double density = 1.0);
   /// Pixels of the panels' type and spaces per pixel of theirs at scale 1.
   [[nodiscard]] double ui_scale() const { return ui_scale_; }
-  /// All windows of a frame.
-  void draw(const AtlasFonts& fonts);
+  /// All windows of a frame. `mono`: the panels' font for numbers.
+  void draw(const AtlasFonts& fonts, ImFont* mono = nullptr);
   /// False when no command has this key.
   bool press(const KeyPress& press);
-  /// The button went down for the first time, or for the second within a moment.
-  void clicked(int times) { clicks_ = times; }
+  /// Whether keys go to the panels, and not to commands.
+  [[nodiscard]] bool panels_have_keys() const;
   /// Files that were dropped on the window, or named by another program.
   void open_path(const std::filesystem::path& path);
   /// A file that is shown has changed.
@@ -73,153 +74,118 @@ class App {
   [[nodiscard]] bool wants_to_quit() const { return quit_; }
   [[nodiscard]] bool wants_full_screen() const { return presenting_; }
   [[nodiscard]] std::string title() const;
-  [[nodiscard]] Color background() const { return theme_.background(); }
   /// The panels take the colours of the theme.
   void set_colors() const;
-  /// The files whose changes matter.
+  /// The file whose changes matter.
   [[nodiscard]] std::filesystem::path watched() const { return session_.file(); }
 
-  // Asked by tests and scripts
+  // What the parts of the window know of each other
 
   [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] std::string state_json();
-  /// Where on the window a mark of the subject is; nothing when none is to be seen.
-  [[nodiscard]] std::optional<Point> place_of(const Subject& subject);
-  /// Where the handle is that turns a shape.
-  [[nodiscard]] std::optional<Point> rotation_handle_at(edit::Which which) const;
-  [[nodiscard]] const Subject& hovered() const { return hovered_; }
+  [[nodiscard]] PictureView& picture() { return picture_; }
+  [[nodiscard]] const Fonts& fonts() const { return fonts_; }
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+  [[nodiscard]] const std::string& theme_name() const { return theme_name_; }
+  [[nodiscard]] bool is_dark() const;
+  [[nodiscard]] bool is_presenting() const { return presenting_; }
+  [[nodiscard]] const std::filesystem::path& share() const { return paths_.share; }
+  [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
+  [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
+  [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
   [[nodiscard]] const std::string& message() const { return message_; }
-  void save_to(const std::filesystem::path& file);
+  [[nodiscard]] ImFont* mono_font() const { return mono_; }
+  /// Grid to which a hand is held; 0: none.
+  [[nodiscard]] double snap() const { return snap_; }
+  /// How drawers write numbers.
+  bool hexadecimal = false;
+  /// What drawers point at in the frame that is being drawn.
+  Subject pointed_in_panel;
+
+  /// The one way to change a lesson; says why when it is refused.
+  bool edit(const std::string& name, Lesson lesson);
+  void say(std::string message, bool is_error = false);
   bool run_command(std::string_view name);
+  void show_dialog(Dialog dialog);
+  void close_dialog() { dialog_.reset(); }
+  [[nodiscard]] bool has_dialog() const { return dialog_ != nullptr; }
+  void show_drawer(std::string_view name, bool open = true);
+  /// A click on the picture that a drawer may want.
+  bool offer_click(const Subject& subject);
+  /// A button that does a command, grey while that would do nothing. `width` as of Dear ImGui.
+  void draw_button(std::string_view command, float width = 0.0f);
+  void stop_playing() { playing_ = false; }
+
+  void open_lesson(const std::filesystem::path& file);
+  /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
+  /// cannot be shown. `unsaved`: it comes from no file.
+  bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name,
+            bool unsaved = false);
+  /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
+  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
+  void save_to(const std::filesystem::path& file);
+  /// Writes text of the user's; says what was written, or why not.
+  void write_text(const std::filesystem::path& file, const std::string& text);
+  void export_to(const std::filesystem::path& folder, bool all);
+
+  // For scripts
+  [[nodiscard]] std::string state_json();
 
  private:
-  struct Command {
-    std::string name;   ///< "Next phase"
-    std::string group;  ///< "Step"
-    std::vector<std::string> keys;
-    std::function<void()> run;
-  };
-  enum class Drawer { none, shapes, values, numerics, effects, predict, study };
-  enum class Dialog { none, open, save, export_frames, help, palette, save_answers };
-
-  [[nodiscard]] bool is_dark() const;
-
-  // Where things are
-  [[nodiscard]] Point to_page(const Point& pixel) const;
-  [[nodiscard]] Point to_pixel(const Point& on_page) const;
-  [[nodiscard]] std::optional<std::size_t> stage_at(const Point& on_page) const;
-  [[nodiscard]] Eigen::Vector2d to_view(std::size_t stage, const Point& on_page) const;
-  [[nodiscard]] Rect rotation_handle(edit::Which which) const;
-
   // Parts of the window
-  void draw_picture(const AtlasFonts& fonts);
-  void draw_highlights();
-  void draw_toolbar();
+  void draw_top_bar();
+  void draw_transport();
   void draw_lessons();
   void draw_drawer();
-  void draw_shapes();
-  void draw_values();
-  void draw_numerics();
-  /// Rows that choose how a run computes; true when one was changed.
-  static bool choose_options(ScalarKind& scalar, gjk::Options& options);
-  [[nodiscard]] gjk::Options options_beside() const;
-  /// The second run, computed when something that it depends on has changed.
-  const PositionedRun& run_beside();
-  void draw_effects();
-  void draw_predict();
-  void draw_study();
-  /// What a dot of the study's plot says, beside the pointer.
-  void draw_dot_tooltip() const;
-  void draw_dialogs();
-  void draw_open_dialog(bool entered);
-  void draw_palette(bool entered);
+  void draw_dialog();
   void draw_message();
-
-  // Input on the picture
-  void point_at_picture();
-  void press_on(const Subject& subject, const Point& on_page);
-  void continue_drag(const Point& on_page);
-  void release();
-  void double_click(const Point& on_page);
-  void zoom(std::size_t stage, const Point& on_page, double factor);
+  void draw_lesson(const ListedLesson& lesson);
+  void draw_icon_button(Icon icon, std::string_view command);
+  void draw_menu_item(std::string_view command);
 
   // Deeds
   void make_commands();
-  void say(std::string message, bool is_error = false);
-  void open_lesson(const std::filesystem::path& file);
-  /// `unsaved`: it comes from no file.
+  [[nodiscard]] const Command* command(std::string_view name) const;
   void open_case_text(std::string_view text, const std::string& name, bool unsaved = false);
-  /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
-  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
-  /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
-  /// cannot be shown.
-  bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name,
-            bool unsaved = false);
-  /// Results of a study, in the lesson that shows them.
-  void open_results(std::string_view json, const std::filesystem::path& file);
-  /// The pair that a configuration answers worst, stepped as it computes.
-  void open_worst_run(const StudyDot& dot);
-  /// From a worst run back to the study.
-  void go_back();
-  /// The dots that the lesson's plot shows, by their index; empty without a study.
-  [[nodiscard]] std::vector<StudyDot> dots() const;
-  void save_answers_to(const std::filesystem::path& file);
-  void export_to(const std::filesystem::path& folder, bool all);
-  void step(int by);
-  void choose(int number);
-  void answer(const std::string& choice);
+  /// One frame on, or back. By a clicker, over questions, too.
+  void step(int by, bool over_questions);
   void nudge(const Eigen::Vector2d& pixels);
   void erase_selected();
-  /// Whether a lesson file could say this; says why not.
-  [[nodiscard]] bool is_sound(const Lesson& lesson);
   void select_next(int by);
   void set_theme(const std::string& name);
-  /// Where something has changed since.
-  void autosave();
-  /// Each lesson in a file of its own, for a window that starts after this one was killed.
+  void focus_next_panel(int by);
+  void toggle_drawer(std::size_t index);
   void keep_unsaved();
-  /// Removes the files after the first so many.
-  void keep_only(int count) const;
-  void restore();
+  void offer_left_work();
+  void open_left_work();
+  void read_recent();
   void remember_recent(const std::filesystem::path& file);
-  /// The name by which a question's choices call a subject; empty when they do not.
-  [[nodiscard]] std::string name_of_subject(const Subject& subject) const;
+  void write_lines(const char* name, const std::vector<std::string>& lines) const;
+  void note_finished();
 
   Paths paths_;
   const Fonts& fonts_;
   Session session_;
   std::string theme_name_ = "light";
   Theme theme_;
+  PictureView picture_;
   std::vector<ListedLesson> lessons_;
+  std::vector<Drawer> drawers_;
   std::vector<Command> commands_;
+  UnsavedWork unsaved_;
+  std::vector<UnsavedWork::Left> left_;  ///< Of windows that are gone; waits to be opened or not.
 
-  Rect area_;  ///< Of the picture, in pixels of the window.
-  double zoom_ = 1.0;
-  Point toolbar_end_ = Point::Zero();  ///< What is free of its last row begins here.
-  double toolbar_height_ =
-      0.0;                   ///< As it was drawn last, in pixels; one row at least is kept for it.
+  double top_height_ = 0.0;  ///< Of the bar as it was drawn last, in pixels.
   double panel_size_ = 1.0;  ///< As the user chose.
   double ui_scale_ = 1.0;    ///< Times the density of the screen.
-  double window_width_ = 0.0;
-  double window_height_ = 0.0;
+  double width_ = 0.0;       ///< Of the window, in pixels.
+  double height_ = 0.0;
+  ImFont* mono_ = nullptr;
 
-  Subject hovered_;
-  Subject pointed_in_panel_;  ///< By the pointer on a line of a drawer.
-  Subject selected_;
-  struct Drag {
-    Subject subject;
-    std::size_t stage = 0;
-    Point last;                     ///< On the page.
-    Eigen::Vector2d start_in_view;  ///< Where it was taken.
-    bool turns = false;
-    bool moved = false;
-  };
-  std::optional<Drag> drag_;
-  int clicks_ = 0;
-
-  Drawer drawer_ = Drawer::none;
-  Dialog dialog_ = Dialog::none;
-  Dialog dialog_shown_ = Dialog::none;  ///< In the last frame.
+  std::optional<std::size_t> drawer_;
+  std::shared_ptr<Dialog> dialog_;        ///< Shared with the frame that draws it.
+  std::shared_ptr<Dialog> dialog_drawn_;  ///< In the last frame.
+  std::optional<std::string> focused_;    ///< The panel that keys go to.
+  bool focus_moves_ = false;
   bool lessons_shown_ = true;
   bool presenting_ = false;
   bool playing_ = false;
@@ -229,35 +195,12 @@ class App {
   double next_save_ = 0.0;
   long kept_version_ = 0;
   bool quit_ = false;
-  double snap_ = 0.0;  ///< Grid to snap to; 0: none.
-  bool hex_ = false;
+  double snap_ = 0.0;
   std::string message_;
   bool message_is_error_ = false;
-  std::optional<bool> last_answer_;
-  std::string field_;  ///< What is being typed in a dialog.
-  std::string filter_;
-  /// The numerics drawer's second run: the lesson's options where it has none of its own.
-  ScalarKind beside_scalar_ = ScalarKind::exact;
-  std::optional<gjk::Options> beside_options_;
-  /// What `beside_run_` was computed from.
-  struct Beside {
-    long version = 0;
-    int run = 0;
-    ScalarKind scalar = ScalarKind::exact;
-    gjk::Options options;
-    friend bool operator==(const Beside&, const Beside&) = default;
-  };
-  Beside beside_;
-  std::optional<PositionedRun> beside_run_;
+  std::optional<double> message_ends_;  ///< Set when it is seen first.
   std::vector<std::string> recent_;
-  /// Where a worst run was opened from.
-  struct Visit {
-    Lesson lesson;
-    std::filesystem::path file;
-    bool unsaved = false;
-    int index = 0;
-  };
-  std::optional<Visit> back_;
+  std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
 };
 
 }  // namespace gjkscope

@@ -96,7 +96,7 @@ class Player {
       offset = {x, y};
       what = text.substr(0, plus);
     }
-    const std::optional<Point> found = app_.place_of(subject(what));
+    const std::optional<Point> found = app_.picture().pixel_of(subject(what));
     if (!found) throw std::runtime_error(fmt::format("no mark of '{}' is to be seen", what));
     return *found + offset;
   }

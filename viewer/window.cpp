@@ -184,13 +184,17 @@ struct Window::Impl {
     io.Fonts->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
     io.Fonts->TexDesiredWidth = 2048;
     ImFontConfig config;
-    const std::vector<unsigned char>& file = fonts.file(Face::regular);
-    config.FontData = const_cast<unsigned char*>(file.data());  // read, not written
-    config.FontDataSize = static_cast<int>(file.size());
     config.FontDataOwnedByAtlas = false;
-    config.SizePixels = static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
     config.GlyphRanges = panel_characters();
-    io.Fonts->AddFont(&config);
+    const auto add = [&](Face face) {
+      const std::vector<unsigned char>& file = fonts.file(face);
+      config.FontData = const_cast<unsigned char*>(file.data());  // read, not written
+      config.FontDataSize = static_cast<int>(file.size());
+      config.SizePixels = static_cast<float>(kUiType * ui_scale * fonts.height_in_em(face));
+      return io.Fonts->AddFont(&config);
+    };
+    add(Face::regular);
+    mono = add(Face::mono);
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
     ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -249,11 +253,11 @@ struct Window::Impl {
     app.set_colors();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    app.draw(*atlas_fonts);
+    app.draw(*atlas_fonts, mono);
     const bool over_hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     ImGui::Render();
     SDL_SetCursor(over_hand ? hand.get() : arrow.get());
-    const Color paper = app.background();
+    const Color paper = app.theme().background();
     gl->viewport(0, 0, pixels_wide, pixels_high);
     gl->clear_color(static_cast<float>(paper.r) / 255.0f, static_cast<float>(paper.g) / 255.0f,
                     static_cast<float>(paper.b) / 255.0f, 1.0f);
@@ -300,7 +304,7 @@ struct Window::Impl {
                            : event.button.button == SDL_BUTTON_RIGHT ? 1
                                                                      : 2;
         io.MouseDown[button] = event.type == SDL_MOUSEBUTTONDOWN;
-        if (io.MouseDown[0]) app.clicked(event.button.clicks);
+        if (io.MouseDown[0]) app.picture().clicked(event.button.clicks);
         SDL_CaptureMouse(io.MouseDown[0] ? SDL_TRUE : SDL_FALSE);
         return true;
       }
@@ -317,14 +321,15 @@ struct Window::Impl {
       case SDL_KEYDOWN:
       case SDL_KEYUP: {
         const bool down = event.type == SDL_KEYDOWN;
-        io.KeysDown[event.key.keysym.scancode] = down;
+        // A key has one meaning: to a panel, or as a command.
+        io.KeysDown[event.key.keysym.scancode] = down && app.panels_have_keys();
         const Uint16 mod = event.key.keysym.mod;
         io.KeyCtrl = (mod & (KMOD_CTRL | KMOD_GUI)) != 0;
         io.KeyShift = (mod & KMOD_SHIFT) != 0;
         io.KeyAlt = (mod & KMOD_ALT) != 0;
         if (!down) return false;
-        const std::string name = SDL_GetKeyName(event.key.keysym.sym);
-        if (io.WantTextInput && name != "Escape") return false;
+        std::string name = SDL_GetKeyName(event.key.keysym.sym);
+        if (name == "Return" || name == "Keypad Enter") name = "Enter";
         if (is_sign(name) && !io.KeyCtrl) return false;  // comes as text, too
         app.press({name, io.KeyCtrl, io.KeyShift});
         return false;
@@ -377,6 +382,7 @@ struct Window::Impl {
   double last_frame = 0.0;
   double skipped = 0.0;  ///< Seconds that a script has let pass.
   Image* shot = nullptr;
+  ImFont* mono = nullptr;  ///< Of the panels, for numbers.
 };
 
 Window::Window(App& app, const Fonts& fonts, int width, int height, double scale)

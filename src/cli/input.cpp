@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <istream>
 #include <iterator>
 #include <ostream>
+#include <stdexcept>
 
 #include "effects/registry.hpp"
+#include "lesson/file.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope {
@@ -96,15 +95,12 @@ FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
 
 std::optional<std::string> read_text(const Environment& env, const std::string& file) {
   if (file == "-") return std::string(std::istreambuf_iterator<char>(env.in), {});
-  std::error_code none;
-  std::ifstream stream(file, std::ios::binary);
-  const bool folder = fs::is_directory(file, none);
-  if (!stream || folder) {
-    env.err << fmt::format("gjkscope: cannot read '{}': {}\n", file,
-                           std::strerror(folder ? EISDIR : errno));
+  try {
+    return read_whole(file);
+  } catch (const std::runtime_error& error) {
+    env.err << fmt::format("gjkscope: {}\n", error.what());
     return std::nullopt;
   }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 bool flushed(const Environment& env) {

@@ -85,7 +85,7 @@ void set_rounded_answer(const State<R>& state, const gjk::Result<R, 2>& found,
     out.lower = gjk::scaled_below(proof.lower, prepared.exponent);
     out.upper = gjk::scaled_above(proof.upper, prepared.exponent);
   }
-  out.direction = proof.direction + Vec<R, 2>::Zero();  // no -0
+  out.direction = proof.direction + Vec<R, 2>::Zero();              // no -0
   out.translation = out.direction * out.depth + Vec<R, 2>::Zero();  // no -0
   out.edge = proof.edge;
 }

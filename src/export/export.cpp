@@ -8,8 +8,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -118,12 +116,6 @@ void remove_stale_frames(const std::filesystem::path& folder, const std::string&
   }
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class Exporter {
  public:
   explicit Exporter(const ExportOptions& options)
@@ -181,7 +173,7 @@ class Exporter {
     }
     if (options_.index && complete) {
       write(options_.out_dir / "index.html",
-            contact_sheet(lessons_, read_text(options_.assets_dir / "contact-sheet.html")));
+            contact_sheet(lessons_, read_whole(options_.assets_dir / "contact-sheet.html")));
     }
     result.files = std::move(files_);
     result.frames = frame_count_;

@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -100,6 +102,17 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   file.flush();
   file.keep();
+}
+
+std::string read_whole(const std::filesystem::path& path) {
+  std::error_code none;
+  std::ifstream stream(path, std::ios::binary);
+  const bool is_folder = std::filesystem::is_directory(path, none);
+  if (!stream || is_folder) {
+    throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(),
+                                         std::strerror(is_folder ? EISDIR : errno)));
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void remove_leftovers(const std::filesystem::path& folder) {

@@ -1,9 +1,10 @@
 #pragma once
-// Files that appear whole or not at all, and where the shipped ones are.
+// Files that are read whole, and appear whole or not at all, and where the shipped ones are.
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace gjkscope {
@@ -16,6 +17,9 @@ void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t
 /// The same for what somebody wrote: the text is on the disk before it takes the old one's place,
 /// so that a power failure does not leave half of it, either.
 void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// All bytes of a file. Throws std::runtime_error with the path and the system's reason.
+[[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
 /// Removes the temporary files that a killed process left in `folder`.
 void remove_leftovers(const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -311,6 +312,16 @@ std::string lesson_toml(const Lesson& lesson) {
   }
   write_expect(out, lesson.expect);
   return out.take();
+}
+
+Lesson with_absolute_results(Lesson lesson) {
+  if (lesson.study) {
+    lesson.study->results =
+        std::filesystem::absolute(std::filesystem::path(lesson.path).parent_path() /
+                                  lesson.study->results)
+            .string();
+  }
+  return lesson;
 }
 
 }  // namespace gjkscope

@@ -196,12 +196,17 @@ struct LessonPictures::View {
 
 LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                                const Page& page, LabelScope scope)
-    : run_(run),
-      effects_(effects),
-      fonts_(fonts),
-      page_(page),
-      scope_(scope),
-      texts_(lesson_texts(run, effects)) {
+    : run_(run), effects_(effects), fonts_(fonts), texts_(lesson_texts(run, effects)) {
+  lay_out(page, std::vector<std::optional<Camera>>(run.lesson.views.size()), scope);
+}
+
+LessonPictures::~LessonPictures() = default;
+
+void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<Camera>>& cameras,
+                             LabelScope scope) {
+  page_ = page;
+  scope_ = scope;
+  views_.clear();
   const double text_width = page_.width - 2.0 * kMargin;
   std::size_t prose_lines = 0;
   std::set<std::string_view> proses;
@@ -216,7 +221,8 @@ LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const
   caption_y_ = layout.caption_y;
   timeline_ = layout.timeline;
   for (std::size_t i = 0; i < run_.lesson.views.size(); ++i) {
-    const LessonView& view = run_.lesson.views[i];
+    LessonView view = run_.lesson.views[i];
+    if (cameras[i]) view.camera = cameras[i];
     const Rect& card = layout.views[i];
     const double title_width = fonts_.width(type::kViewTitle, default_title(run_, view));
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
@@ -228,8 +234,6 @@ LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const
                       std::vector<std::optional<Scene>>(run_.frames.size())});
   }
 }
-
-LessonPictures::~LessonPictures() = default;
 
 std::vector<LessonPictures::Stage> LessonPictures::stages() const {
   std::vector<Stage> stages;

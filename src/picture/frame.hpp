@@ -77,6 +77,10 @@ class LessonPictures {
   LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                  const Page& page = {}, LabelScope scope = LabelScope::lesson);
   ~LessonPictures();
+  /// The same frames on another page, or seen by other cameras than the lesson's: `cameras` has one
+  /// for each view, nothing for the lesson's own. Nothing is run again.
+  void lay_out(const Page& page, const std::vector<std::optional<Camera>>& cameras,
+               LabelScope scope);
   LessonPictures(const LessonPictures&) = delete;
   LessonPictures& operator=(const LessonPictures&) = delete;
 
@@ -94,7 +98,7 @@ class LessonPictures {
   EffectGraph& effects_;
   const Fonts& fonts_;
   Page page_;
-  LabelScope scope_;
+  LabelScope scope_ = LabelScope::lesson;
   std::vector<FrameText> texts_;
   std::vector<View> views_;
   std::optional<Rect> panel_;

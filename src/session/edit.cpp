@@ -119,9 +119,8 @@ bool erase_vertex(Lesson& lesson, Which which, int index) {
     forgotten = forgotten || named == index;
     if (named > index) --named;
   }
-  if (forgotten) {
-    lesson.options.start = {.count = std::min(lesson.options.start.count, 1)};
-  }
+  if (forgotten) lesson.options.start = {.count = std::min(lesson.options.start.count, 1)};
+  lesson.expect.supports.reset();
   return true;
 }
 

@@ -36,7 +36,8 @@ void turn_shape(Lesson& lesson, Which which, double degrees);
 int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placement,
                   const Eigen::Vector2d& world);
 
-/// Takes a vertex away, unless it is the last one. First simplices that name it are forgotten.
+/// Takes a vertex away, unless it is the last one. First simplices that name it are forgotten, and
+/// so are the support points that the lesson expects.
 bool erase_vertex(Lesson& lesson, Which which, int index);
 
 /// The edge of a polygon nearest to `world`: the index of its first vertex, and the distance.

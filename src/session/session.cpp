@@ -1,11 +1,15 @@
 #include "session/session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "effects/growth.hpp"
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
 #include "picture/registry.hpp"
 #include "picture/stage.hpp"
 
@@ -32,82 +36,106 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
 
 }  // namespace
 
+std::string why_not_said(const Lesson& lesson) {
+  const LoadedLesson read =
+      parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary());
+  std::string why;
+  for (const Problem& problem : read.problems) {
+    why += fmt::format("{}{}", why.empty() ? "this lesson cannot have that: " : "; ", problem.what);
+    if (!problem.expected.empty()) why += fmt::format(", expected {}", problem.expected);
+  }
+  return why;
+}
+
 /// A run and its pictures, which refer to it.
 struct Session::Shown {
   LessonRun run;
   EffectGraph effects;
   LessonPictures pictures;
-  Shown(LessonRun the_run, const Fonts& fonts, const Page& page, LabelScope scope,
-        const EffectGraph* before)
-      : run(std::move(the_run)), effects(run), pictures(drawn(*this, fonts, page, scope, before)) {}
+  Shown(LessonRun the_run, const Fonts& fonts, const EffectGraph* before)
+      : run(std::move(the_run)), effects(run), pictures(drawn(*this, fonts, before)) {}
 
  private:
-  static LessonPictures drawn(Shown& shown, const Fonts& fonts, const Page& page, LabelScope scope,
-                              const EffectGraph* before) {
+  static LessonPictures drawn(Shown& shown, const Fonts& fonts, const EffectGraph* before) {
     if (before) shown.effects.take_over<Growth>(*before);
-    return {shown.run, shown.effects, fonts, page, scope};
+    return {shown.run, shown.effects, fonts};
   }
 };
 
 Session::Session(const Fonts& fonts) : fonts_(fonts) {}
 Session::~Session() = default;
 
-bool Session::replace(Lesson lesson) {
-  Lesson before = std::exchange(lesson_, std::move(lesson));
-  std::vector<std::optional<Camera>> cameras = std::exchange(
-      cameras_, std::vector<std::optional<Camera>>(lesson_.views.size(), std::nullopt));
-  if (show(false)) return true;
-  lesson_ = std::move(before);
+std::optional<Lesson> Session::replace(Lesson lesson, std::vector<std::optional<Camera>> cameras) {
+  cameras.resize(lesson.views.size());
+  std::swap(lesson_, lesson);
+  std::swap(cameras_, cameras);
+  if (show(LabelScope::lesson)) return lesson;
+  lesson_ = std::move(lesson);
   cameras_ = std::move(cameras);
-  return false;
+  return std::nullopt;
 }
 
 bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   if (dragging_) end_drag();
-  std::optional<Entry> before;
-  if (shown_) before = {"open " + lesson.id, lesson_, {{file_, is_unsaved(), index_}}};
-  if (!replace(std::move(lesson))) return false;
+  const bool is_first = !shown_;
+  Whereabouts there{file_, saved_, index_};
+  std::optional<Lesson> before = replace(std::move(lesson), {});
+  if (!before) return false;
   go_to(0);
   file_ = std::move(file);
-  if (before) remember(*std::move(before));
+  saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
+  if (!is_first) remember({"open " + lesson_.id, *std::move(before), std::move(there)});
   changed();
-  saved_version_ = unsaved ? -1 : version_;
   return true;
 }
 
 std::vector<Session::Unsaved> Session::all_unsaved() const {
   std::vector<Unsaved> out;
-  for (const std::vector<Entry>* entries : {&past_, &future_}) {
-    for (const Entry& entry : *entries) {
-      if (entry.of_other && entry.of_other->unsaved)
-        out.push_back({entry.lesson, entry.of_other->file});
-    }
+  const auto add = [&](const Lesson& lesson, const Whereabouts& there) {
+    if (!there.saved || lesson != *there.saved) out.push_back({lesson, there.file});
+  };
+  // Each other lesson as it was left, or as far as redo leads in it.
+  for (const Entry& entry : past_) {
+    if (entry.of_other) add(entry.lesson, *entry.of_other);
   }
+  const Entry* other = nullptr;
+  const Entry* last = nullptr;
+  for (auto entry = future_.rbegin(); entry != future_.rend(); ++entry) {
+    if (entry->of_other) {
+      if (other) add(last->lesson, *other->of_other);
+      other = &*entry;
+    }
+    last = &*entry;
+  }
+  if (other) add(last->lesson, *other->of_other);
   if (is_unsaved()) out.push_back({lesson_, file_});
   return out;
 }
 
 bool Session::reload(Lesson lesson) {
   if (dragging_) end_drag();
-  Lesson before = lesson_;
-  if (!replace(std::move(lesson))) return false;
-  remember({"reload", std::move(before)});
+  std::optional<Lesson> before = replace(std::move(lesson), {});
+  if (!before) return false;
+  remember({"reload", *std::move(before)});
+  saved_ = std::make_shared<const Lesson>(lesson_);
   changed();
-  saved_version_ = version_;
   return true;
 }
 
-void Session::mark_saved(std::filesystem::path file) {
+void Session::mark_saved(std::filesystem::path file, Lesson lesson) {
+  lesson_ = std::move(lesson);
   file_ = std::move(file);
-  saved_version_ = version_;
+  saved_ = std::make_shared<const Lesson>(lesson_);
+  changed();
 }
 
 void Session::changed() {
   ++version_;
-  future_.clear();
+  unsaved_ = !saved_ || lesson_ != *saved_;
 }
 
 void Session::remember(Entry entry) {
+  future_.clear();
   past_.push_back(std::move(entry));
   std::size_t all = 0;
   for (const Entry& each : past_) all += weight(each.lesson);
@@ -117,47 +145,44 @@ void Session::remember(Entry entry) {
   }
 }
 
-bool Session::change(const std::string& name, const std::function<void(Lesson&)>& edit) {
+bool Session::edit(const std::string& name, Lesson lesson) {
   if (dragging_) end_drag();
+  problem_ = why_not_said(lesson);
+  if (!problem_.empty()) return false;
   hold_cameras();
-  remember({name, lesson_});
-  const std::vector<std::optional<Camera>> cameras = cameras_;
-  edit(lesson_);
-  cameras_.resize(lesson_.views.size());
-  if (show(false)) {
-    changed();
-    return true;
-  }
-  lesson_ = std::move(past_.back().lesson);
-  past_.pop_back();
-  cameras_ = cameras;
-  return false;
+  std::optional<Lesson> before = replace(std::move(lesson), cameras_);
+  if (!before) return false;
+  remember({name, *std::move(before)});
+  changed();
+  return true;
 }
+
+bool Session::revert() { return saved_ && edit("revert", *saved_); }
 
 void Session::begin_drag(const std::string& name) {
   if (dragging_) end_drag();
   hold_cameras();
   remember({name, lesson_});
-  changed();
   dragging_ = true;
 }
 
 void Session::drag(const std::function<void(Lesson&)>& edit) {
   if (!dragging_) return;
   edit(lesson_);
-  ++version_;
-  show(true);
+  changed();
+  show(LabelScope::frame);
 }
 
 void Session::end_drag() {
   if (!dragging_) return;
   dragging_ = false;
-  if (show(false)) return;
+  if (show(LabelScope::lesson)) return;
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
   lesson_ = std::move(past_.back().lesson);
   past_.pop_back();
-  show(false);
+  changed();
+  show(LabelScope::lesson);
   problem_ = why;
 }
 
@@ -167,20 +192,19 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
   Entry entry = std::move(from.back());
   from.pop_back();
   std::swap(lesson_, entry.lesson);
-  std::optional<Whereabouts> there;
+  std::optional<int> index;
   if (entry.of_other) {
-    there = std::exchange(*entry.of_other, {file_, is_unsaved(), index_});
+    const Whereabouts there = std::exchange(*entry.of_other, {file_, saved_, index_});
     cameras_.clear();
-    file_ = there->file;
+    file_ = there.file;
+    saved_ = there.saved;
+    index = there.index;
   }
   to.push_back(std::move(entry));
   cameras_.resize(lesson_.views.size());
-  ++version_;
-  show(false);
-  if (there) {
-    go_to(there->index);
-    saved_version_ = there->unsaved ? -1 : version_;
-  }
+  changed();
+  show(LabelScope::lesson);
+  if (index) go_to(*index);
   return true;
 }
 
@@ -191,7 +215,7 @@ std::string Session::undo_name() const { return past_.empty() ? "" : past_.back(
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
 Lesson Session::lesson_to_run() const {
-  Lesson lesson = lesson_as_seen();
+  Lesson lesson = lesson_;
   if (predicting_) {
     lesson.questions = {{Ask::region, {}}, {Ask::dropped, {}}, {Ask::support, {}}, {Ask::stop, {}}};
   } else {
@@ -208,8 +232,8 @@ Lesson Session::lesson_as_seen() const {
   return lesson;
 }
 
-bool Session::show(bool quick) {
-  const Place was = shown_ ? place() : Place{};
+bool Session::show(LabelScope scope) {
+  const Moment was = shown_ ? moment() : Moment{};
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
   for (const PositionedRun& positioned : run.runs) {
@@ -218,13 +242,15 @@ bool Session::show(bool quick) {
   if (problem_.empty() && run.frames.empty()) problem_ = "the run has no frame to show";
   if (!problem_.empty()) return false;
   const bool first = !shown_;
-  auto shown = std::make_unique<Shown>(std::move(run), fonts_, page_,
-                                       quick ? LabelScope::frame : LabelScope::lesson,
-                                       first ? nullptr : &shown_->effects);
-  shown_ = std::move(shown);
+  shown_ = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
   index_ = first ? 0 : find(was);
-  picture_.reset();
+  lay_out(scope);
   return true;
+}
+
+void Session::lay_out(LabelScope scope) {
+  shown_->pictures.lay_out(page_, cameras_, scope);
+  picture_.reset();
 }
 
 const LessonRun& Session::run() const { return shown_->run; }
@@ -232,19 +258,19 @@ int Session::frame_count() const { return static_cast<int>(shown_->run.frames.si
 const Frame& Session::frame() const { return shown_->run.frames[static_cast<std::size_t>(index_)]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
-Session::Place Session::place() const {
+Session::Moment Session::moment() const {
   const Frame& now = frame();
-  Place place{now.run, 0, -1, now.part()};
+  Moment moment{now.run, 0, -1, now.part()};
   if (now.step >= 0) {
     const gjk::Step<double, 2>& step = run().step(now);
-    place.iteration = step.iteration;
-    place.phase = static_cast<int>(step.phase);
+    moment.iteration = step.iteration;
+    moment.phase = static_cast<int>(step.phase);
   }
-  return place;
+  return moment;
 }
 
-int Session::find(const Place& wanted) const {
-  // The same place, or the last one before it.
+int Session::find(const Moment& wanted) const {
+  // The same moment, or the last one before it.
   int best = 0;
   std::array<int, 4> best_key = {-1, -1, -2, -2};
   const std::array<int, 4> wanted_key = {wanted.run, wanted.iteration, wanted.phase, wanted.part};
@@ -309,7 +335,7 @@ bool Session::go_to_next(std::string_view phase) {
 void Session::set_predicting(bool on) {
   if (on == predicting_) return;
   predicting_ = on;
-  show(false);
+  show(LabelScope::lesson);
 }
 
 const FrameQuestion* Session::question() const {
@@ -349,7 +375,7 @@ std::string Session::answers_json() const {
 void Session::set_page(const Page& page) {
   if (page == page_) return;
   page_ = page;
-  if (shown_) show(dragging_);
+  if (shown_) lay_out(dragging_ ? LabelScope::frame : LabelScope::lesson);
 }
 
 const Picture& Session::picture() {
@@ -361,17 +387,17 @@ const FrameText& Session::text() const {
   return shown_->pictures.texts()[static_cast<std::size_t>(index_)];
 }
 
-std::vector<LessonPictures::Stage> Session::stages() const { return shown_->pictures.stages(); }
+std::vector<LessonPictures::Stage> Session::views() const { return shown_->pictures.stages(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind)) return;
-  cameras_[view] = camera_for(run(), lesson_.views[view], stages()[view].card, camera);
-  show(true);
+  cameras_[view] = camera_for(run(), lesson_.views[view], views()[view].card, camera);
+  lay_out(LabelScope::frame);
 }
 
 void Session::hold_cameras() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = stages();
+  const std::vector<LessonPictures::Stage> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
       cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
@@ -380,14 +406,14 @@ void Session::hold_cameras() {
 
 void Session::fit() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = stages();
+  const std::vector<LessonPictures::Stage> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!shows_shapes(seen[i].kind)) continue;
     LessonView free = lesson_.views[i];
     free.camera.reset();
     cameras_[i] = camera_for(run(), free, seen[i].card, camera_of(run(), free, seen[i].card));
   }
-  show(false);
+  lay_out(LabelScope::lesson);
 }
 
 }  // namespace gjkscope

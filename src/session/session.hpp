@@ -25,6 +25,9 @@ struct Answer {
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 
+/// Why no lesson file could say this, in the loader's words; empty when one could.
+[[nodiscard]] std::string why_not_said(const Lesson& lesson);
+
 class Session {
  public:
   /// `fonts` must outlive the session.
@@ -44,7 +47,10 @@ class Session {
   bool reload(Lesson lesson);
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  [[nodiscard]] bool is_unsaved() const { return version_ != saved_version_; }
+  /// Whether the lesson differs from what its file holds.
+  [[nodiscard]] bool is_unsaved() const { return unsaved_; }
+  /// What its file holds; null where there is none.
+  [[nodiscard]] const Lesson* saved() const { return saved_.get(); }
   struct Unsaved {
     const Lesson& lesson;
     const std::filesystem::path& file;
@@ -52,18 +58,22 @@ class Session {
   /// Lessons that differ from their files: those that undo and redo lead to, and this one, the
   /// last.
   [[nodiscard]] std::vector<Unsaved> all_unsaved() const;
-  void mark_saved(std::filesystem::path file);
+  /// `file` holds `lesson` now: this one, as a file says it.
+  void mark_saved(std::filesystem::path file, Lesson lesson);
   /// Grows with every change.
   [[nodiscard]] long version() const { return version_; }
-  /// Why the run that follows from the lesson is not shown (the last one that could be is); empty
-  /// when it is.
+  /// Why a change was refused, or the run that follows from the lesson is not shown (the last one
+  /// that could be is); empty when all is well.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
   // Changes. `name` is what undo calls it.
 
-  /// One entry of the history. The lesson stays as it was when the run is refused.
-  bool change(const std::string& name, const std::function<void(Lesson&)>& edit);
-  /// Many changes, one entry: a drag.
+  /// The lesson becomes `lesson`: one entry of the history. False, and all stays as it was, when a
+  /// lesson file could not say it, or its run cannot be shown.
+  bool edit(const std::string& name, Lesson lesson);
+  /// Back to what its file holds. False when there is no file.
+  bool revert();
+  /// Many changes of shapes, one entry: a drag.
   void begin_drag(const std::string& name);
   void drag(const std::function<void(Lesson&)>& edit);
   void end_drag();
@@ -108,7 +118,7 @@ class Session {
   /// Of the frame, at the page's size.
   [[nodiscard]] const Picture& picture();
   [[nodiscard]] const FrameText& text() const;
-  [[nodiscard]] std::vector<LessonPictures::Stage> stages() const;
+  [[nodiscard]] std::vector<LessonPictures::Stage> views() const;
   /// What a view sees; for this window, not part of the lesson and its history.
   void set_camera(std::size_t view, const Camera& camera);
   /// All views fit what they show again.
@@ -122,7 +132,7 @@ class Session {
   /// Where a lesson belongs, and how far it was stepped.
   struct Whereabouts {
     std::filesystem::path file;
-    bool unsaved = false;
+    std::shared_ptr<const Lesson> saved;
     int index = 0;
   };
   struct Entry {
@@ -132,22 +142,25 @@ class Session {
   };
   struct Shown;
   /// Where in the run one is, to find it again in another.
-  struct Place {
+  struct Moment {
     int run = 0;
     int iteration = 0;
     int phase = -1;
     int part = -1;
   };
 
-  bool replace(Lesson lesson);
+  /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
+  std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Camera>> cameras);
   void remember(Entry entry);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
-  bool show(bool quick);
+  bool show(LabelScope scope);
+  /// The lesson is another one than before.
   void changed();
-  [[nodiscard]] Place place() const;
-  [[nodiscard]] int find(const Place& wanted) const;
+  void lay_out(LabelScope scope);
+  [[nodiscard]] Moment moment() const;
+  [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
   [[nodiscard]] Lesson lesson_to_run() const;
 
@@ -156,7 +169,8 @@ class Session {
   Lesson lesson_;
   std::filesystem::path file_;
   long version_ = 0;
-  long saved_version_ = 0;
+  std::shared_ptr<const Lesson> saved_;
+  bool unsaved_ = false;
   std::string problem_;
   std::vector<Entry> past_;
   std::vector<Entry> future_;

@@ -253,7 +253,7 @@ std::string Player::answer(std::string_view request) {
     } else if (what == "redo") {
       session_.redo();
     } else if (what == "reset") {
-      session_.change("reset", [&](Lesson& lesson) { lesson = *opened_; });
+      session_.edit("reset", *opened_);
       session_.fit();
     } else if (what == "predict") {
       session_.set_predicting(asked.flag("on"));
@@ -320,7 +320,7 @@ void Player::open_case(const Asked& asked) {
   }
   const LoadedLesson read = parse_lesson(lesson_toml(lesson), name, vocabulary());
   if (!read.lesson) throw std::runtime_error(lines(read.problems));
-  if (!session_.change("other shapes", [&](Lesson& changed) { changed = *read.lesson; }))
+  if (!session_.edit("other shapes", *read.lesson))
     throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
   session_.fit();
   session_.go_to(session_.frame_count() - 1);
@@ -354,7 +354,7 @@ void Player::set_layout(const Asked& asked) {
 namespace {
 
 std::optional<std::size_t> stage_at(const Session& session, const Point& p) {
-  const std::vector<LessonPictures::Stage> stages = session.stages();
+  const std::vector<LessonPictures::Stage> stages = session.views();
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const Rect& card = stages[i].card;
     if ((p.array() >= card.min.array()).all() && (p.array() <= card.max.array()).all()) return i;
@@ -375,7 +375,7 @@ void Player::press(const Point& at) {
   const Subject subject = subject_at(session_.picture(), fonts_, at, 2.0 * kSlack);
   const std::optional<std::size_t> stage = stage_at(session_, at);
   if (!stage) return;
-  const bool in_world = session_.stages()[*stage].kind == ViewKind::world;
+  const bool in_world = session_.views()[*stage].kind == ViewKind::world;
   const bool of_shapes = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y ||
                          subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
   const bool of_difference =
@@ -393,7 +393,7 @@ void Player::move(const Point& at) {
   const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
   if (!std::exchange(drag.moved, true))
     session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
-  const LessonPictures::Stage stage = session_.stages()[drag.stage];
+  const LessonPictures::Stage stage = session_.views()[drag.stage];
   const Vector2d by = to_view(stage, at) - to_view(stage, drag.last);
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
   const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
@@ -440,8 +440,7 @@ void Player::put_vertex(const Asked& asked) {
   }
   vertices[static_cast<std::size_t>(index)] = read.front().value->a.front();
   if (!lesson.study) require_sound(lesson, read_file);
-  if (!session_.change("type a value", [&](Lesson& changed) { changed = lesson; }))
-    throw std::runtime_error(session_.problem());
+  if (!session_.edit("type a value", lesson)) throw std::runtime_error(session_.problem());
 }
 
 void Player::set_numerics(const Asked& asked) {
@@ -457,8 +456,7 @@ void Player::set_numerics(const Asked& asked) {
   lesson.options.stop_on_repeated_support = asked.flag("repeated");
   lesson.options.stop_on_no_progress = asked.flag("progress");
   if (!lesson.study) require_sound(lesson, read_file);
-  if (!session_.change("numerics", [&](Lesson& changed) { changed = lesson; }))
-    throw std::runtime_error(session_.problem());
+  if (!session_.edit("numerics", lesson)) throw std::runtime_error(session_.problem());
 }
 
 /// The subjects that belong to the one at a place, as the SVG names them.

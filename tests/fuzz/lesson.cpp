@@ -13,7 +13,6 @@
 #include <numeric>
 
 #include "claims.hpp"
-#include "trace/trace_json.hpp"
 #include "cli/trace_text.hpp"
 #include "effects/graph.hpp"
 #include "effects/registry.hpp"
@@ -21,6 +20,7 @@
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
+#include "trace/trace_json.hpp"
 
 namespace gjkscope::fuzz {
 namespace {

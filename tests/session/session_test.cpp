@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "effects/growth.hpp"
+#include "effects/registry.hpp"
 #include "fonts.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
@@ -21,10 +23,25 @@ using Eigen::Vector2d;
 using testing::fonts;
 using testing::shipped_lesson;
 
+/// An edit of the lesson that is shown.
+bool change(Session& session, const std::string& name, const std::function<void(Lesson&)>& edit) {
+  Lesson lesson = session.lesson();
+  edit(lesson);
+  return session.edit(name, std::move(lesson));
+}
+
 void move_y(Session& session, double by) {
-  EXPECT_TRUE(session.change("move", [&](Lesson& lesson) {
+  EXPECT_TRUE(change(session, "move", [&](Lesson& lesson) {
     edit::move_shape(lesson, Which::y, {by, 0.0});
   }));
+}
+
+/// How often each effect was computed for what is shown.
+std::vector<long> effect_runs(Session& session) {
+  std::vector<long> runs;
+  for (const EffectInfo& effect : registered_effects())
+    runs.push_back(session.effects().count(effect.name).runs);
+  return runs;
 }
 
 TEST(Session, UndoAndRedoGiveBackEveryLesson) {
@@ -128,7 +145,7 @@ TEST(Session, ARunThatCannotBeShownLeavesAllAsItWas) {
   const auto break_it = [](Lesson& lesson) {
     lesson.y.vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
   };
-  EXPECT_FALSE(session.change("break", break_it));
+  EXPECT_FALSE(change(session, "break", break_it));
   EXPECT_NE("", session.problem());
   EXPECT_EQ(before, session.lesson());
   EXPECT_EQ("", session.undo_name());
@@ -160,12 +177,71 @@ TEST(Session, ReloadKeepsThePlaceAndCanBeUndone) {
   EXPECT_TRUE(session.is_unsaved());
 }
 
+TEST(Session, WhatTheFileHoldsIsSavedHoweverOneCameThere) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
+  move_y(session, 0.25);
+  EXPECT_TRUE(session.is_unsaved());
+  ASSERT_TRUE(session.undo());
+  EXPECT_FALSE(session.is_unsaved());
+  ASSERT_TRUE(session.redo());
+  EXPECT_TRUE(session.is_unsaved());
+  const Lesson moved = session.lesson();
+  session.mark_saved("a.toml", moved);
+  EXPECT_FALSE(session.is_unsaved());
+  ASSERT_TRUE(session.undo());
+  EXPECT_TRUE(session.is_unsaved()) << "the file holds what was moved";
+  ASSERT_TRUE(session.revert());
+  EXPECT_EQ(moved, session.lesson());
+  EXPECT_FALSE(session.is_unsaved());
+  EXPECT_TRUE(session.all_unsaved().empty());
+  EXPECT_EQ("revert", session.undo_name());
+}
+
+TEST(Session, WhatHasNoFileIsNotSavedAndCannotBeReverted) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}, true));
+  EXPECT_TRUE(session.is_unsaved());
+  EXPECT_FALSE(session.revert());
+}
+
+TEST(Session, WhatALessonFileCouldNotSayIsRefusedInTheLoadersWords) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  EXPECT_FALSE(change(session, "cap", [](Lesson& lesson) { lesson.options.iteration_cap = -1; }));
+  EXPECT_NE(std::string::npos, session.problem().find("cap")) << session.problem();
+}
+
+TEST(Session, PanningZoomingFittingAndResizingRunNothing) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    Session session(fonts());
+    ASSERT_TRUE(session.open(lesson, {}));
+    session.go_to(session.frame_count() - 1);
+    (void)session.picture();
+    const std::vector<long> before = effect_runs(session);
+    const LessonRun* const run = &session.run();
+    for (std::size_t view = 0; view < session.views().size(); ++view) {
+      Camera camera = session.views()[view].camera;
+      camera.center += Vector2d(0.25, -0.5);
+      camera.height *= 1.5;
+      session.set_camera(view, camera);
+      (void)session.picture();
+    }
+    session.set_page(page_of(1920, 1200));
+    (void)session.picture();
+    session.fit();
+    (void)session.picture();
+    EXPECT_EQ(run, &session.run()) << lesson.id;
+    EXPECT_EQ(before, effect_runs(session)) << lesson.id;
+  }
+}
+
 TEST(Session, AnotherLessonTakesNothingAway) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
   EXPECT_EQ("", session.undo_name());
   const Lesson first = session.lesson();
-  ASSERT_TRUE(session.change("move", [](Lesson& lesson) { lesson.x.vertices[0].x() -= 1.0; }));
+  ASSERT_TRUE(change(session, "move", [](Lesson& lesson) { lesson.x.vertices[0].x() -= 1.0; }));
   const Lesson edited = session.lesson();
   session.go_to(9);
   ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
@@ -186,7 +262,7 @@ TEST(Session, AnotherLessonTakesNothingAway) {
   EXPECT_EQ(3, session.index());
   EXPECT_FALSE(session.is_unsaved());
   ASSERT_TRUE(session.undo());
-  session.mark_saved("c.toml");
+  session.mark_saved("c.toml", session.lesson());
   ASSERT_TRUE(session.redo());
   EXPECT_TRUE(session.all_unsaved().empty());
   ASSERT_TRUE(session.undo());
@@ -199,9 +275,9 @@ TEST(Session, EveryLessonThatIsNotSavedIsTold) {
   Session session(fonts());
   const auto move = [](Lesson& lesson) { lesson.y.vertices[0].x() -= 0.125; };
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
-  ASSERT_TRUE(session.change("move", move));
+  ASSERT_TRUE(change(session, "move", move));
   ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
-  ASSERT_TRUE(session.change("move", move));
+  ASSERT_TRUE(change(session, "move", move));
   const auto files = [&] {
     std::vector<std::string> out;
     for (const Session::Unsaved& each : session.all_unsaved()) out.push_back(each.file.string());
@@ -214,7 +290,7 @@ TEST(Session, EveryLessonThatIsNotSavedIsTold) {
   ASSERT_TRUE(session.redo());
   ASSERT_TRUE(session.redo());
   EXPECT_EQ((std::vector<std::string>{"a.toml", "b.toml"}), files());
-  session.mark_saved("b.toml");
+  session.mark_saved("b.toml", session.lesson());
   EXPECT_EQ((std::vector<std::string>{"a.toml"}), files());
 }
 
@@ -257,8 +333,8 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
     ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
     session.set_page(page_of(width, height));
     session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
-    EXPECT_NEAR(5.0, session.stages()[0].camera.height, 1e-9);
-    EXPECT_EQ(Vector2d(1.0, -2.0), session.stages()[0].camera.center);
+    EXPECT_NEAR(5.0, session.views()[0].camera.height, 1e-9);
+    EXPECT_EQ(Vector2d(1.0, -2.0), session.views()[0].camera.center);
     // What is looked at does not change what is saved as the shapes.
     EXPECT_FALSE(session.is_unsaved());
   }
@@ -267,14 +343,14 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
 TEST(Session, ViewsStandStillWhileShapesMove) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
-  const Camera before = session.stages()[1].camera;
+  const Camera before = session.views()[1].camera;
   session.begin_drag("drag");
   session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {3.0, 1.0}); });
-  EXPECT_NEAR(before.height, session.stages()[1].camera.height, 1e-9);
-  EXPECT_LT((before.center - session.stages()[1].camera.center).norm(), 1e-9);
+  EXPECT_NEAR(before.height, session.views()[1].camera.height, 1e-9);
+  EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
   session.end_drag();
   session.fit();
-  EXPECT_GT((before.center - session.stages()[1].camera.center).norm(), 0.1);
+  EXPECT_GT((before.center - session.views()[1].camera.center).norm(), 0.1);
 }
 
 TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {
@@ -286,7 +362,7 @@ TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {
   EXPECT_EQ(runs(), 1);
   move_y(session, 0.25);
   EXPECT_EQ(runs(), 0);
-  EXPECT_TRUE(session.change("rule", [](Lesson& edited) {
+  EXPECT_TRUE(change(session, "rule", [](Lesson& edited) {
     edited.options.direction_rule = gjk::DirectionRule::towards_origin;
   }));
   EXPECT_EQ(runs(), 1);

@@ -31,10 +31,10 @@ using Kind = Subject::Kind;
 
 const Subject kK{Kind::vertex_of_y, -1, 0};
 
-TEST(App, OpensOnTwoPolygonsPausedInTheirRun) {
+TEST(App, OpensOnTwoPolygonsAtTheStartOfTheirRun) {
   HeadlessApp window;
   EXPECT_EQ("polygons-gjk", window.session().lesson().id);
-  EXPECT_GT(window.session().index(), 0);
+  EXPECT_EQ(0, window.session().index());
   EXPECT_FALSE(window.session().is_unsaved());
   const int before = window.session().index();
   for (int i = 0; i < 50; ++i) window.frame(1.0);
@@ -107,7 +107,7 @@ TEST(App, TheHandleOfASelectedShapeTurnsIt) {
   HeadlessApp window;
   window.click(window.at({Kind::shape_y}));
   EXPECT_EQ(0.0, window.session().lesson().y.rotate_degrees);
-  const std::optional<Point> handle = window.app().rotation_handle_at(edit::Which::y);
+  const std::optional<Point> handle = window.app().picture().rotation_handle_at(edit::Which::y);
   ASSERT_TRUE(handle);
   window.drag(*handle, *handle + Point(60, 30));
   EXPECT_LT(window.session().lesson().y.rotate_degrees, -5.0);
@@ -141,17 +141,17 @@ TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
 TEST(App, ThePointedDifferenceIsLinkedToItsVertices) {
   HeadlessApp window;
   window.move(window.at({Kind::difference_vertex, 0, 0}));
-  EXPECT_TRUE(is_linked(window.app().hovered(), kK));
-  EXPECT_TRUE(is_linked(window.app().hovered(), {Kind::vertex_of_x, 0}));
+  EXPECT_TRUE(is_linked(window.app().picture().hovered(), kK));
+  EXPECT_TRUE(is_linked(window.app().picture().hovered(), {Kind::vertex_of_x, 0}));
 }
 
 TEST(App, TheWheelZoomsAboutThePointer) {
   HeadlessApp window;
   const Point at = window.at(kK);
   window.move(at);
-  const double before = window.session().stages()[0].camera.height;
+  const double before = window.session().views()[0].camera.height;
   window.wheel(1.0);
-  EXPECT_LT(window.session().stages()[0].camera.height, before);
+  EXPECT_LT(window.session().views()[0].camera.height, before);
   EXPECT_LT((window.at(kK) - at).norm(), 0.5);
   window.key("F");
   EXPECT_FALSE(window.session().is_unsaved());
@@ -183,6 +183,52 @@ TEST(App, APredictionIsClickedOnTheStage) {
   EXPECT_TRUE(session.answers().back().is_right());
 }
 
+/// In predict mode, at a question of this kind.
+void go_to_question(HeadlessApp& window, const std::string& ask) {
+  Session& session = window.session();
+  window.key("Home");
+  window.key("P");
+  for (int i = 0; i < 40 && !(session.question() && session.question()->ask == ask); ++i)
+    window.key("PageDown");
+  ASSERT_TRUE(session.question() && session.question()->ask == ask);
+}
+
+TEST(App, APairIsPredictedByItsTwoVertices) {
+  HeadlessApp window;
+  Session& session = window.session();
+  go_to_question(window, "support");
+  const gjk::VertexPair pair =
+      session.run()
+          .run(session.frame())
+          .trace.steps[static_cast<std::size_t>(session.frame().answering_step)]
+          .after.support.pair;
+  window.click(window.at({Kind::vertex_of_y, -1, pair.y}));
+  EXPECT_TRUE(session.answers().empty());
+  window.click(window.at({Kind::vertex_of_x, pair.x}));
+  ASSERT_EQ(1u, session.answers().size());
+  EXPECT_TRUE(session.answers().back().is_right());
+}
+
+TEST(App, AnyOfManyChoicesIsChosenByKeyboard) {
+  HeadlessApp window;
+  Session& session = window.session();
+  go_to_question(window, "support");
+  const std::vector<std::string> choices = session.question()->choices;
+  ASSERT_GT(choices.size(), 12u);
+  for (int i = 0; i < 11; ++i) window.key("Down");
+  window.key("Enter");
+  ASSERT_EQ(1u, session.answers().size());
+  EXPECT_EQ(choices[11], session.answers().back().chosen);
+}
+
+TEST(App, AClickerGoesThroughALessonWithItsQuestions) {
+  HeadlessApp window;
+  window.key("P");
+  for (int i = 0; i < 200; ++i) window.key("PageDown");
+  EXPECT_EQ(window.session().frame_count() - 1, window.session().index());
+  EXPECT_TRUE(window.session().answers().empty()) << "what is told is not answered";
+}
+
 TEST(App, CopiesAndPastesTheShapesAsACase) {
   HeadlessApp window;
   std::string clipboard;
@@ -200,7 +246,7 @@ TEST(App, CopiesAndPastesTheShapesAsACase) {
   EXPECT_EQ(y, window.session().lesson().y.vertices);
 }
 
-TEST(App, WorkThatWasNotSavedIsThereAgain) {
+TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {
   const TemporaryFolder folder;
   std::vector<Eigen::Vector2d> edited;
   {
@@ -210,17 +256,55 @@ TEST(App, WorkThatWasNotSavedIsThereAgain) {
     edited = window.session().lesson().y.vertices;
     for (int i = 0; i < 3; ++i) window.frame(1.0);
   }
-  // As if that process had been killed: its number is nobody's.
-  fs::path kept;
-  for (const auto& entry : fs::directory_iterator(folder.path())) {
-    if (entry.path().filename().string().starts_with("unsaved-")) kept = entry.path();
+  {
+    HeadlessApp again("stop-vertex", folder.path());
+    EXPECT_EQ("stop-vertex", again.session().lesson().id);
+    EXPECT_FALSE(again.session().is_unsaved());
+    EXPECT_TRUE(again.app().run_command("Quit"));
   }
-  ASSERT_FALSE(kept.empty());
-  fs::rename(kept, folder.path() / "unsaved-999999999-1.toml");
-  HeadlessApp again("", folder.path());
+  HeadlessApp again("stop-vertex", folder.path());
+  again.app().run_command("Open unsaved work");
+  EXPECT_EQ("polygons-gjk", again.session().lesson().id);
   EXPECT_EQ(edited, again.session().lesson().y.vertices);
   EXPECT_TRUE(again.session().is_unsaved());
-  EXPECT_NE(std::string::npos, again.app().message().find("restored"));
+  again.key("R", true);
+  EXPECT_NE(edited, again.session().lesson().y.vertices);
+  EXPECT_FALSE(again.session().is_unsaved()) << "reverted to what the file holds";
+  HeadlessApp other("stop-vertex", folder.path());
+  other.app().run_command("Open unsaved work");
+  EXPECT_EQ("stop-vertex", other.session().lesson().id) << "taken by the other window";
+}
+
+TEST(App, DiscardedWorkIsGone) {
+  const TemporaryFolder folder;
+  {
+    HeadlessApp window("polygons-gjk", folder.path());
+    const Point from = window.at(kK);
+    window.drag(from, from + Point(50, 0));
+  }
+  {
+    HeadlessApp again("", folder.path());
+    again.app().run_command("Discard unsaved work");
+  }
+  HeadlessApp last("stop-vertex", folder.path());
+  last.app().run_command("Open unsaved work");
+  EXPECT_EQ("stop-vertex", last.session().lesson().id);
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    files += entry.path().extension() == ".toml" ? 1 : 0;
+  EXPECT_EQ(0u, files);
+}
+
+TEST(App, RecentFilesAreThereAfterAnotherStart) {
+  const TemporaryFolder folder;
+  const fs::path lessons = fs::path(GJKSCOPE_SOURCE_DIR) / "lessons";
+  for (const char* id : {"stop-vertex", "collinear", "polygons-gjk"})
+    HeadlessApp(id, folder.path());
+  HeadlessApp window("segment-regions", folder.path());
+  const std::vector<std::string> expected = {
+      (lessons / "segment-regions.toml").string(), (lessons / "polygons-gjk.toml").string(),
+      (lessons / "collinear.toml").string(), (lessons / "stop-vertex.toml").string()};
+  EXPECT_EQ(expected, window.app().recent());
 }
 
 TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
@@ -247,33 +331,143 @@ TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
 
 TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
   const TemporaryFolder folder;
-  const fs::path killed = folder.path() / "killed";
   std::vector<Lesson> edited;
   {
     HeadlessApp window("polygons-gjk", folder.path());
     const auto edit = [&] {
-      window.session().change("move", [](Lesson& lesson) { lesson.y.vertices[0].x() -= 0.125; });
-      edited.push_back(window.session().lesson());
-      for (int i = 0; i < 3; ++i) window.frame(1.0);
+      Lesson lesson = window.session().lesson();
+      lesson.y.vertices[0].x() -= 0.125;
+      EXPECT_TRUE(window.app().edit("move", lesson));
+      edited.push_back(std::move(lesson));
     };
     edit();
     window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "polygons-witness.toml");
     edit();
-    // What is there now is what a killed process leaves, whose number is nobody's.
-    fs::create_directory(killed);
-    for (int i = 1; i <= 2; ++i) {
-      fs::copy_file(folder.path() / fmt::format("unsaved-{}-{}.toml", ::getpid(), i),
-                    killed / fmt::format("unsaved-999999999-{}.toml", i));
-    }
   }
-  HeadlessApp again("", killed);
+  HeadlessApp again("", folder.path());
+  again.app().run_command("Open unsaved work");
   EXPECT_EQ(edited[1].y.vertices, again.session().lesson().y.vertices);
   EXPECT_NE(std::string::npos, again.app().message().find("polygons-gjk.toml"));
   EXPECT_EQ(2u, again.session().all_unsaved().size());
-  EXPECT_FALSE(fs::exists(killed / "unsaved-999999999-1.toml"));
-  EXPECT_TRUE(fs::exists(killed / fmt::format("unsaved-{}-2.toml", ::getpid())));
-  again.key("Z", true);
+  while (again.session().lesson().id == edited[1].id) again.key("Z", true);
   EXPECT_EQ(edited[0].y.vertices, again.session().lesson().y.vertices);
+}
+
+TEST(App, SaveAsAsksBeforeItOverwritesAndKeepsWhatWasThere) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mine.toml", "precious");
+  HeadlessApp window;
+  const auto save_as = [&] {
+    window.key("S", true, true);
+    window.type(file);
+    window.key("Enter");
+  };
+  save_as();
+  EXPECT_TRUE(window.app().has_dialog());
+  EXPECT_EQ("precious", test::read_file(file));
+  window.key("Escape");
+  EXPECT_FALSE(window.app().has_dialog());
+  save_as();
+  window.key("Enter");
+  EXPECT_FALSE(window.app().has_dialog());
+  EXPECT_EQ("precious", test::read_file(file + "~")) << window.app().message();
+  EXPECT_EQ(file, window.session().file());
+  EXPECT_FALSE(window.session().is_unsaved());
+  fs::remove(file + "~");
+  window.key("S", true);
+  EXPECT_FALSE(fs::exists(file + "~")) << "its own file is saved without a question";
+}
+
+TEST(App, ADialogOpenedAgainStartsAnew) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "mine.toml";
+  HeadlessApp window;
+  window.app().save_to(file);
+  fs::remove(file);
+  window.key("S", true, true);
+  window.type("/nowhere/at/all.toml");
+  window.key("Escape");
+  window.key("S", true, true);
+  window.key("Enter");
+  EXPECT_TRUE(fs::exists(file)) << window.app().message();
+}
+
+TEST(App, WhatWasSavedIsNotReadAgain) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "mine.toml";
+  HeadlessApp window;
+  const Point from = window.at(kK);
+  window.drag(from, from + Point(50, 0));
+  window.wheel(1.0);
+  window.app().save_to(file);
+  const std::string undo = window.session().undo_name();
+  window.app().file_changed(file);
+  EXPECT_EQ(undo, window.session().undo_name());
+  EXPECT_FALSE(window.session().is_unsaved());
+}
+
+TEST(App, AMessageGoesAfterAWhileAndAnErrorWhenItWasRead) {
+  HeadlessApp window;
+  window.frame(100.0);  // after a long rest the time is not that of the last frame
+  window.app().say("done");
+  window.frame(100.0);
+  EXPECT_EQ("done", window.app().message());
+  for (int i = 0; i < 5; ++i) window.frame(1.0);
+  EXPECT_EQ("", window.app().message());
+  window.app().say("cannot", true);
+  for (int i = 0; i < 50; ++i) window.frame(1.0);
+  EXPECT_EQ("cannot", window.app().message());
+  EXPECT_FALSE(window.app().wakes_at());
+  window.key("Escape");
+  EXPECT_EQ("", window.app().message());
+}
+
+TEST(App, AnyVertexOfTheOpeningLessonCanBeDeleted) {
+  for (int vertex = 0; vertex < 5; ++vertex) {
+    HeadlessApp window;
+    window.click(window.at({Kind::vertex_of_x, vertex}));
+    window.key("Delete");
+    EXPECT_EQ(4u, window.session().lesson().x.vertices.size()) << window.app().message();
+  }
+}
+
+TEST(App, BetweenFramesOfTheTimelineTheNearestIsTaken) {
+  HeadlessApp window;
+  const Point a = window.at({Kind::frame, 6});
+  const Point b = window.at({Kind::frame, 7});
+  const Point gap = 0.5 * (a + b);
+  window.move(gap);
+  ASSERT_NE(Kind::frame, window.app().picture().hovered().kind) << "there is a gap";
+  window.drag(gap, window.at({Kind::frame, 12}));
+  EXPECT_EQ(12, window.session().index());
+}
+
+TEST(App, ARevertIsAnEntryOfTheHistory) {
+  HeadlessApp window;
+  const Lesson saved = window.session().lesson();
+  const Point from = window.at(kK);
+  window.drag(from, from + Point(50, 0));
+  const Lesson moved = window.session().lesson();
+  window.key("R", true);
+  EXPECT_EQ(saved, window.session().lesson());
+  window.key("Z", true);
+  EXPECT_EQ(moved, window.session().lesson());
+}
+
+TEST(App, KeysGoToPanelsOrAreCommandsButNeverBoth) {
+  HeadlessApp window;
+  window.key("S");
+  window.key("Tab");
+  EXPECT_EQ(Kind::vertex_of_x, window.app().picture().selected.kind);
+  EXPECT_FALSE(window.app().panels_have_keys());
+  window.key("F6");
+  EXPECT_TRUE(window.app().panels_have_keys());
+  const int index = window.session().index();
+  window.key("Right");
+  EXPECT_EQ(index, window.session().index()) << "goes to the panel";
+  window.key("Escape");
+  window.key("Right");
+  EXPECT_EQ(index + 1, window.session().index());
 }
 
 TEST(App, UndoTakesWhatIsHeldOutOfTheHand) {
@@ -403,11 +597,11 @@ TEST(App, ADenseScreenShowsTheSameInMorePixels) {
 }
 
 TEST(App, InANarrowWindowButtonsStandInMoreRows) {
-  const auto lower_end = [] { return ImGui::FindWindowByName("##toolbar")->Rect().Max.y; };
+  const auto lower_end = [] { return ImGui::FindWindowByName("##top")->Rect().Max.y; };
   HeadlessApp window;
   window.resize(1440.0, 900.0);
   const float wide = lower_end();
-  window.resize(640.0, 900.0);
+  window.resize(480.0, 900.0);
   EXPECT_GT(lower_end(), 1.5f * wide);
 }
 
@@ -438,9 +632,9 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   std::optional<Subject> dot;
   for (int i = static_cast<int>(family.size()) - 1; i > 0 && !dot; --i) {
     const Subject candidate{Kind::study_dot, i};
-    if (!window.app().place_of(candidate)) continue;
+    if (!window.app().picture().pixel_of(candidate)) continue;
     window.move(window.at(candidate));
-    if (window.app().hovered() == candidate) dot = candidate;
+    if (window.app().picture().hovered() == candidate) dot = candidate;
   }
   ASSERT_TRUE(dot);
   const StudyDot& wanted = family[static_cast<std::size_t>(dot->x)];
@@ -508,8 +702,9 @@ TEST(Study, TheDrawerChoosesTheFamilyAndUndoTakesItBack) {
   HeadlessApp window("accuracy-cost");
   window.key("A");
   window.settle();
-  EXPECT_TRUE(
-      window.session().change("family", [](Lesson& lesson) { lesson.study->family = "random"; }));
+  Lesson lesson = window.session().lesson();
+  lesson.study->family = "random";
+  EXPECT_TRUE(window.app().edit("family", std::move(lesson)));
   window.settle();
   EXPECT_EQ(window.session().lesson().study->family, "random");
   window.key("Z", true);

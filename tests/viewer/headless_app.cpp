@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "fonts.hpp"
 
 namespace gjkscope::test {
@@ -13,6 +15,7 @@ HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& s
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
   io.MousePos = ImVec2(-1e9f, -1e9f);
   try {
     app_ = std::make_unique<App>(App::Paths{GJKSCOPE_SOURCE_DIR, state}, fonts(), name);
@@ -66,7 +69,7 @@ void HeadlessApp::move(const Point& to) {
 
 void HeadlessApp::button(bool down, int clicks) {
   ImGui::GetIO().MouseDown[0] = down;
-  if (down) app_->clicked(clicks);
+  if (down) app_->picture().clicked(clicks);
   settle();
 }
 
@@ -92,7 +95,24 @@ void HeadlessApp::wheel(double by) {
 }
 
 void HeadlessApp::key(const std::string& key, bool ctrl, bool shift) {
-  if (!ImGui::GetIO().WantTextInput || key == "Escape") app_->press({key, ctrl, shift});
+  static const std::map<std::string, ImGuiKey_> kOfPanels = {{"Enter", ImGuiKey_Enter},
+                                                             {"Tab", ImGuiKey_Tab},
+                                                             {"Space", ImGuiKey_Space},
+                                                             {"Delete", ImGuiKey_Delete},
+                                                             {"Right", ImGuiKey_RightArrow},
+                                                             {"Down", ImGuiKey_DownArrow},
+                                                             {"A", ImGuiKey_A}};
+  ImGuiIO& io = ImGui::GetIO();
+  const auto of_panels = kOfPanels.find(key);
+  if (app_->panels_have_keys() && of_panels != kOfPanels.end()) {
+    io.KeysDown[of_panels->second] = true;
+    io.KeyCtrl = ctrl;
+    settle();
+    io.KeysDown[of_panels->second] = false;
+    io.KeyCtrl = false;
+  } else {
+    app_->press({key, ctrl, shift});
+  }
   settle();
 }
 
@@ -102,7 +122,7 @@ void HeadlessApp::type(const std::string& text) {
 }
 
 Point HeadlessApp::at(const Subject& subject) {
-  const std::optional<Point> place = app_->place_of(subject);
+  const std::optional<Point> place = app_->picture().pixel_of(subject);
   EXPECT_TRUE(place) << "no mark of subject " << static_cast<int>(subject.kind) << " " << subject.x
                      << " " << subject.y;
   return place.value_or(Point::Zero());

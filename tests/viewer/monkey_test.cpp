@@ -35,7 +35,7 @@ class Monkey {
         break;
       case 2:
         io.MouseDown[0] = !io.MouseDown[0];
-        if (io.MouseDown[0]) window_.app().clicked(1 + below(2));
+        if (io.MouseDown[0]) window_.app().picture().clicked(1 + below(2));
         break;
       case 3:
         io.MouseWheel = static_cast<float>(below(5) - 2);

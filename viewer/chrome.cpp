@@ -1,0 +1,384 @@
+// What stands around the picture: bars, the list of lessons, the drawer, dialogs and messages.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app.hpp"
+#include "files.hpp"
+#include "imgui_vec.hpp"
+#include "widgets.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+// Pixels at scale 1.
+constexpr double kBar = 38.0;  // of one row
+constexpr double kLessons = 248.0;
+constexpr double kDrawer = 400.0;
+constexpr double kSpeed = 86.0;
+constexpr double kMostBars = 0.4;  // of the window's height
+
+const ImVec4 kErrorInk(0.84f, 0.25f, 0.0f, 1.0f);
+
+/// A panel that fills `rect`. End it with ImGui::End.
+void begin_panel(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) {
+  ImGui::SetNextWindowPos(vec(rect.min));
+  ImGui::SetNextWindowSize(vec(rect.size()));
+  ImGui::Begin(name, nullptr, kFixed | more);
+}
+
+ImVec4 color_of(const Color& c) {
+  return {static_cast<float>(c.r) / 255.0f, static_cast<float>(c.g) / 255.0f,
+          static_cast<float>(c.b) / 255.0f, 1.0f};
+}
+ImVec4 between(const ImVec4& a, const ImVec4& b, float share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z), 1.0f};
+}
+
+float button_width(const char* text) {
+  return ImGui::CalcTextSize(text).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Puts things beside each other, and in a new row where the panel is too narrow.
+class Row {
+ public:
+  void place(float width) {
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end)
+      ImGui::SameLine();
+    is_first_ = false;
+  }
+
+ private:
+  bool is_first_ = true;
+};
+
+}  // namespace
+
+double App::layout(double width, double height, double density) {
+  ui_scale_ = panel_size_ * density;
+  width_ = width;
+  height_ = height;
+  Rect area{{0.0, 0.0}, {width, height}};
+  if (!presenting_) {
+    const double bar = kBar * ui_scale_;
+    area.min.y() = std::min(std::max(bar, top_height_), kMostBars * height);
+    area.max.y() -= std::min(bar, 0.5 * (height - area.min.y()));
+    if (lessons_shown_) area.min.x() = std::min(kLessons * ui_scale_, 0.5 * width);
+    if (drawer_) area.max.x() = std::max(width - kDrawer * ui_scale_, area.min.x());
+  }
+  return picture_.lay_out(area);
+}
+
+void App::draw(const AtlasFonts& fonts, ImFont* mono) {
+  mono_ = mono;
+  pointed_in_panel = {};
+  ImGuiIO& io = ImGui::GetIO();
+  const bool by_keyboard = focused_ || dialog_;
+  io.ConfigFlags = by_keyboard ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+  picture_.draw(fonts);
+  if (!presenting_) {
+    draw_top_bar();
+    if (lessons_shown_) draw_lessons();
+    draw_drawer();
+    draw_transport();
+  }
+  if (std::exchange(focus_moves_, false))
+    ImGui::SetWindowFocus(focused_ ? focused_->c_str() : nullptr);
+  draw_dialog();
+  draw_message();
+  if (io.MouseClicked[0] && !io.WantCaptureMouse) focused_.reset();
+  picture_.take_pointer();
+  for (const Drawer& drawer : drawers_) {
+    if (drawer.pointed) drawer.pointed(picture_.hovered());
+  }
+}
+
+void App::set_colors() const {
+  if (is_dark()) {
+    ImGui::StyleColorsDark();
+  } else {
+    ImGui::StyleColorsLight();
+  }
+  const ImVec4 paper = color_of(theme_.background());
+  const ImVec4 ink = color_of(*theme_.style("title").fill);
+  const ImVec4 card = color_of(theme_.style("card").fill.value_or(theme_.background()));
+  const ImVec4 strong = color_of(*theme_.style("timeline.current").fill);
+  ImVec4* colors = ImGui::GetStyle().Colors;
+  colors[ImGuiCol_Text] = ink;
+  colors[ImGuiCol_TextDisabled] = between(paper, ink, 0.6f);
+  colors[ImGuiCol_WindowBg] = colors[ImGuiCol_PopupBg] = between(paper, ink, 0.05f);
+  colors[ImGuiCol_Border] = between(paper, ink, 0.18f);
+  colors[ImGuiCol_FrameBg] = card;
+  colors[ImGuiCol_FrameBgHovered] = between(card, ink, 0.08f);
+  colors[ImGuiCol_FrameBgActive] = between(card, ink, 0.14f);
+  colors[ImGuiCol_Button] = card;
+  colors[ImGuiCol_ButtonHovered] = between(card, ink, 0.1f);
+  colors[ImGuiCol_ButtonActive] = between(card, strong, 0.35f);
+  colors[ImGuiCol_Header] = between(card, strong, 0.25f);
+  colors[ImGuiCol_HeaderHovered] = between(card, ink, 0.1f);
+  colors[ImGuiCol_HeaderActive] = between(card, strong, 0.35f);
+  colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] =
+      strong;
+  colors[ImGuiCol_NavHighlight] = strong;
+  colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBg] = between(paper, ink, 0.12f);
+  colors[ImGuiCol_TableRowBg] = colors[ImGuiCol_WindowBg];
+  colors[ImGuiCol_TableRowBgAlt] = between(paper, ink, 0.09f);
+  colors[ImGuiCol_Separator] = between(paper, ink, 0.15f);
+}
+
+// Buttons ----------------------------------------------------------------------------------------
+
+void App::draw_button(std::string_view name, float width) {
+  const Command& shown = *command(name);
+  ImGui::BeginDisabled(!shown.is_enabled());
+  const bool pressed = ImGui::Button(shown.name.c_str(), ImVec2(width, 0.0f));
+  ImGui::EndDisabled();
+  if (pressed) shown.run();
+}
+
+void App::draw_icon_button(Icon icon, std::string_view name) {
+  const Command& shown = *command(name);
+  const bool can = shown.is_enabled();
+  const float size = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(!can);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
+  const bool pressed = ImGui::Button(fmt::format("##{}", name).c_str(), ImVec2(1.25f * size, size));
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  draw_icon(*ImGui::GetWindowDrawList(), icon, {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)},
+            0.72f * size, ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::EndDisabled();
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    ImGui::SetTooltip("%s%s", shown.name.c_str(),
+                      shown.keys.empty() ? "" : fmt::format(" ({})", shown.keys.front()).c_str());
+  }
+  if (pressed) shown.run();
+}
+
+void App::draw_menu_item(std::string_view name) {
+  const Command& shown = *command(name);
+  const char* key = shown.keys.empty() ? nullptr : shown.keys.front().c_str();
+  if (ImGui::MenuItem(shown.name.c_str(), key, false, shown.is_enabled())) shown.run();
+}
+
+// Panels -----------------------------------------------------------------------------------------
+
+void App::draw_top_bar() {
+  begin_panel("##top", {{0.0, 0.0}, {width_, picture_.area().min.y()}},
+              ImGuiWindowFlags_NoScrollbar);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  Row row;
+  const auto menu = [&](const char* name, std::initializer_list<std::string_view> items) {
+    row.place(button_width(name));
+    if (ImGui::Button(name)) ImGui::OpenPopup(name);
+    const ImVec2 below(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y);
+    ImGui::SetNextWindowPos(below);
+    if (!ImGui::BeginPopup(name)) return;
+    for (const std::string_view item : items) {
+      if (item.empty()) {
+        ImGui::Separator();
+      } else {
+        draw_menu_item(item);
+      }
+    }
+    ImGui::EndPopup();
+  };
+  menu("File", {"Open", "Save", "Save as", "Revert to what is saved", "", "Export frames", "",
+                "Copy as case", "Paste a case", "", "Quit"});
+  menu("View", {"Lessons", "Presenter mode", "Fit", "Snap to a grid", "", "Next theme",
+                "Larger panels", "Smaller panels", "", "Any command", "Keys"});
+  const float icon = 1.25f * ImGui::GetFrameHeight();
+  for (const auto& [drawn, name] :
+       {std::pair(Icon::undo, "Undo"), {Icon::redo, "Redo"}, {Icon::fit, "Fit"}}) {
+    row.place(icon);
+    draw_icon_button(drawn, name);
+  }
+  // Drawers at the right end, over the one that is open.
+  float tabs = 0.0f;
+  for (const Drawer& drawer : drawers_)
+    tabs += button_width(drawer.name.c_str()) + style.ItemSpacing.x;
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float gap = end - ImGui::GetItemRectMax().x - tabs - 2.0f * style.ItemSpacing.x;
+  if (gap > 0.0f) {
+    ImGui::SameLine();
+    ImGui::Dummy(ImVec2(gap, 1.0f));
+  }
+  for (std::size_t i = 0; i < drawers_.size(); ++i) {
+    const Drawer& drawer = drawers_[i];
+    row.place(button_width(drawer.name.c_str()));
+    const bool is_open = drawer_ == i;
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+    if (ImGui::Button(drawer.name.c_str())) toggle_drawer(i);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%s (%s)", drawer.help.c_str(), drawer.key.c_str());
+    if (!is_open) continue;
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    const auto line = static_cast<float>(3.0 * ui_scale_);
+    ImGui::GetWindowDrawList()->AddRectFilled({min.x, max.y - line}, max,
+                                              ImGui::GetColorU32(ImGuiCol_CheckMark));
+  }
+  top_height_ = ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + style.WindowPadding.y;
+  ImGui::End();
+}
+
+void App::draw_transport() {
+  const Rect& area = picture_.area();
+  begin_panel("##transport", {{area.min.x(), area.max.y()}, {area.max.x(), height_}},
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  constexpr std::array<std::pair<Icon, const char*>, 7> kButtons = {
+      {{Icon::first, "First frame"},
+       {Icon::back_far, "Iteration before"},
+       {Icon::back, "Step before"},
+       {Icon::play, "Play or pause"},
+       {Icon::forth, "Next step"},
+       {Icon::forth_far, "Next iteration"},
+       {Icon::last, "Last frame"}}};
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons = kButtons.size() * (1.25f * ImGui::GetFrameHeight() + style.ItemSpacing.x);
+  const float middle = 0.5f * ImGui::GetWindowWidth();
+  ImGui::SetCursorPosX(std::max(middle - 0.5f * buttons, style.WindowPadding.x));
+  for (const auto& [icon, name] : kButtons) {
+    draw_icon_button(icon == Icon::play && playing_ ? Icon::pause : icon, name);
+    ImGui::SameLine();
+  }
+  ImGui::SetNextItemWidth(static_cast<float>(kSpeed * ui_scale_));
+  auto speed = static_cast<float>(frames_per_second_);
+  if (ImGui::SliderFloat("##speed", &speed, 0.25f, 16.0f, "%.2g / s", ImGuiSliderFlags_Logarithmic))
+    frames_per_second_ = speed;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second ([ and ])");
+  if (session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled()) {
+    ImGui::SameLine();
+    draw_button("Next lesson");
+  }
+  ImGui::End();
+}
+
+void App::draw_lessons() {
+  begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
+  static constexpr std::array<const char*, 7> kChapters = {"",
+                                                           "1  Point to segment",
+                                                           "2  Point to triangle",
+                                                           "3  Point to polygon",
+                                                           "4  Polygon to polygon",
+                                                           "5  Minkowski sums",
+                                                           "6  Numerics"};
+  int chapter = -1;
+  for (const ListedLesson& lesson : lessons_) {
+    if (lesson.chapter != chapter) {
+      chapter = lesson.chapter;
+      const bool named = chapter > 0 && chapter < static_cast<int>(kChapters.size());
+      ImGui::Spacing();
+      ImGui::TextDisabled("%s", named ? kChapters[static_cast<std::size_t>(chapter)] : "Other");
+    }
+    ImGui::PushID(lesson.file.c_str());
+    draw_lesson(lesson);
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
+/// Its title, on as many lines as that takes, and a check mark when it was stepped to its end.
+void App::draw_lesson(const ListedLesson& lesson) {
+  const bool is_good = lesson.problem.empty();
+  const bool is_open = session_.lesson().path == lesson.file.string();
+  const float mark = 1.2f * ImGui::GetFontSize();
+  const float width = ImGui::GetContentRegionAvail().x - mark;
+  const ImVec2 size = ImGui::CalcTextSize(lesson.title.c_str(), nullptr, false, width);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::Selectable("##title", is_open, 0, ImVec2(0.0f, size.y));
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", is_good ? lesson.id.c_str() : lesson.problem.c_str());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!is_good || finished_.contains(lesson.id))
+    list.AddText(at, ImGui::GetColorU32(is_good ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled),
+                 is_good ? "✓" : "!");
+  list.AddText(nullptr, 0.0f, {at.x + mark, at.y},
+               ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled),
+               lesson.title.c_str(), nullptr, width);
+  if (pressed && is_good) open_path(lesson.file);
+}
+
+void App::draw_drawer() {
+  if (!drawer_) return;
+  const Rect& area = picture_.area();
+  begin_panel("##drawer", {{area.max.x(), area.min.y()}, {width_, height_}});
+  drawers_[*drawer_].draw();
+  ImGui::End();
+}
+
+void App::draw_dialog() {
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings;
+  if (dialog_drawn_ && dialog_drawn_ != dialog_) {
+    if (ImGui::BeginPopupModal(dialog_drawn_->title.c_str(), nullptr, kFlags)) {
+      ImGui::CloseCurrentPopup();
+      ImGui::EndPopup();
+    }
+    dialog_drawn_.reset();
+  }
+  if (!dialog_) return;
+  const std::shared_ptr<Dialog> shown = dialog_;
+  if (!dialog_drawn_) ImGui::OpenPopup(shown->title.c_str());
+  dialog_drawn_ = shown;
+  ImGui::SetNextWindowPos(vec({0.5 * width_, 0.5 * height_}), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), vec({0.95 * width_, 0.95 * height_}));
+  bool open = true;
+  if (ImGui::BeginPopupModal(shown->title.c_str(), &open, kFlags)) {
+    shown->draw();
+    ImGui::EndPopup();
+  }
+  if (!open) close_dialog();
+}
+
+/// Work that another window left, or what was said last: below, where it covers no words.
+void App::draw_message() {
+  const bool offers = !left_.empty() && !dialog_;
+  const std::string& text = message_.empty() ? session_.problem() : message_;
+  if (text.empty() && !offers) return;
+  const Rect& area = picture_.area();
+  const double right = area.max.x() - 8.0 * ui_scale_;
+  const double below = presenting_ ? height_ : area.max.y();
+  ImGui::SetNextWindowPos(vec({right, below - 6.0 * ui_scale_}), ImGuiCond_Always,
+                          ImVec2(1.0f, 1.0f));
+  ImGui::Begin("##message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
+  ImGui::PushTextWrapPos(
+      static_cast<float>(std::clamp(area.size().x() - 40.0, 80.0, 640.0 * ui_scale_)));
+  if (!text.empty()) {
+    const bool is_error = message_.empty() || message_is_error_;
+    if (is_error) ImGui::PushStyleColor(ImGuiCol_Text, kErrorInk);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    if (is_error) ImGui::PopStyleColor();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) message_.clear();
+  }
+  if (offers) {
+    ImGui::Text("There is work that was not saved, of %s%s.",
+                left_.front().file.empty() ? "a case" : left_.front().file.stem().c_str(),
+                left_.size() > 1 ? fmt::format(" and {} more", left_.size() - 1).c_str() : "");
+    draw_button("Open unsaved work");
+    ImGui::SameLine();
+    draw_button("Discard unsaved work");
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+}
+
+}  // namespace gjkscope

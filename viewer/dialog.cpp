@@ -1,0 +1,287 @@
+#include "dialog.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app.hpp"
+#include "effects/registry.hpp"
+#include "lesson/names.hpp"
+#include "widgets.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kFieldWidth = 34.0f;  // ems
+constexpr int kListLines = 14;
+
+/// A line of text that has the keyboard when the dialog opens, and `again`; true on Enter.
+bool field(std::string& text, const char* hint = "", bool again = false) {
+  ImGui::SetNextItemWidth(kFieldWidth * ImGui::GetFontSize());
+  if (again || ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  return ImGui::InputTextWithHint(
+      "##field", hint, &text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+}
+
+bool begin_list() {
+  return ImGui::BeginChild("##list", ImVec2(kFieldWidth * ImGui::GetFontSize(),
+                                            kListLines * ImGui::GetTextLineHeightWithSpacing()));
+}
+
+void draw_cancel(App& app) {
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) app.close_dialog();
+}
+
+struct Open {
+  App& app;
+  std::string path;
+
+  void open(const fs::path& file) const {
+    app.close_dialog();
+    app.open_path(file);
+  }
+
+  void draw() {
+    const bool entered = field(path, "path of a lesson, a case or a folder");
+    const fs::path typed(path);
+    std::error_code none;
+    if (entered && fs::is_regular_file(typed, none)) return open(typed);
+    if (entered && !fs::is_directory(typed, none))
+      app.say(fmt::format("there is no file '{}'", path), true);
+    fs::path chosen;
+    if (begin_list()) chosen = list(typed);
+    ImGui::EndChild();
+    std::error_code ignored;
+    if (fs::is_directory(chosen, ignored)) {
+      path = chosen.string();
+    } else if (!chosen.empty()) {
+      return open(chosen);
+    }
+    if (ImGui::Button("Cancel")) app.close_dialog();
+  }
+
+  /// What was chosen of the files used last and of those in the folder.
+  [[nodiscard]] fs::path list(const fs::path& typed) const {
+    std::error_code none;
+    fs::path chosen;
+    ImGui::TextDisabled("Recent");
+    for (const std::string& recent : app.recent()) {
+      if (ImGui::Selectable(recent.c_str())) chosen = recent;
+    }
+    ImGui::Separator();
+    const fs::path folder = fs::is_directory(typed, none)
+                                ? typed
+                                : (typed.has_parent_path() ? typed.parent_path() : fs::path("."));
+    ImGui::TextDisabled("%s", folder.c_str());
+    std::vector<fs::path> entries;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+      const fs::path& each = entry.path();
+      const bool wanted = each.extension() == ".toml" || each.extension() == ".json";
+      if (entry.is_directory(none) || wanted) entries.push_back(each);
+    }
+    std::sort(entries.begin(), entries.end());
+    if (ImGui::Selectable("..")) chosen = fs::absolute(folder).parent_path();
+    for (const fs::path& each : entries) {
+      const bool is_folder = fs::is_directory(each, none);
+      if (ImGui::Selectable((each.filename().string() + (is_folder ? "/" : "")).c_str()))
+        chosen = each;
+    }
+    return chosen;
+  }
+};
+
+struct Save {
+  App& app;
+  std::string path;
+  fs::path own;
+  std::function<void(const fs::path&)> save;
+  std::string asked_about = {};  ///< A file that is there, and that the next press overwrites.
+  bool asks = false;             ///< Since the last frame.
+
+  void draw() {
+    const bool entered = field(path, "path of a file", std::exchange(asks, false));
+    std::error_code none;
+    const bool overwrites = path != own && fs::exists(path, none);
+    if (overwrites && asked_about == path)
+      wrapped_text("There is such a file. What it holds is kept beside it, with a ~ at its end.");
+    const bool pressed = ImGui::Button(overwrites && asked_about == path ? "Overwrite" : "Save");
+    const bool wanted = (pressed || entered) && !path.empty();
+    draw_cancel(app);
+    if (!wanted) return;
+    if (overwrites && asked_about != path) {
+      asked_about = path;
+      asks = true;
+      return;
+    }
+    app.close_dialog();
+    save(path);
+  }
+};
+
+struct Export {
+  App& app;
+  std::string folder = "frames";
+
+  void draw() {
+    const bool entered = field(folder, "a folder");
+    const bool frame = ImGui::Button("This frame");
+    ImGui::SameLine();
+    const bool all = ImGui::Button("All frames, with an index");
+    draw_cancel(app);
+    if (folder.empty() || (!entered && !frame && !all)) return;
+    app.close_dialog();
+    app.export_to(folder, all);
+  }
+};
+
+void draw_keys(App& app) {
+  ImGui::BeginChild("##keys", ImVec2(kFieldWidth * ImGui::GetFontSize(),
+                                     2.0f * kListLines * ImGui::GetTextLineHeightWithSpacing()));
+  std::string group;
+  for (const Command& command : app.commands()) {
+    if (command.keys.empty() || command.name.starts_with("Answer ")) continue;
+    if (command.group != group) {
+      group = command.group;
+      ImGui::Spacing();
+      ImGui::TextDisabled("%s", group.c_str());
+    }
+    ImGui::Text("%s", fmt::format("{}", fmt::join(command.keys, ", ")).c_str());
+    ImGui::SameLine(12.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(command.name.c_str());
+  }
+  ImGui::Spacing();
+  ImGui::TextDisabled("Mouse");
+  wrapped_text(
+      "Drag a vertex, a shape, the handle of a selected shape, the timeline, or the empty stage. "
+      "Wheel: zoom. Double click an edge: add a vertex; elsewhere: show all. Click a line of the "
+      "pseudocode: go to its next run.");
+  ImGui::EndChild();
+  if (ImGui::Button("Close")) app.close_dialog();
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Whether the characters of `wanted` come in `text`, in this order: "nxlsn" is in "Next lesson".
+bool is_spelled(const std::string& wanted, const std::string& text) {
+  std::size_t at = 0;
+  for (const char c : wanted) {
+    if (c == ' ') continue;
+    at = text.find(c, at);
+    if (at == std::string::npos) return false;
+    ++at;
+  }
+  return true;
+}
+
+struct Palette {
+  App& app;
+  std::string wanted;
+  struct Entry {
+    std::string name;
+    std::string key;
+    std::function<void()> run;
+  };
+
+  [[nodiscard]] std::vector<Entry> entries() const {
+    std::vector<Entry> all;
+    App& to = app;
+    for (const Command& command : app.commands()) {
+      if (command.is_enabled())
+        all.push_back(
+            {command.name, command.keys.empty() ? "" : command.keys.front(), command.run});
+    }
+    for (const ListedLesson& lesson : app.lessons()) {
+      if (lesson.problem.empty())
+        all.push_back({fmt::format("Lesson: {} ({})", lesson.title, lesson.id), "",
+                       [&to, file = lesson.file] { to.open_path(file); }});
+    }
+    for (const EffectInfo& info : registered_effects()) {
+      if (info.used_by != "view") continue;
+      all.push_back(
+          {fmt::format("Effect: {}", info.name), "", [&to, name = std::string(info.name)] {
+             Lesson lesson = to.session().lesson();
+             std::vector<std::string>& called = lesson.views.back().effects;
+             if (std::erase(called, name) == 0) called.push_back(name);
+             to.edit("effects", std::move(lesson));
+           }});
+    }
+    for (const auto& [name, scalar] : Named<ScalarKind>::kTable) {
+      all.push_back({fmt::format("Scalar: {}", name), "", [&to, scalar = scalar] {
+                       Lesson lesson = to.session().lesson();
+                       lesson.scalar = scalar;
+                       to.edit("numerics", std::move(lesson));
+                     }});
+    }
+    for (const auto& [name, value] : app.session().text().values)
+      all.push_back({fmt::format("{} = {}", name, value), "", [&to] { to.show_drawer("Values"); }});
+    return all;
+  }
+
+  void draw() {
+    const bool entered = field(wanted, "a command, a lesson, an effect, a value");
+    const std::string typed = lower(wanted);
+    std::vector<Entry> found;
+    for (Entry& entry : entries()) {
+      if (is_spelled(typed, lower(entry.name))) found.push_back(std::move(entry));
+    }
+    // What holds the words as they were typed comes first.
+    std::stable_partition(found.begin(), found.end(), [&](const Entry& entry) {
+      return lower(entry.name).find(typed) != std::string::npos;
+    });
+    const Entry* chosen = entered && !found.empty() ? &found.front() : nullptr;
+    begin_list();
+    for (const Entry& entry : found) {
+      if (ImGui::Selectable(entry.name.c_str(), &entry == &found.front())) chosen = &entry;
+      if (entry.key.empty()) continue;
+      ImGui::SameLine(0.75f * kFieldWidth * ImGui::GetFontSize());
+      ImGui::TextDisabled("%s", entry.key.c_str());
+    }
+    ImGui::EndChild();
+    if (!chosen) {
+      if (ImGui::Button("Cancel")) app.close_dialog();
+      return;
+    }
+    app.close_dialog();
+    chosen->run();
+  }
+};
+
+/// A dialog whose state is a value with a function draw().
+template <class State>
+Dialog dialog_of(std::string title, State state) {
+  return {std::move(title), [state = std::move(state)]() mutable { state.draw(); }};
+}
+
+}  // namespace
+
+Dialog open_dialog(App& app) {
+  return dialog_of("Open a lesson, a case or a folder",
+                   Open{app, app.session().file().parent_path().string()});
+}
+
+Dialog save_dialog(App& app, const std::string& title, const std::string& suggestion,
+                   const fs::path& own, std::function<void(const fs::path&)> save) {
+  return dialog_of(title, Save{app, suggestion, own, std::move(save)});
+}
+
+Dialog export_dialog(App& app) { return dialog_of("Export frames into a folder", Export{app}); }
+
+Dialog keys_dialog(App& app) {
+  return {"Keys", [&app] { draw_keys(app); }};
+}
+
+Dialog palette_dialog(App& app) { return dialog_of("Any command", Palette{app, ""}); }
+
+}  // namespace gjkscope

@@ -1,0 +1,27 @@
+#pragma once
+// What is asked before all else: one at a time, in the middle of the window.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace gjkscope {
+
+class App;
+
+struct Dialog {
+  std::string title;
+  std::function<void()> draw;
+};
+
+[[nodiscard]] Dialog open_dialog(App& app);
+/// Asks for the name of a file, and once more before one is overwritten that is not `own`.
+[[nodiscard]] Dialog save_dialog(App& app, const std::string& title, const std::string& suggestion,
+                                 const std::filesystem::path& own,
+                                 std::function<void(const std::filesystem::path&)> save);
+[[nodiscard]] Dialog export_dialog(App& app);
+[[nodiscard]] Dialog keys_dialog(App& app);
+/// Any command, lesson, effect or scalar by a part of its name.
+[[nodiscard]] Dialog palette_dialog(App& app);
+
+}  // namespace gjkscope

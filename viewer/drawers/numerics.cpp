@@ -1,0 +1,201 @@
+// How the run computes, and a second run beside it.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app.hpp"
+#include "lesson/names.hpp"
+#include "widgets.hpp"
+
+namespace gjkscope {
+namespace {
+
+/// The first step at which two runs differ, and how; nothing when they do not. Step -1: they start
+/// from other vertices.
+std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run,
+                                                            const WideTrace& a, const WideTrace& b,
+                                                            bool hexadecimal) {
+  const auto start_of = [&](const WideTrace& trace) {
+    std::string names;
+    for (int i = 0; i < trace.initial.simplex.count; ++i)
+      names += fmt::format("{}{}", i > 0 ? " " : "",
+                           run.pair_name(trace.initial.simplex.vertices[i].pair));
+    return names;
+  };
+  if (start_of(a) != start_of(b))
+    return std::pair(-1, fmt::format("start {} here, {} there", start_of(a), start_of(b)));
+  const auto text = [&](const Eigen::Vector2d& v) {
+    return fmt::format("({}, {})", number_text(v.x(), hexadecimal),
+                       number_text(v.y(), hexadecimal));
+  };
+  for (std::size_t i = 0; i < std::min(a.steps.size(), b.steps.size()); ++i) {
+    const gjk::Step<double, 2>& one = a.steps[i];
+    const gjk::Step<double, 2>& other = b.steps[i];
+    const auto at = [&](const std::string& what) {
+      return std::pair(static_cast<int>(i), fmt::format("iteration {}, {}: {}", one.iteration,
+                                                        name_of(one.phase), what));
+    };
+    if (one.phase != other.phase)
+      return at(fmt::format("here {}, there {}", name_of(one.phase), name_of(other.phase)));
+    if (one.after.region != other.after.region) return at("another region");
+    if (one.phase == gjk::Phase::support && one.after.support.pair != other.after.support.pair)
+      return at(fmt::format("support {} here, {} there", run.pair_name(one.after.support.pair),
+                            run.pair_name(other.after.support.pair)));
+    if (one.after.stop != other.after.stop)
+      return at(
+          fmt::format("{} here, {} there", name_of(one.after.stop), name_of(other.after.stop)));
+    if (one.after.d != other.after.d)
+      return at(fmt::format("d = {} here, {} there", text(one.after.d), text(other.after.d)));
+    if (one.after.p != other.after.p)
+      return at(fmt::format("P = {} here, {} there", text(one.after.p), text(other.after.p)));
+  }
+  if (a.steps.size() == b.steps.size()) return std::nullopt;
+  return std::pair(static_cast<int>(std::min(a.steps.size(), b.steps.size())),
+                   std::string("one run goes on"));
+}
+
+/// Rows that choose how a run computes; true when one was changed.
+bool choose_options(ScalarKind& scalar, gjk::Options& options) {
+  bool changed = choose_value("scalar", scalar);
+  changed |= choose_value("direction", options.direction_rule);
+  changed |= choose_value("regions", options.region_order);
+  changed |=
+      ImGui::Checkbox("stop when a support point repeats", &options.stop_on_repeated_support);
+  changed |= ImGui::Checkbox("stop without progress", &options.stop_on_no_progress);
+  double tolerance = options.tolerance;
+  ImGui::InputDouble("tolerance", &tolerance, 0.0, 0.0, "%.3g");
+  if (ImGui::IsItemDeactivatedAfterEdit() && tolerance != options.tolerance) {
+    options.tolerance = tolerance;
+    changed = true;
+  }
+  int cap = options.iteration_cap;
+  ImGui::InputInt("cap", &cap);
+  if (cap != options.iteration_cap) {
+    options.iteration_cap = cap;
+    changed = true;
+  }
+  bool centres = options.start.count == 0;
+  if (ImGui::Checkbox("start between the centres", &centres)) {
+    options.start = {};
+    options.start.count = centres ? 0 : 1;
+    changed = true;
+  }
+  return changed;
+}
+
+/// A number under another: alike up to where they differ, which is strong.
+void draw_pair(App& app, const char* name, double here, double there) {
+  const std::string one = number_text(here, app.hexadecimal);
+  const std::string other = number_text(there, app.hexadecimal);
+  const auto same = static_cast<std::size_t>(
+      std::mismatch(one.begin(), one.end(), other.begin(), other.end()).first - one.begin());
+  ImGui::TextDisabled("%s", name);
+  ImGui::PushFont(app.mono_font());
+  for (const std::string& text : {one, other}) {
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + same);
+    ImGui::SameLine(0.0f, 0.0f);
+    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", text.c_str() + same);
+  }
+  ImGui::PopFont();
+}
+
+struct Beside {
+  /// The lesson's options where it has none of its own.
+  ScalarKind scalar = ScalarKind::exact;
+  std::optional<gjk::Options> options;
+  /// What `run` was computed from.
+  struct From {
+    long version = 0;
+    int run = 0;
+    ScalarKind scalar = ScalarKind::exact;
+    gjk::Options options;
+    friend bool operator==(const From&, const From&) = default;
+  };
+  From from;
+  std::optional<PositionedRun> run;
+
+  [[nodiscard]] gjk::Options options_for(const gjk::Options& here) const {
+    if (!options) return here;
+    gjk::Options there = *options;
+    if (there.start.count == 0) return there;
+    there.start = here.start;  // the vertices of other shapes may not be there
+    there.start.count = std::max(here.start.count, 1);
+    return there;
+  }
+};
+
+void draw_numerics(App& app, Beside& beside) {
+  Session& session = app.session();
+  ImGui::Text("How the run computes");
+  Lesson wanted = session.lesson();
+  if (choose_options(wanted.scalar, wanted.options)) app.edit("numerics", std::move(wanted));
+
+  ImGui::Separator();
+  ImGui::PushID("beside");
+  const LessonRun& run = session.run();
+  ImGui::Text("Beside it, on the same shapes");
+  gjk::Options options = beside.options_for(run.lesson.options);
+  if (choose_options(beside.scalar, options)) {
+    // Through a lesson, so that what a lesson could not say is refused with the same words.
+    Lesson other = session.lesson();
+    other.options = options;
+    if (const std::string why = why_not_said(other); why.empty()) {
+      beside.options = options;
+    } else {
+      app.say(why, true);
+    }
+  }
+  if (ImGui::Button("The same options, exact")) {
+    beside.scalar = ScalarKind::exact;
+    beside.options.reset();
+  }
+  ImGui::PopID();
+  ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
+
+  const PositionedRun& here = run.run(session.frame());
+  const Beside::From from{session.version(), session.frame().run, beside.scalar,
+                          beside.options_for(run.lesson.options)};
+  if (!beside.run || beside.from != from) {
+    beside.run = run_again(here, from.options, from.scalar);
+    beside.from = from;
+  }
+  const gjk::Result<double, 2>& a = here.trace.result;
+  const gjk::Result<double, 2>& b = beside.run->trace.result;
+  draw_pair(app, "distance: this run, and the one beside it", a.distance, b.distance);
+  draw_pair(app, "lower bound", a.lower, b.lower);
+  draw_pair(app, "upper bound", a.upper, b.upper);
+  if (ImGui::BeginTable("##beside", 3, kRuled)) {
+    const auto decided = [](const auto& result) {
+      return result.settled ? "exact arithmetic" : "the run itself";
+    };
+    table_row("", {"this run", "beside it"});
+    table_row("scalar",
+              {std::string(name_of(run.lesson.scalar)), std::string(name_of(beside.scalar))});
+    table_row("verdict", {std::string(name_of(a.verdict)), std::string(name_of(b.verdict))});
+    table_row("decided by", {decided(a), decided(b)});
+    table_row("stop", {std::string(name_of(a.stop)), std::string(name_of(b.stop))});
+    table_row("iterations", {std::to_string(a.iterations), std::to_string(b.iterations)});
+    ImGui::EndTable();
+  }
+  const auto difference = first_difference(run, here.trace, beside.run->trace, app.hexadecimal);
+  if (!difference)
+    return wrapped_text("The two runs take the same decisions and have the same numbers.");
+  wrapped_text("First difference: " + difference->second);
+  if (!ImGui::Button("Go there")) return;
+  const auto& frames = run.frames;
+  const auto shows = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
+    return frame.run == session.frame().run && frame.step >= difference->first;
+  });
+  if (shows != frames.end()) session.go_to(static_cast<int>(shows - frames.begin()));
+}
+
+}  // namespace
+
+Drawer numerics_drawer(App& app) {
+  return {"Numerics", "N", "Scalar, rules and stops, and another run beside this one",
+          [&app, beside = Beside{}]() mutable { draw_numerics(app, beside); }};
+}
+
+}  // namespace gjkscope

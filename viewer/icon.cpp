@@ -1,0 +1,78 @@
+#include "icon.hpp"
+
+#include <array>
+#include <numbers>
+
+namespace gjkscope {
+namespace {
+
+/// Places in a unit square around the origin, to pixels.
+struct Pen {
+  ImDrawList& list;
+  ImVec2 center;
+  float size;
+  ImU32 color;
+
+  [[nodiscard]] ImVec2 at(float x, float y) const {
+    return {center.x + x * size, center.y + y * size};
+  }
+  /// From its flat side at `x` to its tip at `x + width`; a width below 0 points to the left.
+  void triangle(float x, float width) const {
+    list.AddTriangleFilled(at(x, -0.38f), at(x, 0.38f), at(x + width, 0.0f), color);
+  }
+  void bar(float x) const {
+    list.AddRectFilled(at(x - 0.06f, -0.38f), at(x + 0.06f, 0.38f), color);
+  }
+  /// An arc over the top that ends in an arrow on the side of `to`: -1 left, 1 right.
+  void turn(float to) const {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    list.PathArcTo(at(0.0f, 0.12f), 0.32f * size, -kPi, 0.0f, 16);
+    list.PathStroke(color, 0, 0.11f * size);
+    const float x = 0.32f * to;
+    list.AddTriangleFilled(at(x - 0.2f, 0.1f), at(x + 0.2f, 0.1f), at(x, 0.4f), color);
+  }
+  void corners() const {
+    for (const auto& [x, y] : std::array<ImVec2, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}) {
+      const std::array<ImVec2, 3> bend = {at(0.4f * x, 0.14f * y), at(0.4f * x, 0.4f * y),
+                                          at(0.14f * x, 0.4f * y)};
+      list.AddPolyline(bend.data(), 3, color, 0, 0.1f * size);
+    }
+  }
+};
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color) {
+  const Pen pen{list, center, size, color};
+  switch (icon) {
+    case Icon::first:
+      pen.bar(-0.36f);
+      return pen.triangle(0.36f, -0.6f);
+    case Icon::back_far:
+      pen.triangle(0.0f, -0.42f);
+      return pen.triangle(0.42f, -0.42f);
+    case Icon::back:
+      return pen.triangle(0.26f, -0.56f);
+    case Icon::play:
+      return pen.triangle(-0.28f, 0.66f);
+    case Icon::pause:
+      list.AddRectFilled(pen.at(-0.28f, -0.36f), pen.at(-0.08f, 0.36f), color);
+      return list.AddRectFilled(pen.at(0.08f, -0.36f), pen.at(0.28f, 0.36f), color);
+    case Icon::forth:
+      return pen.triangle(-0.26f, 0.56f);
+    case Icon::forth_far:
+      pen.triangle(-0.42f, 0.42f);
+      return pen.triangle(0.0f, 0.42f);
+    case Icon::last:
+      pen.triangle(-0.36f, 0.6f);
+      return pen.bar(0.36f);
+    case Icon::undo:
+      return pen.turn(-1.0f);
+    case Icon::redo:
+      return pen.turn(1.0f);
+    case Icon::fit:
+      return pen.corners();
+  }
+}
+
+}  // namespace gjkscope

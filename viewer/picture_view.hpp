@@ -1,0 +1,70 @@
+#pragma once
+// The picture in the window: where it stands, what is under the pointer, and what a hand does to
+// it.
+
+#include <optional>
+#include <string>
+
+#include "paint/imgui_painter.hpp"
+#include "session/edit.hpp"
+#include "session/session.hpp"
+
+namespace gjkscope {
+
+class App;
+
+class PictureView {
+ public:
+  explicit PictureView(App& app);
+
+  /// Fills `area`, in pixels of the window; gives pixels per frame pixel.
+  double lay_out(const Rect& area);
+  [[nodiscard]] const Rect& area() const { return area_; }
+  void draw(const AtlasFonts& fonts);
+  /// The pointer as Dear ImGui has it, after all panels were drawn.
+  void take_pointer();
+  /// The button went down for the first time, or for the second within a moment.
+  void clicked(int times) { clicks_ = times; }
+  /// What is held is let go.
+  void release();
+
+  [[nodiscard]] const Subject& hovered() const { return hovered_; }
+  Subject selected;
+  /// Where on the window a mark of the subject is; nothing when none is to be seen.
+  [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
+  /// Where the handle is that turns a shape.
+  [[nodiscard]] std::optional<Point> rotation_handle_at(edit::Which which) const;
+
+ private:
+  struct Drag {
+    Subject subject;
+    std::size_t view = 0;
+    Point last;                     ///< On the page.
+    Eigen::Vector2d start_in_view;  ///< Where it was taken.
+    bool turns = false;
+    bool moved = false;
+  };
+
+  [[nodiscard]] Point to_page(const Point& pixel) const { return (pixel - area_.min) / zoom_; }
+  [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
+  [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
+  [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
+  [[nodiscard]] Rect rotation_handle(edit::Which which) const;
+  /// The frame of the timeline at this height that is nearest; nothing elsewhere.
+  [[nodiscard]] std::optional<int> frame_at(const Point& page);
+  void draw_highlights();
+  void press(const Subject& subject, const Point& page);
+  void continue_drag(const Point& page);
+  void double_click(const Point& page);
+  void zoom(std::size_t view, const Point& page, double factor);
+
+  App& app_;
+  Session& session_;
+  Rect area_;
+  double zoom_ = 1.0;
+  Subject hovered_;
+  std::optional<Drag> drag_;
+  int clicks_ = 0;
+};
+
+}  // namespace gjkscope

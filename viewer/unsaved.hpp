@@ -1,0 +1,49 @@
+#pragma once
+// Unsaved work on disk, for a window that starts after this one ended, however it ended.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+#include "session/session.hpp"
+
+namespace gjkscope {
+
+/// Each window keeps its work in files named after one that it has locked: the system takes the
+/// lock away when the process ends. So work whose lock can be had is nobody's.
+class UnsavedWork {
+ public:
+  /// `folder` is made when it is not there; empty: nothing is kept.
+  explicit UnsavedWork(std::filesystem::path folder);
+  ~UnsavedWork();
+  UnsavedWork(const UnsavedWork&) = delete;
+  UnsavedWork& operator=(const UnsavedWork&) = delete;
+
+  [[nodiscard]] bool keeps() const { return lock_ >= 0; }
+  /// All that is not saved now. Throws std::runtime_error when it cannot be written.
+  void keep(const std::vector<Session::Unsaved>& all);
+
+  struct Left {
+    std::string text;            ///< A lesson file.
+    std::filesystem::path file;  ///< Where it belongs; empty when it had no file.
+  };
+  /// What windows left that are gone. Until this window ends, no other one is offered it.
+  [[nodiscard]] std::vector<Left> left();
+  /// Removes what left() gave.
+  void forget_left();
+
+ private:
+  struct Orphan {
+    int lock = -1;
+    std::filesystem::path path;  ///< Of the lock; the work stands beside it.
+  };
+
+  std::filesystem::path folder_;
+  std::filesystem::path path_;
+  int lock_ = -1;
+  std::vector<Orphan> orphans_;
+};
+
+}  // namespace gjkscope

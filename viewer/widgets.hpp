@@ -1,0 +1,41 @@
+#pragma once
+// Pieces that more than one panel or dialog is made of.
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/names.hpp"
+
+namespace gjkscope {
+
+inline constexpr ImGuiTableFlags kRuled =
+    ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
+
+[[nodiscard]] std::string number_text(double value, bool hexadecimal);
+/// A whole text as a number, decimal or hex float ("0x1.8p-1").
+[[nodiscard]] std::optional<double> read_number(const std::string& text);
+
+void wrapped_text(const std::string& text);
+/// A row of a table with a name and texts.
+void table_row(const std::string& name, const std::vector<std::string>& cells);
+
+/// A list to choose from; true when another value was chosen.
+template <class E>
+bool choose_value(const char* label, E& value) {
+  bool changed = false;
+  if (ImGui::BeginCombo(label, std::string(name_of(value)).c_str())) {
+    for (const auto& [name, candidate] : Named<E>::kTable) {
+      if (ImGui::Selectable(std::string(name).c_str(), candidate == value) && candidate != value) {
+        value = candidate;
+        changed = true;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  return changed;
+}
+
+}  // namespace gjkscope
