@@ -217,7 +217,8 @@ std::string Session::redo_name() const { return future_.empty() ? "" : future_.b
 Lesson Session::lesson_to_run() const {
   Lesson lesson = lesson_;
   if (predicting_) {
-    lesson.questions = {{Ask::region, {}}, {Ask::dropped, {}}, {Ask::support, {}}, {Ask::stop, {}}};
+    lesson.questions.clear();
+    for (const Ask ask : vocabulary().act(lesson.act)->asks) lesson.questions.push_back({ask, {}});
   } else {
     lesson.questions.clear();
   }

@@ -5,7 +5,7 @@
 namespace gjkscope::acts {
 namespace {
 
-constexpr std::array<Ask, 4> kIterationAsks = {Ask::support, Ask::region, Ask::dropped, Ask::stop};
+constexpr std::array<Ask, 4> kIterationAsks = {Ask::region, Ask::dropped, Ask::support, Ask::stop};
 
 bool ends_iteration(const LessonRun& run, int index, int step) {
   const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;

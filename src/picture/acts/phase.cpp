@@ -6,7 +6,7 @@
 namespace gjkscope::acts {
 namespace {
 
-constexpr std::array<Ask, 4> kPhaseAsks = {Ask::support, Ask::region, Ask::dropped, Ask::stop};
+constexpr std::array<Ask, 4> kPhaseAsks = {Ask::region, Ask::dropped, Ask::support, Ask::stop};
 
 bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
