@@ -11,6 +11,8 @@
 #include "drawers/study.hpp"
 #include "effects/registry.hpp"
 #include "files.hpp"
+#include "lesson/chapters.hpp"
+#include "lesson/file.hpp"
 #include "lesson/load.hpp"
 #include "picture/registry.hpp"
 
@@ -34,6 +36,8 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       session_(fonts),
       theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)),
       picture_(*this),
+      chapters_(parse_chapters(read_whole(paths_.share / "assets" / "chapters.toml"),
+                               "assets/chapters.toml")),
       unsaved_(paths_.state) {
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";
   for (const LoadedLesson& loaded : load_lessons(folder, vocabulary())) {

@@ -168,6 +168,7 @@ class App {
   std::string theme_name_ = "light";
   Theme theme_;
   PictureView picture_;
+  std::map<int, std::string> chapters_;  ///< Their titles.
   std::vector<ListedLesson> lessons_;
   std::vector<Drawer> drawers_;
   std::vector<Command> commands_;

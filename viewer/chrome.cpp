@@ -271,20 +271,17 @@ void App::draw_transport() {
 
 void App::draw_lessons() {
   begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
-  static constexpr std::array<const char*, 7> kChapters = {"",
-                                                           "1  Point to segment",
-                                                           "2  Point to triangle",
-                                                           "3  Point to polygon",
-                                                           "4  Polygon to polygon",
-                                                           "5  Minkowski sums",
-                                                           "6  Numerics"};
   int chapter = -1;
   for (const ListedLesson& lesson : lessons_) {
     if (lesson.chapter != chapter) {
       chapter = lesson.chapter;
-      const bool named = chapter > 0 && chapter < static_cast<int>(kChapters.size());
+      const auto title = chapters_.find(chapter);
       ImGui::Spacing();
-      ImGui::TextDisabled("%s", named ? kChapters[static_cast<std::size_t>(chapter)] : "Other");
+      if (title == chapters_.end()) {
+        ImGui::TextDisabled("Other");
+      } else {
+        ImGui::TextDisabled("%d  %s", chapter, title->second.c_str());
+      }
     }
     ImGui::PushID(lesson.file.c_str());
     draw_lesson(lesson);

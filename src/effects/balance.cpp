@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "effects/barycentric.hpp"
+#include "effects/registry.hpp"
 
 namespace gjkscope {
 namespace {
@@ -124,5 +125,9 @@ Balance::Value Balance::compute(EffectGraph& graph, const LessonRun& run, const 
   value.moments = swing(value.masses, weights[1], *run.lesson.time, frame.run);
   return value;
 }
+
+const EffectInfo effect_infos::kBalance = effect_info<Balance>(
+    "view", "a beam with masses u and v, swinging on its support; needs granularity `time`",
+    "time");
 
 }  // namespace gjkscope

@@ -1,5 +1,6 @@
 #include "effects/barycentric.hpp"
 
+#include "effects/registry.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
 
@@ -58,5 +59,11 @@ BarycentricParts::Value BarycentricParts::compute(EffectGraph& graph, const Less
   }
   return parts;
 }
+
+const EffectInfo effect_infos::kBarycentricWeights =
+    effect_info<BarycentricWeights>("panel", "barycentric coordinates of the query point, signed");
+
+const EffectInfo effect_infos::kBarycentricParts =
+    effect_info<BarycentricParts>("view", "the lengths or areas that the coordinates measure");
 
 }  // namespace gjkscope

@@ -1,5 +1,7 @@
 #include "effects/cold_start.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 
 EffectKey ColdStart::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
@@ -8,5 +10,8 @@ ColdStart::Value ColdStart::compute(EffectGraph&, const LessonRun& run, const Fr
   const WideTrace cold = run_afresh(run, frame.run).trace;
   return {cold.result.iterations, support_calls(cold)};
 }
+
+const EffectInfo effect_infos::kColdStart =
+    effect_info<ColdStart>("panel", "the same run without the warm start");
 
 }  // namespace gjkscope

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "effects/registry.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
 
@@ -31,5 +32,8 @@ DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run
   });
   return built;
 }
+
+const EffectInfo effect_infos::kDirectionRules =
+    effect_info<DirectionRules>("panel", "both ways to build the search direction");
 
 }  // namespace gjkscope

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -48,5 +50,8 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   facts.has_ended = step.after.stop != gjk::StopReason::running;
   return facts;
 }
+
+const EffectInfo effect_infos::kFrameFacts =
+    effect_info<FrameFacts>("frame", "what is known when a frame is shown");
 
 }  // namespace gjkscope

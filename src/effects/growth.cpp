@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "effects/registry.hpp"
 #include "geometry/minkowski.hpp"
 
 namespace gjkscope {
@@ -181,5 +182,8 @@ Growth::Value Growth::compute(EffectGraph&, const LessonRun& run, const Frame&) 
     samples.push_back(measured(random, run.lesson, vertices));
   return samples;
 }
+
+const EffectInfo effect_infos::kGrowth =
+    effect_info<Growth>("panel", "runs on random polygons, with more and more vertices");
 
 }  // namespace gjkscope

@@ -1,5 +1,7 @@
 #include "effects/history.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 
 EffectKey History::key(const LessonRun& run, const Frame& frame) {
@@ -16,5 +18,8 @@ History::Value History::compute(EffectGraph&, const LessonRun& run, const Frame&
   }
   return entries;
 }
+
+const EffectInfo effect_infos::kHistory =
+    effect_info<History>("view", "simplices and closest points of earlier iterations");
 
 }  // namespace gjkscope

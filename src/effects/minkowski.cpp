@@ -1,5 +1,7 @@
 #include "effects/minkowski.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 
 EffectKey MinkowskiCloud::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
@@ -15,5 +17,11 @@ MinkowskiHull::Value MinkowskiHull::compute(EffectGraph& graph, const LessonRun&
                                             const Frame& frame) {
   return minkowski_hull(graph.get<MinkowskiCloud>(frame));
 }
+
+const EffectInfo effect_infos::kMinkowskiCloud =
+    effect_info<MinkowskiCloud>("view", "every difference y - x");
+
+const EffectInfo effect_infos::kMinkowskiHull =
+    effect_info<MinkowskiHull>("view", "convex hull of the differences");
 
 }  // namespace gjkscope

@@ -1,5 +1,7 @@
 #include "effects/motion.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -36,5 +38,11 @@ GrownObstacle::Value GrownObstacle::compute(EffectGraph& graph, const LessonRun&
                                             const Frame& frame) {
   return hull_corners(graph, frame, run.run(frame).x.translate);
 }
+
+const EffectInfo effect_infos::kLastPosition =
+    effect_info<LastPosition>("view", "where everything was a position ago, and how far it went");
+
+const EffectInfo effect_infos::kGrownObstacle =
+    effect_info<GrownObstacle>("view", "Y grown by X, and X as a point against it");
 
 }  // namespace gjkscope

@@ -1,6 +1,7 @@
 #include "effects/projection.hpp"
 
 #include "effects/barycentric.hpp"
+#include "effects/registry.hpp"
 
 namespace gjkscope {
 
@@ -38,5 +39,11 @@ UnitVector::Value UnitVector::compute(EffectGraph& graph, const LessonRun&, cons
   built.of_q = lengths(q);
   return built;
 }
+
+const EffectInfo effect_infos::kProjection = effect_info<Projection>(
+    "view", "the line through a segment, and the point G = uA + vB where Q falls on it");
+
+const EffectInfo effect_infos::kUnitVector =
+    effect_info<UnitVector>("view", "n = (B - A) / length, drawn from A");
 
 }  // namespace gjkscope

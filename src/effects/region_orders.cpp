@@ -1,5 +1,6 @@
 #include "effects/region_orders.hpp"
 
+#include "effects/registry.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
 
@@ -81,5 +82,8 @@ RegionOrders::Value RegionOrders::compute(EffectGraph&, const LessonRun& run, co
   });
   return chains;
 }
+
+const EffectInfo effect_infos::kRegionOrders =
+    effect_info<RegionOrders>("view", "the point that region tests in a wrong order take for P");
 
 }  // namespace gjkscope

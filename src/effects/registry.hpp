@@ -17,6 +17,20 @@ struct EffectInfo {
   bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
 };
 
+/// What the registry says of the effect E (effects/graph.hpp).
+template <class E>
+[[nodiscard]] constexpr EffectInfo effect_info(std::string_view used_by, std::string_view summary,
+                                               std::string_view act = {}, bool second_run = false) {
+  return {E::kName, E::kNeeds, summary, used_by, act, second_run};
+}
+
+/// Each is defined beside its effect, and listed in list.def.
+namespace effect_infos {
+#define GJKSCOPE_EFFECT(name) extern const EffectInfo k##name;
+#include "effects/list.def"
+#undef GJKSCOPE_EFFECT
+}  // namespace effect_infos
+
 /// In the order in which `explain` lists them.
 [[nodiscard]] const std::vector<EffectInfo>& registered_effects();
 

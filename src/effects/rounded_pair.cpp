@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -101,5 +103,8 @@ double error_of(double answer, double distance) {
   const double error = std::abs(answer - distance);
   return error > 0.0 ? error / std::max(answer, distance) : 0.0;
 }
+
+const EffectInfo effect_infos::kRoundedPair =
+    effect_info<RoundedPair>("panel", "the same query as floats and doubles keep it, and exactly");
 
 }  // namespace gjkscope

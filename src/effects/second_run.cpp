@@ -1,5 +1,7 @@
 #include "effects/second_run.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 
 EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
@@ -24,5 +26,8 @@ const gjk::Step<double, 2>* step_beside(const SecondRun::Value& second, const Le
   }
   return nullptr;
 }
+
+const EffectInfo effect_infos::kSecondRun = effect_info<SecondRun>(
+    "view", "the same query in another scalar: its closest point and search", {}, true);
 
 }  // namespace gjkscope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "effects/registry.hpp"
 #include "geometry/polygon.hpp"
 
 namespace gjkscope {
@@ -49,5 +50,8 @@ ShapeHull::Value ShapeHull::compute(EffectGraph&, const LessonRun& run, const Fr
   }
   return value;
 }
+
+const EffectInfo effect_infos::kShapeHull =
+    effect_info<ShapeHull>("view", "convex hulls of shapes that are not convex");
 
 }  // namespace gjkscope

@@ -1,5 +1,6 @@
 #include "effects/sign_map.hpp"
 
+#include "effects/registry.hpp"
 #include "effects/voronoi.hpp"
 
 namespace gjkscope {
@@ -47,5 +48,11 @@ MapDifference::Value MapDifference::compute(EffectGraph& graph, const LessonRun&
   }
   return parts;
 }
+
+const EffectInfo effect_infos::kSignMap =
+    effect_info<SignMap>("view", "where u, v and w are negative");
+
+const EffectInfo effect_infos::kMapDifference = effect_info<MapDifference>(
+    "view", "where the signs and the Voronoi regions name different features");
 
 }  // namespace gjkscope

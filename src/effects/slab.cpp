@@ -1,5 +1,7 @@
 #include "effects/slab.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 
 EffectKey BestSupport::key(const LessonRun&, const Frame& frame) {
@@ -30,5 +32,11 @@ EffectKey Slab::key(const LessonRun& run, const Frame& frame) {
 Slab::Value Slab::compute(EffectGraph& graph, const LessonRun&, const Frame& frame) {
   return graph.get<BestSupport>(frame);
 }
+
+const EffectInfo effect_infos::kBestSupport =
+    effect_info<BestSupport>("frame", "the support line that proves most of the distance");
+
+const EffectInfo effect_infos::kSlab =
+    effect_info<Slab>("view", "the widest strip proved empty between X and Y");
 
 }  // namespace gjkscope

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effects/facts.hpp"
+#include "effects/registry.hpp"
 
 namespace gjkscope {
 
@@ -25,5 +26,8 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph&, const LessonRun& run,
   }
   return touched;
 }
+
+const EffectInfo effect_infos::kTouchedPoints =
+    effect_info<TouchedPoints>("view", "the differences that the run has computed so far");
 
 }  // namespace gjkscope

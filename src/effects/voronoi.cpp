@@ -1,5 +1,7 @@
 #include "effects/voronoi.hpp"
 
+#include "effects/registry.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -55,5 +57,8 @@ VoronoiRegions::Value VoronoiRegions::compute(EffectGraph&, const LessonRun& run
   }
   return regions;
 }
+
+const EffectInfo effect_infos::kVoronoiRegions =
+    effect_info<VoronoiRegions>("view", "Voronoi regions of the current simplex");
 
 }  // namespace gjkscope

@@ -301,6 +301,14 @@ PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, S
   });
 }
 
+DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
+  return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
+    return widened(depth::trace<S>(gjk::Query<S, 2>{{x}, {y}}, options));
+  });
+}
+
 std::vector<Problem> check_expectation(const LessonRun& run) {
   std::vector<Problem> problems = unasked_questions(run);
   const Lesson& lesson = run.lesson;

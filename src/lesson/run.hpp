@@ -126,6 +126,10 @@ template <int D>
 [[nodiscard]] PositionedRun run_again(const PositionedRun& run, const gjk::Options& options,
                                       ScalarKind scalar);
 
+/// How deep the shapes of a run lie in each other, from their vertices in the world.
+[[nodiscard]] DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options,
+                                  ScalarKind scalar);
+
 /// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are
 /// those of the keys in the lesson's file.
 [[nodiscard]] std::vector<Problem> check_expectation(const LessonRun& run);

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "geometry/polygon.hpp"
+#include "picture/acts/acts.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope::edit {
 namespace {
@@ -134,6 +136,30 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
     if (distance < nearest.distance) nearest = {static_cast<int>(i), distance};
   }
   return nearest;
+}
+
+Lesson told_by_depth(Lesson lesson) {
+  lesson.act = acts::kDepth.act.name;
+  lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kDepthEdges.name),
+                  std::string(blocks::kDepthBounds.name)};
+  lesson.listing = listings::kDepth.name;
+  lesson.until.reset();
+  lesson.phases.clear();
+  lesson.questions.clear();
+  lesson.time.reset();
+  lesson.growth.reset();
+  lesson.study.reset();
+  lesson.beside.reset();
+  std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
+  if (lesson.views.empty())
+    lesson.views = {{ViewKind::world, "", {}, {}}, {ViewKind::difference, "", {}, {}}};
+  for (LessonView& view : lesson.views) {
+    std::erase_if(view.effects, [](const std::string& name) {
+      const Term* effect = find_term(vocabulary().effects, name);
+      return effect == nullptr || !effect->act.empty() || effect->second_run;
+    });
+  }
+  return lesson;
 }
 
 }  // namespace gjkscope::edit

@@ -40,6 +40,9 @@ int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placem
 /// so are the support points that the lesson expects.
 bool erase_vertex(Lesson& lesson, Which which, int index);
 
+/// The same shapes, told by the expanding polygon that finds their penetration depth.
+[[nodiscard]] Lesson told_by_depth(Lesson lesson);
+
 /// The edge of a polygon nearest to `world`: the index of its first vertex, and the distance.
 struct NearestEdge {
   int edge = 0;

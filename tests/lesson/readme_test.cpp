@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
+#include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
@@ -85,6 +90,66 @@ TEST(Readme, TheExampleIsALessonThatKeepsItsWord) {
   const LessonRun run = run_lesson(*loaded.lesson);
   EXPECT_GT(run.frames.size(), 1u);
   for (const Problem& problem : check_expectation(run)) ADD_FAILURE() << to_string(problem);
+}
+
+TEST(ShippedLessons, AreOfChaptersThatHaveTitles) {
+  const std::map<int, std::string> chapters = parse_chapters(
+      testing::file_text(testing::lessons_folder().parent_path() / "assets" / "chapters.toml"),
+      "chapters.toml");
+  for (const auto& file : testing::shipped_lessons())
+    EXPECT_TRUE(chapters.contains(load_lesson(file, vocabulary()).lesson->chapter)) << file;
+}
+
+TEST(Chapters, SayWhereTheirFileIsWrong) {
+  const auto problem = [](std::string_view text) {
+    try {
+      (void)parse_chapters(text, "chapters.toml");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(problem("1 = \"One\"\ntwo = \"Two\""),
+            "chapters.toml:2:1: 'two' is no number of a chapter; expected number = \"title\"");
+  EXPECT_EQ(problem("1 = 1"),
+            "chapters.toml:1:5: chapter 1 has no title; expected number = \"title\"");
+  EXPECT_TRUE(problem("1 = ").starts_with("chapters.toml:1:")) << problem("1 = ");
+}
+
+/// What files define and what is registered: nothing may be left out of the tables, and each table
+/// is documented (above, and in `explain`).
+TEST(Registries, HoldEveryActBlockListingLayerAndEffectThatIsDefined) {
+  const auto defined = [](std::string_view kind, const std::filesystem::path& folder) {
+    const std::regex definition(fmt::format("^const {}( |\\n)+(\\w+::)?k(\\w+)", kind));
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      std::ifstream lines(entry.path());
+      for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (std::regex_search(line, found, definition)) names.insert(found[3]);
+      }
+    }
+    return names;
+  };
+  const auto listed = [](const std::filesystem::path& list) {
+    const std::regex entry(R"(^GJKSCOPE_\w+\((\w+)\)$)");
+    std::set<std::string> names;
+    std::ifstream lines(list);
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      if (std::regex_search(line, found, entry)) names.insert(found[1]);
+    }
+    return names;
+  };
+  const std::filesystem::path source = testing::lessons_folder().parent_path() / "src";
+  const std::filesystem::path picture = source / "picture";
+  EXPECT_EQ(defined("StagedAct", picture), listed(picture / "acts" / "list.def"));
+  EXPECT_EQ(defined("Block", picture), listed(picture / "blocks" / "list.def"));
+  EXPECT_EQ(defined("Listing", picture), listed(picture / "blocks" / "listings.def"));
+  EXPECT_EQ(defined("Layer", picture), listed(picture / "layers" / "list.def"));
+  EXPECT_EQ(defined("EffectInfo", source / "effects"), listed(source / "effects" / "list.def"));
+  EXPECT_GE(listed(picture / "acts" / "list.def").size(), registered_acts().size());
 }
 
 TEST(ShippedLessons, AllLoad) {

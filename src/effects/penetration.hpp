@@ -1,0 +1,16 @@
+#pragma once
+#include "effects/graph.hpp"
+
+namespace gjkscope {
+
+/// How deep the shapes of a run lie in each other (src/depth), in the lesson's scalar: the
+/// expanding polygon from its start to its end.
+struct PenetrationDepth {
+  static constexpr std::string_view kName = "penetration-depth";
+  static constexpr std::string_view kNeeds = "";
+  using Value = DepthTrace;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope
