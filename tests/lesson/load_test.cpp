@@ -299,7 +299,7 @@ INSTANTIATE_TEST_SUITE_P(
     Ranges, LoadRefuses,
     ::testing::Values(
         Refused{"chapter = 4", "chapter = ¦0", "'chapter' is 0"},
-        Refused{"chapter = 4", "chapter = ¦100", "'chapter' is 8"},
+        Refused{"chapter = 4", "chapter = ¦100", "'chapter' is 100"},
         Refused{"order = 3", "order = ¦0", "'order' is 0"},
         Refused{"cap = 20", "cap = ¦0", "'cap' is 0"},
         Refused{"cap = 20", "cap = ¦101", "'cap' is 101"},
