@@ -207,11 +207,19 @@ struct Player::Drag {
   bool moved = false;
 };
 
+FileText Player::held(const Files& files, const std::filesystem::path& file) {
+  const auto found = files.find(file.filename().string());
+  if (found == files.end()) return {std::nullopt, "the page does not hold this file"};
+  return {found->second, {}};
+}
+
 Player::Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes)
     : fonts_(std::move(fonts)),
       theme_texts_(std::move(themes)),
       theme_(theme("light")),
-      session_(fonts_) {}
+      session_(fonts_, [this](const std::filesystem::path& file, std::size_t) {
+        return held(files_, file);
+      }) {}
 
 Theme Player::theme(std::string_view wanted) const {
   const ThemeTexts texts = [&](std::string_view name) -> std::optional<std::string> {
@@ -290,12 +298,12 @@ std::string Player::whole_frame() const {
 }
 
 void Player::go_to_phase(int phase) {
-  if (!session_.go_to_next(static_cast<gjk::Phase>(phase)))
+  if (!session_.go_to_next(session_.run().phase_name(phase)))
     throw std::runtime_error("this run has no such step");
 }
 
 void Player::reset() {
-  session_.change("reset", [&](Lesson& lesson) { lesson = *opened_; });
+  session_.edit("reset", *opened_);
   session_.fit();
 }
 
@@ -315,7 +323,7 @@ void Player::open(const Asked& asked) {
 /// Another lesson as a change of this one: what a link holds.
 void Player::replace(const Asked& asked) {
   const Lesson lesson = parsed(asked.text("lesson"), asked.text("name"), files_);
-  if (!session_.change("follow a link", [&](Lesson& changed) { changed = lesson; }))
+  if (!session_.edit("follow a link", lesson))
     throw std::runtime_error(fmt::format("{}: {}", asked.text("name"), session_.problem()));
   session_.fit();
 }
@@ -325,10 +333,8 @@ Lesson Player::parsed(const std::string& text, const std::string& name, const Fi
     throw std::runtime_error(fmt::format("{}: {} bytes are too many; expected at most {}", name,
                                          text.size(), kMostText));
   }
-  const FileReader reader = [&](const std::filesystem::path& file, std::size_t) -> FileText {
-    const auto found = files.find(file.filename().string());
-    if (found == files.end()) return {std::nullopt, "the page does not hold this file"};
-    return {found->second, {}};
+  const FileReader reader = [&](const std::filesystem::path& file, std::size_t) {
+    return held(files, file);
   };
   LoadedLesson loaded = parse_lesson(text, name, vocabulary(), reader);
   if (!loaded.lesson) throw std::runtime_error(lines(loaded.problems));
@@ -456,9 +462,8 @@ void Player::move(const Point& at) {
 
 /// Refuses what a lesson file could not say, with the loader's words.
 void Player::change(const std::string& name, const Lesson& lesson) {
-  (void)parsed(lesson_toml(lesson), name, files_);
   const bool ends = at_end();
-  if (!session_.change(name, [&](Lesson& changed) { changed = lesson; }))
+  if (!session_.edit(name, lesson))
     throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
   if (ends) session_.go_to(session_.frame_count() - 1);
 }
@@ -490,7 +495,7 @@ void Player::put_vertex(const Asked& asked) {
 void Player::nudge(const Asked& asked) {
   const edit::Which which = asked.shape();
   const int index = asked.whole("index");
-  const std::vector<LessonPictures::Stage> stages = session_.stages();
+  const std::vector<LessonPictures::Stage> stages = session_.views();
   const LessonPictures::Stage& stage = stages.front();
   const double unit = stage.camera.height / stage.card.size().y();
   const Vector2d by = unit * Vector2d(asked.real("right"), asked.real("up"));
@@ -574,7 +579,7 @@ Picture Player::timeline() const {
 
 /// The shortest way out of the other shape, where the world is shown.
 void Player::draw_depth(Picture& picture) const {
-  const LessonPictures::Stage stage = session_.stages().front();
+  const LessonPictures::Stage stage = session_.views().front();
   const LessonRun& run = session_.run();
   const std::optional<Depth> depth = depth_of(run.run(session_.frame()), run.lesson.scalar);
   if (!depth || stage.kind != ViewKind::world) return;

@@ -51,6 +51,7 @@ class Player {
   [[nodiscard]] std::string whole_frame() const;
   [[nodiscard]] static std::string traced_cases(const Asked& asked);
 
+  [[nodiscard]] static FileText held(const Files& files, const std::filesystem::path& file);
   [[nodiscard]] static Lesson parsed(const std::string& text, const std::string& name,
                                      const Files& files);
   void change(const std::string& name, const Lesson& lesson);

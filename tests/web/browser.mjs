@@ -241,7 +241,7 @@ claim("vertices are typed as decimals and hex floats, and moved by arrow keys", 
   assert.equal(await page.inputValue("#y-0-0"), "0x1p-1");
   await page.fill("#y-0-0", "1e300");
   await page.locator("#y-0-0").press("Enter");
-  assert.match(await text(page, "problem"), /1e\+?300.*expected .*1e\+?18/);
+  assert.match(await text(page, "problem"), /expected .*1e\+?18/);
   const before = await state(page);
   const name = page.locator("#vertices tbody th button").first();
   await name.focus();
@@ -270,7 +270,7 @@ claim("scalar and rules are chosen, and the run follows", async () => {
   const before = await state(page);
   assert.equal(before.numerics.scalar, "half");
   await page.selectOption("#numerics-scalar", "exact");
-  assert.match(await text(page, "problem"), /^numerics:\d+:\d+: the second run has the scalar of the first; expected another/);
+  assert.match(await text(page, "problem"), /^numerics: .*the second run has the scalar of the first, expected another/);
   assert.equal(await page.inputValue("#numerics-scalar"), "half");
   await page.selectOption("#numerics-scalar", "float");
   const after = await state(page);
@@ -435,37 +435,39 @@ claim("a case of 10 MB and one of 10,000 vertices are refused or drawn, not hung
     document.getElementById("case").value = json;
     document.getElementById("paste").click();
   }, JSON.stringify({ a: ring(10001, 0), b: ring(3, 4) }));
-  assert.match(await text(page, "problem"), /^pasted:\d+:\d+: .*10001/);
+  assert.match(await text(page, "problem"), /^pasted: .*10001/);
   await close(page);
 });
 
 // Looks -------------------------------------------------------------------------------------------
 
+/** Texts that are set smaller than 14 pixels, and by how much the page is too wide. */
+const measure = (page) => page.evaluate(() => {
+  const small = [];
+  for (const element of document.querySelectorAll("body *")) {
+    if (![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
+    if (element.getBoundingClientRect().width === 0 || ["SCRIPT", "STYLE", "OPTION"].includes(element.tagName)) continue;
+    const svg = element.ownerSVGElement;
+    // A panel that is wider than a phone is squeezed; its type keeps its height.
+    const scale = svg ? svg.getBoundingClientRect().height / svg.viewBox.baseVal.height : 1;
+    const pixels = parseFloat(getComputedStyle(element).fontSize) * scale;
+    if (pixels < 13.9) small.push(`${pixels.toFixed(1)}: ${element.textContent.slice(0, 30)}`);
+  }
+  return { wide: document.documentElement.scrollWidth - innerWidth, small };
+});
+
 claim("nothing scrolls sideways and no type is below 14 pixels, at any size", async () => {
-  for (const size of Object.keys(SIZES)) {
-    for (const name of pages) {
-      const page = await open(url(name.replace(".html", "")), size);
-      for (const step of [0, 1]) {
-        if (step && !(await page.locator("#wasm").count())) continue;
-        if (step) await page.locator("body").press("End");
-        const found = await page.evaluate(() => {
-          const small = [];
-          for (const element of document.querySelectorAll("body *")) {
-            if (![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
-            const box = element.getBoundingClientRect();
-            if (box.width === 0 || ["SCRIPT", "STYLE", "OPTION"].includes(element.tagName)) continue;
-            const svg = element.ownerSVGElement;
-            // A panel that is wider than a phone is squeezed; its type keeps its height.
-            const scale = svg ? svg.getBoundingClientRect().height / svg.viewBox.baseVal.height : 1;
-            const pixels = parseFloat(getComputedStyle(element).fontSize) * scale;
-            if (pixels < 13.9) small.push(`${pixels.toFixed(1)}: ${element.textContent.slice(0, 30)}`);
-          }
-          return { wide: document.documentElement.scrollWidth - innerWidth, small };
-        });
-        assert.deepEqual(found, { wide: 0, small: [] }, `${name} at ${size}`);
+  for (const name of pages) {
+    const page = await open(url(name.replace(".html", "")));
+    for (const [size, viewport] of Object.entries(SIZES)) {
+      await page.setViewportSize(viewport);
+      await page.waitForTimeout(100);
+      for (const key of ["Home", "End"]) {
+        await page.locator("body").press(key);
+        assert.deepEqual(await measure(page), { wide: 0, small: [] }, `${name} at ${size}`);
       }
-      await close(page);
     }
+    await close(page);
   }
 });
 
