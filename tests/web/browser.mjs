@@ -484,6 +484,21 @@ claim("without a script there are the first frame and all words", async () => {
   }
 });
 
+claim("without WebAssembly, too, and the page says so", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("pageerror", (error) => page.complaints.push(String(error)));
+  await page.addInitScript(() => { delete window.WebAssembly; });
+  await page.goto(url("polygons-gjk"));
+  await page.locator("#problem").waitFor();
+  assert.match(await text(page, "problem"), /cannot be made live here.*The first frame and all words are below/);
+  assert.ok(await page.locator("#stage svg").isVisible());
+  assert.equal(await page.locator(".controls").isVisible(), false);
+  assert.ok(await page.locator(".transcript li").count() > 10);
+  await close(page);
+});
+
 claim("things move between steps, and not for who prefers less of it", async () => {
   for (const [reducedMotion, moves] of [["no-preference", true], ["reduce", false]]) {
     const page = await open(url("polygons-gjk", "#step=4"), "laptop", { reducedMotion });
