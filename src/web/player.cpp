@@ -231,12 +231,12 @@ Theme Player::theme(std::string_view wanted) const {
 }
 
 std::string Player::answer(std::string_view request) {
-  using Act = void (*)(Player&, const Asked&);
-  static const std::map<std::string_view, Act> kFirst = {
+  using Reply = void (*)(Player&, const Asked&);
+  static const std::map<std::string_view, Reply> kFirst = {
       {"open", [](Player& p, const Asked& a) { p.open(a); }},
       {"layout", [](Player& p, const Asked& a) { p.set_layout(a); }},
   };
-  static const std::map<std::string_view, Act> kActs = {
+  static const std::map<std::string_view, Reply> kActs = {
       {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
       {"case", [](Player& p, const Asked& a) { p.open_case(a); }},
       {"go", [](Player& p, const Asked& a) { p.session_.go_to(a.whole("to")); }},

@@ -313,7 +313,7 @@ TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
     std::string text;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
       if (entry.path().filename().string().starts_with("unsaved-"))
-        text = test::read_file(entry.path());
+        text += test::read_file(entry.path());
     }
     return text;
   };
