@@ -24,9 +24,10 @@ gjk::Pose<S, 2> pose_of(const Placement& placement) {
   gjk::Pose<S, 2> pose;
   pose.translation = narrowed<S, 2>(placement.translate);
   if (placement.rotate_degrees != 0.0) {
-    const double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
-    const S c(std::cos(angle));
-    const S s(std::sin(angle));
+    // Rounded from more digits: a double's sine differs in the last bit from library to library.
+    const long double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
+    const S c(static_cast<double>(std::cos(angle)));
+    const S s(static_cast<double>(std::sin(angle)));
     pose.rotation = Eigen::Matrix<S, 2, 2>{{c, S(-s)}, {s, c}};
   }
   return pose;
