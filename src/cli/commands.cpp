@@ -18,6 +18,7 @@
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/theme.hpp"
+#include "site/site.hpp"
 #include "trace/trace_json.hpp"
 
 namespace gjkscope {
@@ -140,6 +141,18 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
     env.err << fmt::format("gjkscope: there is no theme '{}'; there are {}\n", options.theme,
                            fmt::join(themes, ", "));
     return kUsage;
+  }
+  if (options.format == "html") {
+    const std::vector<fs::path> files =
+        export_site(lessons, {options.out_dir, env.share, options.index});
+    if (json) {
+      Json list = Json::array();
+      for (const fs::path& file : files) list.push_back(file.string());
+      env.out << Json{{"files", std::move(list)}}.dump(2) << '\n';
+    } else {
+      env.out << fmt::format("{} pages in {}\n", files.size(), options.out_dir.string());
+    }
+    return flushed(env) ? kDone : kCannot;
   }
   const ExportResult result = export_lessons(lessons, options);
   if (json) {

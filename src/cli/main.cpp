@@ -88,8 +88,10 @@ void add_commands(CLI::App& app, Arguments& args) {
   exported->add_option("--out", options.out_dir, "Folder for the frames; made when not there")
       ->required()
       ->type_name("DIR");
-  exported->add_option("--format", options.format, "Format of the frames")
-      ->check(CLI::IsMember({"png"}))
+  exported
+      ->add_option("--format", options.format,
+                   "png: frames; html: pages to step through in a browser")
+      ->check(CLI::IsMember({"png", "html"}))
       ->capture_default_str();
   parsed(exported, "--size", args.size, parse_size, "a size such as 1280x720", "Pixels of a frame")
       ->type_name("WxH")
@@ -102,11 +104,13 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   add_no_questions(exported);
-  exported->add_flag("--index", options.index, "Also write index.html, a contact sheet");
+  exported->add_flag("--index", options.index,
+                     "Also write index.html, a contact sheet, or of pages their index");
   add_json(exported);
   exported->footer(
       "Examples:\n  gjkscope export --all --out out --index\n"
-      "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n");
+      "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
+      "  gjkscope export --all --out site --format html --index\n");
 
   CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
   trace->add_option("lesson|case", args.name, "Id or file of a lesson, a case.json, or -")

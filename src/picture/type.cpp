@@ -305,4 +305,13 @@ bool Fonts::lacks(Face face, char32_t character) const {
   return !files.main.glyph(character) && !files.fallback.glyph(character);
 }
 
+std::array<FaceBytes, kFaceCount> faces_of(const Fonts& fonts) {
+  std::array<FaceBytes, kFaceCount> faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto face = static_cast<Face>(f);
+    faces[f] = {fonts.file(face), fonts.fallback_file(face)};
+  }
+  return faces;
+}
+
 }  // namespace gjkscope

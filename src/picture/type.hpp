@@ -100,4 +100,7 @@ class Fonts {
   std::unique_ptr<Loaded> loaded_;
 };
 
+/// The bytes of all faces, in the order of Face.
+[[nodiscard]] std::array<FaceBytes, kFaceCount> faces_of(const Fonts& fonts);
+
 }  // namespace gjkscope

@@ -36,11 +36,11 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
 
 }  // namespace
 
-std::string why_not_said(const Lesson& lesson) {
-  const LoadedLesson read =
-      parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary());
+std::string why_not_said(const Lesson& lesson, const FileReader& read) {
+  const LoadedLesson loaded = parse_lesson(
+      lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary(), read);
   std::string why;
-  for (const Problem& problem : read.problems) {
+  for (const Problem& problem : loaded.problems) {
     why += fmt::format("{}{}", why.empty() ? "this lesson cannot have that: " : "; ", problem.what);
     if (!problem.expected.empty()) why += fmt::format(", expected {}", problem.expected);
   }
@@ -62,7 +62,7 @@ struct Session::Shown {
   }
 };
 
-Session::Session(const Fonts& fonts) : fonts_(fonts) {}
+Session::Session(const Fonts& fonts, FileReader read) : fonts_(fonts), read_(std::move(read)) {}
 Session::~Session() = default;
 
 std::optional<Lesson> Session::replace(Lesson lesson, std::vector<std::optional<Camera>> cameras) {
@@ -147,7 +147,7 @@ void Session::remember(Entry entry) {
 
 bool Session::edit(const std::string& name, Lesson lesson) {
   if (dragging_) end_drag();
-  problem_ = why_not_said(lesson);
+  problem_ = why_not_said(lesson, read_);
   if (!problem_.empty()) return false;
   hold_cameras();
   std::optional<Lesson> before = replace(std::move(lesson), cameras_);

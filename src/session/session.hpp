@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lesson/lesson.hpp"
+#include "lesson/load.hpp"
 #include "picture/frame.hpp"
 
 namespace gjkscope {
@@ -25,13 +26,14 @@ struct Answer {
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 
-/// Why no lesson file could say this, in the loader's words; empty when one could.
-[[nodiscard]] std::string why_not_said(const Lesson& lesson);
+/// Why no lesson file could say this, in the loader's words; empty when one could. `read` gives the
+/// files that it names.
+[[nodiscard]] std::string why_not_said(const Lesson& lesson, const FileReader& read = read_file);
 
 class Session {
  public:
-  /// `fonts` must outlive the session.
-  explicit Session(const Fonts& fonts);
+  /// `fonts` must outlive the session. `read` gives files that lessons name.
+  explicit Session(const Fonts& fonts, FileReader read = read_file);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -165,6 +167,7 @@ class Session {
   [[nodiscard]] Lesson lesson_to_run() const;
 
   const Fonts& fonts_;
+  FileReader read_;
   Page page_;
   Lesson lesson_;
   std::filesystem::path file_;

@@ -17,6 +17,14 @@ std::array<FaceBytes, kFaceCount> fonts;
 std::unique_ptr<Player> player;
 std::string said;
 
+/// Of a character below U+10000.
+std::string utf8(char32_t c) {
+  const auto tail = [](char32_t bits) { return static_cast<char>(0x80 | (bits & 0x3F)); };
+  if (c < 0x80) return {static_cast<char>(c)};
+  if (c < 0x800) return {static_cast<char>(0xC0 | (c >> 6)), tail(c)};
+  return {static_cast<char>(0xE0 | (c >> 12)), tail(c >> 6), tail(c)};
+}
+
 }  // namespace
 
 extern "C" {
@@ -24,6 +32,13 @@ extern "C" {
 /// Bytes that the page may write to; `gjk_free` gives them back.
 EMSCRIPTEN_KEEPALIVE void* gjk_alloc(std::size_t size) { return std::malloc(size); }
 EMSCRIPTEN_KEEPALIVE void gjk_free(void* bytes) { std::free(bytes); }
+
+/// All characters that the fonts must have, one after the other, at `gjk_said`; their length.
+EMSCRIPTEN_KEEPALIVE std::size_t gjk_characters() {
+  said.clear();
+  for (const char32_t c : Fonts::characters()) said += utf8(c);
+  return said.size();
+}
 
 /// The file of a face, or of what draws the characters that it lacks; before `gjk_start`.
 EMSCRIPTEN_KEEPALIVE void gjk_font(int face, int fallback, const unsigned char* bytes,

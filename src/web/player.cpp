@@ -9,20 +9,18 @@
 #include <set>
 #include <stdexcept>
 
-#include "depth/depth.hpp"
-#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
-#include "lesson/scalar.hpp"
-#include "lesson/widen.hpp"
 #include "paint/svg.hpp"
 #include "picture/panel.hpp"
 #include "picture/registry.hpp"
+#include "picture/text_box.hpp"
 #include "picture/timeline.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "trace/trace_json.hpp"
+#include "web/depth_of.hpp"
 
 namespace gjkscope {
 namespace {
@@ -33,25 +31,51 @@ using Kind = Subject::Kind;
 
 constexpr double kSlack = 7.0;          // pixels around a point or a line that still hit it
 constexpr double kSmallestType = 14.0;  // on a phone; a frame's smallest is 12
-constexpr double kTimelineHeight = 56.0;
+constexpr double kTimelineHeight = 66.0;
 constexpr std::size_t kMostPairs = 100'000;  // differences that are drawn one by one
 constexpr std::size_t kMostText = 1 << 21;   // bytes of a case; as of a lesson file
 
 std::string lines(const std::vector<Problem>& problems) {
-  std::vector<std::string> out;
-  for (const Problem& problem : problems) out.push_back(to_string(problem));
-  return fmt::format("{}", fmt::join(out, "\n"));
+  std::vector<std::string> all;
+  for (const Problem& problem : problems) all.push_back(to_string(problem));
+  return fmt::format("{}", fmt::join(all, "\n"));
 }
 
 std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void enlarge_small_type(Picture& picture) {
+/// Texts that grow past the left or right edge move in.
+void enlarge_small_type(Picture& picture, const Fonts& fonts) {
+  constexpr double kEdge = 6.0;
   for (Mark& mark : picture.marks) {
-    if (Text* text = std::get_if<Text>(&mark.shape))
-      text->style.size = std::max(text->style.size, kSmallestType);
+    Text* text = std::get_if<Text>(&mark.shape);
+    if (!text || text->style.size >= kSmallestType) continue;
+    text->style.size = kSmallestType;
+    const Rect box = box_of(fonts, *text);
+    text->at.x() += std::max(0.0, kEdge - box.min.x());
+    text->at.x() -= std::max(0.0, box.max.x() - (picture.width - kEdge));
   }
+}
+
+/// Whether all texts of a panel are within it and apart.
+bool fits(const Picture& picture, const Fonts& fonts) {
+  constexpr double kEdge = 6.0;
+  constexpr double kGap = 2.0;
+  std::vector<Rect> boxes;
+  for (const Mark& mark : picture.marks) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (!text) continue;
+    const Rect box = box_of(fonts, *text);
+    if (box.max.x() > picture.width - kEdge) return false;
+    for (const Rect& other : boxes) {
+      const bool beside = box.min.x() > other.max.x() + kGap || other.min.x() > box.max.x() + kGap;
+      const bool apart = box.min.y() > other.max.y() || other.min.y() > box.max.y();
+      if (!beside && !apart) return false;
+    }
+    boxes.push_back(box);
+  }
+  return true;
 }
 
 /// The lowest pixel of a mark.
@@ -83,21 +107,6 @@ void add_point(Json& list, const std::string& name, const Vector2d& point) {
   list.push_back(number(name + ".y", point.y()));
 }
 
-/// How deep the shapes of the run lie in each other; nothing when they are apart.
-void add_depth(Json& list, const PositionedRun& run, ScalarKind scalar) {
-  const gjk::Verdict verdict = run.trace.result.verdict;
-  if (verdict != gjk::Verdict::touching && verdict != gjk::Verdict::overlapping) return;
-  with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const auto x = narrowed_all<S, 2>(run.x_world);
-    const auto y = narrowed_all<S, 2>(run.y_world);
-    const auto found = depth::penetration<S>(gjk::Query<S, 2>{{x}, {y}});
-    list.push_back(number("penetration depth", widened(found.depth)));
-    list.push_back(number("its lower bound", widened(found.lower)));
-    list.push_back(number("its upper bound", widened(found.upper)));
-    add_point(list, "shortest way out of X", widened(found.translation));
-  });
-}
-
 /// Names and values, as decimals and as hex floats.
 Json numbers(const LessonRun& run, const Frame& frame) {
   const gjk::State<double, 2>& state = run.state(frame);
@@ -126,7 +135,12 @@ Json outcome(const LessonRun& run, const Frame& frame) {
   list.push_back(number("upper bound", result.upper));
   add_point(list, "closest point of " + run.lesson.x.name, result.x);
   add_point(list, "closest point of " + run.lesson.y.name, result.y);
-  add_depth(list, here, run.lesson.scalar);
+  if (const std::optional<Depth> depth = depth_of(here, run.lesson.scalar)) {
+    list.push_back(number("penetration depth", depth->depth));
+    list.push_back(number("its lower bound", depth->lower));
+    list.push_back(number("its upper bound", depth->upper));
+    add_point(list, "shortest way out of " + run.lesson.x.name, depth->translation);
+  }
   for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
                                     {"stop", std::string(name_of(result.stop))},
                                     {"iterations", std::to_string(result.iterations)}})
@@ -141,13 +155,6 @@ Json shape_json(const LessonShape& shape) {
                         fmt::format("{:a}", v.x()), fmt::format("{:a}", v.y())});
   }
   return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
-}
-
-template <class E>
-Json json_names() {
-  Json names = Json::array();
-  for (const auto& [name, value] : Named<E>::kTable) names.push_back(name);
-  return names;
 }
 
 Json numerics(const Lesson& lesson) {
@@ -200,99 +207,138 @@ struct Player::Drag {
   bool moved = false;
 };
 
+FileText Player::held(const Files& files, const std::filesystem::path& file) {
+  const auto found = files.find(file.filename().string());
+  if (found == files.end()) return {std::nullopt, "the page does not hold this file"};
+  return {found->second, {}};
+}
+
 Player::Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes)
     : fonts_(std::move(fonts)),
       theme_texts_(std::move(themes)),
-      theme_(Theme::read(
-          [&](std::string_view name) -> std::optional<std::string> {
-            const auto found = theme_texts_.find(std::string(name));
-            if (found == theme_texts_.end()) return std::nullopt;
-            return found->second;
-          },
-          "light")),
-      session_(fonts_) {}
+      theme_(theme("light")),
+      session_(fonts_, [this](const std::filesystem::path& file, std::size_t) {
+        return held(files_, file);
+      }) {}
+
+Theme Player::theme(std::string_view wanted) const {
+  const ThemeTexts texts = [&](std::string_view name) -> std::optional<std::string> {
+    const auto found = theme_texts_.find(std::string(name));
+    if (found == theme_texts_.end()) return std::nullopt;
+    return found->second;
+  };
+  return Theme::read(texts, wanted);
+}
 
 std::string Player::answer(std::string_view request) {
+  using Act = void (*)(Player&, const Asked&);
+  static const std::map<std::string_view, Act> kFirst = {
+      {"open", [](Player& p, const Asked& a) { p.open(a); }},
+      {"layout", [](Player& p, const Asked& a) { p.set_layout(a); }},
+  };
+  static const std::map<std::string_view, Act> kActs = {
+      {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
+      {"case", [](Player& p, const Asked& a) { p.open_case(a); }},
+      {"go", [](Player& p, const Asked& a) { p.session_.go_to(a.whole("to")); }},
+      {"step", [](Player& p, const Asked& a) { p.session_.step(a.whole("by")); }},
+      {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
+      {"phase", [](Player& p, const Asked& a) { p.go_to_phase(a.whole("phase")); }},
+      {"press", [](Player& p, const Asked& a) { p.press(a.point()); }},
+      {"move", [](Player& p, const Asked& a) { p.move(a.point()); }},
+      {"release", [](Player& p, const Asked&) { p.release(); }},
+      {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
+      {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
+      {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
+      {"undo", [](Player& p, const Asked&) { p.session_.undo(); }},
+      {"redo", [](Player& p, const Asked&) { p.session_.redo(); }},
+      {"reset", [](Player& p, const Asked&) { p.reset(); }},
+      {"predict", [](Player& p, const Asked& a) { p.session_.set_predicting(a.flag("on")); }},
+      {"answer", [](Player& p, const Asked& a) { p.session_.answer(a.text("choice")); }},
+  };
+  using Tell = std::string (*)(Player&, const Asked&);
+  static const std::map<std::string_view, Tell> kTells = {
+      {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
+      {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
+      {"trace", [](Player& p, const Asked&) { return p.trace(); }},
+      {"frame", [](Player& p, const Asked&) { return p.whole_frame(); }},
+  };
   try {
     const Asked asked{Json::parse(request)};
     const std::string what = asked.text("do");
-    if (what == "open") {
-      open(asked);
-    } else if (what == "layout") {
-      set_layout(asked);
-    } else if (!opened_) {
-      throw std::runtime_error("there is no lesson yet");
-    } else if (what == "case") {
-      open_case(asked);
-    } else if (what == "go") {
-      session_.go_to(asked.whole("to"));
-    } else if (what == "step") {
-      session_.step(asked.whole("by"));
-    } else if (what == "iteration") {
-      session_.step_iteration(asked.whole("by"));
-    } else if (what == "phase") {
-      if (!session_.go_to_next(session_.run().phase_name(asked.whole("phase"))))
-        throw std::runtime_error("this run has no such step");
-    } else if (what == "press") {
-      press(asked.point());
-    } else if (what == "move") {
-      move(asked.point());
-    } else if (what == "release") {
-      session_.end_drag();
-      drag_.reset();
-      if (!session_.problem().empty()) throw std::runtime_error(session_.problem());
-      panel_height_ = panel_height();
-    } else if (what == "point") {
-      return linked(asked.point(), kSlack);
-    } else if (what == "vertex") {
-      put_vertex(asked);
-    } else if (what == "numerics") {
-      set_numerics(asked);
-    } else if (what == "undo") {
-      session_.undo();
-    } else if (what == "redo") {
-      session_.redo();
-    } else if (what == "reset") {
-      session_.edit("reset", *opened_);
-      session_.fit();
-    } else if (what == "predict") {
-      session_.set_predicting(asked.flag("on"));
-    } else if (what == "answer") {
-      session_.answer(asked.text("choice"));
-    } else if (what == "lesson") {
-      return dumped({{"lesson", lesson_toml(session_.lesson())}});
-    } else if (what == "trace") {
-      return dumped({{"trace", trace_json(traced(session_.run()))}});
-    } else if (what == "frame") {
-      EffectGraph effects(session_.run());
-      LessonPictures pictures(session_.run(), effects, fonts_);
-      return dumped({{"svg", to_svg(pictures.picture(session_.index()), fonts_, theme_,
-                                    alternative_text(session_.text()))}});
-    } else {
+    if (what == "solve") return traced_cases(asked);
+    const auto first = kFirst.find(what);
+    const auto act = kActs.find(what);
+    const auto tell = kTells.find(what);
+    if (first == kFirst.end() && act == kActs.end() && tell == kTells.end())
       throw std::runtime_error(fmt::format("there is no request '{}'", what));
-    }
+    if (first == kFirst.end() && !opened_) throw std::runtime_error("there is no lesson yet");
+    if (tell != kTells.end()) return tell->second(*this, asked);
+    (first != kFirst.end() ? first : act)->second(*this, asked);
     return shown();
   } catch (const std::exception& error) {
     return dumped({{"problem", error.what()}});
   }
 }
 
+std::string Player::lesson_file() const {
+  return dumped({{"lesson", lesson_toml(session_.lesson())}});
+}
+
+std::string Player::trace() const {
+  return dumped({{"trace", trace_json(traced(session_.run()))}});
+}
+
+/// As an export draws it.
+std::string Player::whole_frame() const {
+  EffectGraph effects(session_.run());
+  LessonPictures pictures(session_.run(), effects, fonts_);
+  const std::string svg =
+      to_svg(pictures.picture(session_.index()), fonts_, theme_, alternative_text(session_.text()));
+  return dumped({{"svg", svg}});
+}
+
+void Player::go_to_phase(int phase) {
+  if (!session_.go_to_next(session_.run().phase_name(phase)))
+    throw std::runtime_error("this run has no such step");
+}
+
+void Player::reset() {
+  session_.edit("reset", *opened_);
+  session_.fit();
+}
+
 void Player::open(const Asked& asked) {
-  results_.clear();
+  Files files;
   if (asked.json.contains("files")) {
     for (const auto& [name, text] : asked.at("files").items())
-      results_[name] = text.get<std::string>();
+      files[name] = text.get<std::string>();
   }
-  const FileReader read = [&](const std::filesystem::path& file, std::size_t) -> FileText {
-    const auto found = results_.find(file.filename().string());
-    if (found == results_.end()) return {std::nullopt, "the page does not hold this file"};
-    return {found->second, {}};
+  Lesson lesson = parsed(asked.text("lesson"), asked.text("name"), files);
+  if (!session_.open(lesson, {})) throw std::runtime_error(session_.problem());
+  files_ = std::move(files);
+  opened_ = std::move(lesson);
+  shows_depth_ = asked.json.contains("depth");
+}
+
+/// Another lesson as a change of this one: what a link holds.
+void Player::replace(const Asked& asked) {
+  const Lesson lesson = parsed(asked.text("lesson"), asked.text("name"), files_);
+  if (!session_.edit("follow a link", lesson))
+    throw std::runtime_error(fmt::format("{}: {}", asked.text("name"), session_.problem()));
+  session_.fit();
+}
+
+Lesson Player::parsed(const std::string& text, const std::string& name, const Files& files) {
+  if (text.size() > kMostText) {
+    throw std::runtime_error(fmt::format("{}: {} bytes are too many; expected at most {}", name,
+                                         text.size(), kMostText));
+  }
+  const FileReader reader = [&](const std::filesystem::path& file, std::size_t) {
+    return held(files, file);
   };
-  const std::string text = asked.text("lesson");
-  if (text.size() > kMostText) throw std::runtime_error("the lesson is too large");
-  LoadedLesson loaded = parse_lesson(text, asked.text("name"), vocabulary(), read);
+  LoadedLesson loaded = parse_lesson(text, name, vocabulary(), reader);
   if (!loaded.lesson) throw std::runtime_error(lines(loaded.problems));
-  open_sound(*std::move(loaded.lesson));
+  return *std::move(loaded.lesson);
 }
 
 /// The lesson goes on with other shapes; they are shown as its own were.
@@ -318,37 +364,42 @@ void Player::open_case(const Asked& asked) {
   if (lesson.x.vertices.size() * lesson.y.vertices.size() > kMostPairs) {
     for (LessonView& view : lesson.views) view.effects.clear();
   }
-  const LoadedLesson read = parse_lesson(lesson_toml(lesson), name, vocabulary());
-  if (!read.lesson) throw std::runtime_error(lines(read.problems));
-  if (!session_.edit("other shapes", *read.lesson))
-    throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
+  change(name, lesson);
   session_.fit();
   session_.go_to(session_.frame_count() - 1);
-  panel_height_ = panel_height();
 }
 
-void Player::open_sound(Lesson lesson) {
-  if (!session_.open(lesson, {})) throw std::runtime_error(session_.problem());
-  opened_ = std::move(lesson);
-  panel_height_ = panel_height();
+/// Traces of cases in the plane or in space, as `gjkscope trace --json` prints them.
+std::string Player::traced_cases(const Asked& asked) {
+  const auto scalar = value_of<ScalarKind>(asked.text("scalar"));
+  if (!scalar) throw std::runtime_error("there is no such scalar");
+  Json traces = Json::array();
+  for (const ReadCase& read :
+       parse_cases(asked.text("text"), asked.text("name"), gjk::kMaxDimension)) {
+    if (!read.problems.empty()) throw std::runtime_error(lines(read.problems));
+    traces.push_back(read.value ? trace_json(traced(*read.value, read.name, *scalar))
+                                : trace_json(traced(*read.in_space, read.name, *scalar)));
+  }
+  return dumped({{"traces", std::move(traces)}});
 }
 
 void Player::set_layout(const Asked& asked) {
   constexpr double kLeast = 200.0;
   constexpr double kMost = 10000.0;
   const auto length = [&](const char* key) { return std::clamp(asked.real(key), kLeast, kMost); };
-  const std::string theme = asked.text("theme");
-  theme_ = Theme::read(
-      [&](std::string_view name) -> std::optional<std::string> {
-        const auto found = theme_texts_.find(std::string(name));
-        if (found == theme_texts_.end()) return std::nullopt;
-        return found->second;
-      },
-      theme);
+  theme_ = theme(asked.text("theme"));
   session_.set_page({length("width"), length("height"), 1.0, true});
-  panel_width_ = length("panel");
+  panel_room_ = length("panel");
+  measured_ = -1;
   timeline_width_ = length("timeline");
-  if (opened_) panel_height_ = panel_height();
+}
+
+bool Player::at_end() const { return session_.index() + 1 == session_.frame_count(); }
+
+void Player::release() {
+  session_.end_drag();
+  drag_.reset();
+  if (!session_.problem().empty()) throw std::runtime_error(session_.problem());
 }
 
 namespace {
@@ -399,29 +450,23 @@ void Player::move(const Point& at) {
   const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = of_x ? run.x_world : run.y_world;
+  const bool ends = at_end();
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, which, by);
     const int index = of_x ? subject.x : subject.y;
     edit::put_vertex(lesson, which, index, edit::placement_of(run, which), to_view(stage, at));
   });
   drag.last = at;
+  if (ends) session_.go_to(session_.frame_count() - 1);
 }
-
-namespace {
 
 /// Refuses what a lesson file could not say, with the loader's words.
-void require_sound(const Lesson& lesson, const FileReader& read) {
-  const LoadedLesson loaded = parse_lesson(lesson_toml(lesson), "lesson", vocabulary(), read);
-  if (loaded.lesson) return;
-  std::string why;
-  for (const Problem& problem : loaded.problems) {
-    why += fmt::format("{}{}", why.empty() ? "" : "; ", problem.what);
-    if (!problem.expected.empty()) why += fmt::format(", expected {}", problem.expected);
-  }
-  throw std::runtime_error("this lesson cannot have that: " + why);
+void Player::change(const std::string& name, const Lesson& lesson) {
+  const bool ends = at_end();
+  if (!session_.edit(name, lesson))
+    throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
+  if (ends) session_.go_to(session_.frame_count() - 1);
 }
-
-}  // namespace
 
 /// Typed coordinates are read as those of a case: decimal, or hex like 0x1.8p-1.
 void Player::put_vertex(const Asked& asked) {
@@ -431,16 +476,40 @@ void Player::put_vertex(const Asked& asked) {
   std::vector<Vector2d>& vertices = edit::shape_of(lesson, which).vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
     throw std::runtime_error("there is no such vertex");
-  const Json typed = {{"a", {{asked.text("x"), asked.text("y")}}}, {"b", {{0, 0}}}};
-  const std::vector<ReadCase> read = parse_cases(dumped(typed), "typed");
+  Json point = Json::array();
+  point.push_back(asked.text("x"));
+  point.push_back(asked.text("y"));
+  const std::string typed = fmt::format(R"({{"a": [{}], "b": [[0, 0]]}})", dumped(point));
+  const std::vector<ReadCase> read = parse_cases(typed, "typed");
   if (!read.front().value) {
     throw std::runtime_error(
         fmt::format("({}, {}) is no point: expected numbers like 0.25, 1e-6 or 0x1.8p-1",
                     asked.text("x"), asked.text("y")));
   }
   vertices[static_cast<std::size_t>(index)] = read.front().value->a.front();
-  if (!lesson.study) require_sound(lesson, read_file);
-  if (!session_.edit("type a value", lesson)) throw std::runtime_error(session_.problem());
+  change("type a value", lesson);
+}
+
+/// Moves a vertex, or the shape where `index` is -1, by pixels of the first view of the world: what
+/// a drag does, from the keyboard.
+void Player::nudge(const Asked& asked) {
+  const edit::Which which = asked.shape();
+  const int index = asked.whole("index");
+  const std::vector<LessonPictures::Stage> stages = session_.views();
+  const LessonPictures::Stage& stage = stages.front();
+  const double unit = stage.camera.height / stage.card.size().y();
+  const Vector2d by = unit * Vector2d(asked.real("right"), asked.real("up"));
+  const PositionedRun& run = session_.run().run(session_.frame());
+  const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
+  if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");
+  Lesson lesson = session_.lesson();
+  if (index < 0 || world.size() == 1) {
+    edit::move_shape(lesson, which, by);
+  } else {
+    edit::put_vertex(lesson, which, index, edit::placement_of(run, which),
+                     world[static_cast<std::size_t>(index)] + by);
+  }
+  change("move", lesson);
 }
 
 void Player::set_numerics(const Asked& asked) {
@@ -455,13 +524,12 @@ void Player::set_numerics(const Asked& asked) {
   choose("regions", lesson.options.region_order);
   lesson.options.stop_on_repeated_support = asked.flag("repeated");
   lesson.options.stop_on_no_progress = asked.flag("progress");
-  if (!lesson.study) require_sound(lesson, read_file);
-  if (!session_.edit("numerics", lesson)) throw std::runtime_error(session_.problem());
+  change("numerics", lesson);
 }
 
 /// The subjects that belong to the one at a place, as the SVG names them.
-std::string Player::linked(const Point& at, double slack) {
-  const Subject pointed = subject_at(session_.picture(), fonts_, at, slack);
+std::string Player::linked(const Point& at) {
+  const Subject pointed = subject_at(session_.picture(), fonts_, at, kSlack);
   std::set<std::string> names;
   for (const Mark& mark : session_.picture().marks) {
     if (is_linked(mark.subject, pointed)) names.insert(subject_name(mark.subject));
@@ -469,43 +537,72 @@ std::string Player::linked(const Point& at, double slack) {
   return dumped({{"of", subject_name(pointed)}, {"linked", names}});
 }
 
-Picture Player::panel() {
-  Picture picture{panel_width_, panel_height_, {}, 0.0, {}};
-  const Rect card{{0.0, 0.0}, {panel_width_, panel_height_}};
-  picture.marks = panel_marks(session_.run(), session_.effects(), session_.frame(), fonts_, card);
+Picture Player::panel(const Frame& frame, double width) {
+  Picture picture{width, panel_height_, {}, 0.0, {}};
+  const Rect card{{0.0, 0.0}, {width, panel_height_}};
+  picture.marks = panel_marks(session_.run(), session_.effects(), frame, fonts_, card);
   picture.marks.insert(picture.marks.begin(), {"card", Box{card, 10.0}, -1, {}});
-  enlarge_small_type(picture);
+  enlarge_small_type(picture, fonts_);
   return picture;
 }
 
-/// Room for the panel of every frame, so that it keeps its height.
-double Player::panel_height() {
+/// One size for the panels of all frames: as wide as there is room, wider where texts would meet or
+/// stick out (a page squeezes that), and as high as the highest.
+void Player::measure_panel() {
+  if (session_.lesson().panel.empty()) return;
+  const std::vector<Frame>& frames = session_.run().frames;
+  panel_height_ = 0.0;
+  panel_width_ = panel_room_;
+  for (const double wider : {368.0, 424.0}) {
+    const bool all_fit = std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+      return fits(panel(frame, panel_width_), fonts_);
+    });
+    if (all_fit) break;
+    panel_width_ = std::max(panel_width_, wider);
+  }
   constexpr double kPad = 14.0;
-  if (session_.lesson().panel.empty()) return 0.0;
   double lowest = 0.0;
-  for (const Frame& frame : session_.run().frames) {
-    const Rect card{{0.0, 0.0}, {panel_width_, 0.0}};
-    for (const Mark& mark : panel_marks(session_.run(), session_.effects(), frame, fonts_, card))
+  for (const Frame& frame : frames) {
+    for (const Mark& mark : panel(frame, panel_width_).marks)
       lowest = std::max(lowest, bottom_of(mark));
   }
-  return std::ceil(lowest + kPad);
+  panel_height_ = std::ceil(lowest + kPad);
 }
 
 Picture Player::timeline() const {
   Picture picture{timeline_width_, kTimelineHeight, {}, 0.0, {}};
   picture.marks = timeline_marks(session_.run(), session_.index(), fonts_,
-                                 {{0.0, 0.0}, {timeline_width_, kTimelineHeight}});
-  enlarge_small_type(picture);
+                                 {{0.0, 14.0}, {timeline_width_, kTimelineHeight}});
+  enlarge_small_type(picture, fonts_);
   return picture;
 }
 
+/// The shortest way out of the other shape, where the world is shown.
+void Player::draw_depth(Picture& picture) const {
+  const LessonPictures::Stage stage = session_.views().front();
+  const LessonRun& run = session_.run();
+  const std::optional<Depth> depth = depth_of(run.run(session_.frame()), run.lesson.scalar);
+  if (!depth || stage.kind != ViewKind::world) return;
+  const StageMap map(stage.card, stage.camera);
+  const Point from = map(depth->contact);
+  const Point to = map(depth->contact + depth->translation);
+  picture.marks.push_back({"direction", Arrow{from, to}, 0, {}});
+  const Text label{{stage.card.min.x() + 14.0, stage.card.max.y() - 14.0},
+                   "Arrow: the shortest way out for " + run.lesson.x.name,
+                   type::kViewTitle};
+  picture.marks.push_back({"direction.label", label, -1, {}});
+}
+
 std::string Player::shown() {
-  if (!opened_) return dumped({{"index", 0}, {"count", 0}});
+  if (!opened_) return dumped({{"count", 0}});
+  if (!session_.is_dragging() && std::exchange(measured_, session_.version()) != session_.version())
+    measure_panel();
   const FrameText& text = session_.text();
   const LessonRun& run = session_.run();
   const Lesson& lesson = session_.lesson();
   Picture stage = session_.picture();
-  enlarge_small_type(stage);
+  if (shows_depth_ && at_end()) draw_depth(stage);
+  enlarge_small_type(stage, fonts_);
   Json out = {{"index", session_.index()},
               {"count", session_.frame_count()},
               {"title", lesson.title},
@@ -524,7 +621,8 @@ std::string Player::shown() {
   for (const auto& [name, value] : text.values)
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", name, value);
   if (!lesson.panel.empty())
-    out["panel"] = to_svg(panel(), fonts_, theme_, "Pseudocode and values: " + values);
+    out["panel"] = to_svg(panel(session_.frame(), panel_width_), fonts_, theme_,
+                          "Pseudocode and values: " + values);
   if (const FrameQuestion* question = session_.question())
     out["question"] = {{"ask", question->ask}, {"choices", question->choices}};
   out["predicting"] = session_.is_predicting();
@@ -539,9 +637,9 @@ std::string Player::shown() {
   out["numbers"] = numbers(run, session_.frame());
   out["outcome"] = outcome(run, session_.frame());
   out["numerics"] = numerics(lesson);
-  out["choices"] = {{"scalar", json_names<ScalarKind>()},
-                    {"direction", json_names<gjk::DirectionRule>()},
-                    {"regions", json_names<gjk::RegionOrder>()}};
+  out["choices"] = {{"scalar", names_of<ScalarKind>()},
+                    {"direction", names_of<gjk::DirectionRule>()},
+                    {"regions", names_of<gjk::RegionOrder>()}};
   if (std::max(lesson.x.vertices.size(), lesson.y.vertices.size()) <= edit::kMostEditable)
     out["shapes"] = {{"x", shape_json(lesson.x)}, {"y", shape_json(lesson.y)}};
   return dumped(out);

@@ -30,29 +30,54 @@ class Player {
  private:
   struct Drag;
   struct Asked;
-  [[nodiscard]] std::string shown();
+  using Files = std::map<std::string, std::string>;  ///< Texts by name.
+
+  // Requests
   void open(const Asked& asked);
+  void replace(const Asked& asked);
   void open_case(const Asked& asked);
-  void open_sound(Lesson lesson);
   void set_layout(const Asked& asked);
+  void go_to_phase(int phase);
+  void reset();
   void press(const Point& at);
   void move(const Point& at);
+  void release();
   void put_vertex(const Asked& asked);
+  void nudge(const Asked& asked);
   void set_numerics(const Asked& asked);
-  [[nodiscard]] std::string linked(const Point& at, double slack);
-  [[nodiscard]] Picture panel();
-  [[nodiscard]] double panel_height();
+  [[nodiscard]] std::string linked(const Point& at);
+  [[nodiscard]] std::string lesson_file() const;
+  [[nodiscard]] std::string trace() const;
+  [[nodiscard]] std::string whole_frame() const;
+  [[nodiscard]] static std::string traced_cases(const Asked& asked);
+
+  [[nodiscard]] static FileText held(const Files& files, const std::filesystem::path& file);
+  [[nodiscard]] static Lesson parsed(const std::string& text, const std::string& name,
+                                     const Files& files);
+  void change(const std::string& name, const Lesson& lesson);
+  /// A change leaves who looks at the answer there.
+  [[nodiscard]] bool at_end() const;
+
+  // What is shown
+  [[nodiscard]] std::string shown();
+  [[nodiscard]] Picture panel(const Frame& frame, double width);
+  void measure_panel();
   [[nodiscard]] Picture timeline() const;
+  void draw_depth(Picture& picture) const;
+  [[nodiscard]] Theme theme(std::string_view wanted) const;
 
   Fonts fonts_;
-  std::map<std::string, std::string> theme_texts_;
+  Files theme_texts_;
   Theme theme_;
   Session session_;
-  std::optional<Lesson> opened_;                ///< What "reset" goes back to.
-  std::map<std::string, std::string> results_;  ///< Files that the lesson names.
+  std::optional<Lesson> opened_;  ///< What "reset" goes back to.
+  Files files_;                   ///< Files that the lesson names.
+  bool shows_depth_ = false;      ///< Where shapes overlap, in the last frame.
+  double panel_room_ = 368.0;
   double panel_width_ = 368.0;
   double timeline_width_ = 960.0;
   double panel_height_ = 0.0;
+  long measured_ = -1;  ///< The version of the lesson whose panel was measured.
   std::shared_ptr<Drag> drag_;
 };
 

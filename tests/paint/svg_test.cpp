@@ -77,5 +77,14 @@ TEST(Svg, ArrowsHaveAShaftOnlyWhereThereIsRoom) {
   EXPECT_EQ(count(svg_of(one("direction", Arrow{{1, 1}, {1, 1}})), "<path "), 0u);
 }
 
+TEST(Svg, SaysOfEachMarkWhatItIsAndWhatItStandsFor) {
+  Picture picture = one("cloud.point", Disk{{10, 10}, 3});
+  picture.marks.front().subject = {Subject::Kind::difference_vertex, 2, 0};
+  EXPECT_NE(svg_of(picture).find("data-mark=\"cloud.point\" data-of=\"z 2 0\"/>"),
+            std::string::npos);
+  picture.marks.front().subject = {};
+  EXPECT_NE(svg_of(picture).find("data-mark=\"cloud.point\"/>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gjkscope

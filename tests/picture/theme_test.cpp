@@ -290,5 +290,28 @@ TEST_F(ThemeFile, MistakesAreLocated) {
   expect_error("[roles]\n", "1:1", "background");
 }
 
+TEST(Theme, IsReadFromTextsAsFromFiles) {
+  const ThemeTexts texts = [](std::string_view name) -> std::optional<std::string> {
+    if (name == "paper") return "[roles]\nbackground = { fill = \"#010203\" }\nink = { width = 3 }";
+    if (name == "night") return "base = \"paper\"\n[roles]\nink = { width = 4 }";
+    if (name == "lost") return "base = \"nowhere\"";
+    if (name == "odd") return "[roles]\nbackground = { fill = \"blue\" }";
+    return std::nullopt;
+  };
+  EXPECT_EQ(Theme::read(texts, "night").background().b, 3);
+  EXPECT_EQ(Theme::read(texts, "night").style("ink.label").width, 4.0);
+  const auto complaint = [&](std::string_view name) {
+    try {
+      (void)Theme::read(texts, name);
+      return std::string("none");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(complaint("day"), "no theme \"day\"");
+  EXPECT_EQ(complaint("lost"), "lost.toml:1:8: expected the name of another theme");
+  EXPECT_EQ(complaint("odd").rfind("odd.toml:2:23: no colour \"blue\"", 0), 0u) << complaint("odd");
+}
+
 }  // namespace
 }  // namespace gjkscope

@@ -105,6 +105,27 @@ TEST(Fonts, AMalformedConfigurationIsALocatedError) {
       std::string::npos);
 }
 
+TEST(Fonts, FromBytesMeasureAsFromFiles) {
+  const Fonts loaded(faces_of(fonts()));
+  for (const Face face : kFaces) {
+    const TextStyle style{face, 17.0};
+    EXPECT_EQ(loaded.width(style, "|P|² ≤ 0.25 ⟨A, B⟩"),
+              fonts().width(style, "|P|² ≤ 0.25 ⟨A, B⟩"));
+    EXPECT_EQ(loaded.cap_height(style), fonts().cap_height(style));
+  }
+}
+
+TEST(Fonts, BytesThatAreNoFontNameTheirFace) {
+  std::array<FaceBytes, kFaceCount> faces = faces_of(fonts());
+  faces[static_cast<std::size_t>(Face::mono)].fallback = {'n', 'o'};
+  try {
+    const Fonts loaded(std::move(faces));
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the face \"mono\" has no font");
+  }
+}
+
 TEST(CodePoints, DecodesOneToFourBytes) {
   EXPECT_EQ(code_points("aé≤𝛼"), U"aé≤𝛼");
   EXPECT_EQ(code_points(""), U"");

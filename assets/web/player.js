@@ -1,0 +1,86 @@
+"use strict";
+
+/** Bytes of a base64 text. */
+function bytesOf(base64) {
+  return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+}
+
+/**
+ * The program: WebAssembly without files and without a network. `fonts` are those of the six faces,
+ * regular first, then their fallbacks; `themes` are texts by name. Returns a function that takes a
+ * request and gives the answer, both plain objects (docs/web.md).
+ */
+async function startPlayer(wasm, fonts, fallbacks, themes) {
+  let memory = null;
+  const done = () => 0;
+  const view = () => new DataView(memory.buffer);
+  const wasi = {
+    clock_time_get: (id, precision, at) => {
+      view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    environ_sizes_get: (count, size) => {
+      view().setUint32(count, 0, true);
+      view().setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: done,
+    fd_close: done,
+    fd_read: done,
+    fd_seek: done,
+    // What is said when the program gives up goes nowhere; the trap that follows is seen.
+    fd_write: (file, parts, count, written) => {
+      let size = 0;
+      for (let i = 0; i < count; ++i) size += view().getUint32(parts + 8 * i + 4, true);
+      view().setUint32(written, size, true);
+      return 0;
+    },
+    proc_exit: (code) => {
+      throw new Error(`the program ended with ${code}`);
+    },
+  };
+  const noSuchFile = -44;
+  const env = { emscripten_notify_memory_growth: done, __syscall_stat64: () => noSuchFile };
+  const imports = { env, wasi_snapshot_preview1: wasi };
+  const { instance } = await WebAssembly.instantiate(wasm, imports);
+  const program = instance.exports;
+  memory = program.memory;
+  program._initialize();
+
+  const lend = (bytes, use) => {
+    const at = program.gjk_alloc(bytes.length);
+    new Uint8Array(memory.buffer).set(bytes, at);
+    try {
+      return use(at, bytes.length);
+    } finally {
+      program.gjk_free(at);
+    }
+  };
+  const write = new TextEncoder();
+  const read = new TextDecoder();
+  fonts.forEach((bytes, face) => {
+    lend(bytes, (at, size) => program.gjk_font(face, 0, at, size));
+    lend(fallbacks[face], (at, size) => program.gjk_font(face, 1, at, size));
+  });
+  if (!lend(write.encode(JSON.stringify(themes)), program.gjk_start))
+    throw new Error("the page's fonts or themes are damaged");
+  return (request) => {
+    const size = lend(write.encode(JSON.stringify(request)), program.gjk_ask);
+    return JSON.parse(read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size)));
+  };
+}
+
+/** The fonts of a style sheet that holds them as data, in its order. */
+function fontsIn(css) {
+  return [...css.matchAll(/base64,([^)"]+)/g)].map((found) => bytesOf(found[1]));
+}
+
+/** For each of the six faces, which of the fallbacks it has. */
+const FALLBACK_OF_FACE = [0, 0, 1, 1, 2, 3];
+
+/** `startPlayer` with the fonts of a style sheet. */
+function startPlayerWith(wasm, css, themes) {
+  const files = fontsIn(css);
+  const fallbacks = FALLBACK_OF_FACE.map((i) => files[6 + i]);
+  return startPlayer(wasm, files.slice(0, 6), fallbacks, themes);
+}

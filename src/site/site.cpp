@@ -1,0 +1,322 @@
+#include "site/site.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lesson/file.hpp"
+#include "lesson/html.hpp"
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
+#include "paint/svg.hpp"
+#include "picture/frame.hpp"
+#include "picture/registry.hpp"
+#include "web/player.hpp"
+
+namespace gjkscope {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 8> kChapters = {"",
+                                                       "Point to segment",
+                                                       "Point to triangle",
+                                                       "Point to polygon",
+                                                       "Polygon to polygon",
+                                                       "The proof, and penetration depth",
+                                                       "Accuracy and time",
+                                                       "More"};
+
+std::string read_whole(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += k <= count ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
+/// `page` with each {{name}} replaced; what is put in is not looked through again.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& parts) {
+  std::string out;
+  for (;;) {
+    const std::size_t begin = page.find("{{");
+    const std::size_t end = page.find("}}", begin);
+    if (end == std::string_view::npos) return out += page;
+    const auto part = parts.find(std::string(page.substr(begin + 2, end - begin - 2)));
+    out += page.substr(0, begin);
+    if (part != parts.end()) out += part->second;
+    page.remove_prefix(end + 2);
+  }
+}
+
+/// In a script element nothing may look like the end of it.
+std::string script_text(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+std::string css(const std::optional<Color>& color) {
+  const Color c = color.value_or(Color{});
+  return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
+}
+
+/// The colours of the page around the pictures, from the themes of these.
+std::string theme_css(const std::string& name, const Theme& theme) {
+  return fmt::format(
+      "html[data-theme=\"{}\"] {{ --paper: {}; --card: {}; --rule: {}; --ink: {}; --muted: {}; "
+      "--accent: {}; --pass: {}; --highlight: {}; --glow: {}; }}\n",
+      name, css(theme.background()), css(theme.style("card").fill), css(theme.style("card").stroke),
+      css(theme.style("title").fill), css(theme.style("prose").fill), css(theme.style("fail").fill),
+      css(theme.style("pass").fill), css(theme.style("highlight").fill),
+      css(theme.style("shape.y").stroke));
+}
+
+std::string link(const std::string& href, const std::string& text, std::string_view more = "") {
+  return fmt::format("<a{} href=\"{}\">{}</a>\n", more, escape_html(href), escape_html(text));
+}
+
+std::string transcript_items(const Lesson& lesson) {
+  Lesson told = lesson;
+  told.questions.clear();
+  const LessonRun run = run_lesson(std::move(told));
+  EffectGraph effects(run);
+  std::string out;
+  int step = 0;
+  for (const FrameText& text : lesson_texts(run, effects)) {
+    out += fmt::format("<li><a href=\"#step={}\">{}</a>{}</li>\n", ++step,
+                       escape_html(text.position), escape_html(alternative_text(text)));
+  }
+  return out;
+}
+
+class SiteWriter {
+ public:
+  explicit SiteWriter(const SiteOptions& options)
+      : options_(options),
+        assets_(options.share / "assets"),
+        fonts_(assets_ / "fonts.toml"),
+        theme_(Theme::load(assets_ / "themes", "light")) {
+    for (const std::string& name : Theme::names(assets_ / "themes")) {
+      themes_[name] = read_whole(assets_ / "themes" / (name + ".toml"));
+      shared_["themes"] += theme_css(name, Theme::load(assets_ / "themes", name));
+    }
+    const fs::path web = program_folder();
+    shared_["wasm"] = base64(read_whole(web / "gjkscope.wasm.gz"));
+    shared_["fonts"] = read_whole(web / "fonts.css");
+    shared_["style"] = read_whole(assets_ / "web" / "style.css");
+    for (const char* name : {"player.js", "motion.js", "page.js"})
+      shared_["script"] += read_whole(assets_ / "web" / name);
+  }
+
+  void write_lesson(const Lesson& lesson, const Lesson* next) {
+    std::map<std::string, std::string> parts = shared_;
+    parts["meta"] = escape_html(fmt::format("Chapter {}{}", lesson.chapter,
+                                            lesson.source.empty() ? "" : " · " + lesson.source));
+    parts["kind"] = "lesson";
+    write_page(lesson, std::move(parts), next);
+  }
+
+  void write_playground() {
+    const fs::path file = assets_ / "web" / "playground.toml";
+    const LoadedLesson loaded = load_lesson(file, vocabulary());
+    if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
+    std::map<std::string, std::string> parts = shared_;
+    parts["kind"] = "playground";
+    parts["meta"] = "Their distance, and the run that finds it";
+    parts["kit"] = read_whole(assets_ / "web" / "kit.html");
+    parts["answer"] = "<div id=\"answer\" class=\"answer live\"></div>";
+    write_page(*loaded.lesson, std::move(parts), nullptr);
+  }
+
+  void write_index(const std::vector<Lesson>& lessons) {
+    std::string list;
+    int chapter = 0;
+    for (const Lesson& lesson : lessons) {
+      if (lesson.chapter != chapter) {
+        if (chapter != 0) list += "</ul></section>\n";
+        chapter = lesson.chapter;
+        list += fmt::format("<section class=\"chapter\"><h2>{}. {}</h2>\n<ul class=\"cards\">\n",
+                            chapter, kChapters[static_cast<std::size_t>(chapter)]);
+      }
+      list += card(lesson);
+    }
+    if (chapter != 0) list += "</ul></section>\n";
+    write_plain("index", {{"lessons", list}});
+  }
+
+  void write_about() { write_plain("about", {}); }
+
+  std::vector<fs::path> files() && { return std::move(files_); }
+
+ private:
+  /// What `cmake --preset wasm` built.
+  [[nodiscard]] fs::path program_folder() const {
+    const fs::path installed = options_.share / "web";
+    const fs::path built = options_.share / "build" / "wasm" / "web";
+    for (const fs::path& folder : {installed, built}) {
+      if (fs::is_regular_file(folder / "gjkscope.wasm.gz") &&
+          fs::is_regular_file(folder / "fonts.css"))
+        return folder;
+    }
+    throw std::runtime_error(
+        fmt::format("there is no program for browsers in {} or {}; build it with `scripts/setup "
+                    "web`, `cmake --preset wasm` and `cmake --build --preset wasm`",
+                    installed.string(), built.string()));
+  }
+
+  [[nodiscard]] std::string nav(const std::string& here, const Lesson* next) const {
+    if (!options_.index) return "";
+    std::string out = "<nav class=\"site\" aria-label=\"Pages\">\n";
+    const auto page = [&](const std::string& file, const std::string& text,
+                          const std::string& more) {
+      out += link(file, text, more + (file == here ? " aria-current=\"page\"" : ""));
+    };
+    page("index.html", "GJK, step by step", " class=\"brand\"");
+    page("playground.html", "Playground", "");
+    page("about.html", "About", "");
+    if (next) page(next->id + ".html", "Next: " + next->title, " class=\"next\"");
+    return out + "</nav>\n";
+  }
+
+  [[nodiscard]] Json page_data(const Lesson& lesson, const std::string& kind) const {
+    Json files = Json::object();
+    if (lesson.study) {
+      const fs::path results = fs::path(lesson.path).parent_path() / lesson.study->results;
+      files[results.filename().string()] = read_whole(results);
+    }
+    return {{"kind", kind},
+            {"id", lesson.id},
+            {"name", lesson.id + ".toml"},
+            {"views", lesson.views.size()},
+            {"lesson", lesson_toml(lesson)},
+            {"files", std::move(files)},
+            {"themes", themes_}};
+  }
+
+  /// The first frame is in the page itself, for who has no script and until it has started.
+  void write_page(const Lesson& lesson, std::map<std::string, std::string> parts,
+                  const Lesson* next) {
+    const Json data = page_data(lesson, parts["kind"]);
+    Player player(faces_of(fonts_), themes_);
+    const auto ask = [&](const Json& request) {
+      Json answer = Json::parse(player.answer(request.dump()));
+      if (answer.contains("problem")) {
+        throw std::runtime_error(
+            fmt::format("{}: {}", lesson.id, answer["problem"].get<std::string>()));
+      }
+      return answer;
+    };
+    (void)ask({{"do", "open"},
+               {"lesson", data["lesson"]},
+               {"name", data["name"]},
+               {"files", data["files"]}});
+    const bool two = lesson.views.size() > 1;
+    const Json first = ask({{"do", "layout"},
+                            {"width", 960},
+                            {"height", two ? 480 : 560},
+                            {"panel", two ? 384 : 424},
+                            {"timeline", 960},
+                            {"theme", "light"}});
+    parts["title"] = escape_html(lesson.title);
+    for (const char* key : {"prose", "position", "caption", "detail"})
+      parts[key] = escape_html(first[key].get<std::string>());
+    parts["stage"] = first["stage"].get<std::string>();
+    parts["panel"] = first.value("panel", "");
+    parts["views"] = two ? "two" : "one";
+    parts["nav"] = nav(lesson.id + ".html", next);
+    parts["transcript"] = transcript_items(lesson);
+    parts["data"] = script_text(data);
+    write(lesson.id, filled(page_, parts));
+  }
+
+  void write_plain(const std::string& name, std::map<std::string, std::string> parts) {
+    parts.insert(shared_.begin(), shared_.end());
+    parts["nav"] = nav(name + ".html", nullptr);
+    write(name, filled(read_whole(assets_ / "web" / (name + ".html")), parts));
+  }
+
+  /// The last frame without its words, which are too small to read there.
+  [[nodiscard]] std::string thumbnail(const Lesson& lesson) const {
+    Lesson told = lesson;
+    told.questions.clear();
+    const LessonRun run = run_lesson(std::move(told));
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts_, {640.0, 360.0, 1.0, true});
+    Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+    std::erase_if(picture.marks, [](const Mark& mark) {
+      return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
+    });
+    return "data:image/svg+xml;base64," + base64(to_svg(picture, fonts_, theme_, ""));
+  }
+
+  [[nodiscard]] std::string card(const Lesson& lesson) const {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    return fmt::format(
+        "<li><a href=\"{}.html\"><img src=\"{}\" width=\"640\" height=\"360\" alt=\"\" "
+        "loading=\"lazy\"><strong>{}</strong><span>{}</span></a></li>\n",
+        escape_html(lesson.id), thumbnail(lesson), escape_html(lesson.title),
+        escape_html(texts.front().prose));
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    files_.push_back(options_.out_dir / (name + ".html"));
+    write_whole(files_.back(), text);
+  }
+
+  const SiteOptions& options_;
+  fs::path assets_;
+  Fonts fonts_;
+  Theme theme_;
+  std::map<std::string, std::string> themes_;
+  std::map<std::string, std::string> shared_;  ///< Parts that all pages have.
+  std::string page_ = read_whole(assets_ / "web" / "page.html");
+  std::vector<fs::path> files_;
+};
+
+}  // namespace
+
+std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const SiteOptions& options) {
+  SiteWriter writer(options);
+  std::error_code error;
+  fs::create_directories(options.out_dir, error);
+  if (!fs::is_directory(options.out_dir)) {
+    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", options.out_dir.string(),
+                                         error ? error.message() : "there is a file"));
+  }
+  remove_leftovers(options.out_dir);
+  for (std::size_t i = 0; i < lessons.size(); ++i)
+    writer.write_lesson(lessons[i],
+                        options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr);
+  if (options.index) {
+    writer.write_playground();
+    writer.write_index(lessons);
+    writer.write_about();
+  }
+  return std::move(writer).files();
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,27 @@
+#pragma once
+// Lessons as web pages: `gjkscope export --format html`. Each page is one file that opens offline
+// and holds all that it needs.
+
+#include <filesystem>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+
+namespace gjkscope {
+
+struct SiteOptions {
+  std::filesystem::path out_dir;  ///< Made when it is not there.
+  std::filesystem::path share;    ///< Holds assets/, and web/ or build/wasm/web/ with the program
+                                  ///< for browsers.
+  bool index = false;  ///< Also an index of the lessons, a playground and a page about them all,
+                       ///< and links between the pages.
+};
+
+/// Writes `<lesson>.html` for each lesson; with `index` also index.html, playground.html and
+/// about.html. Each file appears whole or not at all; the same lessons give the same bytes. Throws
+/// std::runtime_error, naming the path, when something cannot be read or written; when there is no
+/// program for browsers it says how to build it.
+[[nodiscard]] std::vector<std::filesystem::path> export_site(const std::vector<Lesson>& lessons,
+                                                             const SiteOptions& options);
+
+}  // namespace gjkscope

@@ -1,0 +1,643 @@
+// The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
+// that does not hold ends it.
+// Usage: node browser.mjs SITE [--shots DIR] [--only WORD]
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { deflateRawSync } from "node:zlib";
+import { chromium } from "playwright-core";
+
+import { read, root, startProgram } from "./program.mjs";
+
+const option = (name) => (process.argv.includes(name) ? process.argv[process.argv.indexOf(name) + 1] : null);
+const site = resolve(process.argv[2]);
+const shots = option("--shots");
+const only = option("--only") ?? "";
+if (shots) mkdirSync(shots, { recursive: true });
+
+const SIZES = {
+  phone: { width: 360, height: 740, touch: true },
+  laptop: { width: 1280, height: 800 },
+  projector: { width: 1920, height: 1080 },
+};
+const THEMES = ["light", "dark", "high-contrast", "print"];
+const pages = readdirSync(site).filter((name) => name.endsWith(".html"));
+const url = (name, hash = "") => pathToFileURL(join(site, `${name}.html`)).href + hash;
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync"],
+});
+const failures = [];
+
+const ready = (page) => page.locator("html[data-ready]").waitFor({ state: "attached" });
+
+/** A page that must not complain, nor ask anybody for anything. */
+async function open(address, size = "laptop", more = {}) {
+  const { width, height, touch } = SIZES[size];
+  const context = await browser.newContext({ viewport: { width, height }, hasTouch: Boolean(touch), acceptDownloads: true, ...more });
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => message.type() === "error" && page.complaints.push(message.text()));
+  page.on("pageerror", (error) => page.complaints.push(String(error)));
+  page.on("request", (request) => {
+    if (!/^(data:|blob:)/.test(request.url()) && !request.isNavigationRequest()) page.complaints.push(`asks for ${request.url()}`);
+  });
+  await page.goto(address);
+  if (more.javaScriptEnabled !== false && (await page.locator("#wasm").count()))
+    await ready(page);
+  return page;
+}
+
+async function close(page) {
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+}
+
+const tests = [];
+const claim = (name, body) => tests.push({ name, body });
+const text = (page, id) => page.locator(`#${id}`).textContent();
+const count = async (page) => (await text(page, "count")).split(" / ").map(Number);
+/** Motion is over. */
+const settle = (page) => page.waitForTimeout(350);
+
+/** The middle of a vertex on the screen. */
+async function vertex(page, of) {
+  const box = await page.locator(`#stage circle[data-of="${of}"]`).first().boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+async function dragByMouse(page, from, by) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; ++i) await page.mouse.move(from[0] + by[0] * i / 5, from[1] + by[1] * i / 5);
+  await page.mouse.up();
+}
+
+async function touchPath(page, from, by) {
+  const client = await page.context().newCDPSession(page);
+  const send = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+  await send("touchStart", [{ x: from[0], y: from[1] }]);
+  for (let i = 1; i <= 6; ++i) await send("touchMove", [{ x: from[0] + by[0] * i / 6, y: from[1] + by[1] * i / 6 }]);
+  await send("touchEnd", []);
+}
+
+const state = (page) => page.evaluate(() => ({ index: state.index, count: state.count, changed: state.changed,
+  caption: state.caption, outcome: state.outcome, shapes: state.shapes, numerics: state.numerics }));
+const distance = async (page) => Number((await state(page)).outcome[0][1]);
+
+// Steps -------------------------------------------------------------------------------------------
+
+for (const size of Object.keys(SIZES)) {
+  claim(`${size}: buttons, keys, slider and ticks step`, async () => {
+    const page = await open(url("polygons-gjk"), size);
+    const [, all] = await count(page);
+    assert.equal(all, (await page.locator(".transcript li").count()));
+    await page.click("#step");
+    assert.deepEqual(await count(page), [2, all]);
+    await page.click("#iteration");
+    const [after] = await count(page);
+    assert.ok(after > 2);
+    await page.click("#iteration-back");
+    await page.click("#back");
+    assert.deepEqual(await count(page), [1, all]);
+    await page.locator("body").press("ArrowRight");
+    await page.locator("body").press("Shift+ArrowRight");
+    assert.ok((await count(page))[0] >= 3);
+    await page.locator("body").press("End");
+    assert.deepEqual(await count(page), [all, all]);
+    assert.ok(await page.locator("#step").isDisabled());
+    await page.locator("body").press("Home");
+    await page.locator("#scrub").focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    assert.deepEqual(await count(page), [3, all]);
+    assert.equal(await text(page, "caption"), (await state(page)).caption);
+    assert.match(page.url(), /#step=3$/);
+    const slider = await page.locator("#scrub").boundingBox();
+    await page.mouse.click(slider.x + slider.width / 2, slider.y + slider.height / 2);
+    const [middle] = await count(page);
+    assert.ok(Math.abs(middle - all / 2) <= 2, `the slider's middle is step ${middle} of ${all}`);
+    if (size !== "phone") {
+      await page.locator('#timeline [data-of="frame 4"]').first().click();
+      assert.deepEqual(await count(page), [5, all]);
+    }
+    await page.locator('#panel [role="button"]').nth(1).click();
+    const [byLine] = await count(page);
+    await page.locator('#panel [role="button"]').nth(1).press("Enter");
+    assert.notEqual((await count(page))[0], byLine);
+    await page.locator(".transcript a").nth(6).click();
+    assert.deepEqual(await count(page), [7, all]);
+    await close(page);
+  });
+}
+
+claim("play goes on by itself and ends at the end", async () => {
+  const page = await open(url("segment-regions", "#step=1"));
+  await page.clock.install();
+  const [, all] = await count(page);
+  await page.locator("body").press(" ");
+  await page.clock.runFor(1800 * 3 + 100);
+  assert.equal((await count(page))[0], 4);
+  await page.locator("body").press(" ");
+  await page.clock.runFor(4000);
+  assert.equal((await count(page))[0], 4);
+  await page.click("#play");
+  await page.clock.runFor(1800 * all);
+  assert.equal((await count(page))[0], all);
+  assert.equal(await page.locator("#play").getAttribute("aria-pressed"), "false");
+  await close(page);
+});
+
+claim("an address names the step, also a later one", async () => {
+  const page = await open(url("polygons-gjk", "#step=7"));
+  assert.equal((await count(page))[0], 7);
+  await page.evaluate(() => { location.hash = "9"; });
+  await page.locator("#count", { hasText: /^9 / }).waitFor();
+  await close(page);
+});
+
+// The hand ----------------------------------------------------------------------------------------
+
+for (const size of Object.keys(SIZES)) {
+  claim(`${size}: a vertex and a shape are dragged, and undo takes it back`, async () => {
+    const page = await open(url("polygons-gjk", "#step=5"), size);
+    await page.locator("#stage").scrollIntoViewIfNeeded();
+    const drag = SIZES[size].touch ? touchPath : dragByMouse;
+    const before = await state(page);
+    const scrolled = await page.evaluate(() => scrollY);
+    await drag(page, await vertex(page, "y 0"), [-30, 34]);
+    const after = await state(page);
+    assert.notDeepEqual(after.shapes.y.vertices[0], before.shapes.y.vertices[0]);
+    assert.deepEqual(after.shapes.y.vertices.slice(1), before.shapes.y.vertices.slice(1));
+    assert.notEqual(after.outcome[0][1], before.outcome[0][1]);
+    assert.equal(await page.evaluate(() => scrollY), scrolled, "the page stays under a dragging finger");
+    const box = await page.locator('#stage path[data-of="X"]').first().boundingBox();
+    await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [24, -10]);
+    const moved = await state(page);
+    const shift = (i, axis) => moved.shapes.x.vertices[i][axis] - before.shapes.x.vertices[i][axis];
+    assert.ok(shift(0, 0) > 0.01);
+    for (let i = 1; i < moved.shapes.x.vertices.length; ++i) assert.ok(Math.abs(shift(i, 0) - shift(0, 0)) < 1e-9);
+    await page.locator("body").press("u");
+    assert.deepEqual((await state(page)).shapes, after.shapes);
+    await page.click("#undo");
+    assert.deepEqual((await state(page)).shapes, before.shapes);
+    assert.equal((await state(page)).changed, false);
+    await page.click("#redo");
+    await page.click("#redo");
+    assert.deepEqual((await state(page)).shapes, moved.shapes);
+    await page.click("#reset");
+    assert.deepEqual((await state(page)).shapes, before.shapes);
+    await close(page);
+  });
+}
+
+claim("a finger that swipes over the empty stage steps, one that drags does not", async () => {
+  const page = await open(url("polygons-gjk", "#step=4"), "phone");
+  const box = await page.locator("#stage").boundingBox();
+  const empty = [box.x + box.width - 30, box.y + 14];
+  await touchPath(page, empty, [-160, 6]);
+  assert.equal((await count(page))[0], 5);
+  await touchPath(page, [box.x + 30, box.y + 14], [160, 6]);
+  assert.equal((await count(page))[0], 4);
+  assert.equal((await state(page)).changed, false);
+  await close(page);
+});
+
+claim("a difference that is pointed at lights up with its two vertices", async () => {
+  const page = await open(url("polygons-gjk", "#step=17"));
+  await page.mouse.move(...await vertex(page, "z 2 0"));
+  const lit = await page.locator("#stage .ring").evaluateAll((rings) => [...new Set(rings.map((ring) => ring.dataset.lit))].sort());
+  assert.deepEqual(lit, ["x 2", "y 0", "z 2 0"]);
+  await close(page);
+});
+
+claim("in the difference a drag moves Y", async () => {
+  const page = await open(url("polygons-gjk", "#step=17"));
+  const before = await state(page);
+  await dragByMouse(page, await vertex(page, "z 2 0"), [30, -20]);
+  const after = await state(page);
+  assert.deepEqual(after.shapes.x, before.shapes.x);
+  assert.ok(after.shapes.y.vertices[0][0] - before.shapes.y.vertices[0][0] > 0.01);
+  await close(page);
+});
+
+claim("vertices are typed as decimals and hex floats, and moved by arrow keys", async () => {
+  const page = await open(url("polygons-gjk"));
+  await page.click("#vertices-part summary");
+  await page.fill("#y-0-0", "0.75");
+  await page.locator("#y-0-0").press("Enter");
+  assert.equal((await state(page)).shapes.y.vertices[0][0], "0.75");
+  await page.check("#hex");
+  assert.equal(await page.inputValue("#y-0-0"), "0x1.8p-1");
+  await page.fill("#y-0-0", "0x1p-1");
+  await page.locator("#y-0-0").press("Enter");
+  assert.equal((await state(page)).shapes.y.vertices[0][0], "0.5");
+  await page.fill("#y-0-0", "a lot");
+  await page.locator("#y-0-0").press("Enter");
+  assert.match(await text(page, "problem"), /\(a lot, 0x1\.[0-9a-f]+p-1\) is no point: expected numbers like/);
+  assert.equal(await page.inputValue("#y-0-0"), "0x1p-1");
+  await page.fill("#y-0-0", "1e300");
+  await page.locator("#y-0-0").press("Enter");
+  assert.match(await text(page, "problem"), /expected .*1e\+?18/);
+  const before = await state(page);
+  const name = page.locator("#vertices tbody th button").first();
+  await name.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowUp");
+  const after = await state(page);
+  assert.ok(after.shapes.x.vertices[0][0] > Number(before.shapes.x.vertices[0][0]));
+  assert.ok(after.shapes.x.vertices[0][1] > Number(before.shapes.x.vertices[0][1]));
+  assert.ok(await name.evaluate((button) => button === document.activeElement));
+  await close(page);
+});
+
+claim("values are shown in decimal and hex", async () => {
+  const page = await open(url("polygons-gjk", "#step=17"));
+  await page.click("#numbers-part summary");
+  assert.match(await text(page, "numbers"), /distance1\.35566/);
+  await page.click("#vertices-part summary");
+  await page.check("#hex");
+  assert.match(await text(page, "numbers"), /distance0x1\.5b0/);
+  await close(page);
+});
+
+claim("scalar and rules are chosen, and the run follows", async () => {
+  const page = await open(url("direction-half"));
+  await page.locator("summary", { hasText: "How the run computes" }).click();
+  const before = await state(page);
+  assert.equal(before.numerics.scalar, "half");
+  await page.selectOption("#numerics-scalar", "exact");
+  assert.match(await text(page, "problem"), /^numerics: .*the second run has the scalar of the first, expected another/);
+  assert.equal(await page.inputValue("#numerics-scalar"), "half");
+  await page.selectOption("#numerics-scalar", "float");
+  const after = await state(page);
+  assert.equal(after.numerics.scalar, "float");
+  assert.notDeepEqual(after.outcome, before.outcome);
+  await page.selectOption("#numerics-direction", "perpendicular");
+  await page.uncheck("#numerics-repeated");
+  assert.equal((await state(page)).numerics.repeated, false);
+  await close(page);
+});
+
+claim("questions are asked before they are told, and graded from the run", async () => {
+  const page = await open(url("polygon-evolution"));
+  await page.locator("body").press("p");
+  for (let i = 0; i < 20 && !(await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
+  assert.ok(await page.locator("#question").isVisible());
+  const [asked] = await count(page);
+  await page.locator("body").press("ArrowRight");
+  assert.equal((await count(page))[0], asked, "no step past an open question");
+  const right = await page.evaluate(() => state.caption && ask({ do: "answer", choice: "-" }).answers.answer);
+  await page.locator("body").press("ArrowLeft");
+  assert.ok(await page.locator("#question").isVisible());
+  await page.locator("#choices button", { hasText: new RegExp(`^${right}$`) }).click();
+  assert.match(await text(page, "verdict"), new RegExp(`^Right: ${right}\\. 1 of 2 so far`));
+  await close(page);
+});
+
+// Links and files ---------------------------------------------------------------------------------
+
+claim("a shared link restores lesson, step and vertices", async () => {
+  const page = await open(url("polygons-gjk", "#step=6"));
+  await dragByMouse(page, await vertex(page, "y 0"), [-25, 30]);
+  const before = await state(page);
+  await page.click("#share");
+  await page.locator("#link-title", { hasText: "Share" }).waitFor();
+  const link = await page.inputValue("#link-value");
+  assert.ok(link.length < 2500, `${link.length} characters`);
+  const other = await open(link, "phone");
+  const after = await state(other);
+  assert.deepEqual(after, before);
+  await other.click("#reset");
+  assert.equal((await state(other)).changed, false);
+  await close(other);
+  await page.keyboard.press("Escape");
+  await page.click("#embed");
+  await page.locator("#link-title", { hasText: "Embed" }).waitFor();
+  const line = await page.inputValue("#link-value");
+  const [, source] = line.match(/^<iframe src="([^"]+)" width="\d+" height="\d+" title="[^"]*"><\/iframe>$/);
+  const framed = await open(source);
+  assert.deepEqual((await state(framed)).shapes, before.shapes);
+  assert.equal(await framed.locator(".transcript").isVisible(), false);
+  assert.equal(await framed.locator("#stage").isVisible(), true);
+  await close(framed);
+  await close(page);
+});
+
+claim("frames are saved as SVG and PNG", async () => {
+  const page = await open(url("stop-vertex", "#step=3"));
+  const file = async (button) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    return [download.suggestedFilename(), readFileSync(await download.path())];
+  };
+  const [svgName, svg] = await file("#svg");
+  const program = await startProgram();
+  program({ do: "open", lesson: read("lessons/stop-vertex.toml"), name: "stop-vertex.toml" });
+  program({ do: "go", to: 2 });
+  assert.equal(svgName, "stop-vertex-0003.svg");
+  assert.equal(svg.toString(), program({ do: "frame" }).svg);
+  const [pngName, png] = await file("#png");
+  assert.equal(pngName, "stop-vertex-0003.png");
+  assert.equal(png.toString("latin1", 1, 4), "PNG");
+  assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [2560, 1440]);
+  assert.ok(png.length > 40000, `${png.length} bytes`);
+  await close(page);
+});
+
+const lessonLink = (toml) => `#lesson=${deflateRawSync(Buffer.from(toml)).toString("base64url")}`;
+
+claim("hostile and damaged links get a located problem, and nothing runs", async () => {
+  const page = await open(url("polygons-gjk"));
+  const source = read("lessons/polygons-gjk.toml");
+  const follow = async (hash, wanted) => {
+    await page.evaluate((to) => { say(""); location.hash = to; }, hash);
+    await page.locator("#problem").waitFor({ timeout: 5000 });
+    const problem = await text(page, "problem");
+    assert.match(problem, wanted, `${hash.slice(0, 80)} gives: ${problem}`);
+    assert.ok(await page.locator("#stage svg").isVisible());
+  };
+  await follow("#step=999", /^link: there is no step 999; expected 1 to 24$/);
+  await follow("#step=-1", /there is no step -1/);
+  await follow("#step=1e99", /there is no step 1e99/);
+  await follow("#lesson=%%%", /^link: it is damaged/);
+  await follow("#lesson=AAAA", /^link: it is damaged/);
+  await follow(lessonLink("title = 3"), /^link:1:9: 'title' is a number; expected text of 1 to 80 characters$/m);
+  await follow(lessonLink(source.replace("-3.4", "1e999")), /^link:1[0-9]:\d+: /m);
+  await follow(lessonLink(source.replace('"A", "B"', '"<img src=x onerror=alert(1)>", "B"')), /^link:\d+:\d+: .*img src.*expected/m);
+  await follow(`#case=${encodeURIComponent('{"a":[[0,0]],"b":[[1]]}')}`, /^link:1:\d+: \/b\/0 has 1 coordinates; expected two/);
+  await follow(`#case=${encodeURIComponent('{"a":[[1e999,0]],"b":[[1,1]]}')}`, /^link:1:\d+: the number 1e999 is too large/);
+  await follow(`#lesson=${deflateRawSync(Buffer.alloc(50e6)).toString("base64url")}`, /it holds more than 2097152 bytes/);
+  await close(page);
+});
+
+claim("a script in names and titles of a link is text", async () => {
+  const hostile = read("lessons/polygons-gjk.toml")
+    .replace(/title = .*/, 'title = "<img src=x onerror=document.title=1><script>document.title=2</script>"')
+    .replace('names = ["K"', 'names = ["<b>"').replaceAll(/"[KLMN]-[A-E]"/g, '"<b>-C"').replace('"<b>-C", "<b>-C", "<b>-C", "<b>-C"', '"L-D"');
+  const page = await open(url("polygons-gjk", `${lessonLink(hostile)}&step=3`));
+  assert.equal(await text(page, "problem"), "");
+  assert.match(await page.locator("#stage").textContent(), /<b>/);
+  assert.equal(await page.locator("#stage b, #stage img, #panel img, main script").count(), 0);
+  assert.match(await page.title(), /^Polygon to polygon/);
+  await close(page);
+});
+
+// The playground ----------------------------------------------------------------------------------
+
+for (const size of Object.keys(SIZES)) {
+  claim(`${size}: the playground answers for shapes of the kit`, async () => {
+    const page = await open(url("playground"), size);
+    assert.equal((await count(page))[0], (await count(page))[1], "it opens at the answer");
+    for (const shape of ["point", "segment", "box", "ngon"]) {
+      await page.click(`[data-for="x"][data-shape="${shape}"]`);
+      await page.click(`[data-for="y"][data-shape="${shape}"]`);
+      const { shapes } = await state(page);
+      const corners = { point: 1, segment: 2, box: 4, ngon: 6 }[shape];
+      assert.deepEqual([shapes.x.vertices.length, shapes.y.vertices.length], [corners, corners]);
+      assert.match(await text(page, "answer"), /distance[\d.]+lower bound[\d.]+upper bound/);
+    }
+    assert.ok((await distance(page)) > 0);
+    await page.click("#random");
+    await page.locator(".kit summary").click();
+    await page.fill("#case", '{"a": [[0, 0], [2, 0], [2, 2], [0, 2]], "b": [[1.5, 0.5], [3, 0.5], [3, 1.5], [1.5, 1.5]]}');
+    await page.click("#paste");
+    assert.equal(await distance(page), 0);
+    assert.match(await text(page, "answer"), /penetration depth0\.5its lower bound0\.(5|4999)/);
+    await page.fill("#case", '{"a": [[0, 0]], "b": [[3, 4]]}');
+    await page.click("#paste");
+    assert.equal(await distance(page), 5);
+    assert.match(await text(page, "answer"), /closest point of Y\.x3closest point of Y\.y4/);
+    await page.fill("#case", '{"a": [[0, 0]],\n "b": [[3, "four"]]}');
+    await page.click("#paste");
+    assert.match(await text(page, "problem"), /^pasted:2:\d+: \/b\/0\/1 is "four"; expected a finite number/);
+    assert.equal(await distance(page), 5);
+    await close(page);
+  });
+}
+
+claim("a case of 10 MB and one of 10,000 vertices are refused or drawn, not hung", async () => {
+  const page = await open(url("playground"));
+  await page.evaluate(() => {
+    document.getElementById("case").value = `{"a": [${"[0,0],".repeat(1.7e6)}[1,1]], "b": [[3,4]]}`;
+    document.getElementById("paste").click();
+  });
+  assert.match(await text(page, "problem"), /^pasted: 1\d{7} bytes are too many; expected at most 2097152$/);
+  const ring = (n, x) => Array.from({ length: n }, (_, i) => [x + Math.cos(2 * Math.PI * i / n), Math.sin(2 * Math.PI * i / n)]);
+  await page.evaluate((json) => {
+    document.getElementById("case").value = json;
+    document.getElementById("paste").click();
+  }, JSON.stringify({ a: ring(10000, 0), b: ring(10000, 4) }));
+  assert.ok(Math.abs((await distance(page)) - 2) < 1e-6 || /expected/.test(await text(page, "problem")));
+  await page.evaluate((json) => {
+    document.getElementById("case").value = json;
+    document.getElementById("paste").click();
+  }, JSON.stringify({ a: ring(10001, 0), b: ring(3, 4) }));
+  assert.match(await text(page, "problem"), /^pasted: .*10001/);
+  await close(page);
+});
+
+// Looks -------------------------------------------------------------------------------------------
+
+/** Texts that are set smaller than 14 pixels, and by how much the page is too wide. */
+const measure = (page) => page.evaluate(() => {
+  const small = [];
+  for (const element of document.querySelectorAll("body *")) {
+    if (![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
+    if (element.getBoundingClientRect().width === 0 || ["SCRIPT", "STYLE", "OPTION"].includes(element.tagName)) continue;
+    const svg = element.ownerSVGElement;
+    // A panel that is wider than a phone is squeezed; its type keeps its height.
+    const scale = svg ? svg.getBoundingClientRect().height / svg.viewBox.baseVal.height : 1;
+    const pixels = parseFloat(getComputedStyle(element).fontSize) * scale;
+    if (pixels < 13.9) small.push(`${pixels.toFixed(1)}: ${element.textContent.slice(0, 30)}`);
+  }
+  return { wide: document.documentElement.scrollWidth - innerWidth, small };
+});
+
+claim("nothing scrolls sideways and no type is below 14 pixels, at any size", async () => {
+  for (const name of pages) {
+    const page = await open(url(name.replace(".html", "")));
+    for (const [size, viewport] of Object.entries(SIZES)) {
+      await page.setViewportSize(viewport);
+      await page.waitForTimeout(100);
+      for (const key of ["Home", "End"]) {
+        await page.locator("body").press(key);
+        assert.deepEqual(await measure(page), { wide: 0, small: [] }, `${name} at ${size}`);
+      }
+    }
+    await close(page);
+  }
+});
+
+claim("without a script there are the first frame and all words", async () => {
+  for (const name of ["polygons-gjk", "stop-vertex"]) {
+    const program = await startProgram();
+    const { count: steps } = program({ do: "open", lesson: read(`lessons/${name}.toml`), name });
+    const page = await open(url(name), "phone", { javaScriptEnabled: false });
+    assert.ok(await page.locator("#stage svg").isVisible());
+    assert.equal(await page.locator(".controls").isVisible(), false);
+    assert.ok((await text(page, "caption")).length > 20);
+    assert.equal(await page.locator(".transcript li").count(), steps);
+    await page.context().close();
+  }
+});
+
+claim("without WebAssembly, too, and the page says so", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("pageerror", (error) => page.complaints.push(String(error)));
+  await page.addInitScript(() => { delete window.WebAssembly; });
+  await page.goto(url("polygons-gjk"));
+  await page.locator("#problem").waitFor();
+  assert.match(await text(page, "problem"), /cannot be made live here.*The first frame and all words are below/);
+  assert.ok(await page.locator("#stage svg").isVisible());
+  assert.equal(await page.locator(".controls").isVisible(), false);
+  assert.ok(await page.locator(".transcript li").count() > 10);
+  await close(page);
+});
+
+claim("things move between steps, and not for who prefers less of it", async () => {
+  for (const [reducedMotion, moves] of [["no-preference", true], ["reduce", false]]) {
+    const page = await open(url("polygons-gjk", "#step=4"), "laptop", { reducedMotion });
+    const changes = await page.evaluate(async () => {
+      let seen = 0;
+      document.getElementById("step").click();
+      const watch = new MutationObserver((list) => { seen += list.length; });
+      watch.observe(document.querySelector("#stage svg"), { attributes: true, subtree: true });
+      await new Promise((done) => setTimeout(done, 450));
+      return seen;
+    });
+    assert.equal(changes > 0, moves, `${changes} changes`);
+    const shown = await page.locator("#stage").innerHTML();
+    await page.evaluate(() => act({ do: "go", to: state.index }));
+    const drawn = await page.locator("#stage").innerHTML();
+    assert.equal(shown.replace(/ opacity="1"/g, ""), drawn, "motion ends at the picture");
+    await close(page);
+  }
+});
+
+claim("axe finds nothing, in any theme", async () => {
+  const axe = readFileSync(join(root, "tests/web/node_modules/axe-core/axe.min.js"), "utf8");
+  for (const name of ["index", "about", "playground", "polygons-gjk", "accuracy-cost", "triangle-two-maps"]) {
+    const page = await open(url(name), "laptop", { bypassCSP: true });
+    await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+    await page.addScriptTag({ content: axe });
+    for (const theme of THEMES) {
+      if (await page.locator("#theme").count()) await page.selectOption("#theme", theme);
+      else await page.evaluate((to) => { document.documentElement.dataset.theme = to; }, theme);
+      const { violations } = await page.evaluate(() => axe.run());
+      assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`), [], `${name}, ${theme}`);
+    }
+    await close(page);
+  }
+});
+
+claim("captions are announced, figures have names, focus is seen", async () => {
+  const page = await open(url("polygons-gjk", "#step=3"));
+  assert.equal(await page.locator("#caption").evaluate((node) => node.closest("[aria-live]").getAttribute("aria-live")), "polite");
+  assert.ok((await page.locator("#stage svg").getAttribute("aria-label")).startsWith(await text(page, "caption")));
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    const outline = await page.evaluate(() => {
+      const at = document.activeElement;
+      const style = getComputedStyle(at);
+      return at === document.body || (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2);
+    });
+    assert.ok(outline, await page.evaluate(() => document.activeElement.outerHTML.slice(0, 100)));
+  }
+  await close(page);
+});
+
+claim("all themes are shown, and remembered", async () => {
+  const page = await open(url("polygons-gjk"));
+  const seen = new Set();
+  for (const theme of THEMES) {
+    await page.selectOption("#theme", theme);
+    seen.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor + document.querySelector("#stage rect").getAttribute("fill") + document.querySelector("#stage [data-mark=card]").getAttribute("stroke")));
+  }
+  assert.equal(seen.size, 4);
+  await page.selectOption("#theme", "dark");
+  await page.reload();
+  await ready(page);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  await close(page);
+});
+
+claim("pages are small and fast", async () => {
+  const largest = Math.max(...pages.map((name) => statSync(join(site, name)).size));
+  assert.ok(largest <= 3e6, `${largest} bytes`);
+  const compressed = statSync(`${root}/build/wasm/web/gjkscope.wasm.gz`).size;
+  assert.ok(compressed <= 1.2e6, `${compressed} bytes`);
+  const page = await open(url("polygons-gjk"));
+  const live = Number(await page.evaluate(() => document.documentElement.dataset.ready));
+  const work = await page.evaluate(() => {
+    const svg = document.querySelector("#stage svg").getBoundingClientRect();
+    const circle = document.querySelector('#stage circle[data-of="y 0"]').getBoundingClientRect();
+    const from = { x: circle.x + circle.width / 2 - svg.x, y: circle.y + circle.height / 2 - svg.y };
+    act({ do: "press", ...from });
+    const times = [];
+    for (let i = 0; i < 200; ++i) {
+      const began = performance.now();
+      act({ do: "move", x: from.x - 30 * Math.sin(i / 8) - 3, y: from.y + 20 * Math.cos(i / 8) });
+      times.push(performance.now() - began);
+    }
+    act({ do: "release" });
+    return times.sort((a, b) => a - b);
+  });
+  const [median, most] = [work[100], work[190]];
+  console.log(`    largest page ${(largest / 1e6).toFixed(2)} MB, wasm ${(compressed / 1e6).toFixed(2)} MB compressed, live after ${live} ms, drag to frame ${median.toFixed(1)} ms, 95 % below ${most.toFixed(1)} ms`);
+  assert.ok(live < 1000, `live after ${live} ms`);
+  assert.ok(median < 8, `${median} ms`);
+  await close(page);
+});
+
+claim("every lesson opens from a file of its own, steps to its end, and says nothing on the console", async () => {
+  for (const name of pages.filter((file) => !["index.html", "about.html"].includes(file))) {
+    const page = await open(url(name.replace(".html", "")), "laptop");
+    const [, all] = await count(page);
+    for (let i = 1; i < all; ++i) await page.locator("body").press("ArrowRight");
+    assert.deepEqual(await count(page), [all, all], name);
+    if (shots) await page.screenshot({ path: join(shots, `${name}-end.png`) });
+    await close(page);
+  }
+});
+
+if (shots) {
+  claim("screenshots", async () => {
+    for (const size of Object.keys(SIZES)) {
+      for (const name of ["index", "playground", "polygons-gjk", "triangle-ordered-test", "accuracy-cost"]) {
+        const page = await open(url(name), size);
+        if (await page.locator("#wasm").count()) {
+          for (let i = 0; i < 8; ++i) await page.locator("body").press("ArrowRight");
+          await settle(page);
+        }
+        await page.screenshot({ path: join(shots, `${name}-${size}.png`), fullPage: size === "phone" });
+        await page.context().close();
+      }
+    }
+    for (const theme of THEMES) {
+      const page = await open(url("polygons-gjk", "#step=17"));
+      await page.selectOption("#theme", theme);
+      await page.screenshot({ path: join(shots, `theme-${theme}.png`) });
+      await page.context().close();
+    }
+  });
+}
+
+const wanted = tests.filter((test) => test.name.includes(only));
+for (const { name, body } of wanted) {
+  const began = performance.now();
+  try {
+    await body();
+    console.log(`ok      ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failures.push(name);
+    console.log(`FAILED  ${name}\n${String(error.stack ?? error).replace(/^/gm, "        ")}`);
+  }
+}
+await browser.close();
+console.log(`${wanted.length - failures.length} of ${wanted.length} claims hold`);
+process.exit(failures.length ? 1 : 0);

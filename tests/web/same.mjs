@@ -1,0 +1,87 @@
+// What the program for browsers answers is, byte for byte, what a native one answers: pictures,
+// words, hex floats and traces of all lessons and the hard cases.
+// Usage: node same.mjs NATIVE_PLAYER GJKSCOPE
+import { execFileSync } from "node:child_process";
+import { readdirSync } from "node:fs";
+
+import { read, root, startProgram } from "./program.mjs";
+
+const [nativePlayer, command] = process.argv.slice(2);
+const layouts = [
+  { do: "layout", width: 344, height: 592, panel: 344, timeline: 344, theme: "dark" },
+  { do: "layout", width: 900, height: 450, panel: 384, timeline: 900, theme: "light" },
+];
+
+const requests = [];
+const ask = (request) => requests.push(request);
+const lessons = readdirSync(`${root}/lessons`).filter((name) => name.endsWith(".toml"));
+for (const file of lessons) {
+  const files = { "accuracy-cost.json": read("lessons/accuracy-cost.json") };
+  ask({ do: "open", lesson: read(`lessons/${file}`), name: file, files });
+  ask({ do: "trace" });
+  for (const layout of layouts) {
+    ask(layout);
+    ask({ do: "go", to: 0 });
+    for (let step = 0; step < 45; ++step) ask({ do: "step", by: 1 });
+  }
+  ask({ do: "frame" });
+  ask({ do: "press", x: 300, y: 200 });
+  ask({ do: "move", x: 333.3, y: 222.2 });
+  ask({ do: "release" });
+  ask({ do: "predict", on: true });
+  ask({ do: "lesson" });
+}
+ask({ do: "open", lesson: read("assets/web/playground.toml"), name: "playground.toml" });
+const cases = readdirSync(`${root}/tests/hard-cases`);
+for (const file of cases) {
+  const text = read(`tests/hard-cases/${file}`);
+  for (const scalar of ["half", "float", "double", "exact"]) ask({ do: "solve", text, name: file, scalar });
+  ask({ do: "case", text, name: file });
+}
+
+const program = await startProgram();
+const began = performance.now();
+const answers = requests.map((request) => program(request));
+const time = performance.now() - began;
+const lines = execFileSync(nativePlayer, [`${root}/assets`], {
+  input: requests.map((request) => JSON.stringify(request)).join("\n"),
+  maxBuffer: 1 << 30,
+  encoding: "utf8",
+}).trimEnd().split("\n");
+
+let different = 0;
+let traces = 0;
+let pictures = 0;
+let problems = 0;
+requests.forEach((request, i) => {
+  const here = JSON.stringify(answers[i]);
+  const there = JSON.stringify(JSON.parse(lines[i]));
+  traces += answers[i].trace ? 1 : (answers[i].traces?.length ?? 0);
+  if (answers[i].stage ?? answers[i].svg) ++pictures;
+  if (answers[i].problem) ++problems;
+  if (here === there) return;
+  if (++different > 5) return;
+  let at = 0;
+  while (here[at] === there[at]) ++at;
+  const told = { ...request, lesson: undefined, files: undefined };
+  console.error(`request ${i}, ${JSON.stringify(told).slice(0, 200)}:
+  browser ${here.slice(Math.max(0, at - 80), at + 80)}
+  native  ${there.slice(Math.max(0, at - 80), at + 80)}`);
+});
+
+// The traces are those that the command prints.
+let printed = 0;
+for (const file of cases) {
+  const path = `tests/hard-cases/${file}`;
+  const here = program({ do: "solve", text: read(path), name: path, scalar: "double" });
+  const said = execFileSync(command, ["trace", path, "--json"], { cwd: root, encoding: "utf8" });
+  if (here.traces.join("") === said) ++printed;
+  else console.error(`${path}: the trace is not the one that the command prints`);
+}
+console.log(`${requests.length} answers compared: ${pictures} pictures, ${traces} traces, ${problems} refusals; ` +
+  `${different} differ; ${(time / requests.length).toFixed(2)} ms each`);
+const expected = lessons.length + 4 * cases.length;
+if (different || printed !== cases.length || traces < expected || pictures < 2000) {
+  console.error(`expected no difference, ${expected} traces and 2000 pictures or more, and ${cases.length} traces as printed: ${printed} were`);
+  process.exit(1);
+}
