@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 8> kChapters = {"",
                                                        "Point to triangle",
                                                        "Point to polygon",
                                                        "Polygon to polygon",
-                                                       "The difference and the proof",
+                                                       "The proof, and penetration depth",
                                                        "Accuracy and time",
                                                        "More"};
 
