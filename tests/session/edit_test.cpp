@@ -6,6 +6,8 @@
 
 #include <set>
 
+#include "lesson/save.hpp"
+#include "lesson/save.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 
@@ -103,6 +105,18 @@ TEST(Edit, TheNearestEdgeIsFoundByDistance) {
   EXPECT_DOUBLE_EQ(0.5, right->distance);
   EXPECT_EQ(3, edit::nearest_edge(square, {0.25, 1.0})->edge);
   EXPECT_FALSE(edit::nearest_edge({{0, 0}}, {1, 1}));
+}
+
+TEST(Edit, EveryLessonCanBeToldByTheExpandingPolygon) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    SCOPED_TRACE(lesson.id);
+    const Lesson told = edit::told_by_depth(lesson);
+    const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
+    for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
+    const LessonRun run = run_lesson(told);
+    EXPECT_EQ(run.depths.size(), run.runs.size());
+    EXPECT_FALSE(run.frames.empty());
+  }
 }
 
 }  // namespace
