@@ -102,10 +102,11 @@ void bounds(PanelBuilder& panel) {
                        : known         ? shown.step->bounds.upper
                                        : 0.0;
   const bool has_upper = known && upper >= 0.0;
-  const std::string text = !known
-                               ? "–"
-                               : format("[{}, {}", panel.numbers(lower),
-                                        has_upper ? panel.numbers(upper) + "]" : std::string("?"));
+  std::string text = "–";
+  if (known) {
+    text = has_upper ? format("[{}, {}]", panel.numbers(lower), panel.numbers(upper))
+                     : format("≥ {}", panel.numbers(lower));
+  }
   panel.write("code.current", panel.right, text, type::kCode, Align::right);
   panel.y += 22.0;
   panel.add("bounds.track", Box{{{panel.left, panel.y - 8.0}, {panel.right, panel.y}}, 4.0});
