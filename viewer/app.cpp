@@ -363,7 +363,10 @@ void App::make_commands() {
   add("File", "Quit", {"Ctrl+Q"}, [&] { quit_ = true; });
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
-  add("View", "Lessons", {"L"}, [&] { lessons_shown_ = !lessons_shown_; });
+  add("View", "Lessons", {"L"}, [&] {
+    lessons_shown_ = !has_lessons();
+    if (lessons_shown_ && drawer_ && !has_lessons()) toggle_drawer(*drawer_);
+  });
   for (std::size_t i = 0; i < drawers_.size(); ++i) {
     add("View", drawers_[i].name, {drawers_[i].key}, [this, i] { toggle_drawer(i); });
     for (const Command& command : drawers_[i].commands) commands_.push_back(command);
@@ -402,7 +405,7 @@ void App::make_commands() {
 
 void App::focus_next_panel(int by) {
   std::vector<std::optional<std::string>> panels = {std::nullopt, "##top"};
-  if (lessons_shown_) panels.emplace_back("##lessons");
+  if (has_lessons()) panels.emplace_back("##lessons");
   panels.emplace_back("##transport");
   if (drawer_) panels.emplace_back("##drawer");
   const auto now = std::find(panels.begin(), panels.end(), focused_) - panels.begin();

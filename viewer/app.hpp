@@ -138,6 +138,11 @@ class App {
   void draw_drawer();
   void draw_dialog();
   void draw_message();
+  void draw_status();
+  /// The list of lessons gives way where the picture has no room beside it.
+  [[nodiscard]] bool has_lessons() const;
+  [[nodiscard]] const std::string& said() const;
+  [[nodiscard]] bool fits_status(const std::string& text) const;
   void draw_lesson(const ListedLesson& lesson);
   void draw_icon_button(Icon icon, std::string_view command);
   void draw_menu_item(std::string_view command);

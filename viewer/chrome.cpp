@@ -24,6 +24,7 @@ constexpr double kBar = 38.0;  // of one row
 constexpr double kLessons = 248.0;
 constexpr double kDrawer = 400.0;
 constexpr double kSpeed = 86.0;
+constexpr double kStatus = 24.0;   // below the transport
 constexpr double kMostBars = 0.4;  // of the window's height
 
 const ImVec4 kErrorInk(0.84f, 0.25f, 0.0f, 1.0f);
@@ -71,11 +72,11 @@ double App::layout(double width, double height, double density) {
   if (!presenting_) {
     const double bar = kBar * ui_scale_;
     area.min.y() = std::min(std::max(bar, top_height_), kMostBars * height);
-    area.max.y() -= std::min(bar, 0.5 * (height - area.min.y()));
-    if (lessons_shown_) area.min.x() = std::min(kLessons * ui_scale_, 0.5 * width);
+    area.max.y() -= std::min(bar + kStatus * ui_scale_, 0.5 * (height - area.min.y()));
+    if (has_lessons()) area.min.x() = kLessons * ui_scale_;
     if (drawer_) area.max.x() = std::max(width - kDrawer * ui_scale_, area.min.x());
   }
-  return picture_.lay_out(area);
+  return picture_.lay_out(area, density);
 }
 
 void App::draw(const AtlasFonts& fonts, ImFont* mono) {
@@ -87,7 +88,7 @@ void App::draw(const AtlasFonts& fonts, ImFont* mono) {
   picture_.draw(fonts);
   if (!presenting_) {
     draw_top_bar();
-    if (lessons_shown_) draw_lessons();
+    if (has_lessons()) draw_lessons();
     draw_drawer();
     draw_transport();
   }
@@ -266,6 +267,7 @@ void App::draw_transport() {
     ImGui::SameLine();
     draw_button("Next lesson");
   }
+  draw_status();
   ImGui::End();
 }
 
@@ -343,11 +345,50 @@ void App::draw_dialog() {
   if (!open) close_dialog();
 }
 
-/// Work that another window left, or what was said last: below, where it covers no words.
+bool App::has_lessons() const {
+  const double panels = kLessons + (drawer_ ? kDrawer : 0.0);
+  return lessons_shown_ && width_ >= panels * ui_scale_ + PictureView::kNarrowest;
+}
+
+const std::string& App::said() const { return message_.empty() ? session_.problem() : message_; }
+
+bool App::fits_status(const std::string& text) const {
+  const double room = picture_.area().size().x() - 2.0 * ImGui::GetStyle().WindowPadding.x;
+  return text.find('\n') == std::string::npos && ImGui::CalcTextSize(text.c_str()).x <= room;
+}
+
+/// What was said last, work that another window left, or where the lesson is saved.
+void App::draw_status() {
+  const std::string& text = said();
+  if (!text.empty() && fits_status(text)) {
+    if (message_.empty() || message_is_error_) {
+      ImGui::TextColored(kErrorInk, "%s", text.c_str());
+    } else {
+      ImGui::TextUnformatted(text.c_str());
+    }
+    if (ImGui::IsItemClicked()) message_.clear();
+  } else if (!left_.empty()) {
+    const std::string of =
+        left_.front().file.empty() ? "a case" : left_.front().file.stem().string();
+    ImGui::Text("There is work that was not saved, of %s%s.", of.c_str(),
+                left_.size() > 1 ? fmt::format(" and {} more", left_.size() - 1).c_str() : "");
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 0.0f));
+    ImGui::SameLine();
+    draw_button("Open unsaved work");
+    ImGui::SameLine();
+    draw_button("Discard unsaved work");
+    ImGui::PopStyleVar();
+  } else {
+    ImGui::TextDisabled("%s%s",
+                        session_.file().empty() ? "in no file" : session_.file().filename().c_str(),
+                        session_.is_unsaved() ? ", not saved" : "");
+  }
+}
+
+/// What was said last, where it is too long for the line below.
 void App::draw_message() {
-  const bool offers = !left_.empty() && !dialog_;
-  const std::string& text = message_.empty() ? session_.problem() : message_;
-  if (text.empty() && !offers) return;
+  const std::string& text = said();
+  if (text.empty() || (!presenting_ && fits_status(text))) return;
   const Rect& area = picture_.area();
   const double right = area.max.x() - 8.0 * ui_scale_;
   const double below = presenting_ ? height_ : area.max.y();
@@ -359,21 +400,11 @@ void App::draw_message() {
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
   ImGui::PushTextWrapPos(
       static_cast<float>(std::clamp(area.size().x() - 40.0, 80.0, 640.0 * ui_scale_)));
-  if (!text.empty()) {
-    const bool is_error = message_.empty() || message_is_error_;
-    if (is_error) ImGui::PushStyleColor(ImGuiCol_Text, kErrorInk);
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    if (is_error) ImGui::PopStyleColor();
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) message_.clear();
-  }
-  if (offers) {
-    ImGui::Text("There is work that was not saved, of %s%s.",
-                left_.front().file.empty() ? "a case" : left_.front().file.stem().c_str(),
-                left_.size() > 1 ? fmt::format(" and {} more", left_.size() - 1).c_str() : "");
-    draw_button("Open unsaved work");
-    ImGui::SameLine();
-    draw_button("Discard unsaved work");
-  }
+  const bool is_error = message_.empty() || message_is_error_;
+  if (is_error) ImGui::PushStyleColor(ImGuiCol_Text, kErrorInk);
+  ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+  if (is_error) ImGui::PopStyleColor();
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) message_.clear();
   ImGui::PopTextWrapPos();
   ImGui::End();
 }

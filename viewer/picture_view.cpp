@@ -49,16 +49,19 @@ Vector2d snapped(const Vector2d& value, double grid) {
 
 PictureView::PictureView(App& app) : app_(app), session_(app.session()) {}
 
-double PictureView::lay_out(const Rect& area) {
+double PictureView::lay_out(const Rect& area, double density) {
   area_ = area;
   const Point size = area.size().cwiseMax(1.0);
   const Page smallest;
   // In steps, so that the fonts are not built anew for every pixel by which a window grows.
   constexpr double kSteps = 32.0;
-  const double fitting = std::min(size.x() / smallest.width, size.y() / smallest.height);
+  // Where there is no room for the usual page it becomes narrower before type becomes smaller.
+  const double usual = std::min(size.x() / smallest.width, size.y() / smallest.height);
+  const double narrow = std::min({density, size.x() / kNarrowest, size.y() / smallest.height});
+  const double fitting = std::max(usual, narrow);
   zoom_ = std::max(std::floor(fitting * kSteps) / kSteps, kSmallestZoom);
-  session_.set_page({std::max(size.x() / zoom_, smallest.width),
-                     std::max(size.y() / zoom_, smallest.height), zoom_});
+  session_.set_page(
+      {std::max(size.x() / zoom_, kNarrowest), std::max(size.y() / zoom_, smallest.height), zoom_});
   return zoom_;
 }
 

@@ -15,10 +15,14 @@ class App;
 
 class PictureView {
  public:
+  /// Of a page, in frame pixels.
+  static constexpr double kNarrowest = 760.0;
+
   explicit PictureView(App& app);
 
-  /// Fills `area`, in pixels of the window; gives pixels per frame pixel.
-  double lay_out(const Rect& area);
+  /// Fills `area`, in pixels of the window; gives pixels per frame pixel, which are fewer than
+  /// `density` only where there is no room.
+  double lay_out(const Rect& area, double density);
   [[nodiscard]] const Rect& area() const { return area_; }
   void draw(const AtlasFonts& fonts);
   /// The pointer as Dear ImGui has it, after all panels were drawn.

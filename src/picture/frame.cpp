@@ -61,12 +61,18 @@ struct Layout {
   Rect timeline;
 };
 
-Layout layout_of(const LessonRun& run, int prose_lines, const Page& page) {
+/// Too narrow for all cards side by side: views stand one below the other, beside the panel. Only a
+/// window has such pages.
+bool is_narrow(const Page& page) {
+  return !page.bare && page.width < Page{}.width && page.height <= kTall * page.width;
+}
+
+Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page) {
   const auto [width, height, zoom, bare] = page;
   Layout layout;
   layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0},
                      {width - kMargin, height - kMargin + 8.0}};
-  const double bottom = layout.timeline.min.y() - 26.0 - kCaptionLines * kCaptionLine;
+  const double bottom = layout.timeline.min.y() - 26.0 - caption_lines * kCaptionLine;
   layout.caption_y = bottom + 33.0;
   layout.prose_y = 70.0;
   const double top = 64.0 + kProseLine * prose_lines;
@@ -74,6 +80,19 @@ Layout layout_of(const LessonRun& run, int prose_lines, const Page& page) {
   const Rect cards =
       bare ? Rect{{0.0, 0.0}, {width, height}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
   const bool has_panel = !bare && !run.lesson.panel.empty();
+  if (is_narrow(page)) {
+    Rect column = cards;
+    if (has_panel) {
+      layout.panel = Rect{{cards.max.x() - kNarrowPanel, cards.min.y()}, cards.max};
+      column.max.x() = layout.panel->min.x() - kCardGap;
+    }
+    const double step = (column.size().y() + kCardGap) / views;
+    for (int i = 0; i < views; ++i) {
+      const double y = column.min.y() + i * step;
+      layout.views.push_back({{column.min.x(), y}, {column.max.x(), y + step - kCardGap}});
+    }
+    return layout;
+  }
   // A tall page has its cards one below the other, any other page side by side.
   const bool tall = height > kTall * width;
   const int axis = tall ? 1 : 0;
@@ -215,7 +234,18 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
     prose_lines =
         std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
   }
-  const Layout layout = layout_of(run_, static_cast<int>(prose_lines), page_);
+  std::size_t caption_lines = kCaptionLines;
+  if (is_narrow(page_)) {
+    const auto lines_of = [&](const TextStyle& style, const std::string& text) {
+      return wrapped(fonts_, style, text, text_width).size();
+    };
+    for (const FrameText& text : texts_) {
+      caption_lines = std::max(caption_lines, lines_of(type::kCaption, text.caption) +
+                                                  lines_of(type::kDetail, text.detail));
+    }
+  }
+  const Layout layout =
+      layout_of(run_, static_cast<int>(prose_lines), static_cast<int>(caption_lines), page_);
   panel_ = layout.panel;
   prose_y_ = layout.prose_y;
   caption_y_ = layout.caption_y;
@@ -310,8 +340,11 @@ Picture LessonPictures::picture(int index) {
 
   if (!page_.bare) {
     page.write("title", {kMargin, 44.0}, run_.lesson.title, type::kTitle);
-    page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
-               Align::right);
+    const double beside = text_width - fonts_.width(type::kTitle, run_.lesson.title) - kMargin;
+    if (!is_narrow(page_) || fonts_.width(type::kPosition, text.position) <= beside) {
+      page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
+                 Align::right);
+    }
     page.write_lines("prose", {kMargin, prose_y_},
                      wrapped(fonts_, type::kProse, text.prose, text_width), type::kProse,
                      kProseLine);

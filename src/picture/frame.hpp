@@ -44,7 +44,8 @@ struct FramePicture {
   FrameText text;
 };
 
-/// What frames are laid out on: at least 1280 x 720 frame pixels, `zoom` pixels of the image each.
+/// What frames are laid out on: at least 1280 x 720 frame pixels (in a window 760 x 720), `zoom`
+/// pixels of the image each.
 /// Type keeps its proportion to the page whatever the size of the image.
 struct Page {
   double width = 1280.0;

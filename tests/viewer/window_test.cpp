@@ -21,14 +21,15 @@ struct Ran {
   std::string err;
 };
 
-/// `display`: on a display of its own, else without any.
-Ran run_viewer(const TemporaryFolder& folder, const std::string& arguments, bool display = true) {
+/// `display`: on a display of its own, else without any. `more`: environment variables.
+Ran run_viewer(const TemporaryFolder& folder, const std::string& arguments, bool display = true,
+               const std::string& more = "") {
   const std::string err = (folder.path() / "err").string();
   // Drivers and D-Bus keep memory that no suppression can name, since they are unloaded by then;
   // leaks of the window's content are found by the tests without a window.
   const std::string environment =
       "env -u DISPLAY -u WAYLAND_DISPLAY ASAN_OPTIONS=detect_leaks=0 XDG_STATE_HOME=" +
-      folder.path().string() + " ";
+      folder.path().string() + " " + more + " ";
   const std::string on = display ? GJKSCOPE_ON_DISPLAY " " : "";
   // A window that should not have opened would wait for ever.
   const std::string command = environment + "timeout 300 " + on + GJKSCOPE_VIEWER + " " +
@@ -131,6 +132,36 @@ TEST(RealWindow, WithoutADisplayItNamesTheCommandThatNeedsNone) {
   const Ran ran = run_viewer(folder, "", false);
   EXPECT_EQ(2, ran.exit_code);
   EXPECT_NE(std::string::npos, ran.err.find("gjkscope export")) << ran.err;
+}
+
+TEST(RealWindow, WithoutOpenGlItSaysSoInOneSentence) {
+  const TemporaryFolder folder;
+  const Ran ran = run_viewer(folder, "", true, "LIBGL_ALWAYS_INDIRECT=1");
+  EXPECT_EQ(2, ran.exit_code);
+  EXPECT_NE(std::string::npos, ran.err.find("there is no OpenGL 3")) << ran.err;
+}
+
+TEST(RealWindow, WithADrawerOpenTabAndDeleteMeanTheStage) {
+  const Played played(
+      "key S\nkey Tab\nkey Delete\nstate $DIR/deleted\nkey Ctrl+Z\nstate $DIR/undone\n");
+  ASSERT_EQ(0, played.ran.exit_code) << played.ran.err;
+  EXPECT_EQ("Shapes", played.state("deleted")["drawer"]);
+  EXPECT_EQ(played.state("undone")["x"].size() - 1, played.state("deleted")["x"].size());
+  EXPECT_EQ(played.state("undone")["y"], played.state("deleted")["y"]);
+}
+
+TEST(RealWindow, EnterOpensTheWorstRun) {
+  const Played played("click frame:7\nkey Return\nstate $DIR/opened\n", "accuracy-cost");
+  ASSERT_EQ(0, played.ran.exit_code) << played.ran.err;
+  EXPECT_EQ("worst-run", played.state("opened")["lesson"]);
+}
+
+TEST(RealWindow, ASizeIsWrittenAsItIsSaid) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(
+      0, run_viewer(folder, "--size 800x600 --screenshot " + (folder.path() / "shot.png").string())
+             .exit_code);
+  EXPECT_EQ(2, run_viewer(folder, "--size 800x").exit_code);
 }
 
 TEST(RealWindow, WhatCannotBeShownIsSaidWithItsPlace) {
