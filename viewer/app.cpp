@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "drawers/study.hpp"
-#include "effects/registry.hpp"
 #include "files.hpp"
 #include "lesson/chapters.hpp"
 #include "lesson/file.hpp"

@@ -10,7 +10,6 @@
 
 #include "app.hpp"
 #include "drawers/study.hpp"
-#include "effects/registry.hpp"
 #include "export/export.hpp"
 #include "files.hpp"
 #include "lesson/file.hpp"

@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "lesson/file.hpp"
 #include "paint/png.hpp"
@@ -26,7 +24,7 @@ constexpr const char* kFooter = R"(Exit codes:
   2  the command line, or there is no display or no OpenGL
   3  something cannot be read or written
 
-Work that is not saved is kept in $XDG_STATE_HOME/gjkscope (~/.local/state/gjkscope), and is there again after a crash.
+Work that is not saved is kept in $XDG_STATE_HOME/gjkscope (~/.local/state/gjkscope); the next start offers it.
 Without a display, `gjkscope export` draws the same frames into files.
 
 Examples:
@@ -51,14 +49,16 @@ int run(int argc, char** argv) {
   std::string name;
   std::string script;
   std::string screenshot;
-  std::pair<int, int> size = {1440, 900};
+  std::pair<int, int> size = {0, 0};
   double scale = 1.0;
   bool keeps = true;
   bool log_frames = false;
   arguments.add_option("LESSON", name, "a lesson by id or path, a case (.json), or a folder");
   arguments.add_option("--script", script, "play recorded input from this file, then end");
   arguments.add_option("--screenshot", screenshot, "then write what the window shows, as PNG");
-  arguments.add_option("--size", size, "width and height of the window")
+  arguments
+      .add_option("--size", size, "of the window, as 1440x900; without it, what suits the screen")
+      ->delimiter('x')
       ->check(CLI::Range(1, 16384));
   arguments
       .add_option("--scale", scale,
@@ -92,9 +92,7 @@ int run(int argc, char** argv) {
       return 0;
     }
     if (!script.empty()) {
-      std::ifstream stream(script, std::ios::binary);
-      if (!stream) throw std::runtime_error("cannot read " + script);
-      play_script(std::string(std::istreambuf_iterator<char>(stream), {}), script, *app, window);
+      play_script(read_whole(script), script, *app, window);
     }
     if (!screenshot.empty()) {
       const std::vector<std::uint8_t> png = encode_png(window.screenshot());

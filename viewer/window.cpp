@@ -3,6 +3,7 @@
 #include <SDL.h>
 #include <SDL_opengl.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -10,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 #include "file_watch.hpp"
 #include "lesson/problem.hpp"
@@ -18,6 +20,8 @@ namespace gjkscope {
 namespace {
 
 constexpr double kUiType = 15.0;  // pixels at scale 1
+constexpr int kWidth = 1440;
+constexpr int kHeight = 900;
 /// Frames after the last event: Dear ImGui needs one to see where things are, and one to act.
 constexpr int kFramesAfterEvent = 3;
 
@@ -72,6 +76,44 @@ struct Sdl {
   Sdl& operator=(const Sdl&) = delete;
 };
 
+/// The usual size, or what of it the screen has room for beside bars and frames.
+std::pair<int, int> size_on_screen() {
+  SDL_Rect room = {};
+  if (SDL_GetDisplayUsableBounds(0, &room) != 0) return {kWidth, kHeight};
+  return {std::min(kWidth, room.w * 19 / 20), std::min(kHeight, room.h * 9 / 10)};
+}
+
+/// X ends a program with an error that nobody takes; while one of these lives, it takes all. SDL
+/// loads X itself, so it is looked up and not linked.
+class XErrors {
+ public:
+  XErrors() {
+    if (void* library = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD)) {
+      if (void* address = ::dlsym(library, "XSetErrorHandler"))
+        std::memcpy(&set_handler_, &address, sizeof set_handler_);
+    }
+    seen_ = false;
+    if (set_handler_) before_ = set_handler_(note);
+  }
+  ~XErrors() {
+    if (set_handler_) set_handler_(before_);
+  }
+  XErrors(const XErrors&) = delete;
+  XErrors& operator=(const XErrors&) = delete;
+
+  [[nodiscard]] bool any() const { return seen_; }
+
+ private:
+  using Handler = int (*)(void* display, void* error);
+  static int note(void*, void*) {
+    seen_ = true;
+    return 0;
+  }
+  static inline bool seen_ = false;
+  Handler (*set_handler_)(Handler) = nullptr;
+  Handler before_ = nullptr;
+};
+
 struct DeleteWindow {
   void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
 };
@@ -99,12 +141,18 @@ struct Window::Impl {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+    if (width <= 0 || height <= 0) {
+      std::tie(width, height) = size_on_screen();
+    }
+    const XErrors errors;
     window.reset(
         SDL_CreateWindow("gjkscope", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
                          SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
     if (!window) throw NoWindow(fmt::format("no window can be opened ({})", SDL_GetError()));
     context.reset(SDL_GL_CreateContext(window.get()));
-    if (!context) throw NoWindow(fmt::format("there is no OpenGL 3 ({})", SDL_GetError()));
+    if (!context || errors.any())
+      throw NoWindow(
+          fmt::format("there is no OpenGL 3 ({})", errors.any() ? "X refuses it" : SDL_GetError()));
     SDL_GL_SetSwapInterval(0);
     gl = std::make_unique<Gl>();
     hand.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND));

@@ -20,8 +20,9 @@ class NoWindow : public std::runtime_error {
 
 class Window {
  public:
-  /// `scale`: how many times larger than on an ordinary screen everything is, beyond what the
-  /// display says of itself. Throws NoWindow saying what was tried.
+  /// Without a width or a height: a size that suits the screen. `scale`: how many times larger than
+  /// on an ordinary screen everything is, beyond what the display says of itself. Throws NoWindow
+  /// saying what was tried.
   Window(App& app, const Fonts& fonts, int width, int height, double scale = 1.0);
   ~Window();
   Window(const Window&) = delete;

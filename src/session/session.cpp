@@ -170,7 +170,7 @@ void Session::drag(const std::function<void(Lesson&)>& edit) {
   if (!dragging_) return;
   edit(lesson_);
   changed();
-  show(LabelScope::frame);
+  if (show(LabelScope::frame)) keep_difference_in_sight();
 }
 
 void Session::end_drag() {
@@ -235,6 +235,7 @@ Lesson Session::lesson_as_seen() const {
 
 bool Session::show(LabelScope scope) {
   const Moment was = shown_ ? moment() : Moment{};
+  const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
   for (const PositionedRun& positioned : run.runs) {
@@ -244,7 +245,7 @@ bool Session::show(LabelScope scope) {
   if (!problem_.empty()) return false;
   const bool first = !shown_;
   shown_ = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
-  index_ = first ? 0 : find(was);
+  index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
   lay_out(scope);
   return true;
 }
@@ -409,12 +410,34 @@ void Session::fit() {
   if (!shown_) return;
   const std::vector<LessonPictures::Stage> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!shows_shapes(seen[i].kind)) continue;
-    LessonView free = lesson_.views[i];
-    free.camera.reset();
-    cameras_[i] = camera_for(run(), free, seen[i].card, camera_of(run(), free, seen[i].card));
+    if (shows_shapes(seen[i].kind)) fit(i, seen[i].card);
   }
   lay_out(LabelScope::lesson);
+}
+
+void Session::fit(std::size_t view, const Rect& card) {
+  LessonView free = lesson_.views[view];
+  free.camera.reset();
+  cameras_[view] = camera_for(run(), free, card, camera_of(run(), free, card));
+}
+
+void Session::keep_difference_in_sight() {
+  const PositionedRun& shapes = run().run(frame());
+  Eigen::AlignedBox2d x;
+  Eigen::AlignedBox2d y;
+  for (const Eigen::Vector2d& vertex : shapes.x_world) x.extend(vertex);
+  for (const Eigen::Vector2d& vertex : shapes.y_world) y.extend(vertex);
+  const std::vector<LessonPictures::Stage> seen = views();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].kind != ViewKind::difference) continue;
+    const Rect& card = seen[i].card;
+    const Eigen::Vector2d half = 0.5 * seen[i].camera.height / card.size().y() * card.size();
+    const Eigen::Vector2d& center = seen[i].camera.center;
+    const Eigen::AlignedBox2d sight(center - half, center + half);
+    const Eigen::AlignedBox2d z(y.min() - x.max(), y.max() - x.min());
+    if (!sight.contains(z)) fit(i, card);
+  }
+  lay_out(LabelScope::frame);
 }
 
 }  // namespace gjkscope

@@ -164,6 +164,9 @@ class Session {
   [[nodiscard]] Moment moment() const;
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
+  void fit(std::size_t view, const Rect& card);
+  /// Z goes where X and Y are dragged: a view that it would leave fits it again.
+  void keep_difference_in_sight();
   [[nodiscard]] Lesson lesson_to_run() const;
 
   const Fonts& fonts_;

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "lesson/save.hpp"
-#include "lesson/save.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "effects/growth.hpp"
 #include "effects/registry.hpp"
@@ -327,6 +328,14 @@ TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
   for (const Frame& frame : session.run().frames) EXPECT_LT(frame.question, 0);
 }
 
+TEST(Session, AnyLessonOpensInPredictMode) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.set_predicting(true);
+  for (const Lesson& lesson : testing::shipped_lessons())
+    EXPECT_TRUE(session.open(lesson, {})) << lesson.id;
+}
+
 TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
   for (const auto& [width, height] : {std::pair(1280, 720), {720, 1280}, {2560, 1080}}) {
     Session session(fonts());
@@ -345,12 +354,47 @@ TEST(Session, ViewsStandStillWhileShapesMove) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   const Camera before = session.views()[1].camera;
   session.begin_drag("drag");
-  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {3.0, 1.0}); });
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.25, 0.25}); });
   EXPECT_NEAR(before.height, session.views()[1].camera.height, 1e-9);
   EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
   session.end_drag();
   session.fit();
-  EXPECT_GT((before.center - session.views()[1].camera.center).norm(), 0.1);
+  EXPECT_GT((before.center - session.views()[1].camera.center).norm(), 0.05);
+}
+
+TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.begin_drag("drag");
+  for (int i = 0; i < 40; ++i) {
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.5, -0.25}); });
+    const LessonPictures::Stage view = session.views()[1];
+    const PositionedRun& run = session.run().run(session.frame());
+    for (const Vector2d& y : run.y_world) {
+      for (const Vector2d& x : run.x_world) {
+        const Vector2d off =
+            (y - x - view.camera.center) * (view.card.size().y() / view.camera.height);
+        EXPECT_LE(std::abs(off.x()), 0.5 * view.card.size().x());
+        EXPECT_LE(std::abs(off.y()), 0.5 * view.card.size().y());
+      }
+    }
+  }
+  session.end_drag();
+}
+
+TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.go_to(session.frame_count() - 1);
+  session.begin_drag("drag");
+  std::set<int> counts;
+  for (int i = 0; i < 40; ++i) {
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {-0.1, 0.02}); });
+    EXPECT_EQ(session.frame_count() - 1, session.index());
+    counts.insert(session.frame_count());
+  }
+  session.end_drag();
+  EXPECT_GT(counts.size(), 2u) << "runs of different lengths";
 }
 
 TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {

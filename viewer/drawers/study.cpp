@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app.hpp"
-#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
 #include "picture/registry.hpp"
