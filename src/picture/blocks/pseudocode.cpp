@@ -31,7 +31,7 @@ void write_line(PanelBuilder& panel, const std::string& text, const LineView& li
   if (!line.value.empty() && panel.fonts.width(style, line.value) <= room) {
     panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
   }
-  panel.y += kRow;
+  panel.y += rows::kRow;
 }
 
 namespace {
