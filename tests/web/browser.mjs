@@ -257,6 +257,7 @@ claim("vertices are typed as decimals and hex floats, and moved by arrow keys", 
 claim("values are shown in decimal and hex", async () => {
   const page = await open(url("polygons-gjk", "#step=17"));
   await page.click("#numbers-part summary");
+  await page.locator("#numbers table").first().waitFor();
   assert.match(await text(page, "numbers"), /distance1\.35566/);
   await page.click("#vertices-part summary");
   await page.check("#hex");
