@@ -112,7 +112,7 @@ class App {
   /// A click on the picture that a drawer may want.
   bool offer_click(const Subject& subject);
   /// A button that does a command, grey while that would do nothing. `width` as of Dear ImGui.
-  void draw_button(std::string_view command, float width = 0.0f);
+  void draw_button(std::string_view name, float width = 0.0f);
   void stop_playing() { playing_ = false; }
 
   void open_lesson(const std::filesystem::path& file);
@@ -144,8 +144,8 @@ class App {
   [[nodiscard]] const std::string& said() const;
   [[nodiscard]] bool fits_status(const std::string& text) const;
   void draw_lesson(const ListedLesson& lesson);
-  void draw_icon_button(Icon icon, std::string_view command);
-  void draw_menu_item(std::string_view command);
+  void draw_icon_button(Icon icon, std::string_view name);
+  void draw_menu_item(std::string_view name);
 
   // Deeds
   void make_commands();

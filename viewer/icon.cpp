@@ -10,8 +10,8 @@ namespace {
 struct Pen {
   ImDrawList& list;
   ImVec2 center;
-  float size;
-  ImU32 color;
+  float size = 0.0f;
+  ImU32 color = 0;
 
   [[nodiscard]] ImVec2 at(float x, float y) const {
     return {center.x + x * size, center.y + y * size};

@@ -92,7 +92,7 @@ class XErrors {
       if (void* address = ::dlsym(library, "XSetErrorHandler"))
         std::memcpy(&set_handler_, &address, sizeof set_handler_);
     }
-    seen_ = false;
+    seen() = false;
     if (set_handler_) before_ = set_handler_(note);
   }
   ~XErrors() {
@@ -101,15 +101,18 @@ class XErrors {
   XErrors(const XErrors&) = delete;
   XErrors& operator=(const XErrors&) = delete;
 
-  [[nodiscard]] bool any() const { return seen_; }
+  [[nodiscard]] bool any() const { return seen(); }
 
  private:
   using Handler = int (*)(void* display, void* error);
+  static bool& seen() {
+    static bool any = false;
+    return any;
+  }
   static int note(void*, void*) {
-    seen_ = true;
+    seen() = true;
     return 0;
   }
-  static inline bool seen_ = false;
   Handler (*set_handler_)(Handler) = nullptr;
   Handler before_ = nullptr;
 };

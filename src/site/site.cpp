@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lesson/chapters.hpp"
 #include "lesson/file.hpp"
 #include "lesson/html.hpp"
 #include "lesson/load.hpp"
@@ -23,21 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::string_view, 8> kChapters = {"",
-                                                       "Point to segment",
-                                                       "Point to triangle",
-                                                       "Point to polygon",
-                                                       "Polygon to polygon",
-                                                       "The proof, and penetration depth",
-                                                       "Accuracy and time",
-                                                       "More"};
-
-std::string read_whole(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
@@ -151,14 +134,18 @@ class SiteWriter {
   }
 
   void write_index(const std::vector<Lesson>& lessons) {
+    const std::map<int, std::string> chapters =
+        parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
     std::string list;
     int chapter = 0;
     for (const Lesson& lesson : lessons) {
       if (lesson.chapter != chapter) {
         if (chapter != 0) list += "</ul></section>\n";
         chapter = lesson.chapter;
-        list += fmt::format("<section class=\"chapter\"><h2>{}. {}</h2>\n<ul class=\"cards\">\n",
-                            chapter, kChapters[static_cast<std::size_t>(chapter)]);
+        const auto title = chapters.find(chapter);
+        list +=
+            fmt::format("<section class=\"chapter\"><h2>{}{}</h2>\n<ul class=\"cards\">\n", chapter,
+                        title == chapters.end() ? "" : ". " + escape_html(title->second));
       }
       list += card(lesson);
     }

@@ -232,11 +232,11 @@ Theme Player::theme(std::string_view wanted) const {
 
 std::string Player::answer(std::string_view request) {
   using Reply = void (*)(Player&, const Asked&);
-  static const std::map<std::string_view, Reply> kFirst = {
+  static const std::map<std::string_view, Reply> before_all = {
       {"open", [](Player& p, const Asked& a) { p.open(a); }},
       {"layout", [](Player& p, const Asked& a) { p.set_layout(a); }},
   };
-  static const std::map<std::string_view, Reply> kActs = {
+  static const std::map<std::string_view, Reply> changes = {
       {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
       {"case", [](Player& p, const Asked& a) { p.open_case(a); }},
       {"go", [](Player& p, const Asked& a) { p.session_.go_to(a.whole("to")); }},
@@ -256,7 +256,7 @@ std::string Player::answer(std::string_view request) {
       {"answer", [](Player& p, const Asked& a) { p.session_.answer(a.text("choice")); }},
   };
   using Tell = std::string (*)(Player&, const Asked&);
-  static const std::map<std::string_view, Tell> kTells = {
+  static const std::map<std::string_view, Tell> tells = {
       {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
       {"trace", [](Player& p, const Asked&) { return p.trace(); }},
@@ -266,14 +266,14 @@ std::string Player::answer(std::string_view request) {
     const Asked asked{Json::parse(request)};
     const std::string what = asked.text("do");
     if (what == "solve") return traced_cases(asked);
-    const auto first = kFirst.find(what);
-    const auto act = kActs.find(what);
-    const auto tell = kTells.find(what);
-    if (first == kFirst.end() && act == kActs.end() && tell == kTells.end())
+    const auto first = before_all.find(what);
+    const auto act = changes.find(what);
+    const auto tell = tells.find(what);
+    if (first == before_all.end() && act == changes.end() && tell == tells.end())
       throw std::runtime_error(fmt::format("there is no request '{}'", what));
-    if (first == kFirst.end() && !opened_) throw std::runtime_error("there is no lesson yet");
-    if (tell != kTells.end()) return tell->second(*this, asked);
-    (first != kFirst.end() ? first : act)->second(*this, asked);
+    if (first == before_all.end() && !opened_) throw std::runtime_error("there is no lesson yet");
+    if (tell != tells.end()) return tell->second(*this, asked);
+    (first != before_all.end() ? first : act)->second(*this, asked);
     return shown();
   } catch (const std::exception& error) {
     return dumped({{"problem", error.what()}});

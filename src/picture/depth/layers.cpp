@@ -13,7 +13,7 @@ using namespace sizes;
 
 /// The edge's point nearest to O.
 Vector2d foot(const depth::State<double>& state, const depth::Edge<double>& edge) {
-  const Vector2d a = state.polygon.at(edge.from);
+  const Vector2d& a = state.polygon.at(edge.from);
   const Vector2d way = state.polygon.at(edge.to) - a;
   const double length_sq = way.squaredNorm();
   if (length_sq == 0.0) return a;
