@@ -52,6 +52,8 @@ std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style,
   return lines;
 }
 
+const Point kAround(128.0, 116.0);  // of what a camera fits: room for labels and a title
+
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
   std::vector<Rect> views;
@@ -86,10 +88,20 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
       layout.panel = Rect{{cards.max.x() - kNarrowPanel, cards.min.y()}, cards.max};
       column.max.x() = layout.panel->min.x() - kCardGap;
     }
-    const double step = (column.size().y() + kCardGap) / views;
+    // Side by side or one below the other, whatever leaves shapes more room.
+    const Point size = column.size();
+    const auto room = [&](int along) {
+      Point card = size;
+      card[along] = (size[along] - kCardGap * (views - 1)) / views;
+      return (card - kAround).minCoeff();
+    };
+    const int along = room(0) > room(1) ? 0 : 1;
+    const double step = (size[along] + kCardGap) / views;
     for (int i = 0; i < views; ++i) {
-      const double y = column.min.y() + i * step;
-      layout.views.push_back({{column.min.x(), y}, {column.max.x(), y + step - kCardGap}});
+      Rect card = column;
+      card.min[along] += i * step;
+      card.max[along] = card.min[along] + step - kCardGap;
+      layout.views.push_back(card);
     }
     return layout;
   }
