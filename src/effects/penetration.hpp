@@ -13,4 +13,9 @@ struct PenetrationDepth {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
+/// The depth of the frame's shapes; nullptr, and nothing is computed, where they are apart.
+[[nodiscard]] const depth::Result<double>* depth_on_overlap(EffectGraph& effects,
+                                                            const LessonRun& run,
+                                                            const Frame& frame);
+
 }  // namespace gjkscope

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "effects/penetration.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
@@ -20,7 +21,6 @@
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "trace/trace_json.hpp"
-#include "web/depth_of.hpp"
 
 namespace gjkscope {
 namespace {
@@ -126,16 +126,17 @@ Json numbers(const LessonRun& run, const Frame& frame) {
 }
 
 /// What the run comes to.
-Json outcome(const LessonRun& run, const Frame& frame) {
-  const PositionedRun& here = run.run(frame);
-  const gjk::Result<double, 2>& result = here.trace.result;
+Json outcome(Session& session) {
+  const LessonRun& run = session.run();
+  const Frame& frame = session.frame();
+  const gjk::Result<double, 2>& result = run.run(frame).trace.result;
   Json list = Json::array();
   list.push_back(number("distance", result.distance));
   list.push_back(number("lower bound", result.lower));
   list.push_back(number("upper bound", result.upper));
   add_point(list, "closest point of " + run.lesson.x.name, result.x);
   add_point(list, "closest point of " + run.lesson.y.name, result.y);
-  if (const std::optional<Depth> depth = depth_of(here, run.lesson.scalar)) {
+  if (const depth::Result<double>* depth = depth_on_overlap(session.effects(), run, frame)) {
     list.push_back(number("penetration depth", depth->depth));
     list.push_back(number("its lower bound", depth->lower));
     list.push_back(number("its upper bound", depth->upper));
@@ -450,22 +451,18 @@ void Player::move(const Point& at) {
   const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = of_x ? run.x_world : run.y_world;
-  const bool ends = at_end();
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, which, by);
     const int index = of_x ? subject.x : subject.y;
     edit::put_vertex(lesson, which, index, edit::placement_of(run, which), to_view(stage, at));
   });
   drag.last = at;
-  if (ends) session_.go_to(session_.frame_count() - 1);
 }
 
 /// Refuses what a lesson file could not say, with the loader's words.
 void Player::change(const std::string& name, const Lesson& lesson) {
-  const bool ends = at_end();
   if (!session_.edit(name, lesson))
     throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
-  if (ends) session_.go_to(session_.frame_count() - 1);
 }
 
 /// Typed coordinates are read as those of a case: decimal, or hex like 0x1.8p-1.
@@ -578,14 +575,15 @@ Picture Player::timeline() const {
 }
 
 /// The shortest way out of the other shape, where the world is shown.
-void Player::draw_depth(Picture& picture) const {
+void Player::draw_depth(Picture& picture) {
   const LessonPictures::Stage stage = session_.views().front();
   const LessonRun& run = session_.run();
-  const std::optional<Depth> depth = depth_of(run.run(session_.frame()), run.lesson.scalar);
-  if (!depth || stage.kind != ViewKind::world) return;
+  if (stage.kind != ViewKind::world) return;
+  const depth::Result<double>* depth = depth_on_overlap(session_.effects(), run, session_.frame());
+  if (depth == nullptr) return;
   const StageMap map(stage.card, stage.camera);
-  const Point from = map(depth->contact);
-  const Point to = map(depth->contact + depth->translation);
+  const Point from = map(depth->x);
+  const Point to = map(depth->x + depth->translation);
   picture.marks.push_back({"direction", Arrow{from, to}, 0, {}});
   const Text label{{stage.card.min.x() + 14.0, stage.card.max.y() - 14.0},
                    "Arrow: the shortest way out for " + run.lesson.x.name,
@@ -635,7 +633,7 @@ std::string Player::shown() {
   }
   if (session_.is_dragging()) return dumped(out);
   out["numbers"] = numbers(run, session_.frame());
-  out["outcome"] = outcome(run, session_.frame());
+  out["outcome"] = outcome(session_);
   out["numerics"] = numerics(lesson);
   out["choices"] = {{"scalar", names_of<ScalarKind>()},
                     {"direction", names_of<gjk::DirectionRule>()},

@@ -63,7 +63,7 @@ class Player {
   [[nodiscard]] Picture panel(const Frame& frame, double width);
   void measure_panel();
   [[nodiscard]] Picture timeline() const;
-  void draw_depth(Picture& picture) const;
+  void draw_depth(Picture& picture);
   [[nodiscard]] Theme theme(std::string_view wanted) const;
 
   Fonts fonts_;

@@ -39,17 +39,15 @@ void draw_values(App& app) {
   table_row("verdict in the end", {std::string(name_of(result.verdict))});
   table_row("decided by", {result.settled ? "exact arithmetic" : "the run itself"});
   table_row("iterations", {std::to_string(result.iterations)});
-  const bool overlap =
-      result.verdict == gjk::Verdict::touching || result.verdict == gjk::Verdict::overlapping;
-  if (overlap) {
-    const depth::Result<double>& deep = app.session().effects().get<PenetrationDepth>(frame).result;
-    value("penetration depth", deep.depth);
-    value("its lower bound", deep.lower);
-    value("its upper bound", deep.upper);
-    point("shortest way out of X", deep.translation);
+  const depth::Result<double>* deep = depth_on_overlap(app.session().effects(), run, frame);
+  if (deep != nullptr) {
+    value("penetration depth", deep->depth);
+    value("its lower bound", deep->lower);
+    value("its upper bound", deep->upper);
+    point("shortest way out of X", deep->translation);
   }
   ImGui::EndTable();
-  if (overlap && !run.act->goes_deep && ImGui::Button("Show how it is found")) {
+  if (deep != nullptr && !run.act->goes_deep && ImGui::Button("Show how it is found")) {
     app.session().edit("penetration depth", edit::told_by_depth(run.lesson));
   }
 }

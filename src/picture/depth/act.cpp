@@ -9,19 +9,25 @@
 
 namespace gjkscope::depths {
 
+namespace {
+
+/// The last step that is over when a frame ends; none at the start.
+const depth::Step<double>* last_step_of(const DepthTrace& trace, int steps_over) {
+  const int over = std::min(steps_over, static_cast<int>(trace.steps.size()));
+  return over == 0 ? nullptr : &trace.steps[static_cast<std::size_t>(over - 1)];
+}
+
+}  // namespace
+
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : trace(run.depths[static_cast<std::size_t>(frame.run)]),
-      state(
-          *frame.depth == 0 || trace.steps.empty()
-              ? trace.initial
-              : trace
-                    .steps[std::min(static_cast<std::size_t>(*frame.depth), trace.steps.size()) - 1]
-                    .after),
-      step(&state == &trace.initial
-               ? nullptr
-               : &trace.steps[std::min(static_cast<std::size_t>(*frame.depth), trace.steps.size()) -
-                              1]),
-      is_answer(static_cast<std::size_t>(*frame.depth) > trace.steps.size()) {}
+      step(last_step_of(trace, *frame.depth)),
+      state(step == nullptr ? trace.initial : step->after),
+      is_answer(*frame.depth > static_cast<int>(trace.steps.size())) {}
+
+bool Shown::is_nearest(const depth::Edge<double>& edge) const {
+  return knows_edge() && edge.from == state.edge.from && edge.to == state.edge.to;
+}
 
 std::optional<double> Shown::distance(const depth::Edge<double>& edge) const {
   const std::vector<depth::Edge<double>>* measured = nullptr;

@@ -74,8 +74,7 @@ void edges(PanelBuilder& panel) {
   });
   for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i) {
     const depth::Edge<double>& edge = all[i];
-    const bool current =
-        shown.knows_edge() && edge.from == state.edge.from && edge.to == state.edge.to;
+    const bool current = shown.is_nearest(edge);
     if (current) panel.highlight();
     const TextStyle style = current ? type::kCodeBold : type::kCode;
     const std::string role = current ? "code.current" : "code";

@@ -11,8 +11,8 @@ struct Shown {
   Shown(const LessonRun& run, const Frame& frame);
 
   const DepthTrace& trace;
-  const depth::State<double>& state;          ///< After the steps that are over.
-  const depth::Step<double>* step = nullptr;  ///< The last of them; none at the start.
+  const depth::Step<double>* step = nullptr;  ///< The last that is over; none at the start.
+  const depth::State<double>& state;          ///< What it left.
   bool is_answer = false;                     ///< The frame after the last step.
 
   [[nodiscard]] bool is(depth::Phase phase) const {
@@ -20,6 +20,7 @@ struct Shown {
   }
   /// The nearest edge is known, and part of the polygon.
   [[nodiscard]] bool knows_edge() const { return step != nullptr && !is(depth::Phase::expand); }
+  [[nodiscard]] bool is_nearest(const depth::Edge<double>& edge) const;
   [[nodiscard]] bool knows_support() const {
     return is(depth::Phase::support) || is(depth::Phase::stop);
   }

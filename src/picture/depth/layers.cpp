@@ -34,11 +34,9 @@ void polygon(SceneBuilder& scene, const Shown& shown) {
   for (const depth::Edge<double>& edge : edges) corners.push_back(scene.at(polygon.at(edge.from)));
   if (corners.size() > 2) scene.area("simplex.fill", corners);
   for (const depth::Edge<double>& edge : edges) {
-    const bool is_nearest =
-        shown.knows_edge() && edge.from == shown.state.edge.from && edge.to == shown.state.edge.to;
     if (edge.from == edge.to) continue;
-    scene.line(is_nearest ? "simplex.feature" : "simplex.edge", scene.at(polygon.at(edge.from)),
-               scene.at(polygon.at(edge.to)));
+    scene.line(shown.is_nearest(edge) ? "simplex.feature" : "simplex.edge",
+               scene.at(polygon.at(edge.from)), scene.at(polygon.at(edge.to)));
   }
   for (const depth::Edge<double>& edge : edges) {
     scene.simplex_vertex(polygon.corners[static_cast<std::size_t>(edge.from)].point, "simplex");
