@@ -30,8 +30,12 @@ Expectation outcome_of(const LessonRun& run) {
   Expectation expect;
   expect.stop = trace.result.stop;
   expect.distance = trace.result.distance;
-  if (!run.depths.empty() && run.depths.back().result.depth >= 0.0)
-    expect.depth = run.depths.back().result.depth;
+  if (const Algorithm* algorithm = run.act->algorithm) {
+    for (const std::string_view name : algorithm->answers) {
+      if (const double found = run.followed_by.back()->answer(name); found >= 0.0)
+        expect.answers.emplace_back(name, found);
+    }
+  }
   expect.supports.emplace();
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;

@@ -9,7 +9,6 @@
 #include <ostream>
 
 #include "cli/input.hpp"
-#include "cli/trace_text.hpp"
 #include "cli/transcript.hpp"
 #include "effects/registry.hpp"
 #include "lesson/case.hpp"
@@ -20,6 +19,7 @@
 #include "picture/theme.hpp"
 #include "site/site.hpp"
 #include "trace/trace_json.hpp"
+#include "trace/trace_text.hpp"
 
 namespace gjkscope {
 namespace {

@@ -10,7 +10,7 @@ EffectKey PenetrationDepth::key(const LessonRun&, const Frame& frame) {
 
 PenetrationDepth::Value PenetrationDepth::compute(EffectGraph&, const LessonRun& run,
                                                   const Frame& frame) {
-  if (!run.depths.empty()) return run.depths[static_cast<std::size_t>(frame.run)];
+  if (const DepthTrace* shown = depth_trace(run, frame.run)) return *shown;
   return depth_of(run.run(frame), run.lesson.options, run.lesson.scalar);
 }
 

@@ -75,8 +75,8 @@ struct Frame {
   std::optional<int> size =
       {};  ///< Index into LessonGrowth::vertices; as many as there are: all sizes.
   std::optional<StudyFrame> study = {};
-  std::optional<int> depth = {};  ///< Steps of the expanding polygon that are over; one more than
-                                  ///< there are: the answer.
+  std::optional<int> steps_over = {};  ///< Of the algorithm that follows GJK; one more than there
+                                       ///< are: the answer.
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the
                             ///< frame before it shows; the next frame that asks nothing answers.
@@ -93,7 +93,7 @@ struct Frame {
     if (map) return static_cast<int>(*map);
     if (order) return static_cast<int>(*order);
     if (size) return *size;
-    if (depth) return *depth;
+    if (steps_over) return *steps_over;
     if (study) return 100 * static_cast<int>(study->stage) + study->marks;
     return -1;
   }

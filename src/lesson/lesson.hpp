@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gjk/gjk.hpp"
@@ -130,20 +131,12 @@ struct LessonStudy {
   friend bool operator==(const LessonStudy&, const LessonStudy&) = default;
 };
 
-/// What a frame can ask before a step answers it: which support point comes next, which region
-/// holds the query point, which vertices are dropped, and whether the run stops. Of a study:
-/// whether X and Y overlap, and how much longer the next mark takes than the one before. Of a
-/// polygon that expands: which edge is nearest.
-enum class Ask { support, region, dropped, stop, overlap, time, edge };
-[[nodiscard]] constexpr bool is_about_study(Ask ask) {
-  return ask == Ask::overlap || ask == Ask::time;
-}
-
-/// The answer is the step's of the run, so any shapes make a question.
+/// What a frame asks before a step answers it. The answer is the step's of the run, so any shapes
+/// make a question.
 struct LessonQuestion {
-  Ask ask = Ask::support;
-  std::optional<int> at;  ///< The iteration that answers, or with Ask::time the mark, from 1;
-                          ///< without it each that can.
+  std::string ask;        ///< One that the act can ask (Act::asks): "support".
+  std::optional<int> at;  ///< The iteration that answers, or of a study the mark, from 1; without
+                          ///< it each that can.
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
 
@@ -153,7 +146,8 @@ struct Expectation {
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.
-  std::optional<double> depth;     ///< The same; of an act that goes on to it.
+  /// The same, of what the act's algorithm comes to (Algorithm::answers): ("depth", 0.75).
+  std::vector<std::pair<std::string, double>> answers;
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 

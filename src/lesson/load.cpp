@@ -58,6 +58,7 @@ class LessonReader {
 
  private:
   void read_head(const Table& file);
+  void read_prose(const Field& prose);
   void read_shape(const Field& field, std::string_view key, LessonShape& shape);
   void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
                          LessonShape& shape);
@@ -79,6 +80,7 @@ class LessonReader {
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
+  void read_answers(const Field& answers);
   void read_expect(const Table& expect);
 
   std::optional<gjk::VertexPair> simplex_vertex(const Field& field);
@@ -135,6 +137,7 @@ Lesson LessonReader::read(const toml::table& root) {
                     fmt::format("granularity = \"{}\" in [steps]", act->name));
     }
   }
+  read_prose(file["prose"]);
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
   read_questions(file["questions"]);
@@ -148,16 +151,21 @@ void LessonReader::read_head(const Table& file) {
   lesson_.chapter = reader_.whole_number(file["chapter"], 1, kLastChapter).value_or(1);
   lesson_.order = reader_.whole_number(file["order"], 1, kLastOrder).value_or(1);
   lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
+}
 
-  const Field prose = file["prose"];
-  lesson_.prose = reader_.text(prose, kProseLength).value_or("");
+void LessonReader::read_prose(const Field& prose) {
+  lesson_.prose = reader_.text(prose, limits::kProseLength).value_or("");
   std::vector<std::string> known;
   for (const PlaceholderInfo& placeholder : kPlaceholders) known.emplace_back(placeholder.name);
+  if (const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm) {
+    for (const PlaceholderInfo& value : algorithm->values) known.emplace_back(value.name);
+  }
   for (const ProsePart& part : prose_parts(lesson_.prose)) {
     if (part.kind == ProsePart::Kind::stray_brace) {
       problems_.add(prose.place(), fmt::format("{} holds a single '{}'", prose.label, part.text),
                     "a placeholder like {distance}, or a doubled brace");
-    } else if (part.kind == ProsePart::Kind::placeholder && !is_placeholder(part.text)) {
+    } else if (part.kind == ProsePart::Kind::placeholder &&
+               std::find(known.begin(), known.end(), part.text) == known.end()) {
       problems_.add(prose.place(), "unknown placeholder " + in_quotes(part.text),
                     fmt::format("one of: {}", fmt::join(known, ", ")),
                     nearest_name(part.text, known));
@@ -739,27 +747,52 @@ void LessonReader::read_questions(const Field& questions) {
     return;
   }
   std::vector<std::string> known;
-  for (const Ask asked : act.asks) known.emplace_back(name_of(asked));
+  for (const Act* each : vocabulary_.acts) {
+    for (const AskInfo& info : each->asks) {
+      if (std::find(known.begin(), known.end(), info.name) == known.end())
+        known.emplace_back(info.name);
+    }
+  }
+  std::vector<std::string_view> asked_here;
+  for (const AskInfo& info : act.asks) asked_here.push_back(info.name);
   for (const Field& entry : reader_.entries(questions, "table [[questions]]")) {
     const std::optional<Table> table = reader_.table(entry, "questions");
     if (!table) continue;
     const Field ask = (*table)["ask"];
-    const std::optional<Ask> asked = reader_.choice<Ask>(ask, "question");
+    const std::optional<std::string> asked = reader_.name(ask, "question", known);
     const std::optional<int> at = reader_.whole_number((*table)["at"], 1, limits::kCap);
     if (!asked) continue;
-    if (std::find(act.asks.begin(), act.asks.end(), *asked) == act.asks.end()) {
+    if (act.ask(*asked) == nullptr) {
       problems_.add(ask.place(),
-                    fmt::format("question '{}' with granularity '{}'", name_of(*asked), act.name),
-                    one_of(known));
+                    fmt::format("question '{}' with granularity '{}'", *asked, act.name),
+                    fmt::format("one of: {}", fmt::join(asked_here, ", ")));
     }
     const auto same = [&](const LessonQuestion& other) {
       return other.ask == *asked && (!other.at || !at || *other.at == *at);
     };
     if (std::any_of(lesson_.questions.begin(), lesson_.questions.end(), same)) {
-      problems_.add(ask.place(), fmt::format("question '{}' is asked twice", name_of(*asked)),
+      problems_.add(ask.place(), fmt::format("question '{}' is asked twice", *asked),
                     "each question once in an iteration");
     }
     lesson_.questions.push_back({*asked, at});
+  }
+}
+
+void LessonReader::read_answers(const Field& answers) {
+  if (!answers) return;
+  const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
+  if (algorithm == nullptr) {
+    std::vector<const Act*> able;
+    std::copy_if(vocabulary_.acts.begin(), vocabulary_.acts.end(), std::back_inserter(able),
+                 [](const Act* each) { return each->algorithm != nullptr; });
+    problems_.add(answers.place(), fmt::format("'answer' with granularity '{}'", lesson_.act),
+                  "granularity " + one_of(names_of(able)) + ", or no 'answer'");
+    return;
+  }
+  const std::vector<std::string> known(algorithm->answers.begin(), algorithm->answers.end());
+  for (const auto& [name, field] : reader_.named_entries(answers, known)) {
+    if (const auto value = reader_.number(field, 0.0, 4.0 * limits::kLargest))
+      lesson_.expect.answers.emplace_back(name, *value);
   }
 }
 
@@ -771,12 +804,7 @@ void LessonReader::read_expect(const Table& expect) {
     lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
   }
   lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);
-  const Field depth = expect["depth"];
-  lesson_.expect.depth = reader_.number(depth, 0.0, 4.0 * limits::kLargest);
-  if (depth && !vocabulary_.act(lesson_.act)->goes_deep) {
-    problems_.add(depth.place(), fmt::format("'depth' with granularity '{}'", lesson_.act),
-                  "granularity 'depth', or no 'depth'");
-  }
+  read_answers(expect["answer"]);
 
   const Field supports = expect["supports"];
   if (!supports) return;

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "depth/state.hpp"
 #include "lesson/lesson.hpp"
 
 namespace gjkscope {
@@ -29,17 +28,6 @@ template <>
 struct Named<ViewKind> {
   static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
       {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
-};
-template <>
-struct Named<Ask> {
-  static constexpr std::array<std::pair<std::string_view, Ask>, 7> kTable = {
-      {{"support", Ask::support},
-       {"region", Ask::region},
-       {"dropped", Ask::dropped},
-       {"stop", Ask::stop},
-       {"overlap", Ask::overlap},
-       {"time", Ask::time},
-       {"edge", Ask::edge}}};
 };
 template <>
 struct Named<gjk::Phase> {
@@ -62,25 +50,6 @@ struct Named<gjk::StopReason> {
        {"within-tolerance", gjk::StopReason::within_tolerance},
        {"iteration-cap", gjk::StopReason::iteration_cap},
        {"failed", gjk::StopReason::failed}}};
-};
-template <>
-struct Named<depth::Phase> {
-  static constexpr std::array<std::pair<std::string_view, depth::Phase>, 4> kTable = {
-      {{"nearest", depth::Phase::nearest},
-       {"support", depth::Phase::support},
-       {"stop", depth::Phase::stop},
-       {"expand", depth::Phase::expand}}};
-};
-template <>
-struct Named<depth::StopReason> {
-  static constexpr std::array<std::pair<std::string_view, depth::StopReason>, 7> kTable = {
-      {{"running", depth::StopReason::running},
-       {"repeated-support", depth::StopReason::repeated_support},
-       {"no-progress", depth::StopReason::no_progress},
-       {"iteration-cap", depth::StopReason::iteration_cap},
-       {"separated", depth::StopReason::separated},
-       {"undecided", depth::StopReason::undecided},
-       {"failed", depth::StopReason::failed}}};
 };
 template <>
 struct Named<gjk::Verdict> {

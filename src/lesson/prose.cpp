@@ -1,7 +1,5 @@
 #include "lesson/prose.hpp"
 
-#include <algorithm>
-
 namespace gjkscope {
 
 std::vector<ProsePart> prose_parts(std::string_view prose) {
@@ -42,18 +40,11 @@ std::vector<std::string> placeholders(std::string_view prose) {
   return names;
 }
 
-bool is_placeholder(std::string_view name) {
-  return std::any_of(kPlaceholders.begin(), kPlaceholders.end(),
-                     [&](const PlaceholderInfo& known) { return known.name == name; });
-}
-
 std::string expand(std::string_view prose, const std::map<std::string, std::string>& values) {
   std::string out;
   for (const ProsePart& part : prose_parts(prose)) {
     if (part.kind != ProsePart::Kind::placeholder) {
       out += part.text;
-    } else if (!is_placeholder(part.text)) {
-      out += '{' + part.text + '}';
     } else {
       const auto value = values.find(part.text);
       out += value == values.end() ? std::string(kNoValue) : value->second;

@@ -15,8 +15,8 @@ struct PlaceholderInfo {
   std::string_view meaning;
 };
 
-/// All placeholders there are.
-inline constexpr std::array<PlaceholderInfo, 19> kPlaceholders = {{
+/// All placeholders there are of any run; an algorithm that follows GJK has more.
+inline constexpr std::array<PlaceholderInfo, 17> kPlaceholders = {{
     {"distance", "distance between the shapes, as far as this step knows it"},
     {"lower", "certified lower bound of the distance"},
     {"upper", "certified upper bound of the distance"},
@@ -32,8 +32,6 @@ inline constexpr std::array<PlaceholderInfo, 19> kPlaceholders = {{
     {"iteration", "iteration of this step"},
     {"iterations", "iterations of the whole run"},
     {"stop", "why the run ended"},
-    {"depth", "penetration depth, once it is known"},
-    {"t", "the shortest translation of X that parts the shapes, once it is known"},
     {"x", "name of shape X"},
     {"y", "name of shape Y"},
 }};
@@ -53,10 +51,8 @@ struct ProsePart {
 /// The placeholders of a text, known or not, in order, as often as they occur.
 [[nodiscard]] std::vector<std::string> placeholders(std::string_view prose);
 
-[[nodiscard]] bool is_placeholder(std::string_view name);
-
-/// The text with its placeholders filled in. A known one without a value becomes kNoValue; unknown
-/// ones and stray braces, which loading refuses, stay as they are.
+/// The text with its placeholders filled in; one without a value becomes kNoValue. Stray braces,
+/// which loading refuses, stay as they are.
 [[nodiscard]] std::string expand(std::string_view prose,
                                  const std::map<std::string, std::string>& values);
 

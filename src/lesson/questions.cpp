@@ -9,42 +9,23 @@
 #include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
-bool is_open(const LessonRun& run, const WideTrace& trace, Ask ask, int step) {
-  switch (ask) {
-    case Ask::support:
-      return run.lesson.x.vertices.size() * run.lesson.y.vertices.size() > 1;
-    case Ask::region:
-    case Ask::dropped:
-      return state_before(trace, step).simplex.count > 1;
-    case Ask::stop:
-    case Ask::overlap:
-    case Ask::time:
-    case Ask::edge:
-      return true;
-  }
-  return false;
+
+bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
+  if (ask == asks::kSupport.name)
+    return run.lesson.x.vertices.size() * run.lesson.y.vertices.size() > 1;
+  return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
 }
 
-bool tells(const WideTrace& trace, int step, Ask ask) {
+bool tells(const WideTrace& trace, int step, std::string_view ask) {
   const auto is = [&](std::size_t i, gjk::Phase phase) {
     return i < trace.steps.size() && trace.steps[i].phase == phase;
   };
   const auto at = static_cast<std::size_t>(step);
-  switch (ask) {
-    case Ask::support:
-      return is(at, gjk::Phase::support);
-    case Ask::region:
-      return is(at, gjk::Phase::closest);
-    case Ask::dropped:
-      return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::cull);
-    case Ask::stop:
-      return is(at + 1, gjk::Phase::stop);
-    case Ask::overlap:
-    case Ask::time:
-    case Ask::edge:
-      return false;
-  }
-  return false;
+  if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
+  if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
+  if (ask == asks::kDropped.name)
+    return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::cull);
+  return ask == asks::kStop.name && is(at + 1, gjk::Phase::stop);
 }
 
 const gjk::State<double, 2>& state_before(const WideTrace& trace, int step) {
@@ -79,11 +60,12 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
     if (is_asked) continue;
     const LessonQuestion& question = lesson.questions[q];
     const Place place = place_of(lesson.path, fmt::format("questions.{}.ask", q));
-    const char* counted = is_about_study(question.ask) ? "about mark" : "in iteration";
     problems.push_back(
         {lesson.path, place.line, place.column,
-         fmt::format("no frame asks '{}'{}", name_of(question.ask),
-                     question.at ? fmt::format(" {} {}", counted, *question.at) : std::string()),
+         fmt::format("no frame asks '{}'{}", question.ask,
+                     question.at
+                         ? fmt::format(" {} {}", run.act->ask(question.ask)->counted, *question.at)
+                         : std::string()),
          "a question that a frame answers, out of more than one answer", ""});
   }
   return problems;

@@ -5,33 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/query.hpp"
 #include "lesson/questions.hpp"
-#include "lesson/scalar.hpp"
 #include "lesson/vocabulary.hpp"
-#include "lesson/widen_depth.hpp"
 
 namespace gjkscope {
 namespace {
 
 using Eigen::Vector2d;
-
-template <class S>
-gjk::Pose<S, 2> pose_of(const Placement& placement) {
-  gjk::Pose<S, 2> pose;
-  pose.translation = narrowed<S, 2>(placement.translate);
-  if (placement.rotate_degrees != 0.0) {
-    // Rounded from more digits: a double's sine differs in the last bit from library to library.
-    const long double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
-    const S c(static_cast<double>(std::cos(angle)));
-    const S s(static_cast<double>(std::sin(angle)));
-    pose.rotation = Eigen::Matrix<S, 2, 2>{{c, S(-s)}, {s, c}};
-  }
-  return pose;
-}
 
 template <class S, int D>
 std::vector<gjk::Vec<double, D>> world_vertices(const gjk::Shape<S, D>& shape) {
@@ -80,19 +64,8 @@ RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
 }
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
-  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
-    return run_query<S, 2>({{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}}, options, at);
-  });
-}
-
-DepthTrace depth_at(const Lesson& lesson, const Scenery& at) {
-  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
-    const gjk::Query<S, 2> query{{x, pose_of<S>(at.x)}, {y, pose_of<S>(at.y)}};
-    return widened(depth::trace<S>(query, lesson.options));
+  return with_query(lesson, at.x, at.y, [&]<class S>(const gjk::Query<S, 2>& query) {
+    return run_query<S, 2>(query, options, at);
   });
 }
 
@@ -210,20 +183,26 @@ const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
 }
 
 StepInfo LessonRun::info(const Frame& frame) const {
+  if (frame.steps_over) {
+    const AlgorithmTrace& trace = *followed_by[static_cast<std::size_t>(frame.run)];
+    if (*frame.steps_over == 0) return {0, "start"};
+    if (*frame.steps_over <= trace.steps()) return trace.info(*frame.steps_over - 1);
+    return {trace.info(trace.steps() - 1).iteration, "answer", true};
+  }
   if (frame.step < 0) return {0, "start"};
-  if (act->info != nullptr) return act->info(*this, frame);
   const gjk::Step<double, 2>& shown = step(frame);
   return {shown.iteration, name_of(shown.phase),
           !shown.record.dropped.empty() || shown.after.stop != gjk::StopReason::running};
 }
 
 std::string_view LessonRun::phase_name(int phase) const {
-  return act->phases.empty() ? name_of(static_cast<gjk::Phase>(phase))
-                             : act->phases[static_cast<std::size_t>(phase)];
+  return act->algorithm == nullptr ? name_of(static_cast<gjk::Phase>(phase))
+                                   : act->algorithm->phases[static_cast<std::size_t>(phase)];
 }
 
 int LessonRun::answering_iteration(const Frame& frame) const {
-  if (act->iteration_of != nullptr) return act->iteration_of(*this, frame, frame.answering_step);
+  if (act->algorithm != nullptr)
+    return followed_by[static_cast<std::size_t>(frame.run)]->info(frame.answering_step).iteration;
   return run(frame).trace.steps[frame.answering_step].iteration;
 }
 
@@ -270,7 +249,8 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
     const gjk::Options& cold = run.lesson.options;
     run.runs.push_back(
         run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
-    if (act.goes_deep) run.depths.push_back(depth_at(run.lesson, scenery));
+    if (act.algorithm != nullptr)
+      run.followed_by.push_back(act.algorithm->run(run.lesson, run.runs.back()));
   }
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) act.add_frames(run, i);
   add_question_frames(run);
@@ -281,11 +261,8 @@ Case case_of(const PositionedRun& run) { return {run.x_world, run.y_world}; }
 
 Case case_of(const Lesson& lesson) {
   const Scenery first = sceneries_of(lesson).front();
-  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(lesson.x.vertices);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(lesson.y.vertices);
-    return Case{world_vertices<S, 2>({x, pose_of<S>(first.x)}),
-                world_vertices<S, 2>({y, pose_of<S>(first.y)})};
+  return with_query(lesson, first.x, first.y, []<class S>(const gjk::Query<S, 2>& query) {
+    return Case{world_vertices(query.x), world_vertices(query.y)};
   });
 }
 
@@ -299,14 +276,6 @@ PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, S
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
     return run_query<S, 2>({{x}, {y}}, options, {run.x, run.y, run.time});
-  });
-}
-
-DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
-  return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
-    return widened(depth::trace<S>(gjk::Query<S, 2>{{x}, {y}}, options));
   });
 }
 
@@ -349,12 +318,11 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
                        name_of(trace.result.stop)),
            fmt::format("'{}'", name_of(*expect.stop)));
   }
-  if (expect.depth) {
-    const double found = run.depths.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                            : run.depths.back().result.depth;
-    if (!(std::abs(*expect.depth - found) <= written_precision(*expect.depth) * 1.0001))
-      differ("expect.depth", fmt::format("the depth is {}", found),
-             fmt::format("{}", *expect.depth));
+  for (const auto& [name, wanted] : expect.answers) {
+    const double found = run.followed_by.back()->answer(name);
+    if (!(std::abs(wanted - found) <= written_precision(wanted) * 1.0001))
+      differ("expect.answer." + name, fmt::format("the {} is {}", name, found),
+             fmt::format("{}", wanted));
   }
   if (expect.distance && !(std::abs(*expect.distance - trace.result.distance) <=
                            written_precision(*expect.distance) * 1.0001)) {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "depth/depth.hpp"
+#include "gjk/gjk.hpp"
+#include "lesson/algorithm.hpp"
 #include "lesson/case.hpp"
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
@@ -65,14 +66,12 @@ using PositionedRun = RunIn<2>;
 
 struct Act;
 
-/// What the expanding polygon did with the end of a run; of `gjk` nothing is filled in.
-using DepthTrace = depth::Trace<double>;
-
 struct LessonRun {
   Lesson lesson;
   const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
-  std::vector<DepthTrace> depths;  ///< One for each run, where the act goes on to the depth.
+  /// What followed each run, where the act has an algorithm of its own.
+  std::vector<std::shared_ptr<const AlgorithmTrace>> followed_by;
   std::vector<Frame> frames;
 
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
@@ -125,10 +124,6 @@ template <int D>
 /// as `run` rounded them, so that both compute from the very same numbers.
 [[nodiscard]] PositionedRun run_again(const PositionedRun& run, const gjk::Options& options,
                                       ScalarKind scalar);
-
-/// How deep the shapes of a run lie in each other, from their vertices in the world.
-[[nodiscard]] DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options,
-                                  ScalarKind scalar);
 
 /// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are
 /// those of the keys in the lesson's file.

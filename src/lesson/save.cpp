@@ -273,7 +273,12 @@ void write_expect(TomlText& out, const Expectation& expect) {
   if (expect.stop) out.key("stop", as_text(name_of(*expect.stop)));
   if (expect.supports) out.list("supports", as_texts(*expect.supports));
   if (expect.distance) out.key("distance", decimal(*expect.distance));
-  if (expect.depth) out.key("depth", decimal(*expect.depth));
+  if (!expect.answers.empty()) {
+    std::vector<std::string> answers;
+    for (const auto& [name, value] : expect.answers)
+      answers.push_back(fmt::format("{} = {}", name, decimal(value)));
+    out.key("answer", fmt::format("{{ {} }}", fmt::join(answers, ", ")));
+  }
 }
 
 }  // namespace
@@ -307,7 +312,7 @@ std::string lesson_toml(const Lesson& lesson) {
   out.text("listing", lesson.listing, "");
   for (const LessonQuestion& question : lesson.questions) {
     out.table("[[questions]]");
-    out.key("ask", as_text(name_of(question.ask)));
+    out.key("ask", as_text(question.ask));
     if (question.at) out.key("at", std::to_string(*question.at));
   }
   write_expect(out, lesson.expect);

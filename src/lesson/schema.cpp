@@ -155,10 +155,8 @@ std::vector<LessonKey> make_keys() {
       {"panel", "listing", "name of a listing", "none",
        "what the block `pseudocode` shows; needed with that block and only then"},
 
-      {"questions", "ask", one_of<Ask>(), required,
-       "the next support point, the region that holds the query point, the vertices dropped, or "
-       "whether the run stops and why; of a study: whether the shapes overlap, or how much longer "
-       "the next mark takes than the one before; of an expanding polygon: which edge is nearest"},
+      {"questions", "ask", "name of a question", required,
+       "what is asked; each granularity has questions of its own"},
       {"questions", "at", fmt::format("whole number from 1 to {}", kCap), "each that can",
        "iteration that answers; with `time` the mark that is asked about, from 1"},
 
@@ -170,8 +168,9 @@ std::vector<LessonKey> make_keys() {
        "support points in the order found, as in `query.start`"},
       {"expect", "distance", "number of at least 0", "not checked",
        "distance, to the digits written"},
-      {"expect", "depth", "number of at least 0", "not checked",
-       "penetration depth, to the digits written; with granularity `depth`"},
+      {"expect", "answer", "table of numbers of at least 0", "not checked",
+       "what the granularity's own algorithm comes to, to the digits written; with `depth`: the "
+       "penetration depth, `{ depth = 0.5 }`"},
   };
 }
 

@@ -91,6 +91,19 @@ std::string in_quotes(std::string_view name) {
   return out + "'";
 }
 
+namespace {
+
+void refuse_other_keys(const toml::table& table, const std::vector<std::string>& known,
+                       Problems& problems) {
+  for (const auto& [key, value] : table) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    problems.add(place_at(key.source().begin), "unknown key " + in_quotes(key.str()),
+                 fmt::format("one of: {}", fmt::join(known, ", ")), nearest_name(key.str(), known));
+  }
+}
+
+}  // namespace
+
 Table::Table(const toml::table& table, std::string_view schema, Problems& problems)
     : table_(table), schema_(schema) {
   std::vector<std::string> known;
@@ -102,11 +115,7 @@ Table::Table(const toml::table& table, std::string_view schema, Problems& proble
                    key.type);
     }
   }
-  for (const auto& [key, value] : table) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-    problems.add(place_at(key.source().begin), "unknown key " + in_quotes(key.str()),
-                 fmt::format("one of: {}", fmt::join(known, ", ")), nearest_name(key.str(), known));
-  }
+  refuse_other_keys(table, known, problems);
 }
 
 Field Table::operator[](std::string_view key) const {
@@ -127,6 +136,22 @@ std::optional<Table> Reader::table(const Field& field, std::string_view schema) 
   if (const toml::table* table = field.node->as_table()) return Table(*table, schema, problems_);
   wrong_type(field);
   return std::nullopt;
+}
+
+std::vector<std::pair<std::string, Field>> Reader::named_entries(
+    const Field& field, const std::vector<std::string>& known) {
+  std::vector<std::pair<std::string, Field>> entries;
+  const toml::table* table = field.node->as_table();
+  if (table == nullptr) {
+    wrong_type(field);
+    return entries;
+  }
+  refuse_other_keys(*table, known, problems_);
+  for (const std::string& name : known) {
+    if (const toml::node* node = table->get(name))
+      entries.emplace_back(name, Field{node, fmt::format("'{}'", name), "number of at least 0"});
+  }
+  return entries;
 }
 
 std::vector<Field> Reader::entries(const Field& field, std::string_view expected) {

@@ -74,6 +74,10 @@ class Reader {
   /// The entries of a list, each expected to be `expected`; empty if the field is not there.
   std::vector<Field> entries(const Field& field, std::string_view expected);
 
+  /// The values of a table whose keys are among `known`, which need not be in the schema.
+  std::vector<std::pair<std::string, Field>> named_entries(const Field& field,
+                                                           const std::vector<std::string>& known);
+
   /// One line of 1 to `longest` characters.
   std::optional<std::string> text(const Field& field, int longest);
   /// A finite number within the bounds; text may hold a hexadecimal one.

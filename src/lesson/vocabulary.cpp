@@ -4,6 +4,12 @@
 
 namespace gjkscope {
 
+const AskInfo* Act::ask(std::string_view asked) const {
+  const auto found = std::find_if(asks.begin(), asks.end(),
+                                  [&](const AskInfo& each) { return each.name == asked; });
+  return found == asks.end() ? nullptr : &*found;
+}
+
 const Act* Vocabulary::act(std::string_view name) const {
   const auto found =
       std::find_if(acts.begin(), acts.end(), [&](const Act* each) { return each->name == name; });

@@ -22,6 +22,13 @@ struct ActNeeds {
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
 };
 
+/// A question that frames of an act can ask.
+struct AskInfo {
+  std::string_view name;                      ///< "support"
+  std::string_view meaning;                   ///< What is asked for.
+  std::string_view counted = "in iteration";  ///< How LessonQuestion::at counts.
+};
+
 /// How runs become frames (`steps.granularity`): a lesson is told act by act.
 struct Act {
   std::string_view name;     ///< "phase"
@@ -31,20 +38,18 @@ struct Act {
   void (*add_frames)(LessonRun& run, int index) = nullptr;
   /// Frames go through the steps of a run: questions belong to its iterations.
   bool follows_run = false;
-  /// Runs go on to the penetration depth (LessonRun::depths).
-  bool goes_deep = false;
   /// Each frame is another position of the path.
   bool sweeps = false;
-  std::span<const Ask> asks = {};  ///< The questions that its frames can ask.
+  std::span<const AskInfo> asks = {};  ///< The questions that its frames can ask.
   /// Index of the step that `frame` shows and the frame before it did not, and that answers; -1
   /// where there is none. Only with `asks`.
   int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
                         const LessonQuestion& question) = nullptr;
-  // Of an algorithm that is not GJK: its phases, and where a frame's step and any step by its index
-  // are.
-  std::span<const std::string_view> phases = {};
-  StepInfo (*info)(const LessonRun& run, const Frame& frame) = nullptr;
-  int (*iteration_of)(const LessonRun& run, const Frame& frame, int step) = nullptr;
+  /// What follows GJK, and is shown in its place; none: GJK is shown.
+  const Algorithm* algorithm = nullptr;
+
+  /// nullptr when its frames cannot ask it.
+  [[nodiscard]] const AskInfo* ask(std::string_view asked) const;
 };
 
 /// A panel block, a listing or an effect.

@@ -218,7 +218,8 @@ Lesson Session::lesson_to_run() const {
   Lesson lesson = lesson_;
   if (predicting_) {
     lesson.questions.clear();
-    for (const Ask ask : vocabulary().act(lesson.act)->asks) lesson.questions.push_back({ask, {}});
+    for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
+      lesson.questions.push_back({std::string(ask.name), {}});
   } else {
     lesson.questions.clear();
   }

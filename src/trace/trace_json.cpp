@@ -3,36 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "lesson/names.hpp"
+#include "lesson/vocabulary.hpp"
+#include "trace/fields.hpp"
 
 namespace gjkscope {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using fields::Json;
 using gjk::Phase;
 
-/// Shortest decimal and hexadecimal float. JSON has no NaN or infinity: null, and the name in hex.
-Json number(double value) {
-  Json out;
-  out["value"] = std::isfinite(value) ? Json(value) : Json();
-  out["hex"] = std::isfinite(value) ? fmt::format("{:a}", value) : fmt::format("{}", value);
-  return out;
-}
-
-template <int D>
-Json point(const gjk::Vec<double, D>& value) {
-  Json out = Json::array();
-  for (const double coordinate : value) out.push_back(number(coordinate));
-  return out;
-}
+using fields::number;
+using fields::point;
 
 template <int D>
 Json points(const std::vector<gjk::Vec<double, D>>& values) {
   Json out = Json::array();
-  for (const gjk::Vec<double, D>& value : values) out.push_back(point(value));
+  for (const gjk::Vec<double, D>& value : values) out.push_back(point<D>(value));
   return out;
 }
 
@@ -55,9 +43,7 @@ class TraceWriter {
     out["runs"] = Json::array();
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       Json run = one_run(traced_.runs[i]);
-      if constexpr (D == 2) {
-        if (i < traced_.depths.size()) run["depth"] = depth_run(traced_.depths[i]);
-      }
+      if constexpr (D == 2) add_algorithm(run, i);
       out["runs"].push_back(std::move(run));
     }
     return out;
@@ -86,7 +72,7 @@ class TraceWriter {
     out["name"] = value.name;
     out["vertex_names"] = value.vertex_names;
     out["vertices"] = points(value.vertices);
-    out["translate"] = point(value.placement.translate);
+    out["translate"] = point<D>(value.placement.translate);
     out["rotate_degrees"] = number(value.placement.rotate_degrees);
     return out;
   }
@@ -95,9 +81,9 @@ class TraceWriter {
     positioned_ = &value;
     Json out;
     out["time"] = number(value.time);
-    out["position"] = point(value.x.translate);
+    out["position"] = point<D>(value.x.translate);
     out["turn"] = number(value.x.rotate_degrees);
-    out["y_position"] = point(value.y.translate);
+    out["y_position"] = point<D>(value.y.translate);
     out["y_turn"] = number(value.y.rotate_degrees);
     out["x_world"] = points(value.x_world);
     out["y_world"] = points(value.y_world);
@@ -111,13 +97,8 @@ class TraceWriter {
   }
 
   Json vertex(const gjk::SupportPoint<double, D>& value) const {
-    Json out;
-    out["name"] = pair_name(traced_.x.vertex_names, traced_.y.vertex_names, value.pair);
-    out["pair"] = pair(value.pair);
-    out["w"] = point(value.w);
-    out["x"] = point(positioned_->x_world[static_cast<std::size_t>(value.pair.x)]);
-    out["y"] = point(positioned_->y_world[static_cast<std::size_t>(value.pair.y)]);
-    return out;
+    return fields::vertex<D>(
+        value, pair_name(traced_.x.vertex_names, traced_.y.vertex_names, value.pair), *positioned_);
   }
 
   Json simplex(const gjk::Simplex<double, D>& value) const {
@@ -145,9 +126,9 @@ class TraceWriter {
     out["iteration"] = value.iteration;
     out["simplex"] = simplex(value.simplex);
     out["region"] = face(value.region);
-    out["p"] = point(value.p);
+    out["p"] = point<D>(value.p);
     out["p_sq"] = number(value.p_sq);
-    out["d"] = point(value.d);
+    out["d"] = point<D>(value.d);
     out["support_value"] = number(value.support_value);
     out["best"] = simplex(value.best);
     out["best_sq"] = number(value.best_sq);
@@ -180,8 +161,8 @@ class TraceWriter {
         out["direction"] = direction(record.direction);
         break;
       case Phase::support:
-        out["scan_x"] = scan(record.scan_x, traced_.x);
-        out["scan_y"] = scan(record.scan_y, traced_.y);
+        out["scan_x"] = fields::scan(record.scan_x, traced_.x.vertex_names);
+        out["scan_y"] = fields::scan(record.scan_y, traced_.y.vertex_names);
         out["support"] = vertex(step.after.support);
         break;
       case Phase::stop:
@@ -218,23 +199,10 @@ class TraceWriter {
   static Json direction(const gjk::DirectionNote<double, D>& note) {
     Json out;
     out["from_normal"] = note.from_normal;
-    out["normal"] = point(note.normal);
+    out["normal"] = point<D>(note.normal);
     out["side"] = number(note.side);
     out["flipped"] = note.flipped;
     out["sign_is_arbitrary"] = note.sign_is_arbitrary;
-    return out;
-  }
-
-  static Json scan(const std::vector<gjk::ScanEntry<double>>& entries, const TracedShape<D>& of) {
-    Json out = Json::array();
-    for (const gjk::ScanEntry<double>& entry : entries) {
-      Json one;
-      one["index"] = entry.index;
-      one["name"] = of.vertex_names[static_cast<std::size_t>(entry.index)];
-      one["value"] = number(entry.value);
-      one["improves"] = entry.improves;
-      out.push_back(std::move(one));
-    }
     return out;
   }
 
@@ -259,90 +227,18 @@ class TraceWriter {
     out["lower"] = number(value.lower);
     out["upper"] = number(value.upper);
     out["distance_sq"] = number(value.distance_sq);
-    out["witness_x"] = point(value.x);
-    out["witness_y"] = point(value.y);
+    out["witness_x"] = point<D>(value.x);
+    out["witness_y"] = point<D>(value.y);
     out["iterations"] = value.iterations;
     out["simplex"] = simplex(value.simplex);
     return out;
   }
 
-  static Json edge(const depth::Edge<double>& value) {
-    return {{"corners", {value.from, value.to}}, {"distance_sq", number(value.distance_sq)}};
-  }
-
-  Json depth_state(const depth::State<double>& value) const {
-    Json out;
-    out["next_phase"] =
-        value.stop == depth::StopReason::running ? Json(name_of(value.phase)) : Json();
-    out["iteration"] = value.iteration;
-    out["corners"] = Json::array();
-    for (const depth::Corner<double>& corner : value.polygon.corners)
-      out["corners"].push_back(vertex(corner.point));
-    out["polygon"] = Json::array();
-    if (value.polygon.count > 0) {
-      for (const depth::Edge<double>& each : edges_in_order(value.polygon))
-        out["polygon"].push_back(each.from);
-    }
-    out["edge"] = edge(value.edge);
-    out["n"] = point(value.n);
-    out["stop"] = name_of(value.stop);
-    return out;
-  }
-
-  Json depth_step(const depth::Step<double>& step) const {
-    Json out;
-    out["phase"] = name_of(step.phase);
-    out["iteration"] = step.iteration;
-    const depth::Record<double>& record = step.record;
-    switch (step.phase) {
-      case depth::Phase::nearest:
-        out["edges"] = Json::array();
-        for (const depth::Edge<double>& each : record.edges) out["edges"].push_back(edge(each));
-        break;
-      case depth::Phase::support:
-        out["scan_x"] = scan(record.scan_x, traced_.x);
-        out["scan_y"] = scan(record.scan_y, traced_.y);
-        out["support"] = vertex(step.after.support);
-        break;
-      case depth::Phase::stop:
-        out["stop_tests"] = Json::array();
-        for (const depth::StopTest<double>& test : record.stop_tests) {
-          out["stop_tests"].push_back({{"reason", name_of(test.reason)},
-                                       {"tried", test.tried},
-                                       {"holds", test.holds},
-                                       {"left", number(test.left)},
-                                       {"right", number(test.right)}});
-        }
-        break;
-      case depth::Phase::expand:
-        out["outgrown"] = record.outgrown;
-        break;
-    }
-    out["after"] = depth_state(step.after);
-    out["lower"] = number(step.bounds.lower);
-    out["upper"] = number(step.bounds.upper);
-    return out;
-  }
-
-  Json depth_run(const DepthTrace& trace) const {
-    Json out;
-    out["initial"] = depth_state(trace.initial);
-    out["steps"] = Json::array();
-    for (const depth::Step<double>& step : trace.steps) out["steps"].push_back(depth_step(step));
-    const depth::Result<double>& result = trace.result;
-    Json& answer = out["result"];
-    answer["stop"] = name_of(result.stop);
-    answer["verdict"] = name_of(result.verdict);
-    answer["settled"] = result.settled;
-    answer["depth"] = number(result.depth);
-    answer["lower"] = number(result.lower);
-    answer["upper"] = number(result.upper);
-    answer["direction"] = point<2>(result.direction);
-    answer["translation"] = point<2>(result.translation);
-    answer["contact_x"] = point<2>(result.x);
-    answer["contact_y"] = point<2>(result.y);
-    answer["iterations"] = result.iterations;
-    return out;
+  void add_algorithm(Json& out, std::size_t index) const {
+    const LessonRun* lesson = traced_.lesson_run;
+    if (lesson == nullptr || lesson->followed_by.empty()) return;
+    out[std::string(lesson->act->algorithm->name)] =
+        lesson->followed_by[index]->json(lesson->lesson, lesson->runs[index]);
   }
 
   const Traced<D>& traced_;

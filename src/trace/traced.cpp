@@ -1,7 +1,8 @@
 #include "trace/traced.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "trace/fields.hpp"
 
 namespace gjkscope {
 namespace {
@@ -14,10 +15,10 @@ std::string moved(const Lesson& lesson, const LessonShape& shape, const LessonMo
                   const Placement& placement) {
   if (motion.points.empty()) return {};
   std::string out = fmt::format(", {} moved by {}", shape.name,
-                                point_text<2>(lesson.scalar, placement.translate));
+                                fields::point_text<2>(lesson.scalar, placement.translate));
   if (!motion.turns.empty()) {
     out += fmt::format(" and turned by {} degrees",
-                       number_text(lesson.scalar, placement.rotate_degrees));
+                       fields::number_text(lesson.scalar, placement.rotate_degrees));
   }
   return out;
 }
@@ -38,30 +39,11 @@ std::vector<std::string> headings(const LessonRun& run) {
 
 }  // namespace
 
-std::string number_text(ScalarKind scalar, double value) {
-  switch (scalar) {
-    case ScalarKind::half:
-      return fmt::format("{:.5g}", value);
-    case ScalarKind::single:
-      return fmt::format("{}", static_cast<float>(value));
-    default:
-      return fmt::format("{}", value);
-  }
-}
-
-template <int D>
-std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point) {
-  std::vector<std::string> numbers;
-  for (const double value : point) numbers.push_back(number_text(scalar, value));
-  return fmt::format("[{}]", fmt::join(numbers, ", "));
-}
-template std::string point_text<2>(ScalarKind scalar, const gjk::Vec<double, 2>& point);
-template std::string point_text<3>(ScalarKind scalar, const gjk::Vec<double, 3>& point);
-
 Traced<2> traced(const LessonRun& run) {
   const Lesson& lesson = run.lesson;
-  return {lesson.id,        lesson.title, lesson.scalar, lesson.options, traced(lesson.x),
-          traced(lesson.y), run.runs,     headings(run), run.depths};
+  return {lesson.id,      lesson.title,     lesson.scalar,
+          lesson.options, traced(lesson.x), traced(lesson.y),
+          run.runs,       headings(run),    &run};
 }
 
 template <int D>

@@ -26,15 +26,11 @@ struct Traced {
   TracedShape<D> x;
   TracedShape<D> y;
   std::vector<RunIn<D>> runs;
-  std::vector<std::string> headings;    ///< One for each run, where there are several.
-  std::vector<DepthTrace> depths = {};  ///< One for each run, where it goes on to the depth.
+  std::vector<std::string> headings;      ///< One for each run, where there are several.
+  const LessonRun* lesson_run = nullptr;  ///< What it was made of; none of a case.
 };
 
-/// As few digits as name a value of the scalar.
-[[nodiscard]] std::string number_text(ScalarKind scalar, double value);
-template <int D>
-[[nodiscard]] std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point);
-
+/// Of a run that outlives it.
 [[nodiscard]] Traced<2> traced(const LessonRun& run);
 
 /// Vertices are called x1, x2, ... and y1, y2, ... D: 2 or 3.

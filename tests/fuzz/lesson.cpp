@@ -13,7 +13,6 @@
 #include <numeric>
 
 #include "claims.hpp"
-#include "cli/trace_text.hpp"
 #include "effects/graph.hpp"
 #include "effects/registry.hpp"
 #include "lesson/load.hpp"
@@ -21,6 +20,7 @@
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "trace/trace_json.hpp"
+#include "trace/trace_text.hpp"
 
 namespace gjkscope::fuzz {
 namespace {

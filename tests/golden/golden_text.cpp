@@ -6,8 +6,8 @@
 #include <sstream>
 #include <vector>
 
-#include "cli/trace_text.hpp"
 #include "lesson/names.hpp"
+#include "trace/trace_text.hpp"
 
 namespace gjkscope::golden {
 namespace {

@@ -166,7 +166,7 @@ TEST(Questions, NeedFramesThatAnswer) {
 TEST(Questions, AreReadAndMistakesFound) {
   const LessonRun run = ran("phase", R"(questions = [{ ask = "region", at = 2 }])");
   ASSERT_EQ(run.lesson.questions.size(), 1u);
-  EXPECT_EQ(run.lesson.questions[0].ask, Ask::region);
+  EXPECT_EQ(run.lesson.questions[0].ask, "region");
   EXPECT_EQ(run.lesson.questions[0].at, 2);
 
   const auto problems = [](const std::string& questions) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -58,7 +59,31 @@ TEST(Readme, ListsEveryPlaceholder) {
   for (const PlaceholderInfo& placeholder : kPlaceholders) {
     rows.push_back(fmt::format("| `{{{}}}` | {} |", placeholder.name, placeholder.meaning));
   }
+  for (const StagedAct* each : registered_acts()) {
+    if (each->act.algorithm == nullptr) continue;
+    for (const PlaceholderInfo& value : each->act.algorithm->values) {
+      rows.push_back(fmt::format("| `{{{}}}` | with granularity `{}`: {} |", value.name,
+                                 each->act.name, value.meaning));
+    }
+  }
   EXPECT_EQ(joined(table_under("## Placeholders")), joined(rows));
+}
+
+TEST(Readme, ListsEveryQuestion) {
+  std::vector<std::string> rows;
+  for (const StagedAct* first : registered_acts()) {
+    for (const AskInfo& ask : first->act.asks) {
+      std::string acts;
+      for (const StagedAct* each : registered_acts()) {
+        if (each->act.ask(ask.name) == nullptr) continue;
+        EXPECT_EQ(ask.meaning, each->act.ask(ask.name)->meaning);
+        acts += (acts.empty() ? "" : ", ") + std::string(each->act.name);
+      }
+      const std::string row = fmt::format("| `{}` | {} | {} |", ask.name, acts, ask.meaning);
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+  }
+  EXPECT_EQ(joined(table_under("## Questions")), joined(rows));
 }
 
 TEST(Readme, ListsEveryEffectOfViews) {

@@ -413,7 +413,8 @@ Lesson any_lesson(Random& random) {
     if (block == "pseudocode") out.listing = any_name(random, names_of(vocabulary().listings));
   }
   if (out.act == "iteration" && one_in(random, 2)) {
-    out.questions = {{any_of<Ask>(random), 3}, {any_of<Ask>(random), 7}};
+    const std::vector<std::string> asks = {"support", "region", "dropped", "stop"};
+    out.questions = {{any_name(random, asks), 3}, {any_name(random, asks), 7}};
     if (one_in(random, 2)) out.questions.resize(1);
     if (out.questions.size() == 1) out.questions[0].at.reset();
   }

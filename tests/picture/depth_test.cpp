@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "depth/lesson_trace.hpp"
 #include "lesson/case.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
@@ -29,7 +30,7 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     Lesson lesson = testing::shipped_lesson(id);
     lesson.questions.clear();
     const LessonRun run = run_lesson(lesson);
-    const DepthTrace& trace = run.depths.at(0);
+    const DepthTrace& trace = *depth_trace(run, 0);
     ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
     EffectGraph effects(run);
     const std::vector<FrameText> texts = lesson_texts(run, effects);
@@ -40,7 +41,8 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
       EXPECT_EQ(value_of_text(texts[i + 1], "lower"), Numbers(lesson)(trace.steps[i].bounds.lower));
     }
     EXPECT_EQ(texts.back().phase, "answer");
-    EXPECT_EQ(value_of_text(texts.back(), "depth"), Numbers(lesson)(*lesson.expect.depth));
+    EXPECT_EQ(value_of_text(texts.back(), "depth"),
+              Numbers(lesson)(lesson.expect.answers.at(0).second));
   }
 }
 
@@ -48,7 +50,7 @@ TEST(DepthFrames, BoundsCloseInOnTheAnswer) {
   for (const std::string& id : kLessons) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    const DepthTrace& trace = run.depths.at(0);
+    const DepthTrace& trace = *depth_trace(run, 0);
     depth::Bounds<double> last;
     for (const depth::Step<double>& step : trace.steps) {
       EXPECT_GE(step.bounds.lower, last.lower);
@@ -80,7 +82,7 @@ TEST(DepthFrames, AskForTheNearestEdgeBeforeItIsTold) {
       EXPECT_NE(value_of_text(texts[i], "edge"), question.answer) << "told too early";
       // No edge that there is to choose from is nearer.
       const depth::Step<double>& step =
-          run.depths[0].steps[static_cast<std::size_t>(run.frames[i].answering_step)];
+          depth_trace(run, 0)->steps[static_cast<std::size_t>(run.frames[i].answering_step)];
       ASSERT_EQ(question.choices.size(), step.record.edges.size());
       for (const depth::Edge<double>& edge : step.record.edges)
         EXPECT_GE(edge.distance_sq, step.after.edge.distance_sq);
@@ -94,7 +96,7 @@ TEST(DepthFrames, ShapesApartHaveOneFrameThatSaysSo) {
   lesson.x.translate = {-9.0, 0.0};
   const LessonRun run = run_lesson(lesson);
   ASSERT_EQ(run.frames.size(), 1u);
-  EXPECT_EQ(run.depths[0].result.stop, depth::StopReason::separated);
+  EXPECT_EQ(depth_trace(run, 0)->result.stop, depth::StopReason::separated);
   EffectGraph effects(run);
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
@@ -107,8 +109,8 @@ TEST(DepthFrames, AreTheSameInEveryScalarThatHoldsTheShapes) {
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
     lesson.scalar = scalar;
     const LessonRun run = run_lesson(lesson);
-    EXPECT_EQ(run.depths[0].result.depth, 0.0);
-    EXPECT_EQ(run.depths[0].result.verdict, gjk::Verdict::touching);
+    EXPECT_EQ(depth_trace(run, 0)->result.depth, 0.0);
+    EXPECT_EQ(depth_trace(run, 0)->result.verdict, gjk::Verdict::touching);
     EXPECT_EQ(run.frames.size(), 9u);
   }
 }

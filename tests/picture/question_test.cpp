@@ -60,9 +60,7 @@ TEST(QuestionFrames, OfThePentagon) {
 }
 
 TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
-  const auto last = [](const std::string& id) {
-    return asked(asking(id, {{Ask::stop, {}}})).back();
-  };
+  const auto last = [](const std::string& id) { return asked(asking(id, {{"stop", {}}})).back(); };
   const Asked contained = last("stop-contained");
   EXPECT_EQ(contained.question.question->answer, "yes");
   EXPECT_EQ(contained.answer.phase, "cull");
@@ -72,7 +70,7 @@ TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
 }
 
 TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
-  const std::vector<Asked> all = asked(asking("polygons-gjk", {{Ask::support, 1}}));
+  const std::vector<Asked> all = asked(asking("polygons-gjk", {{"support", 1}}));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].question.question->choices.size(), 20u);
   EXPECT_EQ(all[0].question.question->answer, "L−D");
@@ -139,8 +137,8 @@ TEST(QuestionFrames, OfARegionDrawOnlyRegionsThatAreRuledOut) {
 
 TEST(QuestionFrames, TheAnswerIsAmongTheChoices) {
   for (const std::string id : {"polygon-evolution", "polygons-gjk", "polygon-pseudocode"}) {
-    const std::vector<Asked> all = asked(
-        asking(id, {{Ask::support, {}}, {Ask::region, {}}, {Ask::dropped, {}}, {Ask::stop, {}}}));
+    const std::vector<Asked> all =
+        asked(asking(id, {{"support", {}}, {"region", {}}, {"dropped", {}}, {"stop", {}}}));
     EXPECT_GT(all.size(), 6u) << id;
     for (const Asked& one : all) {
       const FrameQuestion& question = *one.question.question;

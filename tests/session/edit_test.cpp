@@ -113,7 +113,7 @@ TEST(Edit, EveryLessonCanBeToldByTheExpandingPolygon) {
     const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     const LessonRun run = run_lesson(told);
-    EXPECT_EQ(run.depths.size(), run.runs.size());
+    EXPECT_EQ(run.followed_by.size(), run.runs.size());
     EXPECT_FALSE(run.frames.empty());
   }
 }

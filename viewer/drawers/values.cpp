@@ -47,7 +47,7 @@ void draw_values(App& app) {
     point("shortest way out of X", deep->translation);
   }
   ImGui::EndTable();
-  if (deep != nullptr && !run.act->goes_deep && ImGui::Button("Show how it is found")) {
+  if (deep != nullptr && run.act->algorithm == nullptr && ImGui::Button("Show how it is found")) {
     app.session().edit("penetration depth", edit::told_by_depth(run.lesson));
   }
 }

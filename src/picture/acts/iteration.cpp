@@ -1,11 +1,8 @@
-#include <array>
-
+#include "lesson/questions.hpp"
 #include "picture/acts/acts.hpp"
 
 namespace gjkscope::acts {
 namespace {
-
-constexpr std::array<Ask, 4> kIterationAsks = {Ask::region, Ask::dropped, Ask::support, Ask::stop};
 
 bool ends_iteration(const LessonRun& run, int index, int step) {
   const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
@@ -22,7 +19,7 @@ const StagedAct kIteration{
             .meaning = "iteration of the run",
             .add_frames = iteration_frames,
             .follows_run = true,
-            .asks = kIterationAsks,
+            .asks = asks::kOfSteps,
             .answering_step = answering_step_of_run},
     .position = position_in_run,
     .tick = tick_of_step,

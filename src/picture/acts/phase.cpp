@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <array>
 
+#include "lesson/questions.hpp"
 #include "picture/acts/acts.hpp"
 
 namespace gjkscope::acts {
 namespace {
-
-constexpr std::array<Ask, 4> kPhaseAsks = {Ask::region, Ask::dropped, Ask::support, Ask::stop};
 
 bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
@@ -25,7 +23,7 @@ const StagedAct kPhase{
             .needs = {.takes_phases = true},
             .add_frames = phase_frames,
             .follows_run = true,
-            .asks = kPhaseAsks,
+            .asks = asks::kOfSteps,
             .answering_step = answering_step_of_run},
     .position = position_in_run,
     .tick = tick_of_step,

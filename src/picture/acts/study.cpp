@@ -10,7 +10,9 @@
 namespace gjkscope::acts {
 namespace {
 
-constexpr std::array<Ask, 2> kStudyAsks = {Ask::overlap, Ask::time};
+constexpr std::array<AskInfo, 2> kStudyAsks = {
+    {{"overlap", "whether the shapes overlap", "about mark"},
+     {"time", "how much longer the next mark takes than the one before", "about mark"}}};
 
 void study_frames(LessonRun& run, int index) {
   using enum StudyStage;
@@ -29,9 +31,9 @@ void study_frames(LessonRun& run, int index) {
 int study_answer(const LessonRun&, const Frame&, const Frame& frame,
                  const LessonQuestion& question) {
   using enum StudyStage;
-  const bool answers = question.ask == Ask::overlap
+  const bool answers = question.ask == kStudyAsks[0].name
                            ? frame.study->stage == gap
-                           : question.ask == Ask::time && frame.study->stage == mark &&
+                           : question.ask == kStudyAsks[1].name && frame.study->stage == mark &&
                                  (!question.at || *question.at == frame.study->marks);
   return answers ? frame.step : -1;
 }

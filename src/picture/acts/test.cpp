@@ -6,7 +6,7 @@
 namespace gjkscope::acts {
 namespace {
 
-constexpr std::array<Ask, 1> kTestAsks = {Ask::region};
+constexpr std::array kTestAsks = {asks::kRegion};
 
 void test_frames(LessonRun& run, int index) {
   const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
@@ -20,7 +20,7 @@ int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
   const int regions = (1 << state_before(run.run(frame).trace, frame.step).simplex.count) - 1;
   const bool decides = frame.tests > 0 && *frame.tests < regions &&
                        run.step(frame).record.region_tests[*frame.tests - 1].holds;
-  return decides && question.ask == Ask::region ? frame.step : -1;
+  return decides && question.ask == asks::kRegion.name ? frame.step : -1;
 }
 
 Tick test_tick(const LessonRun& run, const Frame& frame) {

@@ -222,9 +222,10 @@ std::string ratio_words(double ratio) {
 void study_question(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.study;
   const StudyFrame before = *story.frame.study;
-  const Ask ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
-  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(name_of(ask)), {}, {}});
-  if (ask == Ask::overlap) {
+  const std::string& ask =
+      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
+  if (ask == "overlap") {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
     asked.choices = {"yes", "no"};
     asked.answer = pair.distance() > 0.0 ? "no" : "yes";

@@ -20,10 +20,10 @@ const depth::Step<double>* last_step_of(const DepthTrace& trace, int steps_over)
 }  // namespace
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
-    : trace(run.depths[static_cast<std::size_t>(frame.run)]),
-      step(last_step_of(trace, *frame.depth)),
+    : trace(*depth_trace(run, frame.run)),
+      step(last_step_of(trace, *frame.steps_over)),
       state(step == nullptr ? trace.initial : step->after),
-      is_answer(*frame.depth > static_cast<int>(trace.steps.size())) {}
+      is_answer(*frame.steps_over > static_cast<int>(trace.steps.size())) {}
 
 bool Shown::is_nearest(const depth::Edge<double>& edge) const {
   return knows_edge() && edge.from == state.edge.from && edge.to == state.edge.to;
@@ -60,38 +60,22 @@ std::string edge_name(const LessonRun& run, const depth::State<double>& state,
 
 namespace {
 
-constexpr std::array<std::string_view, depth::kPhaseCount> kPhases = {"nearest", "support", "stop",
-                                                                      "expand"};
-constexpr std::array<Ask, 1> kAsks = {Ask::edge};
+constexpr std::array kAsks = {kAskEdge};
 
 void frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  const int steps = static_cast<int>(run.depths[static_cast<std::size_t>(index)].steps.size());
+  const int steps = static_cast<int>(depth_trace(run, index)->steps.size());
   // Shapes apart have no depth: the frame says so.
   for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
-    run.frames.push_back({.run = index, .step = last, .depth = i});
-}
-
-StepInfo info(const LessonRun& run, const Frame& frame) {
-  const Shown shown(run, frame);
-  if (shown.is_answer) return {shown.state.iteration, "answer", true};
-  if (shown.step == nullptr) return {0, "start"};
-  return {shown.step->iteration, kPhases[static_cast<std::size_t>(shown.step->phase)],
-          shown.state.stop != depth::StopReason::running || !shown.step->record.outgrown.empty()};
-}
-
-int iteration_of(const LessonRun& run, const Frame& frame, int step) {
-  return run.depths[static_cast<std::size_t>(frame.run)]
-      .steps[static_cast<std::size_t>(step)]
-      .iteration;
+    run.frames.push_back({.run = index, .step = last, .steps_over = i});
 }
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
-  if (question.ask != Ask::edge || !shown.is(depth::Phase::nearest)) return -1;
+  if (question.ask != kAskEdge.name || !shown.is(depth::Phase::nearest)) return -1;
   if (question.at && *question.at != shown.step->iteration) return -1;
-  return shown.step->record.edges.size() > 1 ? *frame.depth - 1 : -1;
+  return shown.step->record.edges.size() > 1 ? *frame.steps_over - 1 : -1;
 }
 
 std::string position(const LessonRun& run, int index) {
@@ -109,7 +93,7 @@ std::string position(const LessonRun& run, int index) {
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
-  const StepInfo at = info(run, frame);
+  const StepInfo at = run.info(frame);
   if (shown.step == nullptr)
     return {.group = group_of_position(run, frame, "GJK's end"), .label = "S"};
   if (shown.is_answer) return {.group = "answer", .label = "t", .event = true};
@@ -135,12 +119,9 @@ const StagedAct kDepth{
             .needs = {.why_no_until = "frames show how the run ends"},
             .add_frames = depths::frames,
             .follows_run = true,
-            .goes_deep = true,
             .asks = depths::kAsks,
             .answering_step = depths::answering_step,
-            .phases = depths::kPhases,
-            .info = depths::info,
-            .iteration_of = depths::iteration_of},
+            .algorithm = &kDepthAlgorithm},
     .position = depths::position,
     .tick = depths::tick,
     .words = depths::words,

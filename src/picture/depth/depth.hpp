@@ -2,9 +2,13 @@
 // Penetration depth in pictures: what a frame shows of the expanding polygon (src/depth), and what
 // its act draws and says.
 
+#include "depth/lesson_trace.hpp"
+#include "depth/names.hpp"
 #include "picture/act.hpp"
 
 namespace gjkscope::depths {
+
+inline constexpr AskInfo kAskEdge{"edge", "which edge of the expanding polygon is nearest"};
 
 /// The part of the run that a frame shows.
 struct Shown {

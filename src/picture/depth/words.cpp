@@ -195,11 +195,10 @@ class Telling {
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
 void question(const Story& story, FrameText& text) {
-  const DepthTrace& trace = story.run.depths[static_cast<std::size_t>(story.frame.run)];
+  const DepthTrace& trace = *depth_trace(story.run, story.frame.run);
   const depth::Step<double>& step =
       trace.steps[static_cast<std::size_t>(story.frame.answering_step)];
-  FrameQuestion& asked =
-      text.question.emplace(FrameQuestion{std::string(name_of(Ask::edge)), {}, {}});
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
   for (const depth::Edge<double>& edge : step.record.edges)
     asked.choices.push_back(ends(story.run, step.after, edge));
   // The order of the polygon starts at its newest corner.

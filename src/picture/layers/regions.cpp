@@ -4,6 +4,7 @@
 #include <array>
 
 #include "effects/voronoi.hpp"
+#include "lesson/questions.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
 
@@ -36,7 +37,7 @@ bool keeps_answer_back(const SceneBuilder& scene) {
   if (frame.tests > 0 && run.step(frame).record.region_tests[*frame.tests - 1].holds) return false;
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
     return other.run == frame.run && other.question >= 0 &&
-           run.lesson.questions[static_cast<std::size_t>(other.question)].ask == Ask::region;
+           run.lesson.questions[static_cast<std::size_t>(other.question)].ask == asks::kRegion.name;
   });
 }
 

@@ -1,20 +1,15 @@
-#include "cli/trace_text.hpp"
+#include "trace/trace_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "lesson/names.hpp"
+#include "trace/fields.hpp"
 
 namespace gjkscope {
 namespace {
 
 using gjk::Phase;
-
-/// Left column: iteration headings and phase names.
-constexpr int kColumn = 11;
 
 template <int D>
 class TraceText {
@@ -34,22 +29,22 @@ class TraceText {
       if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
       one_run(traced_.runs[i]);
       if constexpr (D == 2) {
-        if (i < traced_.depths.size()) depth_run(traced_.depths[i]);
+        const LessonRun* lesson = traced_.lesson_run;
+        if (lesson != nullptr && !lesson->followed_by.empty())
+          out_ += lesson->followed_by[i]->text(lesson->lesson, lesson->runs[i]);
       }
     }
     return std::move(out_);
   }
 
  private:
-  void line(std::string_view label, const std::string& text) {
-    out_ += fmt::format("  {:<{}}{}\n", label, kColumn, text);
-  }
+  void line(std::string_view label, const std::string& text) { out_ += fields::line(label, text); }
 
   [[nodiscard]] std::string number(double value) const {
-    return number_text(traced_.scalar, value);
+    return fields::number_text(traced_.scalar, value);
   }
   [[nodiscard]] std::string point(const gjk::Vec<double, D>& value) const {
-    return point_text<D>(traced_.scalar, value);
+    return fields::point_text<D>(traced_.scalar, value);
   }
 
   [[nodiscard]] std::string name(const gjk::SupportPoint<double, D>& vertex) const {
@@ -176,13 +171,7 @@ class TraceText {
 
   void scan(std::string_view label, const TracedShape<D>& shape,
             const std::vector<gjk::ScanEntry<double>>& entries, int best) {
-    std::vector<std::string> parts;
-    for (const gjk::ScanEntry<double>& entry : entries) {
-      parts.push_back(fmt::format("{} {}{}",
-                                  shape.vertex_names[static_cast<std::size_t>(entry.index)],
-                                  number(entry.value), entry.index == best ? " (largest)" : ""));
-    }
-    line(label, fmt::format("{}: {}", shape.name, fmt::join(parts, ", ")));
+    line(label, fields::scan_text(traced_.scalar, shape.name, shape.vertex_names, entries, best));
   }
 
   void support(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
@@ -221,74 +210,6 @@ class TraceText {
     line("on " + traced_.y.name, point(value.y));
     line("simplex", weights(value.simplex));
     line("iterations", fmt::format("{}", value.iterations));
-  }
-
-  /// "K−C L−D"
-  [[nodiscard]] std::string edge(const depth::State<double>& state,
-                                 const depth::Edge<double>& value) const {
-    const auto corner = [&](int i) {
-      return name(state.polygon.corners[static_cast<std::size_t>(i)].point);
-    };
-    return fmt::format("{} {}", corner(value.from), corner(value.to));
-  }
-
-  [[nodiscard]] std::string polygon(const depth::State<double>& state) const {
-    std::vector<std::string> names;
-    for (const depth::Edge<double>& each : edges_in_order(state.polygon))
-      names.push_back(name(state.polygon.corners[static_cast<std::size_t>(each.from)].point));
-    return fmt::format("{}", fmt::join(names, " "));
-  }
-
-  void depth_run(const DepthTrace& trace) {
-    out_ += "\ndepth\n";
-    if (trace.steps.empty()) {
-      line("stop", std::string(name_of(trace.result.stop)));
-      return;
-    }
-    line("polygon", polygon(trace.initial));
-    for (const depth::Step<double>& step : trace.steps) {
-      if (step.phase == depth::Phase::nearest)
-        out_ += fmt::format("\ndepth, iteration {}\n", step.iteration);
-      depth_step(step);
-    }
-    out_ += "\ndepth, result\n";
-    const depth::Result<double>& result = trace.result;
-    line("stop", std::string(name_of(result.stop)));
-    line("verdict", fmt::format("{}{}", name_of(result.verdict),
-                                result.settled ? ", settled in exact arithmetic" : ""));
-    line("depth", number(result.depth));
-    line("bounds", fmt::format("{} to {}", number(result.lower), number(result.upper)));
-    line("move", fmt::format("{} by {}", traced_.x.name, point(result.translation)));
-    line("on " + traced_.x.name, point(result.x));
-    line("on " + traced_.y.name, point(result.y));
-  }
-
-  void depth_step(const depth::Step<double>& step) {
-    const depth::State<double>& after = step.after;
-    switch (step.phase) {
-      case depth::Phase::nearest:
-        line("nearest", fmt::format("{}, distance^2 = {}, n = {}", edge(after, after.edge),
-                                    number(after.edge.distance_sq), point(after.n)));
-        break;
-      case depth::Phase::support:
-        scan("scan", traced_.y, step.record.scan_y, after.support.pair.y);
-        scan("", traced_.x, step.record.scan_x, after.support.pair.x);
-        line("support", fmt::format("{} = {}", name(after.support), point(after.support.w)));
-        break;
-      case depth::Phase::stop:
-        for (const depth::StopTest<double>& test : step.record.stop_tests) {
-          line("stop?", !test.tried ? fmt::format("{}: not tried", name_of(test.reason))
-                                    : fmt::format("{}: {} (left {}, right {})",
-                                                  name_of(test.reason), test.holds ? "yes" : "no",
-                                                  number(test.left), number(test.right)));
-        }
-        line("bounds",
-             fmt::format("{} to {}", number(step.bounds.lower), number(step.bounds.upper)));
-        break;
-      case depth::Phase::expand:
-        line("expand", fmt::format("polygon {}", polygon(after)));
-        break;
-    }
   }
 
   const Traced<D>& traced_;

@@ -1,0 +1,23 @@
+#pragma once
+// Penetration depth as the algorithm of a lesson: run in the lesson's scalar, widened to double,
+// and told as JSON and as text.
+
+#include "depth/depth.hpp"
+#include "lesson/algorithm.hpp"
+#include "lesson/run.hpp"
+
+namespace gjkscope {
+
+/// What the expanding polygon did with the end of a run; of `gjk` nothing is filled in.
+using DepthTrace = depth::Trace<double>;
+
+extern const Algorithm kDepthAlgorithm;
+
+/// The trace of run `index`; nullptr where the lesson shows another algorithm.
+[[nodiscard]] const DepthTrace* depth_trace(const LessonRun& run, int index);
+
+/// How deep the shapes of a run lie in each other, from their vertices in the world.
+[[nodiscard]] DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options,
+                                  ScalarKind scalar);
+
+}  // namespace gjkscope

@@ -1,0 +1,44 @@
+#pragma once
+// An algorithm other than GJK, as all but its own folders see it: steps with a phase and an
+// iteration, values, and what it did as JSON and as text. src/depth/lesson_trace.cpp is an example.
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lesson/frame.hpp"
+#include "lesson/prose.hpp"
+
+namespace gjkscope {
+
+struct Lesson;
+template <int D>
+struct RunIn;
+
+/// What an algorithm did with the shapes of one run.
+class AlgorithmTrace {
+ public:
+  virtual ~AlgorithmTrace() = default;
+  [[nodiscard]] virtual int steps() const = 0;
+  /// Where a step is. `step`: from 0, less than steps().
+  [[nodiscard]] virtual StepInfo info(int step) const = 0;
+  /// What it comes to, by the name of one of Algorithm::answers; NaN where it has no such answer.
+  [[nodiscard]] virtual double answer(std::string_view name) const = 0;
+  [[nodiscard]] virtual nlohmann::ordered_json json(const Lesson& lesson,
+                                                    const RunIn<2>& run) const = 0;
+  /// Lines of trace/fields.hpp, with a heading for each iteration.
+  [[nodiscard]] virtual std::string text(const Lesson& lesson, const RunIn<2>& run) const = 0;
+};
+
+/// An act names the one that it shows; every run of GJK is followed by one of it.
+struct Algorithm {
+  std::string_view name;                      ///< "depth": its key in a trace.
+  std::span<const std::string_view> phases;   ///< In the order of their numbers.
+  std::span<const std::string_view> answers;  ///< Those that `expect.answer` can check.
+  std::span<const PlaceholderInfo> values;    ///< What prose can name of it.
+  std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const RunIn<2>& run) = nullptr;
+};
+
+}  // namespace gjkscope
