@@ -127,8 +127,8 @@ bool App::edit(const std::string& name, Lesson lesson) {
 }
 
 void App::select_next(int by) {
-  const int of_x = static_cast<int>(session_.lesson().x.vertices.size());
-  const int of_y = static_cast<int>(session_.lesson().y.vertices.size());
+  const int of_x = static_cast<int>(session_.lesson().x().vertices.size());
+  const int of_y = static_cast<int>(session_.lesson().y().vertices.size());
   Subject& selected = picture_.selected;
   int at = selected.kind == Kind::vertex_of_x   ? selected.x
            : selected.kind == Kind::vertex_of_y ? of_x + selected.y
@@ -146,14 +146,14 @@ void App::nudge(const Vector2d& pixels) {
   const double unit = view.camera.height / view.card.size().y();
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
                                   : Vector2d(2.0 * unit * pixels);
-  const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
+  const std::size_t body = of_x ? 0 : 1;
   session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = of_x ? run.x_world : run.y_world;
+  const auto& world = of_x ? run.x().world : run.y().world;
   session_.drag([&](Lesson& lesson) {
-    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, which, by);
+    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? selected.x : selected.y;
-    edit::put_vertex(lesson, which, index, edit::placement_of(run, which),
+    edit::put_vertex(lesson, body, index, run.bodies[body].placement,
                      world[static_cast<std::size_t>(index)] + by);
   });
   session_.end_drag();
@@ -163,8 +163,7 @@ void App::erase_selected() {
   const Subject& selected = picture_.selected;
   const bool of_x = selected.kind == Kind::vertex_of_x;
   Lesson lesson = session_.lesson();
-  if (!edit::erase_vertex(lesson, of_x ? edit::Which::x : edit::Which::y,
-                          of_x ? selected.x : selected.y))
+  if (!edit::erase_vertex(lesson, of_x ? 0 : 1, of_x ? selected.x : selected.y))
     return say("a shape keeps its last vertex");
   if (edit("delete a vertex", std::move(lesson))) picture_.selected = {};
 }
@@ -476,8 +475,8 @@ std::string App::state_json() {
     for (const Vector2d& vertex : shape.vertices) out.push_back({vertex.x(), vertex.y()});
     return out;
   };
-  json["x"] = vertices(session_.lesson().x);
-  json["y"] = vertices(session_.lesson().y);
+  json["x"] = vertices(session_.lesson().x());
+  json["y"] = vertices(session_.lesson().y());
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

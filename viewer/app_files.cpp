@@ -40,8 +40,8 @@ Expectation outcome_of(const LessonRun& run) {
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;
-    const std::string& y = run.lesson.y.vertex_names[static_cast<std::size_t>(pair.y)];
-    const std::string& x = run.lesson.x.vertex_names[static_cast<std::size_t>(pair.x)];
+    const std::string& y = run.lesson.y().vertex_names[static_cast<std::size_t>(pair.y)];
+    const std::string& x = run.lesson.x().vertex_names[static_cast<std::size_t>(pair.x)];
     expect.supports->push_back(run.point_query() ? y : fmt::format("{}-{}", y, x));
   }
   return expect;
@@ -118,15 +118,15 @@ std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& 
   lesson.title = name;
   lesson.prose = "Shapes of a case.";
   lesson.source.clear();
-  lesson.x = plain.x;
-  lesson.y = plain.y;
+  lesson.x() = plain.x();
+  lesson.y() = plain.y();
   lesson.options = plain.options;
   lesson.questions.clear();
   lesson.expect = {};
   for (LessonView& view : lesson.views) view.camera.reset();
   // All differences of large shapes are more than can be told apart, and than can be computed.
   constexpr std::size_t kMostPairs = 100'000;
-  if (lesson.x.vertices.size() * lesson.y.vertices.size() > kMostPairs) {
+  if (lesson.x().vertices.size() * lesson.y().vertices.size() > kMostPairs) {
     for (LessonView& view : lesson.views) view.effects.clear();
   }
   lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to

@@ -30,9 +30,8 @@ bool is_vertex(const Subject& subject) {
 bool is_shape(const Subject& subject) {
   return subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
 }
-edit::Which which_of(const Subject& subject) {
-  return subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x ? edit::Which::x
-                                                                            : edit::Which::y;
+std::size_t body_of(const Subject& subject) {
+  return subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x ? 0 : 1;
 }
 int index_of(const Subject& subject) {
   return subject.kind == Kind::vertex_of_x ? subject.x : subject.y;
@@ -84,9 +83,9 @@ Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
 
 /// Above the selected shape, in the first view of the world; an empty rectangle where there is
 /// none.
-Rect PictureView::rotation_handle(edit::Which which) const {
+Rect PictureView::rotation_handle(std::size_t body) const {
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
+  const auto& world = run.bodies[body].world;
   if (world.size() < 2) return {};
   for (const LessonPictures::Stage& view : session_.views()) {
     if (view.kind != ViewKind::world) continue;
@@ -109,8 +108,8 @@ Rect PictureView::rotation_handle(edit::Which which) const {
   return {};
 }
 
-std::optional<Point> PictureView::rotation_handle_at(edit::Which which) const {
-  const Rect handle = rotation_handle(which);
+std::optional<Point> PictureView::rotation_handle_at(std::size_t body) const {
+  const Rect handle = rotation_handle(body);
   if (handle.size().x() == 0.0) return std::nullopt;
   return to_pixel(handle.center());
 }
@@ -172,7 +171,7 @@ void PictureView::draw_highlights() {
     }
   }
   if (is_shape(selected)) {
-    const Rect handle = rotation_handle(which_of(selected));
+    const Rect handle = rotation_handle(body_of(selected));
     if (handle.size().x() > 0.0) {
       const ImVec2 center = vec(to_pixel(handle.center()));
       const Color paper = app_.theme().background();
@@ -268,7 +267,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   const std::optional<std::size_t> view = view_at(page);
   if (!view) return;
   if (is_shape(selected)) {
-    const Rect handle = rotation_handle(which_of(selected));
+    const Rect handle = rotation_handle(body_of(selected));
     if (handle.size().x() > 0.0 && (page - handle.center()).norm() <= kHandleRadius + kSlack) {
       drag_ = Drag{selected, *view, page, to_view(*view, page), true};
       return;
@@ -290,13 +289,13 @@ void PictureView::continue_drag(const Point& page) {
   drag.moved = true;
   const Vector2d before = to_view(drag.view, drag.last);
   const Vector2d now = to_view(drag.view, page);
-  const edit::Which which = which_of(drag.subject);
+  const std::size_t body = body_of(drag.subject);
   const LessonPictures::Stage view = session_.views()[drag.view];
   const bool in_world = view.kind == ViewKind::world;
 
   if (drag.turns) {
     const PositionedRun& run = session_.run().run(session_.frame());
-    const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
+    const auto& world = run.bodies[body].world;
     const Vector2d middle = centroid(world);
     const Vector2d a = before - middle;
     const Vector2d b = now - middle;
@@ -307,7 +306,7 @@ void PictureView::continue_drag(const Point& page) {
       if (degrees == 0.0) return;
     }
     if (!session_.is_dragging()) session_.begin_drag("turn a shape");
-    session_.drag([&](Lesson& lesson) { edit::turn_shape(lesson, which, degrees); });
+    session_.drag([&](Lesson& lesson) { edit::turn_shape(lesson, body, degrees); });
     drag.last = page;
     return;
   }
@@ -326,20 +325,20 @@ void PictureView::continue_drag(const Point& page) {
   if (!session_.is_dragging()) session_.begin_drag(moves_point ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
   if (moves_point) {
-    const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
+    const auto& world = run.bodies[body].world;
     const int index = index_of(drag.subject);
     const Vector2d to = snapped(now, app_.snap());
     session_.drag([&](Lesson& lesson) {
-      if (world.size() == 1) return edit::move_shape(lesson, which, to - world.front());
-      edit::put_vertex(lesson, which, index, edit::placement_of(run, which), to);
+      if (world.size() == 1) return edit::move_shape(lesson, body, to - world.front());
+      edit::put_vertex(lesson, body, index, run.bodies[body].placement, to);
     });
   } else if (moves_difference) {
     // Z = Y - X goes where Y goes.
-    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, edit::Which::y, now - before); });
+    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, now - before); });
   } else {
     const Vector2d by = snapped(Vector2d(now - drag.start_in_view), app_.snap()) -
                         snapped(Vector2d(before - drag.start_in_view), app_.snap());
-    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, which, by); });
+    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, body, by); });
   }
   drag.last = page;
 }
@@ -357,17 +356,17 @@ void PictureView::double_click(const Point& page) {
   const LessonPictures::Stage shown = session_.views()[*view];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto of_x = edit::nearest_edge(run.x_world, at);
-  const auto of_y = edit::nearest_edge(run.y_world, at);
+  const auto of_x = edit::nearest_edge(run.x().world, at);
+  const auto of_y = edit::nearest_edge(run.y().world, at);
   const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
   const auto& edge = is_x ? of_x : of_y;
   if (!edge || edge->distance > reach) return session_.fit();
-  const edit::Which which = is_x ? edit::Which::x : edit::Which::y;
-  if (edit::shape_of(session_.lesson(), which).vertices.size() >= edit::kMostEditable)
+  const std::size_t body = is_x ? 0 : 1;
+  if (session_.lesson().bodies[body].vertices.size() >= edit::kMostEditable)
     return app_.say(fmt::format("shapes of {} vertices and more are not edited vertex by vertex",
                                 edit::kMostEditable));
   Lesson lesson = session_.lesson();
-  const int index = edit::insert_vertex(lesson, which, edge->edge, edit::placement_of(run, which),
+  const int index = edit::insert_vertex(lesson, body, edge->edge, run.bodies[body].placement,
                                         snapped(at, app_.snap()));
   if (!app_.edit("add a vertex", std::move(lesson))) return;
   selected = is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};

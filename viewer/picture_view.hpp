@@ -37,7 +37,7 @@ class PictureView {
   /// Where on the window a mark of the subject is; nothing when none is to be seen.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
   /// Where the handle is that turns a shape.
-  [[nodiscard]] std::optional<Point> rotation_handle_at(edit::Which which) const;
+  [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;
 
  private:
   struct Drag {
@@ -53,7 +53,7 @@ class PictureView {
   [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
   [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
   [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
-  [[nodiscard]] Rect rotation_handle(edit::Which which) const;
+  [[nodiscard]] Rect rotation_handle(std::size_t body) const;
   /// The frame of the timeline at this height that is nearest; nothing elsewhere.
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
   void draw_highlights();

@@ -22,7 +22,7 @@ using fields::number;
 using fields::point;
 
 std::string corner_name(const Lesson& lesson, const depth::State<double>& state, int corner) {
-  return pair_name(lesson.x.vertex_names, lesson.y.vertex_names,
+  return pair_name(lesson.x().vertex_names, lesson.y().vertex_names,
                    state.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
 }
 
@@ -54,7 +54,7 @@ class JsonWriter {
  private:
   [[nodiscard]] Json vertex(const gjk::SupportPoint<double, 2>& value) const {
     return fields::vertex<2>(
-        value, pair_name(lesson_.x.vertex_names, lesson_.y.vertex_names, value.pair), run_);
+        value, pair_name(lesson_.x().vertex_names, lesson_.y().vertex_names, value.pair), run_);
   }
 
   static Json edge(const depth::Edge<double>& value) {
@@ -91,8 +91,8 @@ class JsonWriter {
         for (const depth::Edge<double>& each : record.edges) out["edges"].push_back(edge(each));
         break;
       case depth::Phase::support:
-        out["scan_x"] = fields::scan(record.scan_x, lesson_.x.vertex_names);
-        out["scan_y"] = fields::scan(record.scan_y, lesson_.y.vertex_names);
+        out["scan_x"] = fields::scan(record.scan_x, lesson_.x().vertex_names);
+        out["scan_y"] = fields::scan(record.scan_y, lesson_.y().vertex_names);
         out["support"] = vertex(step.after.support);
         break;
       case depth::Phase::stop:
@@ -137,9 +137,9 @@ class TextWriter {
                                        result.settled ? ", settled in exact arithmetic" : ""));
     out += line("depth", numbers(result.depth));
     out += line("bounds", fmt::format("{} to {}", numbers(result.lower), numbers(result.upper)));
-    out += line("move", fmt::format("{} by {}", lesson_.x.name, numbers(result.translation)));
-    out += line("on " + lesson_.x.name, numbers(result.x));
-    out += line("on " + lesson_.y.name, numbers(result.y));
+    out += line("move", fmt::format("{} by {}", lesson_.x().name, numbers(result.translation)));
+    out += line("on " + lesson_.x().name, numbers(result.x));
+    out += line("on " + lesson_.y().name, numbers(result.y));
     return out;
   }
 
@@ -180,12 +180,12 @@ class TextWriter {
                                            corner_name(lesson_, after, after.edge.to),
                                            numbers(after.edge.distance_sq), numbers(after.n)));
       case depth::Phase::support:
-        out += line("scan", scan(lesson_.y, step.record.scan_y, after.support.pair.y));
-        out += line("", scan(lesson_.x, step.record.scan_x, after.support.pair.x));
+        out += line("scan", scan(lesson_.y(), step.record.scan_y, after.support.pair.y));
+        out += line("", scan(lesson_.x(), step.record.scan_x, after.support.pair.x));
         return out +
                line("support", fmt::format("{} = {}",
-                                           pair_name(lesson_.x.vertex_names, lesson_.y.vertex_names,
-                                                     after.support.pair),
+                                           pair_name(lesson_.x().vertex_names,
+                                                     lesson_.y().vertex_names, after.support.pair),
                                            numbers(after.support.w)));
       case depth::Phase::stop:
         for (const depth::StopTest<double>& test : step.record.stop_tests)
@@ -225,7 +225,7 @@ class Told : public AlgorithmTrace {
 };
 
 std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const PositionedRun& run) {
-  return with_query(lesson, run.x, run.y, [&]<class S>(const gjk::Query<S, 2>& query) {
+  return with_query(lesson, placements_of(run), [&]<class S>(const gjk::Query<S, 2>& query) {
     return std::make_shared<const Told>(widened(depth::trace<S>(query, lesson.options)));
   });
 }
@@ -250,8 +250,8 @@ const DepthTrace* depth_trace(const LessonRun& run, int index) {
 
 DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
     return widened(depth::trace<S>(gjk::Query<S, 2>{{x}, {y}}, options));
   });
 }

@@ -8,7 +8,7 @@ EffectKey MinkowskiCloud::key(const LessonRun&, const Frame& frame) { return {fr
 
 MinkowskiCloud::Value MinkowskiCloud::compute(EffectGraph&, const LessonRun& run,
                                               const Frame& frame) {
-  return minkowski_cloud(run.run(frame).x_world, run.run(frame).y_world);
+  return minkowski_cloud(run.run(frame).x().world, run.run(frame).y().world);
 }
 
 EffectKey MinkowskiHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }

@@ -23,20 +23,20 @@ LastPosition::Value LastPosition::compute(EffectGraph& graph, const LessonRun& r
   if (frame.run == 0) return {};
   const PositionedRun& now = run.run(frame);
   const PositionedRun& last = run.runs[frame.run - 1];
-  return Positions{last.x_world,
-                   last.y_world,
+  return Positions{last.x().world,
+                   last.y().world,
                    hull_corners(graph, {frame.run - 1, -1, -1}, Eigen::Vector2d::Zero()),
-                   now.x.translate - last.x.translate,
-                   now.y.translate - last.y.translate,
-                   now.x.rotate_degrees != last.x.rotate_degrees ||
-                       now.y.rotate_degrees != last.y.rotate_degrees};
+                   now.x().placement.translate - last.x().placement.translate,
+                   now.y().placement.translate - last.y().placement.translate,
+                   now.x().placement.rotate_degrees != last.x().placement.rotate_degrees ||
+                       now.y().placement.rotate_degrees != last.y().placement.rotate_degrees};
 }
 
 EffectKey GrownObstacle::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
 GrownObstacle::Value GrownObstacle::compute(EffectGraph& graph, const LessonRun& run,
                                             const Frame& frame) {
-  return hull_corners(graph, frame, run.run(frame).x.translate);
+  return hull_corners(graph, frame, run.run(frame).x().placement.translate);
 }
 
 const EffectInfo effect_infos::kLastPosition =

@@ -27,8 +27,8 @@ Vertex closest_vertex(const PositionedRun& run) {
 }
 
 Gap gap_at(const PositionedRun& run, const Vertex& vertex) {
-  const std::vector<Vector2d>& own = vertex.of_x ? run.x_world : run.y_world;
-  const std::vector<Vector2d>& other = vertex.of_x ? run.y_world : run.x_world;
+  const std::vector<Vector2d>& own = vertex.of_x ? run.x().world : run.y().world;
+  const std::vector<Vector2d>& other = vertex.of_x ? run.y().world : run.x().world;
   const std::vector<Vector2d> point = {own[static_cast<std::size_t>(vertex.index)]};
   const gjk::Query<double, 2> query{{point}, {other}};
   const gjk::Result<double, 2> result = gjk::distance(query);
@@ -79,7 +79,7 @@ RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, cons
 }
 
 Vector2d place_of(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
-  return (vertex.of_x ? run.x_world : run.y_world)[static_cast<std::size_t>(vertex.index)];
+  return (vertex.of_x ? run.x().world : run.y().world)[static_cast<std::size_t>(vertex.index)];
 }
 
 double spacing_of_floats(double value) {
@@ -91,7 +91,7 @@ double RoundedPair::Value::magnification() const {
   constexpr double kShare = 0.25;  // of the shapes' size that the spacing shall look like
   const double spacing = spacing_of_floats(ends[0].exact.vertex.lpNorm<Eigen::Infinity>());
   Eigen::AlignedBox2d seen;
-  for (const auto* points : {&exact.x_world, &exact.y_world}) {
+  for (const auto* points : {&exact.x().world, &exact.y().world}) {
     for (const Vector2d& point : *points) seen.extend(point);
   }
   const double wanted = std::max(1.0, kShare * seen.sizes().maxCoeff() / spacing);

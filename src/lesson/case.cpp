@@ -343,8 +343,8 @@ Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {
   lesson.id = name;
   lesson.path = name;
   lesson.title = name;
-  lesson.x = shape_of(value.a, "X", 'x');
-  lesson.y = shape_of(value.b, "Y", 'y');
+  lesson.x() = shape_of(value.a, "X", 'x');
+  lesson.y() = shape_of(value.b, "Y", 'y');
   lesson.scalar = scalar;
   return lesson;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,9 @@ struct LessonShape {
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
   friend bool operator==(const LessonShape&, const LessonShape&) = default;
 };
+
+/// What the bodies are called in files: tables [shapes.X] and [shapes.Y].
+inline constexpr std::array<std::string_view, 2> kBodyKeys = {"X", "Y"};
 
 enum class ViewKind { world, difference, plot };
 
@@ -70,10 +74,13 @@ struct LessonMotion {
 /// steps along it. With a clock each shape passes its corners at equal times, and `frames` moments
 /// at equal steps of time are taken.
 struct LessonPath {
-  LessonMotion x;
-  LessonMotion y;
-  int frames = 0;                 ///< 0: the corners themselves.
-  std::optional<double> seconds;  ///< The clock: how long all of it takes.
+  std::vector<LessonMotion> motions{2};  ///< One for each body.
+  int frames = 0;                        ///< 0: the corners themselves.
+  std::optional<double> seconds;         ///< The clock: how long all of it takes.
+  [[nodiscard]] LessonMotion& x() { return motions[0]; }
+  [[nodiscard]] LessonMotion& y() { return motions[1]; }
+  [[nodiscard]] const LessonMotion& x() const { return motions[0]; }
+  [[nodiscard]] const LessonMotion& y() const { return motions[1]; }
   friend bool operator==(const LessonPath&, const LessonPath&) = default;
 };
 
@@ -160,8 +167,7 @@ struct Lesson {
   std::string source;
   std::string prose;  ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
 
-  LessonShape x;
-  LessonShape y;
+  std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;
   std::optional<ScalarKind> beside;  ///< Of a second run, for the effect "second-run".
   /// Start at the first vertices, unless told otherwise.
@@ -182,6 +188,10 @@ struct Lesson {
   std::vector<LessonQuestion> questions;
   Expectation expect;
 
+  [[nodiscard]] LessonShape& x() { return bodies[0]; }
+  [[nodiscard]] LessonShape& y() { return bodies[1]; }
+  [[nodiscard]] const LessonShape& x() const { return bodies[0]; }
+  [[nodiscard]] const LessonShape& y() const { return bodies[1]; }
   /// True when one of the views does.
   [[nodiscard]] bool calls_for(std::string_view effect) const {
     return std::any_of(views.begin(), views.end(),

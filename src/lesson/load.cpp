@@ -59,7 +59,7 @@ class LessonReader {
  private:
   void read_head(const Table& file);
   void read_prose(const Field& prose);
-  void read_shape(const Field& field, std::string_view key, LessonShape& shape);
+  void read_shape(const Field& field, std::size_t body);
   void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
                          LessonShape& shape);
   bool claim_vertex_name(const Field& field, const std::string& name);
@@ -96,8 +96,7 @@ class LessonReader {
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
-  ShapePlace place_of_x_;
-  ShapePlace place_of_y_;
+  std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
   Field beside_;
   std::map<std::string, int> line_of_vertex_name_;
 };
@@ -115,8 +114,8 @@ Lesson LessonReader::read(const toml::table& root) {
     largest_ = limits::kLargestHalf;
 
   if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
-    read_shape((*shapes)["X"], "X", lesson_.x);
-    read_shape((*shapes)["Y"], "Y", lesson_.y);
+    for (std::size_t body = 0; body < kBodyKeys.size(); ++body)
+      read_shape((*shapes)[kBodyKeys[body]], body);
   }
   if (query) read_query(*query);
   const Field path_field = file["path"];
@@ -173,8 +172,10 @@ void LessonReader::read_prose(const Field& prose) {
   }
 }
 
-void LessonReader::read_shape(const Field& field, std::string_view key, LessonShape& shape) {
+void LessonReader::read_shape(const Field& field, std::size_t body) {
   using namespace limits;
+  const std::string_view key = kBodyKeys[body];
+  LessonShape& shape = lesson_.bodies[body];
   shape.name = key;
   const std::optional<Table> table = reader_.table(field, "shapes.X");
   if (!table) return;
@@ -183,7 +184,7 @@ void LessonReader::read_shape(const Field& field, std::string_view key, LessonSh
   shape.translate = reader_.point(translate, largest_).value_or(shape.translate);
   const Field rotate = (*table)["rotate"];
   shape.rotate_degrees = reader_.number(rotate, -kTurn, kTurn).value_or(0.0);
-  (key == "X" ? place_of_x_ : place_of_y_) = {translate, rotate};
+  places_[body] = {translate, rotate};
 
   const Field vertices = (*table)["vertices"];
   const std::vector<Field> corners = reader_.entries(vertices, "point [x, y]");
@@ -266,8 +267,8 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
   const std::optional<std::string> text =
       reader_.text(field, std::max(kLongest, limits::kShapeNameLength));
   if (!text || shapes_read_ < 2) return std::nullopt;  // without names there is nothing to look up
-  if (lesson_.x.vertices.size() == 1) {
-    const std::optional<int> y = vertex_index(field, lesson_.y, "Y", *text);
+  if (lesson_.x().vertices.size() == 1) {
+    const std::optional<int> y = vertex_index(field, lesson_.y(), "Y", *text);
     return y ? std::optional(gjk::VertexPair{0, *y}) : std::nullopt;
   }
   const std::size_t hyphen = text->find('-');
@@ -278,13 +279,13 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
   }
   const std::string first = text->substr(0, hyphen);
   const std::string second = text->substr(hyphen + 1);
-  if (has_vertex(lesson_.x, first) && has_vertex(lesson_.y, second)) {
+  if (has_vertex(lesson_.x(), first) && has_vertex(lesson_.y(), second)) {
     problems_.add(field.place(), fmt::format("pair {} has the vertex of X first", in_quotes(*text)),
                   fmt::format("\"{}-{}\": the difference is Y - X", second, first));
     return std::nullopt;
   }
-  const std::optional<int> y = vertex_index(field, lesson_.y, "Y", first);
-  const std::optional<int> x = vertex_index(field, lesson_.x, "X", second);
+  const std::optional<int> y = vertex_index(field, lesson_.y(), "Y", first);
+  const std::optional<int> x = vertex_index(field, lesson_.x(), "X", second);
   if (!x || !y) return std::nullopt;
   return gjk::VertexPair{*x, *y};
 }
@@ -356,7 +357,7 @@ void LessonReader::read_start(const Field& start) {
 void LessonReader::read_path(const Table& path, Place place) {
   using namespace limits;
   LessonPath read;
-  read.x = read_motion(path, "X", place_of_x_);
+  read.x() = read_motion(path, "X", places_[0]);
   const Field frames = path["frames"];
   read.frames = reader_.whole_number(frames, 2, kPositions).value_or(0);
   const Field seconds = path["seconds"];
@@ -365,7 +366,7 @@ void LessonReader::read_path(const Table& path, Place place) {
   const Field turns = path["turns"];
   const Field y = path["Y"];
   if (const auto motion = reader_.table(y, "path.Y"))
-    read.y = read_motion(*motion, "Y", place_of_y_);
+    read.y() = read_motion(*motion, "Y", places_[1]);
 
   if (!points && !y) {
     problems_.add(place, "a path without a shape that moves",
@@ -378,8 +379,8 @@ void LessonReader::read_path(const Table& path, Place place) {
   if (seconds && !frames)
     problems_.add(seconds.place(), "a clock without 'frames'", "'frames' in [path]");
 
-  const std::size_t positions = read.frames > 0 ? read.frames : read.x.points.size();
-  const std::size_t vertices = lesson_.x.vertices.size() + lesson_.y.vertices.size();
+  const std::size_t positions = read.frames > 0 ? read.frames : read.x().points.size();
+  const std::size_t vertices = lesson_.x().vertices.size() + lesson_.y().vertices.size();
   if (positions * vertices > kScannedVertices) {
     problems_.add(
         (frames ? frames : points).place(),
@@ -439,7 +440,7 @@ void LessonReader::read_time(const Table& time, Place place) {
   const Field moments = time["moments"];
   std::size_t positions = 1;
   if (const auto& path = lesson_.path_of_shapes)
-    positions = path->frames > 0 ? path->frames : path->x.points.size();
+    positions = path->frames > 0 ? path->frames : path->x().points.size();
   if (frames || !moments) {
     if (moments) problems_.add(moments.place(), "'moments' besides 'frames'", "one of the two");
     if (!frames) problems_.add(place, "a simulation without frames", "'frames' or 'moments'");
@@ -598,13 +599,13 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   if (!needs.takes_path && file[kPathTable]) refuse("with a path", "no table [path]");
   if (shapes_read_ < 2) return;
   const int largest =
-      static_cast<int>(std::max(lesson_.x.vertices.size(), lesson_.y.vertices.size()));
+      static_cast<int>(std::max(lesson_.x().vertices.size(), lesson_.y().vertices.size()));
   if (needs.most_vertices > 0 && largest > needs.most_vertices) {
     refuse(fmt::format("with a shape of {} vertices", largest),
            fmt::format("at most {} vertices in each shape", needs.most_vertices));
   }
   const bool starts_so =
-      lesson_.x.vertices.size() == 1 && lesson_.options.start.count == needs.start;
+      lesson_.x().vertices.size() == 1 && lesson_.options.start.count == needs.start;
   if (needs.start > 0 && !starts_so) {
     refuse(needs.start == 3 ? "without a triangle" : "without a segment",
            fmt::format("a point query whose 'start' names {} vertices", needs.start));
@@ -957,10 +958,12 @@ std::vector<std::string> default_vertex_names(const LessonShape& shape, std::str
 std::vector<LessonText> texts_of(const Lesson& lesson) {
   std::vector<LessonText> texts = {
       {"title", lesson.title}, {"source", lesson.source}, {"prose", lesson.prose}};
-  for (const auto& [key, shape] : {std::pair("shapes.X", &lesson.x), {"shapes.Y", &lesson.y}}) {
-    texts.push_back({fmt::format("{}.name", key), shape->name});
-    for (std::size_t i = 0; i < shape->vertex_names.size(); ++i) {
-      texts.push_back({fmt::format("{}.names.{}", key, i), shape->vertex_names[i]});
+  for (std::size_t body = 0; body < lesson.bodies.size(); ++body) {
+    const LessonShape& shape = lesson.bodies[body];
+    texts.push_back({fmt::format("shapes.{}.name", kBodyKeys[body]), shape.name});
+    for (std::size_t i = 0; i < shape.vertex_names.size(); ++i) {
+      texts.push_back(
+          {fmt::format("shapes.{}.names.{}", kBodyKeys[body], i), shape.vertex_names[i]});
     }
   }
   for (std::size_t i = 0; i < lesson.views.size(); ++i) {

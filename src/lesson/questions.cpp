@@ -12,7 +12,7 @@ namespace gjkscope {
 
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
   if (ask == asks::kSupport.name)
-    return run.lesson.x.vertices.size() * run.lesson.y.vertices.size() > 1;
+    return run.lesson.x().vertices.size() * run.lesson.y().vertices.size() > 1;
   return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
 }
 

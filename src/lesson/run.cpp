@@ -38,8 +38,7 @@ DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
 /// Where both shapes stand, and when.
 template <int D>
 struct SceneryIn {
-  PlacementIn<D> x;
-  PlacementIn<D> y;
+  std::vector<PlacementIn<D>> placements{2};  ///< Of each body.
   double time = 0.0;
 };
 using Scenery = SceneryIn<2>;
@@ -48,14 +47,12 @@ template <class S, int D>
 RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
                    const SceneryIn<D>& at) {
   const gjk::Trace<S, D> trace = gjk::trace<S>(query, options);
-  RunIn<D> run{at.x,
-               at.y,
-               at.time,
-               world_vertices(query.x),
-               world_vertices(query.y),
-               trace.prepared.exponent,
-               widened(trace),
-               {}};
+  RunIn<D> run{
+      {{at.placements[0], world_vertices(query.x)}, {at.placements[1], world_vertices(query.y)}},
+      at.time,
+      trace.prepared.exponent,
+      widened(trace),
+      {}};
   for (const gjk::Step<S, D>& step : trace.steps)
     run.bounds.push_back(in_world(step.bounds, trace.prepared.exponent));
   if (!run.bounds.empty() && trace.result.error == gjk::Error::none)
@@ -64,7 +61,7 @@ RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
 }
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
-  return with_query(lesson, at.x, at.y, [&]<class S>(const gjk::Query<S, 2>& query) {
+  return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
     return run_query<S, 2>(query, options, at);
   });
 }
@@ -109,24 +106,26 @@ Placement placement_at(const LessonShape& shape, const LessonMotion& motion, dou
 }
 
 std::vector<Scenery> sceneries_of(const Lesson& lesson) {
-  const Scenery standing{{lesson.x.translate, lesson.x.rotate_degrees},
-                         {lesson.y.translate, lesson.y.rotate_degrees}};
+  Scenery standing;
+  for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
+    standing.placements[i] = {lesson.bodies[i].translate, lesson.bodies[i].rotate_degrees};
   if (!lesson.path_of_shapes) return {standing};
   const LessonPath& path = *lesson.path_of_shapes;
   std::vector<Scenery> out;
   if (path.seconds) {
     for (int i = 0; i < path.frames; ++i) {
       const double part = static_cast<double>(i) / (path.frames - 1);
-      out.push_back({placement_at(lesson.x, path.x, part), placement_at(lesson.y, path.y, part),
-                     part * *path.seconds});
+      out.push_back({{}, part * *path.seconds});
+      for (std::size_t k = 0; k < lesson.bodies.size(); ++k)
+        out.back().placements.push_back(placement_at(lesson.bodies[k], path.motions[k], part));
     }
     return out;
   }
-  const bool between_corners = path.frames > 0 && path.x.points.size() > 1;
-  for (const Vector2d& position :
-       between_corners ? along(path.x.points, path.frames) : path.x.points) {
+  const std::vector<Vector2d>& corners = path.x().points;
+  const bool between_corners = path.frames > 0 && corners.size() > 1;
+  for (const Vector2d& position : between_corners ? along(corners, path.frames) : corners) {
     out.push_back(standing);
-    out.back().x.translate = position;
+    out.back().placements[0].translate = position;
   }
   return out;
 }
@@ -162,12 +161,19 @@ int support_calls(const WideTrace& trace) {
                     [](const auto& step) { return step.phase == gjk::Phase::support; }));
 }
 
+std::vector<Placement> placements_of(const PositionedRun& run) {
+  std::vector<Placement> placements;
+  for (const BodyIn<2>& body : run.bodies) placements.push_back(body.placement);
+  return placements;
+}
+
 std::string why_not_drawn(const PositionedRun& run) {
   if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
     return fmt::format("the run is refused: {}", name_of(error));
   const auto finite = [](const Vector2d& vertex) { return vertex.allFinite(); };
-  if (!std::all_of(run.x_world.begin(), run.x_world.end(), finite) ||
-      !std::all_of(run.y_world.begin(), run.y_world.end(), finite))
+  if (!std::all_of(run.bodies.begin(), run.bodies.end(), [&](const BodyIn<2>& body) {
+        return std::all_of(body.world.begin(), body.world.end(), finite);
+      }))
     return "a vertex stands outside the range of the scalar";
   if (run.trace.prepared.exponent != 0)
     return "squares of the shapes' sizes leave the range of a double";
@@ -226,7 +232,7 @@ std::string pair_name(const std::vector<std::string>& x_names,
 }
 
 std::string LessonRun::pair_name(gjk::VertexPair pair) const {
-  return gjkscope::pair_name(lesson.x.vertex_names, lesson.y.vertex_names, pair);
+  return gjkscope::pair_name(lesson.x().vertex_names, lesson.y().vertex_names, pair);
 }
 
 template <int D>
@@ -257,25 +263,25 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   return run;
 }
 
-Case case_of(const PositionedRun& run) { return {run.x_world, run.y_world}; }
+Case case_of(const PositionedRun& run) { return {run.x().world, run.y().world}; }
 
 Case case_of(const Lesson& lesson) {
   const Scenery first = sceneries_of(lesson).front();
-  return with_query(lesson, first.x, first.y, []<class S>(const gjk::Query<S, 2>& query) {
+  return with_query(lesson, first.placements, []<class S>(const gjk::Query<S, 2>& query) {
     return Case{world_vertices(query.x), world_vertices(query.y)};
   });
 }
 
 PositionedRun run_afresh(const LessonRun& run, int index) {
   const PositionedRun& positioned = run.runs[index];
-  return run_at(run.lesson, {positioned.x, positioned.y, positioned.time}, run.lesson.options);
+  return run_at(run.lesson, {placements_of(positioned), positioned.time}, run.lesson.options);
 }
 
 PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x_world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y_world);
-    return run_query<S, 2>({{x}, {y}}, options, {run.x, run.y, run.time});
+    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
+    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
+    return run_query<S, 2>({{x}, {y}}, options, {placements_of(run), run.time});
   });
 }
 

@@ -34,18 +34,25 @@ struct PlacementIn {
 };
 using Placement = PlacementIn<2>;
 
+/// A shape of a run.
+template <int D>
+struct BodyIn {
+  PlacementIn<D> placement;
+  std::vector<gjk::Vec<double, D>> world;  ///< Its vertices, as the run rounds them.
+};
+
 /// One GJK run: where the shapes stood, and what happened.
 template <int D>
 struct RunIn {
-  PlacementIn<D> x;
-  PlacementIn<D> y;
-  double time = 0.0;  ///< Seconds since the start of the motion; 0 without a clock.
-  std::vector<gjk::Vec<double, D>> x_world;
-  std::vector<gjk::Vec<double, D>> y_world;
+  std::vector<BodyIn<D>> bodies{2};  ///< As those of the lesson: X and Y come first.
+  double time = 0.0;                 ///< Seconds since the start of the motion; 0 without a clock.
   int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
   gjk::Trace<double, D> trace;
   std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
                                        ///< those of the result.
+
+  [[nodiscard]] const BodyIn<D>& x() const { return bodies[0]; }
+  [[nodiscard]] const BodyIn<D>& y() const { return bodies[1]; }
 
   /// True for a step right after a scan; a stop phase that is not ended the run before one.
   [[nodiscard]] bool follows_support(int step) const {
@@ -53,6 +60,9 @@ struct RunIn {
   }
 };
 using PositionedRun = RunIn<2>;
+
+/// Where each body stands.
+[[nodiscard]] std::vector<Placement> placements_of(const PositionedRun& run);
 
 /// True when a pair of vertices is one of those that a simplex is made of.
 [[nodiscard]] bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair);
@@ -94,7 +104,7 @@ struct LessonRun {
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".
   [[nodiscard]] std::string pair_name(gjk::VertexPair pair) const;
-  [[nodiscard]] bool point_query() const { return lesson.x.vertices.size() == 1; }
+  [[nodiscard]] bool point_query() const { return lesson.x().vertices.size() == 1; }
 };
 
 /// `act` is the one that the lesson names; it must outlive the run.

@@ -184,8 +184,8 @@ void write_start(TomlText& out, const Lesson& lesson) {
   std::vector<std::string> names;
   for (int i = 0; i < options.start.count; ++i) {
     const gjk::VertexPair pair = options.start.pairs[i];
-    std::string name = lesson.y.vertex_names[pair.y];
-    if (lesson.x.vertices.size() > 1) name += "-" + lesson.x.vertex_names[pair.x];
+    std::string name = lesson.y().vertex_names[pair.y];
+    if (lesson.x().vertices.size() > 1) name += "-" + lesson.x().vertex_names[pair.x];
     names.push_back(as_text(name));
   }
   out.list("start", names);
@@ -225,11 +225,11 @@ void write_motion(TomlText& out, const LessonMotion& motion) {
 
 void write_path(TomlText& out, const LessonPath& path) {
   out.table("[path]");
-  write_motion(out, path.x);
+  write_motion(out, path.x());
   out.whole_number("frames", path.frames, 0);
   if (path.seconds) out.key("seconds", decimal(*path.seconds));
   out.table("[path.Y]");
-  write_motion(out, path.y);
+  write_motion(out, path.y());
 }
 
 void write_growth(TomlText& out, const LessonGrowth& growth) {
@@ -290,8 +290,8 @@ std::string lesson_toml(const Lesson& lesson) {
   out.key("order", std::to_string(lesson.order));
   out.text("source", lesson.source, "");
   if (!lesson.prose.empty()) out.key("prose", long_text(lesson.prose, "prose"));
-  write_shape(out, lesson.x, "X");
-  write_shape(out, lesson.y, "Y");
+  for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
+    write_shape(out, lesson.bodies[i], kBodyKeys[i]);
   write_query(out, lesson);
   write_steps(out, lesson);
   if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes);

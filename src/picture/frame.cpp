@@ -137,9 +137,9 @@ std::string position_of(const LessonRun& run, int index) {
 std::string default_title(const LessonRun& run, const LessonView& view) {
   if (!view.title.empty()) return view.title;
   if (view.kind == ViewKind::world)
-    return fmt::format("World: {} and {}", run.lesson.x.name, run.lesson.y.name);
+    return fmt::format("World: {} and {}", run.lesson.x().name, run.lesson.y().name);
   if (view.kind == ViewKind::plot) return staged(run).plot_title(run);
-  return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y.name, run.lesson.x.name);
+  return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y().name, run.lesson.x().name);
 }
 
 /// A camera may leave vertices outside of the view; their labels stay away, too.

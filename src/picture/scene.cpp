@@ -32,7 +32,7 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       map(stage_map),
       positioned(run.run(frame)),
       state(run.state(frame)),
-      shift(view.kind == ViewKind::world && run.point_query() ? positioned.x_world[0]
+      shift(view.kind == ViewKind::world && run.point_query() ? positioned.x().world[0]
                                                               : Vector2d(0.0, 0.0)),
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
       knows(effects.get<FrameFacts>(frame)) {}

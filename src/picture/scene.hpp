@@ -84,11 +84,11 @@ struct SceneBuilder {
   [[nodiscard]] Point at_difference(const Eigen::Vector2d& z) const { return map(z + shift); }
   [[nodiscard]] const Eigen::Vector2d& vertex_of_x(
       const gjk::SupportPoint<double, 2>& vertex) const {
-    return positioned.x_world[vertex.pair.x];
+    return positioned.x().world[vertex.pair.x];
   }
   [[nodiscard]] const Eigen::Vector2d& vertex_of_y(
       const gjk::SupportPoint<double, 2>& vertex) const {
-    return positioned.y_world[vertex.pair.y];
+    return positioned.y().world[vertex.pair.y];
   }
   [[nodiscard]] Point vertex_at(int i) const { return at_difference(state.simplex.vertices[i].w); }
 

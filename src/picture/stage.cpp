@@ -38,12 +38,12 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   for (const PositionedRun& positioned : run.runs) {
     Eigen::AlignedBox2d x;
     Eigen::AlignedBox2d y;
-    for (const Vector2d& vertex : positioned.x_world) x.extend(vertex);
-    for (const Vector2d& vertex : positioned.y_world) y.extend(vertex);
+    for (const Vector2d& vertex : positioned.x().world) x.extend(vertex);
+    for (const Vector2d& vertex : positioned.y().world) y.extend(vertex);
     const bool is_world = view.kind == ViewKind::world;
     if (is_world) seen.extend(x).extend(y);
     if (is_world && !view.calls_for(GrownObstacle::kName)) continue;
-    const Vector2d shift = is_world ? positioned.x.translate : Vector2d(0.0, 0.0);
+    const Vector2d shift = is_world ? positioned.x().placement.translate : Vector2d(0.0, 0.0);
     seen.extend(shift);
     seen.extend(y.min() - x.max() + shift).extend(y.max() - x.min() + shift);
   }

@@ -83,7 +83,7 @@ std::string Numbers::weight(double value) const {
 
 SimplexWords::SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex)
     : run_(run), simplex_(simplex) {
-  cyclic_ = run.point_query() && simplex.count == static_cast<int>(run.lesson.y.vertices.size());
+  cyclic_ = run.point_query() && simplex.count == static_cast<int>(run.lesson.y().vertices.size());
   for (int i = 0; i < simplex.count; ++i) cyclic_ = cyclic_ && simplex.vertices[i].pair.y == i;
 }
 
@@ -174,7 +174,7 @@ std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& si
   constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
   std::string out(kKinds[indices.size()]);
   out += ' ';
-  for (const int i : indices) out += (of_x ? run.lesson.x : run.lesson.y).vertex_names[i];
+  for (const int i : indices) out += (of_x ? run.lesson.x() : run.lesson.y()).vertex_names[i];
   return out;
 }
 
@@ -183,7 +183,7 @@ std::string_view phase_word(gjk::Phase phase) {
 }
 
 std::string query_name(const LessonRun& run) {
-  return run.point_query() ? run.lesson.x.vertex_names[0] : "O";
+  return run.point_query() ? run.lesson.x().vertex_names[0] : "O";
 }
 
 }  // namespace gjkscope

@@ -22,19 +22,19 @@ Eigen::Matrix2d rotation(double degrees) {
   return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
 }
 
-LessonMotion* motion_of(Lesson& lesson, Which which) {
+LessonMotion* motion_of(Lesson& lesson, std::size_t body) {
   if (!lesson.path_of_shapes) return nullptr;
-  LessonMotion& motion = which == Which::x ? lesson.path_of_shapes->x : lesson.path_of_shapes->y;
+  LessonMotion& motion = lesson.path_of_shapes->motions[body];
   return motion.points.empty() ? nullptr : &motion;
 }
 
-std::string free_name(const Lesson& lesson, Which which) {
+std::string free_name(const Lesson& lesson, std::size_t body) {
   const auto taken = [&](const std::string& name) {
     const auto has = [&](const LessonShape& shape) {
       return std::find(shape.vertex_names.begin(), shape.vertex_names.end(), name) !=
              shape.vertex_names.end();
     };
-    return has(lesson.x) || has(lesson.y);
+    return std::any_of(lesson.bodies.begin(), lesson.bodies.end(), has);
   };
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     std::string name(1, letter);
@@ -42,38 +42,28 @@ std::string free_name(const Lesson& lesson, Which which) {
     if (letter != 'O' && letter != 'P' && letter != 'Q' && !taken(name)) return name;
   }
   for (int i = 1;; ++i) {
-    std::string name = fmt::format("{}{}", which == Which::x ? "x" : "y", i);
+    std::string name = fmt::format("{}{}", body == 0 ? "x" : "y", i);
     if (!taken(name)) return name;
   }
 }
 
 }  // namespace
 
-LessonShape& shape_of(Lesson& lesson, Which which) {
-  return which == Which::x ? lesson.x : lesson.y;
-}
-const LessonShape& shape_of(const Lesson& lesson, Which which) {
-  return which == Which::x ? lesson.x : lesson.y;
-}
-const Placement& placement_of(const PositionedRun& run, Which which) {
-  return which == Which::x ? run.x : run.y;
-}
-
 Vector2d to_local(const Placement& placement, const Vector2d& world) {
   return rotation(-placement.rotate_degrees) * (world - placement.translate);
 }
 
-void put_vertex(Lesson& lesson, Which which, int index, const Placement& placement,
+void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& placement,
                 const Vector2d& world) {
-  shape_of(lesson, which).vertices[static_cast<std::size_t>(index)] = to_local(placement, world);
+  lesson.bodies[body].vertices[static_cast<std::size_t>(index)] = to_local(placement, world);
 }
 
-void move_shape(Lesson& lesson, Which which, const Vector2d& by) {
-  if (LessonMotion* motion = motion_of(lesson, which)) {
+void move_shape(Lesson& lesson, std::size_t body, const Vector2d& by) {
+  if (LessonMotion* motion = motion_of(lesson, body)) {
     for (Vector2d& point : motion->points) point += by;
     return;
   }
-  LessonShape& shape = shape_of(lesson, which);
+  LessonShape& shape = lesson.bodies[body];
   // A shape at rest at its own origin stays there: its vertices are what the reader sees.
   if (shape.translate.isZero() && shape.rotate_degrees == 0.0) {
     for (Vector2d& vertex : shape.vertices) vertex += by;
@@ -82,13 +72,13 @@ void move_shape(Lesson& lesson, Which which, const Vector2d& by) {
   }
 }
 
-void turn_shape(Lesson& lesson, Which which, double degrees) {
-  LessonShape& shape = shape_of(lesson, which);
+void turn_shape(Lesson& lesson, std::size_t body, double degrees) {
+  LessonShape& shape = lesson.bodies[body];
   const Vector2d middle = centroid(shape.vertices);
   const Vector2d stays =
       (rotation(shape.rotate_degrees) - rotation(shape.rotate_degrees + degrees)) * middle;
   shape.rotate_degrees = std::remainder(shape.rotate_degrees + degrees, 360.0);
-  if (LessonMotion* motion = motion_of(lesson, which)) {
+  if (LessonMotion* motion = motion_of(lesson, body)) {
     for (double& turn : motion->turns) turn += degrees;
     for (Vector2d& point : motion->points) point += stays;
   } else {
@@ -96,28 +86,28 @@ void turn_shape(Lesson& lesson, Which which, double degrees) {
   }
 }
 
-int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placement,
+int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& placement,
                   const Vector2d& world) {
-  const std::string name = free_name(lesson, which);
-  LessonShape& shape = shape_of(lesson, which);
+  const std::string name = free_name(lesson, body);
+  LessonShape& shape = lesson.bodies[body];
   const int index = edge + 1;
   shape.vertices.insert(shape.vertices.begin() + index, to_local(placement, world));
   shape.vertex_names.insert(shape.vertex_names.begin() + index, name);
   for (gjk::VertexPair& pair : lesson.options.start.pairs) {
-    int& named = which == Which::x ? pair.x : pair.y;
+    int& named = body == 0 ? pair.x : pair.y;
     if (named >= index) ++named;
   }
   return index;
 }
 
-bool erase_vertex(Lesson& lesson, Which which, int index) {
-  LessonShape& shape = shape_of(lesson, which);
+bool erase_vertex(Lesson& lesson, std::size_t body, int index) {
+  LessonShape& shape = lesson.bodies[body];
   if (shape.vertices.size() < 2) return false;
   shape.vertices.erase(shape.vertices.begin() + index);
   shape.vertex_names.erase(shape.vertex_names.begin() + index);
   bool forgotten = false;
   for (gjk::VertexPair& pair : lesson.options.start.pairs) {
-    int& named = which == Which::x ? pair.x : pair.y;
+    int& named = body == 0 ? pair.x : pair.y;
     forgotten = forgotten || named == index;
     if (named > index) --named;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // Changes of a lesson's shapes, as a hand makes them on the stage. Plain functions from values to
-// values; the session (session.hpp) keeps what was before.
+// values; the session (session.hpp) keeps what was before. `body` is an index into Lesson::bodies.
 
 #include <Eigen/Core>
 #include <optional>
@@ -10,35 +10,29 @@
 
 namespace gjkscope::edit {
 
-enum class Which { x, y };
-
 /// Polygons with more vertices are drawn, but vertices are neither added nor taken one by one.
 inline constexpr std::size_t kMostEditable = 256;
-
-[[nodiscard]] LessonShape& shape_of(Lesson& lesson, Which which);
-[[nodiscard]] const LessonShape& shape_of(const Lesson& lesson, Which which);
-[[nodiscard]] const Placement& placement_of(const PositionedRun& run, Which which);
 
 /// From the world to the frame of a shape that stands at `placement`.
 [[nodiscard]] Eigen::Vector2d to_local(const Placement& placement, const Eigen::Vector2d& world);
 
 /// Puts vertex `index` of the shape, which stands at `placement`, where `world` is.
-void put_vertex(Lesson& lesson, Which which, int index, const Placement& placement,
+void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& placement,
                 const Eigen::Vector2d& world);
 
 /// Moves a shape; where a path or a motion places it, all of that.
-void move_shape(Lesson& lesson, Which which, const Eigen::Vector2d& by);
+void move_shape(Lesson& lesson, std::size_t body, const Eigen::Vector2d& by);
 
 /// Turns a shape about the middle of its vertices.
-void turn_shape(Lesson& lesson, Which which, double degrees);
+void turn_shape(Lesson& lesson, std::size_t body, double degrees);
 
 /// Inserts a vertex after vertex `edge`; returns its index. It gets a name that is not taken.
-int insert_vertex(Lesson& lesson, Which which, int edge, const Placement& placement,
+int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& placement,
                   const Eigen::Vector2d& world);
 
 /// Takes a vertex away, unless it is the last one. First simplices that name it are forgotten, and
 /// so are the support points that the lesson expects.
-bool erase_vertex(Lesson& lesson, Which which, int index);
+bool erase_vertex(Lesson& lesson, std::size_t body, int index);
 
 /// The same shapes, told by the expanding polygon that finds their penetration depth.
 [[nodiscard]] Lesson told_by_depth(Lesson lesson);

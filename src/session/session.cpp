@@ -21,7 +21,7 @@ constexpr std::size_t kMostEntries = 500;
 constexpr std::size_t kMostRemembered = 1'000'000;
 
 std::size_t weight(const Lesson& lesson) {
-  std::size_t vertices = lesson.x.vertices.size() + lesson.y.vertices.size();
+  std::size_t vertices = lesson.x().vertices.size() + lesson.y().vertices.size();
   if (lesson.study) {
     for (const StudyDot& dot : lesson.study->dots) vertices += dot.x.size() + dot.y.size();
   }
@@ -426,8 +426,8 @@ void Session::keep_difference_in_sight() {
   const PositionedRun& shapes = run().run(frame());
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
-  for (const Eigen::Vector2d& vertex : shapes.x_world) x.extend(vertex);
-  for (const Eigen::Vector2d& vertex : shapes.y_world) y.extend(vertex);
+  for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
+  for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
   const std::vector<LessonPictures::Stage> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].kind != ViewKind::difference) continue;

@@ -100,11 +100,11 @@ double place_error(const LessonRun& run, const LessonRun& finest) {
   for (std::size_t i = 0; i < run.runs.size(); ++i) {
     const PositionedRun& a = run.runs[i];
     const PositionedRun& b = finest.runs[i * each];
-    for (std::size_t k = 0; k < a.x_world.size(); ++k) {
-      out = std::max(out, (a.x_world[k] - b.x_world[k]).norm());
+    for (std::size_t k = 0; k < a.x().world.size(); ++k) {
+      out = std::max(out, (a.x().world[k] - b.x().world[k]).norm());
     }
-    for (std::size_t k = 0; k < a.y_world.size(); ++k) {
-      out = std::max(out, (a.y_world[k] - b.y_world[k]).norm());
+    for (std::size_t k = 0; k < a.y().world.size(); ++k) {
+      out = std::max(out, (a.y().world[k] - b.y().world[k]).norm());
     }
   }
   return out;

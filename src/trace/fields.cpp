@@ -44,8 +44,8 @@ Json vertex(const gjk::SupportPoint<double, D>& value, const std::string& name,
   out["name"] = name;
   out["pair"] = {value.pair.x, value.pair.y};
   out["w"] = point<D>(value.w);
-  out["x"] = point<D>(run.x_world[static_cast<std::size_t>(value.pair.x)]);
-  out["y"] = point<D>(run.y_world[static_cast<std::size_t>(value.pair.y)]);
+  out["x"] = point<D>(run.x().world[static_cast<std::size_t>(value.pair.x)]);
+  out["y"] = point<D>(run.y().world[static_cast<std::size_t>(value.pair.y)]);
   return out;
 }
 template Json vertex(const gjk::SupportPoint<double, 2>& value, const std::string& name,

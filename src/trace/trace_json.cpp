@@ -81,12 +81,12 @@ class TraceWriter {
     positioned_ = &value;
     Json out;
     out["time"] = number(value.time);
-    out["position"] = point<D>(value.x.translate);
-    out["turn"] = number(value.x.rotate_degrees);
-    out["y_position"] = point<D>(value.y.translate);
-    out["y_turn"] = number(value.y.rotate_degrees);
-    out["x_world"] = points(value.x_world);
-    out["y_world"] = points(value.y_world);
+    out["position"] = point<D>(value.x().placement.translate);
+    out["turn"] = number(value.x().placement.rotate_degrees);
+    out["y_position"] = point<D>(value.y().placement.translate);
+    out["y_turn"] = number(value.y().placement.rotate_degrees);
+    out["x_world"] = points(value.x().world);
+    out["y_world"] = points(value.y().world);
     out["exponent"] = value.trace.prepared.exponent;
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();

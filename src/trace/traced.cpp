@@ -31,8 +31,8 @@ std::vector<std::string> headings(const LessonRun& run) {
   for (const PositionedRun& one : run.runs) {
     out.push_back(fmt::format("run {} of {}{}{}{}", out.size() + 1, run.runs.size(),
                               path.seconds ? fmt::format(", t = {} s", one.time) : std::string(),
-                              moved(lesson, lesson.x, path.x, one.x),
-                              moved(lesson, lesson.y, path.y, one.y)));
+                              moved(lesson, lesson.x(), path.x(), one.x().placement),
+                              moved(lesson, lesson.y(), path.y(), one.y().placement)));
   }
   return out;
 }
@@ -41,9 +41,9 @@ std::vector<std::string> headings(const LessonRun& run) {
 
 Traced<2> traced(const LessonRun& run) {
   const Lesson& lesson = run.lesson;
-  return {lesson.id,      lesson.title,     lesson.scalar,
-          lesson.options, traced(lesson.x), traced(lesson.y),
-          run.runs,       headings(run),    &run};
+  return {lesson.id,      lesson.title,       lesson.scalar,
+          lesson.options, traced(lesson.x()), traced(lesson.y()),
+          run.runs,       headings(run),      &run};
 }
 
 template <int D>

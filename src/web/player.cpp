@@ -134,13 +134,13 @@ Json outcome(Session& session) {
   list.push_back(number("distance", result.distance));
   list.push_back(number("lower bound", result.lower));
   list.push_back(number("upper bound", result.upper));
-  add_point(list, "closest point of " + run.lesson.x.name, result.x);
-  add_point(list, "closest point of " + run.lesson.y.name, result.y);
+  add_point(list, "closest point of " + run.lesson.x().name, result.x);
+  add_point(list, "closest point of " + run.lesson.y().name, result.y);
   if (const depth::Result<double>* depth = depth_on_overlap(session.effects(), run, frame)) {
     list.push_back(number("penetration depth", depth->depth));
     list.push_back(number("its lower bound", depth->lower));
     list.push_back(number("its upper bound", depth->upper));
-    add_point(list, "shortest way out of " + run.lesson.x.name, depth->translation);
+    add_point(list, "shortest way out of " + run.lesson.x().name, depth->translation);
   }
   for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
                                     {"stop", std::string(name_of(result.stop))},
@@ -195,9 +195,7 @@ struct Player::Asked {
   }
   [[nodiscard]] int whole(const char* key) const { return static_cast<int>(std::floor(real(key))); }
   [[nodiscard]] Point point() const { return {real("x"), real("y")}; }
-  [[nodiscard]] edit::Which shape() const {
-    return text("shape") == "x" ? edit::Which::x : edit::Which::y;
-  }
+  [[nodiscard]] std::size_t shape() const { return text("shape") == "x" ? 0 : 1; }
 };
 
 /// What is being dragged, since where.
@@ -354,15 +352,15 @@ void Player::open_case(const Asked& asked) {
   if (!cases.front().value) throw std::runtime_error(lines(cases.front().problems));
   const Lesson plain = lesson_of(*cases.front().value, cases.front().name, ScalarKind::double_);
   Lesson lesson = session_.lesson();
-  lesson.x = plain.x;
-  lesson.y = plain.y;
+  lesson.x() = plain.x();
+  lesson.y() = plain.y();
   lesson.options.start = plain.options.start;
   lesson.path_of_shapes.reset();
   lesson.questions.clear();
   lesson.expect = {};
   lesson.expect.stop = gjk::StopReason::repeated_support;
   for (LessonView& view : lesson.views) view.camera.reset();
-  if (lesson.x.vertices.size() * lesson.y.vertices.size() > kMostPairs) {
+  if (lesson.x().vertices.size() * lesson.y().vertices.size() > kMostPairs) {
     for (LessonView& view : lesson.views) view.effects.clear();
   }
   change(name, lesson);
@@ -448,13 +446,13 @@ void Player::move(const Point& at) {
   const LessonPictures::Stage stage = session_.views()[drag.stage];
   const Vector2d by = to_view(stage, at) - to_view(stage, drag.last);
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
-  const edit::Which which = of_x ? edit::Which::x : edit::Which::y;
+  const std::size_t body = of_x ? 0 : 1;
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = of_x ? run.x_world : run.y_world;
+  const auto& world = of_x ? run.x().world : run.y().world;
   session_.drag([&](Lesson& lesson) {
-    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, which, by);
+    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? subject.x : subject.y;
-    edit::put_vertex(lesson, which, index, edit::placement_of(run, which), to_view(stage, at));
+    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(stage, at));
   });
   drag.last = at;
 }
@@ -467,10 +465,10 @@ void Player::change(const std::string& name, const Lesson& lesson) {
 
 /// Typed coordinates are read as those of a case: decimal, or hex like 0x1.8p-1.
 void Player::put_vertex(const Asked& asked) {
-  const edit::Which which = asked.shape();
+  const std::size_t body = asked.shape();
   const int index = asked.whole("index");
   Lesson lesson = session_.lesson();
-  std::vector<Vector2d>& vertices = edit::shape_of(lesson, which).vertices;
+  std::vector<Vector2d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
     throw std::runtime_error("there is no such vertex");
   Json point = Json::array();
@@ -490,20 +488,20 @@ void Player::put_vertex(const Asked& asked) {
 /// Moves a vertex, or the shape where `index` is -1, by pixels of the first view of the world: what
 /// a drag does, from the keyboard.
 void Player::nudge(const Asked& asked) {
-  const edit::Which which = asked.shape();
+  const std::size_t body = asked.shape();
   const int index = asked.whole("index");
   const std::vector<LessonPictures::Stage> stages = session_.views();
   const LessonPictures::Stage& stage = stages.front();
   const double unit = stage.camera.height / stage.card.size().y();
   const Vector2d by = unit * Vector2d(asked.real("right"), asked.real("up"));
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = which == edit::Which::x ? run.x_world : run.y_world;
+  const auto& world = run.bodies[body].world;
   if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");
   Lesson lesson = session_.lesson();
   if (index < 0 || world.size() == 1) {
-    edit::move_shape(lesson, which, by);
+    edit::move_shape(lesson, body, by);
   } else {
-    edit::put_vertex(lesson, which, index, edit::placement_of(run, which),
+    edit::put_vertex(lesson, body, index, run.bodies[body].placement,
                      world[static_cast<std::size_t>(index)] + by);
   }
   change("move", lesson);
@@ -586,7 +584,7 @@ void Player::draw_depth(Picture& picture) {
   const Point to = map(depth->x + depth->translation);
   picture.marks.push_back({"direction", Arrow{from, to}, 0, {}});
   const Text label{{stage.card.min.x() + 14.0, stage.card.max.y() - 14.0},
-                   "Arrow: the shortest way out for " + run.lesson.x.name,
+                   "Arrow: the shortest way out for " + run.lesson.x().name,
                    type::kViewTitle};
   picture.marks.push_back({"direction.label", label, -1, {}});
 }
@@ -638,8 +636,8 @@ std::string Player::shown() {
   out["choices"] = {{"scalar", names_of<ScalarKind>()},
                     {"direction", names_of<gjk::DirectionRule>()},
                     {"regions", names_of<gjk::RegionOrder>()}};
-  if (std::max(lesson.x.vertices.size(), lesson.y.vertices.size()) <= edit::kMostEditable)
-    out["shapes"] = {{"x", shape_json(lesson.x)}, {"y", shape_json(lesson.y)}};
+  if (std::max(lesson.x().vertices.size(), lesson.y().vertices.size()) <= edit::kMostEditable)
+    out["shapes"] = {{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}};
   return dumped(out);
 }
 

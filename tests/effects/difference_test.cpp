@@ -89,7 +89,8 @@ TEST(TouchedPoints, AreThoseOfTheStartAndTheSupportPointsEachOnce) {
     for (const auto& point : touched) {
       pairs.insert({point.pair.x, point.pair.y});
       const PositionedRun& at = run.run(frame);
-      EXPECT_LT((point.w - (at.y_world[point.pair.y] - at.x_world[point.pair.x])).norm(), 1e-14);
+      EXPECT_LT((point.w - (at.y().world[point.pair.y] - at.x().world[point.pair.x])).norm(),
+                1e-14);
     }
     EXPECT_EQ(pairs.size(), touched.size());
   }
@@ -107,12 +108,12 @@ TEST(Slab, HoldsNothingOfXAndYAndIsAsWideAsTheDistanceInTheEnd) {
     if (!strip) continue;
     ++slabs;
     const PositionedRun& at = run.run(frame);
-    const Vector2d& y_side = at.y_world[strip->support.pair.y];
-    const Vector2d& x_side = at.x_world[strip->support.pair.x];
+    const Vector2d& y_side = at.y().world[strip->support.pair.y];
+    const Vector2d& x_side = at.x().world[strip->support.pair.x];
     EXPECT_NEAR(strip->normal.norm(), 1.0, 1e-15);
     EXPECT_NEAR(strip->normal.dot(x_side - y_side), strip->width, 1e-14);
-    for (const Vector2d& y : at.y_world) EXPECT_LE(strip->normal.dot(y - y_side), 1e-14);
-    for (const Vector2d& x : at.x_world) EXPECT_GE(strip->normal.dot(x - x_side), -1e-14);
+    for (const Vector2d& y : at.y().world) EXPECT_LE(strip->normal.dot(y - y_side), 1e-14);
+    for (const Vector2d& x : at.x().world) EXPECT_GE(strip->normal.dot(x - x_side), -1e-14);
     EXPECT_GE(strip->width, last) << "the widest so far";
     EXPECT_NEAR(strip->width, run.bounds(frame).lower, 1e-12);
     last = strip->width;
@@ -160,9 +161,9 @@ TEST(GrownObstacle, IsAsFarFromThePointAsTheObstacleFromTheRobot) {
     EXPECT_GT(signed_area(grown), 0.0);
     const PositionedRun& at = run.run(frame);
     double least = INFINITY;
-    for (const Vector2d& x : at.x_world) least = std::min(least, distance_to(at.y_world, x));
-    for (const Vector2d& y : at.y_world) least = std::min(least, distance_to(at.x_world, y));
-    EXPECT_NEAR(distance_to(grown, at.x.translate), least, 1e-13);
+    for (const Vector2d& x : at.x().world) least = std::min(least, distance_to(at.y().world, x));
+    for (const Vector2d& y : at.y().world) least = std::min(least, distance_to(at.x().world, y));
+    EXPECT_NEAR(distance_to(grown, at.x().placement.translate), least, 1e-13);
     EXPECT_NEAR(at.trace.result.distance, least, 1e-13);
   }
 }

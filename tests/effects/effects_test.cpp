@@ -24,8 +24,8 @@ using testing::shipped_lesson;
 
 Lesson point_and_triangle(const Vector2d& q) {
   Lesson lesson;
-  lesson.x = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
-  lesson.y = {
+  lesson.x() = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
+  lesson.y() = {
       "ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, {0.5, 1.5}}, Vector2d::Zero(), 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.act = "path";
@@ -91,7 +91,7 @@ TEST(BarycentricWeights, AreFractionalAreasAndAddUpToOne) {
     const std::vector<double>& weights = graph.get<BarycentricWeights>(run.frames[0]).weights;
     ASSERT_EQ(weights.size(), 3u);
     EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-14);
-    const std::vector<Vector2d>& y = run.runs[0].y_world;
+    const std::vector<Vector2d>& y = run.runs[0].y().world;
     const Vector2d back = weights[0] * y[0] + weights[1] * y[1] + weights[2] * y[2];
     EXPECT_LT((back - q).norm(), 1e-13);
     const double whole = signed_area(y);
@@ -107,7 +107,7 @@ TEST(BarycentricParts, OfASegmentAreItsFractionalLengths) {
   const LessonRun run = run_lesson(shipped_lesson("segment-regions"));
   EffectGraph graph(run);
   for (const Frame& frame : run.frames) {
-    const double length = (run.run(frame).y_world[1] - run.run(frame).y_world[0]).norm();
+    const double length = (run.run(frame).y().world[1] - run.run(frame).y().world[0]).norm();
     for (const BarycentricParts::Part& part : graph.get<BarycentricParts>(frame)) {
       ASSERT_EQ(part.points.size(), 2u);
       EXPECT_NEAR((part.points[1] - part.points[0]).norm() / length, std::abs(part.weight), 1e-14);
@@ -154,8 +154,8 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   const LessonRun run = run_lesson(shipped_lesson("direction-half"));
   EffectGraph graph(run);
   const SecondRun::Value& second = graph.get<SecondRun>(run.frames.back());
-  EXPECT_EQ(second.run.x_world, run.runs[0].x_world);
-  EXPECT_EQ(second.run.y_world, run.runs[0].y_world);
+  EXPECT_EQ(second.run.x().world, run.runs[0].x().world);
+  EXPECT_EQ(second.run.y().world, run.runs[0].y().world);
   ASSERT_GE(second.parting, 0);
   const Frame parting{0, second.parting, -1};
   EXPECT_EQ(run.step(parting).iteration, 1);
@@ -165,8 +165,8 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   EXPECT_EQ(run.pair_name(beside->after.support.pair), "C");
 
   // By the coordinates: Q projected onto BD, and the vertex farthest along Q - P.
-  const std::vector<Vector2d>& y = run.runs[0].y_world;
-  const Vector2d q = run.runs[0].x_world[0];
+  const std::vector<Vector2d>& y = run.runs[0].y().world;
+  const Vector2d q = run.runs[0].x().world[0];
   const Vector2d edge = y[3] - y[1];
   const Vector2d p = y[1] + (q - y[1]).dot(edge) / edge.squaredNorm() * edge;
   int farthest = 0;

@@ -64,9 +64,9 @@ bool is_cheap(const Lesson& lesson) {
   std::size_t positions = 1;
   if (const auto& path = lesson.path_of_shapes; path) {
     positions = path->frames > 0 ? static_cast<std::size_t>(path->frames)
-                                 : std::max(path->x.points.size(), path->y.points.size());
+                                 : std::max(path->x().points.size(), path->y().points.size());
   }
-  const std::size_t vertices = lesson.x.vertices.size() + lesson.y.vertices.size();
+  const std::size_t vertices = lesson.x().vertices.size() + lesson.y().vertices.size();
   return positions * iterations * vertices <= kMostScanned;
 }
 

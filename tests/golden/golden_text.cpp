@@ -26,8 +26,8 @@ std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
   }
   const gjk::Result<double, 2>& result = positioned.trace.result;
   return fmt::format("  {}, {}: supports {}; {}; {}; distance {}\n",
-                     placement(run.lesson.x.name, positioned.x),
-                     placement(run.lesson.y.name, positioned.y),
+                     placement(run.lesson.x().name, positioned.x().placement),
+                     placement(run.lesson.y().name, positioned.y().placement),
                      supports.empty() ? "none" : fmt::format("{}", fmt::join(supports, " ")),
                      name_of(result.stop), name_of(result.verdict), result.distance);
 }

@@ -82,13 +82,13 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.order, 3);
   EXPECT_EQ(lesson.source, "Own example");
   EXPECT_EQ(lesson.prose, "The distance is {distance}; {{braces}} stay.");
-  EXPECT_EQ(lesson.x.name, "Left");
-  EXPECT_EQ(lesson.x.vertex_names, (std::vector<std::string>{"A", "B", "C"}));
-  ASSERT_EQ(lesson.x.vertices.size(), 3u);
-  EXPECT_EQ(lesson.x.vertices[2], Eigen::Vector2d(1.0, 0.1875));
-  EXPECT_EQ(lesson.x.rotate_degrees, 15.0);
-  EXPECT_EQ(lesson.y.translate, Eigen::Vector2d(0.5, 0.0));
-  EXPECT_EQ(lesson.y.rotate_degrees, -30.0);
+  EXPECT_EQ(lesson.x().name, "Left");
+  EXPECT_EQ(lesson.x().vertex_names, (std::vector<std::string>{"A", "B", "C"}));
+  ASSERT_EQ(lesson.x().vertices.size(), 3u);
+  EXPECT_EQ(lesson.x().vertices[2], Eigen::Vector2d(1.0, 0.1875));
+  EXPECT_EQ(lesson.x().rotate_degrees, 15.0);
+  EXPECT_EQ(lesson.y().translate, Eigen::Vector2d(0.5, 0.0));
+  EXPECT_EQ(lesson.y().rotate_degrees, -30.0);
   EXPECT_EQ(lesson.scalar, ScalarKind::single);
   const gjk::Options& options = lesson.options;
   EXPECT_EQ(options.direction_rule, gjk::DirectionRule::towards_origin);
@@ -103,7 +103,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.act, "iteration");
   EXPECT_EQ(lesson.until, gjk::Phase::stop);
   ASSERT_TRUE(lesson.path_of_shapes);
-  EXPECT_EQ(lesson.path_of_shapes->x.points.size(), 2u);
+  EXPECT_EQ(lesson.path_of_shapes->x().points.size(), 2u);
   EXPECT_EQ(lesson.path_of_shapes->frames, 13);
   ASSERT_EQ(lesson.views.size(), 2u);
   EXPECT_EQ(lesson.views[0].title, "World: X and Y");
@@ -132,9 +132,9 @@ expect.stop = "repeated-support"
 )");
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const Lesson& lesson = *loaded.lesson;
-  EXPECT_EQ(lesson.x.name, "X");
-  EXPECT_EQ(lesson.x.vertex_names, (std::vector<std::string>{"X"}));
-  EXPECT_EQ(lesson.y.vertex_names, (std::vector<std::string>{"y1", "y2"}));
+  EXPECT_EQ(lesson.x().name, "X");
+  EXPECT_EQ(lesson.x().vertex_names, (std::vector<std::string>{"X"}));
+  EXPECT_EQ(lesson.y().vertex_names, (std::vector<std::string>{"y1", "y2"}));
   EXPECT_EQ(lesson.scalar, ScalarKind::double_);
   EXPECT_EQ(lesson.options.iteration_cap, gjk::kDefaultIterationCap);
   EXPECT_TRUE(lesson.options.stop_on_repeated_support);
@@ -167,8 +167,8 @@ TEST(Load, NumbersKeepEveryBit) {
     const LoadedLesson loaded =
         parse(replaced(testing::kFullLesson, "[4, 0]", fmt::format("[{}, 0]", written)));
     ASSERT_TRUE(loaded.lesson) << written << "\n" << all_of(loaded.problems);
-    EXPECT_EQ(loaded.lesson->y.vertices[0].x(), value) << written;
-    EXPECT_EQ(std::signbit(loaded.lesson->y.vertices[0].x()), std::signbit(value)) << written;
+    EXPECT_EQ(loaded.lesson->y().vertices[0].x(), value) << written;
+    EXPECT_EQ(std::signbit(loaded.lesson->y().vertices[0].x()), std::signbit(value)) << written;
   }
 }
 
@@ -179,7 +179,7 @@ TEST(Load, APointQueryNamesVerticesOfY) {
   text = replaced(text, R"(["K-B"])", R"(["L", "M"])");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  EXPECT_EQ(loaded.lesson->x.vertex_names, (std::vector<std::string>{"Left"}));
+  EXPECT_EQ(loaded.lesson->x().vertex_names, (std::vector<std::string>{"Left"}));
   EXPECT_EQ(loaded.lesson->options.start.pairs[0], (gjk::VertexPair{0, 2}));
 }
 

@@ -72,10 +72,10 @@ TEST(Motion, ReachesTheLesson) {
   const LessonPath& path = *lesson.path_of_shapes;
   EXPECT_EQ(path.seconds, 4.0);
   EXPECT_EQ(path.frames, 9);
-  EXPECT_EQ(path.x.points.size(), 2u);
-  EXPECT_TRUE(path.x.turns.empty());
-  EXPECT_EQ(path.y.points[2], Vector2d(3, 2));
-  EXPECT_EQ(path.y.turns, (std::vector<double>{0.0, 90.0, -30.0}));
+  EXPECT_EQ(path.x().points.size(), 2u);
+  EXPECT_TRUE(path.x().turns.empty());
+  EXPECT_EQ(path.y().points[2], Vector2d(3, 2));
+  EXPECT_EQ(path.y().turns, (std::vector<double>{0.0, 90.0, -30.0}));
   EXPECT_TRUE(lesson.warm_start);
 }
 
@@ -84,18 +84,18 @@ TEST(Motion, CornersComeAtEqualTimesAndFramesAtEqualStepsOfTime) {
   ASSERT_EQ(run.runs.size(), 9u);
   for (int i = 0; i < 9; ++i) {
     EXPECT_EQ(run.runs[i].time, 0.5 * i);
-    EXPECT_EQ(run.runs[i].x.translate, Vector2d(0.0, i / 8.0));
-    EXPECT_EQ(run.runs[i].x.rotate_degrees, 10.0) << "X moves and keeps its turn";
+    EXPECT_EQ(run.runs[i].x().placement.translate, Vector2d(0.0, i / 8.0));
+    EXPECT_EQ(run.runs[i].x().placement.rotate_degrees, 10.0) << "X moves and keeps its turn";
   }
   // Halfway to the second corner Y has only turned: a leg of no length takes its time, too.
-  EXPECT_EQ(run.runs[2].y.translate, Vector2d(5, 0));
-  EXPECT_EQ(run.runs[2].y.rotate_degrees, 45.0);
-  EXPECT_EQ(run.runs[4].y.rotate_degrees, 90.0);
-  EXPECT_EQ(run.runs[6].y.translate, Vector2d(4, 1));
-  EXPECT_EQ(run.runs[6].y.rotate_degrees, 30.0);
+  EXPECT_EQ(run.runs[2].y().placement.translate, Vector2d(5, 0));
+  EXPECT_EQ(run.runs[2].y().placement.rotate_degrees, 45.0);
+  EXPECT_EQ(run.runs[4].y().placement.rotate_degrees, 90.0);
+  EXPECT_EQ(run.runs[6].y().placement.translate, Vector2d(4, 1));
+  EXPECT_EQ(run.runs[6].y().placement.rotate_degrees, 30.0);
   // K = (-1, -0.5), turned by 90 degrees and moved to (5, 0).
-  EXPECT_LT((run.runs[4].y_world[0] - Vector2d(5.5, -1.0)).norm(), 1e-15);
-  EXPECT_EQ(run.runs[8].y.translate, Vector2d(3, 2));
+  EXPECT_LT((run.runs[4].y().world[0] - Vector2d(5.5, -1.0)).norm(), 1e-15);
+  EXPECT_EQ(run.runs[8].y().placement.translate, Vector2d(3, 2));
   EXPECT_EQ(run.frames.size(), 9u);
 }
 
@@ -103,7 +103,7 @@ TEST(Motion, IsTheSameEveryTime) {
   const LessonRun first = run_lesson(motion());
   const LessonRun second = run_lesson(motion());
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
-    EXPECT_EQ(first.runs[i].y_world, second.runs[i].y_world);
+    EXPECT_EQ(first.runs[i].y().world, second.runs[i].y().world);
     EXPECT_EQ(first.runs[i].trace.result.distance, second.runs[i].trace.result.distance);
   }
 }
@@ -119,8 +119,8 @@ TEST(WarmStart, StartsEachRunFromTheSimplexThatTheLastEndedWith) {
     for (int k = 0; k < start.count; ++k) EXPECT_EQ(start.vertices[k].pair, last.vertices[k].pair);
     const PositionedRun cold = run_afresh(run, i);
     EXPECT_EQ(cold.trace.initial.simplex.count, 1);
-    EXPECT_EQ(cold.x_world, run.runs[i].x_world);
-    EXPECT_EQ(cold.y_world, run.runs[i].y_world);
+    EXPECT_EQ(cold.x().world, run.runs[i].x().world);
+    EXPECT_EQ(cold.y().world, run.runs[i].y().world);
     EXPECT_NEAR(cold.trace.result.distance, run.runs[i].trace.result.distance, 1e-14);
     saved += support_calls(cold.trace) - support_calls(run.runs[i].trace);
   }

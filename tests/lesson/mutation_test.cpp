@@ -376,8 +376,8 @@ TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
     LoadedLesson loaded = parse_lesson(text, "bounds.toml", vocabulary());
     ASSERT_TRUE(loaded.lesson);
     Lesson& lesson = *loaded.lesson;
-    lesson.x.rotate_degrees = 0.0;
-    lesson.y.rotate_degrees = 0.0;
+    lesson.x().rotate_degrees = 0.0;
+    lesson.y().rotate_degrees = 0.0;
     lesson.options = {};
     const double exact = run_lesson(lesson).runs[0].trace.result.distance;
     int units = 0;
@@ -396,8 +396,9 @@ TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
         EXPECT_NEAR(state.p_sq, state.p.squaredNorm(), 2e-3 * state.p_sq);
         for (int k = 0; k < state.simplex.count; ++k) {
           const gjk::VertexPair pair = state.simplex.vertices[k].pair;
-          EXPECT_EQ(state.simplex.vertices[k].w, run.y_world[static_cast<std::size_t>(pair.y)] -
-                                                     run.x_world[static_cast<std::size_t>(pair.x)]);
+          EXPECT_EQ(state.simplex.vertices[k].w,
+                    run.y().world[static_cast<std::size_t>(pair.y)] -
+                        run.x().world[static_cast<std::size_t>(pair.x)]);
         }
       }
     }

@@ -171,8 +171,8 @@ TEST(SavedLesson, HasNoLineTooLongWhereItCanBeBroken) {
   Lesson wide = lesson(kWritten);
   wide.prose.clear();
   while (wide.prose.size() < 290) wide.prose += "twelve chars ";
-  wide.y.vertices.resize(600, Vector2d(-1.0 / 3.0, 1e-300));
-  wide.y.vertex_names = default_vertex_names(wide.y, "Y");
+  wide.y().vertices.resize(600, Vector2d(-1.0 / 3.0, 1e-300));
+  wide.y().vertex_names = default_vertex_names(wide.y(), "Y");
   const std::string text = lesson_toml(wide);
   std::size_t longest = 0;
   for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1)
@@ -187,29 +187,29 @@ TEST(SavedLesson, KeepsTheBitsOfNumbers) {
                            0x1p53, 0x1p53 + 2, 1e17,      1e18,      -0x1.23456789abcdep-40};
   Lesson saved = lesson(testing::readme_example());
   for (const double value : values) {
-    saved.y.vertices[0] = Vector2d(value, -value);
-    saved.y.translate = Vector2d(-value, value);
+    saved.y().vertices[0] = Vector2d(value, -value);
+    saved.y().translate = Vector2d(-value, value);
     const Lesson read = lesson(lesson_toml(saved));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y.vertices[0].x()),
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y().vertices[0].x()),
               std::bit_cast<std::uint64_t>(value));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y.vertices[0].y()),
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y().vertices[0].y()),
               std::bit_cast<std::uint64_t>(-value));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y.translate.x()),
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y().translate.x()),
               std::bit_cast<std::uint64_t>(-value));
   }
 }
 
 TEST(SavedLesson, OfTheLargestShapesCanBeRead) {
   Lesson largest = lesson(testing::readme_example());
-  largest.x.name = "X";
-  for (LessonShape* shape : {&largest.x, &largest.y}) {
+  largest.x().name = "X";
+  for (LessonShape* shape : {&largest.x(), &largest.y()}) {
     shape->vertices.assign(10000, Vector2d(-1.2345678901234567e-300, -1.2345678901234567e-299));
-    shape->vertex_names = default_vertex_names(*shape, shape == &largest.x ? "X" : "Y");
+    shape->vertex_names = default_vertex_names(*shape, shape == &largest.x() ? "X" : "Y");
   }
   // Other names than those that a file need not tell, as long as names can be.
   const auto letter = [](std::size_t i) { return fmt::format("\xF0\x90\x8C{}", char(0x80 + i)); };
   for (std::size_t i = 0; i < 10000; ++i)
-    largest.y.vertex_names[i] = letter(i % 40) + letter(i / 40 % 40) + letter(i / 1600);
+    largest.y().vertex_names[i] = letter(i % 40) + letter(i / 40 % 40) + letter(i / 1600);
   largest.expect.supports.reset();
   expect_survives(largest);
 }
@@ -328,8 +328,8 @@ Lesson any_lesson(Random& random) {
   out.order = 1 + static_cast<int>(below(random, 99));
   if (one_in(random, 2)) out.source = any_text(random, 30);
   out.prose = any_text(random, 120);
-  out.x = any_shape(random, "X");
-  out.y = any_shape(random, "Y");
+  out.x() = any_shape(random, "X");
+  out.y() = any_shape(random, "Y");
   if (one_in(random, 2)) out.scalar = any_of<ScalarKind>(random);
   if (out.scalar == ScalarKind::half) out.scalar = ScalarKind::single;
   out.views.resize(1 + below(random, 2));
@@ -353,8 +353,8 @@ Lesson any_lesson(Random& random) {
   if (one_in(random, 3)) options.iteration_cap = 1 + static_cast<int>(below(random, 100));
   options.start.count = static_cast<int>(below(random, 4));
   for (gjk::VertexPair& pair : options.start.pairs)
-    pair = {static_cast<int>(below(random, out.x.vertices.size())),
-            static_cast<int>(below(random, out.y.vertices.size()))};
+    pair = {static_cast<int>(below(random, out.x().vertices.size())),
+            static_cast<int>(below(random, out.y().vertices.size()))};
 
   if (one_in(random, 2)) out.act = any_name(random, names_of(vocabulary().acts));
   if (one_in(random, 3)) out.until = any_of<gjk::Phase>(random);
@@ -364,13 +364,13 @@ Lesson any_lesson(Random& random) {
     LessonPath& path = out.path_of_shapes.emplace();
     if (one_in(random, 2)) path.seconds = 0.5 + std::abs(any_number(random, 3000.0));
     if (path.seconds || one_in(random, 2)) path.frames = 2 + static_cast<int>(below(random, 90));
-    if (path.seconds && one_in(random, 2)) path.y = any_motion(random);
-    if (path.y.points.empty() || one_in(random, 2)) path.x = any_motion(random);
-    if (!path.seconds) path.x.turns.clear();
-    if (!path.x.points.empty()) out.x.translate = Vector2d::Zero();
-    if (!path.y.points.empty()) out.y.translate = Vector2d::Zero();
-    out.x.rotate_degrees = 0.0;
-    out.y.rotate_degrees = 0.0;
+    if (path.seconds && one_in(random, 2)) path.y() = any_motion(random);
+    if (path.y().points.empty() || one_in(random, 2)) path.x() = any_motion(random);
+    if (!path.seconds) path.x().turns.clear();
+    if (!path.x().points.empty()) out.x().translate = Vector2d::Zero();
+    if (!path.y().points.empty()) out.y().translate = Vector2d::Zero();
+    out.x().rotate_degrees = 0.0;
+    out.y().rotate_degrees = 0.0;
     out.warm_start = one_in(random, 2);
   }
   if (out.act == "time") {
@@ -380,7 +380,7 @@ Lesson any_lesson(Random& random) {
     const auto& path = out.path_of_shapes;
     const std::size_t positions = !path              ? 1
                                   : path->frames > 0 ? static_cast<std::size_t>(path->frames)
-                                                     : path->x.points.size();
+                                                     : path->x().points.size();
     while (time.frames == 0 && time.moments.size() < positions) {
       std::vector<double>& moments = time.moments.emplace_back();
       for (int i = static_cast<int>(below(random, 3)); i < 4; ++i)
@@ -447,7 +447,7 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     ASSERT_EQ(lesson_toml(*loaded.lesson), text);
     ++taken;
     long_prose += text.find("\"\"\"\\\n") != std::string::npos;
-    points += made.x.vertices.size() == 1;
+    points += made.x().vertices.size() == 1;
     paths += made.path_of_shapes.has_value();
     timed += made.time.has_value();
     grown += made.growth.has_value();

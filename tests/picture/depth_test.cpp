@@ -93,7 +93,7 @@ TEST(DepthFrames, AskForTheNearestEdgeBeforeItIsTold) {
 
 TEST(DepthFrames, ShapesApartHaveOneFrameThatSaysSo) {
   Lesson lesson = testing::shipped_lesson("penetration-depth");
-  lesson.x.translate = {-9.0, 0.0};
+  lesson.x().translate = {-9.0, 0.0};
   const LessonRun run = run_lesson(lesson);
   ASSERT_EQ(run.frames.size(), 1u);
   EXPECT_EQ(depth_trace(run, 0)->result.stop, depth::StopReason::separated);

@@ -42,7 +42,7 @@ bool moves(const Lesson& lesson, const std::string& role) {
   if (lesson.study) return true;  // each pair has shapes of its own
   if (!lesson.path_of_shapes) return false;
   const bool of_x = role == "shape.x.label";
-  return !(of_x ? lesson.path_of_shapes->x : lesson.path_of_shapes->y).points.empty();
+  return !(of_x ? lesson.path_of_shapes->x() : lesson.path_of_shapes->y()).points.empty();
 }
 
 class Frames : public ::testing::TestWithParam<Page> {
@@ -324,8 +324,8 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
   std::swap(lesson.options.start.pairs[0], lesson.options.start.pairs[1]);
   EXPECT_TRUE(says(lesson, "|A − B|²"));
   EXPECT_FALSE(says(lesson, "|B − A|²"));
-  lesson.y.vertices.resize(1);
-  lesson.y.vertex_names.resize(1);
+  lesson.y().vertices.resize(1);
+  lesson.y().vertex_names.resize(1);
   lesson.options.start.pairs[0] = {0, 0};
   lesson.options.start.count = 1;
   lesson.act = "phase";
@@ -386,9 +386,9 @@ TEST(Panel, TheScanMarksTheSimplexOnceItIsAskedWhetherTheWinnerIsNews) {
 TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
   // The weight of D, from the projection of Q onto CD.
   const LessonRun repeated = run_lesson(testing::shipped_lesson("stop-repeated"));
-  const Eigen::Vector2d q = repeated.runs[0].x_world[0];
-  const Eigen::Vector2d c = repeated.runs[0].y_world[2];
-  const Eigen::Vector2d d = repeated.runs[0].y_world[3];
+  const Eigen::Vector2d q = repeated.runs[0].x().world[0];
+  const Eigen::Vector2d c = repeated.runs[0].y().world[2];
+  const Eigen::Vector2d d = repeated.runs[0].y().world[3];
   const double of_d = (q - c).dot(d - c) / (d - c).squaredNorm();
   const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
     return std::find(texts.begin(), texts.end(), text) != texts.end();

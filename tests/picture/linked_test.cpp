@@ -142,20 +142,20 @@ TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
   const PositionedRun& last = shipped.runs.back();
   // B of the robot lies between N and R of the obstacle, and A and C lie beyond their line. All of
   // it exactly: coordinates are multiples of 1/4.
-  const Eigen::Vector2d n = last.y_world[3];
-  const Eigen::Vector2d r = last.y_world[4];
+  const Eigen::Vector2d n = last.y().world[3];
+  const Eigen::Vector2d r = last.y().world[4];
   const Eigen::Vector2d outwards(n.y() - r.y(), r.x() - n.x());
-  EXPECT_EQ(last.x_world[1], 0.5 * (n + r));
-  for (const Eigen::Vector2d& y : last.y_world) EXPECT_GE(outwards.dot(y - n), 0.0);
-  EXPECT_LT(outwards.dot(last.x_world[0] - n), 0.0);
-  EXPECT_LT(outwards.dot(last.x_world[2] - n), 0.0);
+  EXPECT_EQ(last.x().world[1], 0.5 * (n + r));
+  for (const Eigen::Vector2d& y : last.y().world) EXPECT_GE(outwards.dot(y - n), 0.0);
+  EXPECT_LT(outwards.dot(last.x().world[0] - n), 0.0);
+  EXPECT_LT(outwards.dot(last.x().world[2] - n), 0.0);
   const std::string touches =
       "The robot touches the obstacle: p lies on the boundary of the grown obstacle, O on that of "
       "Z.";
   EXPECT_EQ(pictures_of(shipped).back().text.caption, touches);
 
   // A step towards the obstacle, and one away from it.
-  Eigen::Vector2d& goal = lesson.path_of_shapes->x.points.back();
+  Eigen::Vector2d& goal = lesson.path_of_shapes->x().points.back();
   goal += 0.125 * outwards;
   EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption,
             "The robot and the obstacle overlap: p lies inside the grown obstacle, O inside Z.");
@@ -163,7 +163,8 @@ TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
   EXPECT_TRUE(
       pictures_of(run_lesson(lesson)).back().text.caption.starts_with("The robot moved by"));
   // Vertex on vertex.
-  goal = shipped.runs.back().y.translate + lesson.y.vertices[3] - lesson.x.vertices[1];
+  goal =
+      shipped.runs.back().y().placement.translate + lesson.y().vertices[3] - lesson.x().vertices[1];
   EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption, touches);
 }
 

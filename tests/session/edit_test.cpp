@@ -13,32 +13,32 @@
 namespace gjkscope {
 namespace {
 
-using edit::Which;
 using Eigen::Vector2d;
+using std::size_t;
 using testing::shipped_lesson;
 
-std::vector<Vector2d> world(const Lesson& lesson, Which which) {
+std::vector<Vector2d> world(const Lesson& lesson, std::size_t body) {
   const LessonRun run = run_lesson(lesson);
-  return which == Which::x ? run.runs.front().x_world : run.runs.front().y_world;
+  return body == 0 ? run.runs.front().x().world : run.runs.front().y().world;
 }
 
 TEST(Edit, AVertexOfATurnedShapeGoesWhereItIsPut) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  lesson.y.rotate_degrees = 30.0;
-  lesson.y.translate = {0.5, -0.25};
+  lesson.y().rotate_degrees = 30.0;
+  lesson.y().translate = {0.5, -0.25};
   const LessonRun run = run_lesson(lesson);
-  edit::put_vertex(lesson, Which::y, 2, run.runs.front().y, {1.0, 4.0});
-  EXPECT_LT((world(lesson, Which::y)[2] - Vector2d(1.0, 4.0)).norm(), 1e-12);
-  EXPECT_LT((world(lesson, Which::y)[1] - run.runs.front().y_world[1]).norm(), 1e-12);
+  edit::put_vertex(lesson, 1, 2, run.runs.front().y().placement, {1.0, 4.0});
+  EXPECT_LT((world(lesson, 1)[2] - Vector2d(1.0, 4.0)).norm(), 1e-12);
+  EXPECT_LT((world(lesson, 1)[1] - run.runs.front().y().world[1]).norm(), 1e-12);
 }
 
 TEST(Edit, AShapeMovesAsAWhole) {
   for (const bool turned : {false, true}) {
     Lesson lesson = shipped_lesson("polygons-gjk");
-    if (turned) lesson.x.rotate_degrees = 10.0;
-    const auto before = world(lesson, Which::x);
-    edit::move_shape(lesson, Which::x, {0.5, -2.0});
-    const auto after = world(lesson, Which::x);
+    if (turned) lesson.x().rotate_degrees = 10.0;
+    const auto before = world(lesson, 0);
+    edit::move_shape(lesson, 0, {0.5, -2.0});
+    const auto after = world(lesson, 0);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_LT((after[i] - before[i] - Vector2d(0.5, -2.0)).norm(), 1e-12);
   }
@@ -47,21 +47,22 @@ TEST(Edit, AShapeMovesAsAWhole) {
 TEST(Edit, AShapeOnAPathTakesThePathWithIt) {
   Lesson lesson = shipped_lesson("segment-regions");
   const LessonRun before = run_lesson(lesson);
-  edit::move_shape(lesson, Which::x, {1.0, 0.5});
+  edit::move_shape(lesson, 0, {1.0, 0.5});
   const LessonRun after = run_lesson(lesson);
   ASSERT_EQ(before.runs.size(), after.runs.size());
   for (std::size_t i = 0; i < before.runs.size(); ++i)
-    EXPECT_LT((after.runs[i].x_world[0] - before.runs[i].x_world[0] - Vector2d(1.0, 0.5)).norm(),
-              1e-12);
+    EXPECT_LT(
+        (after.runs[i].x().world[0] - before.runs[i].x().world[0] - Vector2d(1.0, 0.5)).norm(),
+        1e-12);
 }
 
 TEST(Edit, AShapeTurnsAboutItsMiddle) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  const auto before = world(lesson, Which::y);
+  const auto before = world(lesson, 1);
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& vertex : before) middle += vertex / static_cast<double>(before.size());
-  edit::turn_shape(lesson, Which::y, 90.0);
-  const auto after = world(lesson, Which::y);
+  edit::turn_shape(lesson, 1, 90.0);
+  const auto after = world(lesson, 1);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const Vector2d arm = before[i] - middle;
     EXPECT_LT((after[i] - middle - Vector2d(-arm.y(), arm.x())).norm(), 1e-12);
@@ -71,29 +72,30 @@ TEST(Edit, AShapeTurnsAboutItsMiddle) {
 TEST(Edit, ANewVertexHasANameOfItsOwnAndStartPairsKeepTheirVertices) {
   Lesson lesson = shipped_lesson("polygons-gjk");
   const gjk::VertexPair start = lesson.options.start.pairs[0];
-  const std::string of_x = lesson.x.vertex_names[static_cast<std::size_t>(start.x)];
+  const std::string of_x = lesson.x().vertex_names[static_cast<std::size_t>(start.x)];
   const LessonRun run = run_lesson(lesson);
-  const int index = edit::insert_vertex(lesson, Which::x, 0, run.runs.front().x, {-3.0, -1.0});
+  const int index = edit::insert_vertex(lesson, 0, 0, run.runs.front().x().placement, {-3.0, -1.0});
   EXPECT_EQ(1, index);
-  EXPECT_EQ(6u, lesson.x.vertices.size());
-  std::set<std::string> names(lesson.x.vertex_names.begin(), lesson.x.vertex_names.end());
-  names.insert(lesson.y.vertex_names.begin(), lesson.y.vertex_names.end());
+  EXPECT_EQ(6u, lesson.x().vertices.size());
+  std::set<std::string> names(lesson.x().vertex_names.begin(), lesson.x().vertex_names.end());
+  names.insert(lesson.y().vertex_names.begin(), lesson.y().vertex_names.end());
   EXPECT_EQ(10u, names.size());
-  EXPECT_EQ(of_x, lesson.x.vertex_names[static_cast<std::size_t>(lesson.options.start.pairs[0].x)]);
-  EXPECT_TRUE(edit::erase_vertex(lesson, Which::x, index));
+  EXPECT_EQ(of_x,
+            lesson.x().vertex_names[static_cast<std::size_t>(lesson.options.start.pairs[0].x)]);
+  EXPECT_TRUE(edit::erase_vertex(lesson, 0, index));
   EXPECT_EQ(start, lesson.options.start.pairs[0]);
 }
 
 TEST(Edit, AStartVertexThatGoesIsForgotten) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  ASSERT_TRUE(edit::erase_vertex(lesson, Which::y, lesson.options.start.pairs[0].y));
+  ASSERT_TRUE(edit::erase_vertex(lesson, 1, lesson.options.start.pairs[0].y));
   EXPECT_EQ(gjk::VertexPair{}, lesson.options.start.pairs[0]);
   EXPECT_EQ(gjk::Error::none, run_lesson(lesson).runs.front().trace.result.error);
 }
 
 TEST(Edit, TheLastVertexStays) {
   Lesson lesson = shipped_lesson("segment-closest");
-  EXPECT_FALSE(edit::erase_vertex(lesson, Which::x, 0));
+  EXPECT_FALSE(edit::erase_vertex(lesson, 0, 0));
 }
 
 TEST(Edit, TheNearestEdgeIsFoundByDistance) {

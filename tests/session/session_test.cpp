@@ -19,8 +19,8 @@
 namespace gjkscope {
 namespace {
 
-using edit::Which;
 using Eigen::Vector2d;
+using std::size_t;
 using testing::fonts;
 using testing::shipped_lesson;
 
@@ -33,7 +33,7 @@ bool change(Session& session, const std::string& name, const std::function<void(
 
 void move_y(Session& session, double by) {
   EXPECT_TRUE(change(session, "move", [&](Lesson& lesson) {
-    edit::move_shape(lesson, Which::y, {by, 0.0});
+    edit::move_shape(lesson, 1, {by, 0.0});
   }));
 }
 
@@ -75,7 +75,7 @@ TEST(Session, ADragIsOneEntry) {
   const Lesson before = session.lesson();
   session.begin_drag("drag");
   for (int i = 0; i < 20; ++i)
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.01, 0.0}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0}); });
   session.end_drag();
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(before, session.lesson());
@@ -87,7 +87,7 @@ TEST(Session, TheRunFollowsADragToTheBit) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.begin_drag("drag");
   for (int i = 0; i < 10; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {-0.1, 0.03}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.03}); });
     const LessonRun fresh = run_lesson(session.lesson());
     EXPECT_EQ(fresh.runs[0].trace.result.distance, session.run().runs[0].trace.result.distance);
   }
@@ -144,7 +144,7 @@ TEST(Session, ARunThatCannotBeShownLeavesAllAsItWas) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   const Lesson before = session.lesson();
   const auto break_it = [](Lesson& lesson) {
-    lesson.y.vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
+    lesson.y().vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
   };
   EXPECT_FALSE(change(session, "break", break_it));
   EXPECT_NE("", session.problem());
@@ -242,7 +242,7 @@ TEST(Session, AnotherLessonTakesNothingAway) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
   EXPECT_EQ("", session.undo_name());
   const Lesson first = session.lesson();
-  ASSERT_TRUE(change(session, "move", [](Lesson& lesson) { lesson.x.vertices[0].x() -= 1.0; }));
+  ASSERT_TRUE(change(session, "move", [](Lesson& lesson) { lesson.x().vertices[0].x() -= 1.0; }));
   const Lesson edited = session.lesson();
   session.go_to(9);
   ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
@@ -274,7 +274,7 @@ TEST(Session, AnotherLessonTakesNothingAway) {
 
 TEST(Session, EveryLessonThatIsNotSavedIsTold) {
   Session session(fonts());
-  const auto move = [](Lesson& lesson) { lesson.y.vertices[0].x() -= 0.125; };
+  const auto move = [](Lesson& lesson) { lesson.y().vertices[0].x() -= 0.125; };
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), "a.toml"));
   ASSERT_TRUE(change(session, "move", move));
   ASSERT_TRUE(session.open(shipped_lesson("segment-regions"), "b.toml"));
@@ -354,7 +354,7 @@ TEST(Session, ViewsStandStillWhileShapesMove) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   const Camera before = session.views()[1].camera;
   session.begin_drag("drag");
-  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.25, 0.25}); });
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25}); });
   EXPECT_NEAR(before.height, session.views()[1].camera.height, 1e-9);
   EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
   session.end_drag();
@@ -367,11 +367,11 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.begin_drag("drag");
   for (int i = 0; i < 40; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {0.5, -0.25}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
     const LessonPictures::Stage view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
-    for (const Vector2d& y : run.y_world) {
-      for (const Vector2d& x : run.x_world) {
+    for (const Vector2d& y : run.y().world) {
+      for (const Vector2d& x : run.x().world) {
         const Vector2d off =
             (y - x - view.camera.center) * (view.card.size().y() / view.camera.height);
         EXPECT_LE(std::abs(off.x()), 0.5 * view.card.size().x());
@@ -389,7 +389,7 @@ TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
   session.begin_drag("drag");
   std::set<int> counts;
   for (int i = 0; i < 40; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, Which::y, {-0.1, 0.02}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.02}); });
     EXPECT_EQ(session.frame_count() - 1, session.index());
     counts.insert(session.frame_count());
   }

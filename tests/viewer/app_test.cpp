@@ -72,45 +72,45 @@ TEST(App, PlaysAndStopsAtTheEnd) {
 TEST(App, AVertexFollowsTheHandAndTheRunFollowsTheVertex) {
   HeadlessApp window;
   Session& session = window.session();
-  const auto before = session.lesson().y.vertices;
+  const auto before = session.lesson().y().vertices;
   const double distance = session.run().runs[0].trace.result.distance;
   const Point from = window.at(kK);
   window.drag(from, from + Point(60, -40));
-  const auto after = session.lesson().y.vertices;
+  const auto after = session.lesson().y().vertices;
   EXPECT_GT((after[0] - before[0]).norm(), 0.1);
   for (std::size_t i = 1; i < after.size(); ++i) EXPECT_EQ(before[i], after[i]);
   EXPECT_LT((window.at(kK) - from - Point(60, -40)).norm(), 1.5);
   EXPECT_NE(distance, session.run().runs[0].trace.result.distance);
   window.key("Z", true);
-  EXPECT_EQ(before, session.lesson().y.vertices);
+  EXPECT_EQ(before, session.lesson().y().vertices);
   window.key("Y", true);
-  EXPECT_EQ(after, session.lesson().y.vertices);
+  EXPECT_EQ(after, session.lesson().y().vertices);
 }
 
 TEST(App, AShapeAndTheDifferenceMoveAsAWhole) {
   HeadlessApp window;
   Session& session = window.session();
-  const auto y = session.lesson().y.vertices;
+  const auto y = session.lesson().y().vertices;
   const Point inside = window.at({Kind::shape_y});
   window.drag(inside, inside + Point(30, 10));
-  const Eigen::Vector2d by = session.lesson().y.vertices[0] - y[0];
+  const Eigen::Vector2d by = session.lesson().y().vertices[0] - y[0];
   EXPECT_GT(by.norm(), 0.05);
   for (std::size_t i = 0; i < y.size(); ++i)
-    EXPECT_LT((session.lesson().y.vertices[i] - y[i] - by).norm(), 1e-12);
-  const auto then = session.lesson().y.vertices;
+    EXPECT_LT((session.lesson().y().vertices[i] - y[i] - by).norm(), 1e-12);
+  const auto then = session.lesson().y().vertices;
   const Point z = window.at({Kind::difference});
   window.drag(z, z + Point(0, 40));
-  EXPECT_LT(session.lesson().y.vertices[0].y(), then[0].y());
+  EXPECT_LT(session.lesson().y().vertices[0].y(), then[0].y());
 }
 
 TEST(App, TheHandleOfASelectedShapeTurnsIt) {
   HeadlessApp window;
   window.click(window.at({Kind::shape_y}));
-  EXPECT_EQ(0.0, window.session().lesson().y.rotate_degrees);
-  const std::optional<Point> handle = window.app().picture().rotation_handle_at(edit::Which::y);
+  EXPECT_EQ(0.0, window.session().lesson().y().rotate_degrees);
+  const std::optional<Point> handle = window.app().picture().rotation_handle_at(1);
   ASSERT_TRUE(handle);
   window.drag(*handle, *handle + Point(60, 30));
-  EXPECT_LT(window.session().lesson().y.rotate_degrees, -5.0);
+  EXPECT_LT(window.session().lesson().y().rotate_degrees, -5.0);
 }
 
 TEST(App, VerticesAreAddedAndDeleted) {
@@ -119,11 +119,11 @@ TEST(App, VerticesAreAddedAndDeleted) {
   const Point a = window.at({Kind::vertex_of_y, -1, 1});
   const Point b = window.at({Kind::vertex_of_y, -1, 2});
   window.click(0.5 * (a + b), 2);
-  ASSERT_EQ(5u, session.lesson().y.vertices.size());
+  ASSERT_EQ(5u, session.lesson().y().vertices.size());
   window.key("Delete");
-  EXPECT_EQ(4u, session.lesson().y.vertices.size());
+  EXPECT_EQ(4u, session.lesson().y().vertices.size());
   window.key("Z", true);
-  EXPECT_EQ(5u, session.lesson().y.vertices.size());
+  EXPECT_EQ(5u, session.lesson().y().vertices.size());
 }
 
 TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
@@ -234,16 +234,16 @@ TEST(App, CopiesAndPastesTheShapesAsACase) {
   std::string clipboard;
   window.app().copy = [&](const std::string& text) { clipboard = text; };
   window.app().paste = [&] { return clipboard; };
-  const auto y = window.session().lesson().y.vertices;
+  const auto y = window.session().lesson().y().vertices;
   window.key("C", true);
   const auto cases = parse_cases(clipboard, "clipboard");
   ASSERT_TRUE(cases.front().value);
   window.key("V", true);
-  EXPECT_EQ(y, window.session().lesson().y.vertices);
+  EXPECT_EQ(y, window.session().lesson().y().vertices);
   clipboard = "{\"a\": [[0,0]], \"b\": [[1,]]}";
   window.key("V", true);
   EXPECT_NE("", window.app().message());
-  EXPECT_EQ(y, window.session().lesson().y.vertices);
+  EXPECT_EQ(y, window.session().lesson().y().vertices);
 }
 
 TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {
@@ -253,7 +253,7 @@ TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {
     HeadlessApp window("polygons-gjk", folder.path());
     const Point from = window.at(kK);
     window.drag(from, from + Point(50, 0));
-    edited = window.session().lesson().y.vertices;
+    edited = window.session().lesson().y().vertices;
     for (int i = 0; i < 3; ++i) window.frame(1.0);
   }
   {
@@ -265,10 +265,10 @@ TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {
   HeadlessApp again("stop-vertex", folder.path());
   again.app().run_command("Open unsaved work");
   EXPECT_EQ("polygons-gjk", again.session().lesson().id);
-  EXPECT_EQ(edited, again.session().lesson().y.vertices);
+  EXPECT_EQ(edited, again.session().lesson().y().vertices);
   EXPECT_TRUE(again.session().is_unsaved());
   again.key("R", true);
-  EXPECT_NE(edited, again.session().lesson().y.vertices);
+  EXPECT_NE(edited, again.session().lesson().y().vertices);
   EXPECT_FALSE(again.session().is_unsaved()) << "reverted to what the file holds";
   HeadlessApp other("stop-vertex", folder.path());
   other.app().run_command("Open unsaved work");
@@ -336,7 +336,7 @@ TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
     HeadlessApp window("polygons-gjk", folder.path());
     const auto edit = [&] {
       Lesson lesson = window.session().lesson();
-      lesson.y.vertices[0].x() -= 0.125;
+      lesson.y().vertices[0].x() -= 0.125;
       EXPECT_TRUE(window.app().edit("move", lesson));
       edited.push_back(std::move(lesson));
     };
@@ -346,11 +346,11 @@ TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
   }
   HeadlessApp again("", folder.path());
   again.app().run_command("Open unsaved work");
-  EXPECT_EQ(edited[1].y.vertices, again.session().lesson().y.vertices);
+  EXPECT_EQ(edited[1].y().vertices, again.session().lesson().y().vertices);
   EXPECT_NE(std::string::npos, again.app().message().find("polygons-gjk.toml"));
   EXPECT_EQ(2u, again.session().all_unsaved().size());
   while (again.session().lesson().id == edited[1].id) again.key("Z", true);
-  EXPECT_EQ(edited[0].y.vertices, again.session().lesson().y.vertices);
+  EXPECT_EQ(edited[0].y().vertices, again.session().lesson().y().vertices);
 }
 
 TEST(App, SaveAsAsksBeforeItOverwritesAndKeepsWhatWasThere) {
@@ -427,7 +427,7 @@ TEST(App, AnyVertexOfTheOpeningLessonCanBeDeleted) {
     HeadlessApp window;
     window.click(window.at({Kind::vertex_of_x, vertex}));
     window.key("Delete");
-    EXPECT_EQ(4u, window.session().lesson().x.vertices.size()) << window.app().message();
+    EXPECT_EQ(4u, window.session().lesson().x().vertices.size()) << window.app().message();
   }
 }
 
@@ -547,7 +547,7 @@ TEST(App, SavesALessonThatGivesTheSameRun) {
   EXPECT_FALSE(window.session().is_unsaved());
   const auto loaded = load_lesson(file, vocabulary());
   ASSERT_TRUE(loaded.lesson);
-  EXPECT_EQ(window.session().lesson().y.vertices, loaded.lesson->y.vertices);
+  EXPECT_EQ(window.session().lesson().y().vertices, loaded.lesson->y().vertices);
 }
 
 TEST(App, AFileWithCommentsIsKeptBesideTheSavedOne) {
@@ -617,7 +617,7 @@ TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {
   HeadlessApp window(file);
   const Point from = window.at({Kind::vertex_of_x, 0});
   window.drag(from, from + Point(20, 0));
-  EXPECT_GT(window.session().lesson().x.vertices[0].x(), -3.0);
+  EXPECT_GT(window.session().lesson().x().vertices[0].x(), -3.0);
 }
 
 TEST(Study, ADotOpensItsWorstRunAndBReturns) {
@@ -644,7 +644,7 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   gjk::Options options = configuration.options;
   options.start.count = configuration.start == study::Start::first_vertices ? 1 : 0;
   EXPECT_TRUE(session.lesson().options == options);
-  EXPECT_EQ(session.lesson().x.vertices, wanted.x);
+  EXPECT_EQ(session.lesson().x().vertices, wanted.x);
   EXPECT_GT(session.frame_count(), 3) << "it can be stepped";
   EXPECT_TRUE(session.lesson().path.empty()) << "no lesson of the list is open";
   window.key("B");

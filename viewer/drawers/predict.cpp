@@ -27,9 +27,9 @@ struct Predict {
     const LessonRun& run = session().run();
     switch (subject.kind) {
       case Kind::vertex_of_x:
-        return run.lesson.x.vertex_names[static_cast<std::size_t>(subject.x)];
+        return run.lesson.x().vertex_names[static_cast<std::size_t>(subject.x)];
       case Kind::vertex_of_y:
-        return run.lesson.y.vertex_names[static_cast<std::size_t>(subject.y)];
+        return run.lesson.y().vertex_names[static_cast<std::size_t>(subject.y)];
       case Kind::difference_vertex:
         return run.pair_name({subject.x, subject.y});
       case Kind::region:
@@ -74,7 +74,7 @@ struct Predict {
       half = subject;
       app.picture().selected = subject;
       const LessonShape& other =
-          subject.kind == Kind::vertex_of_x ? session().lesson().y : session().lesson().x;
+          subject.kind == Kind::vertex_of_x ? session().lesson().y() : session().lesson().x();
       app.say(fmt::format("{}: now click a vertex of {}", name_of(subject), other.name));
       return true;
     }

@@ -32,10 +32,10 @@ std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
   return typed;
 }
 
-void draw_shape(App& app, edit::Which which) {
+void draw_shape(App& app, std::size_t body) {
   using Kind = Subject::Kind;
-  const bool is_x = which == edit::Which::x;
-  const LessonShape& shape = edit::shape_of(app.session().lesson(), which);
+  const bool is_x = body == 0;
+  const LessonShape& shape = app.session().lesson().bodies[body];
   ImGui::Separator();
   ImGui::Text("%s: %zu %s", shape.name.c_str(), shape.vertices.size(),
               shape.vertices.size() == 1 ? "point" : "vertices");
@@ -57,7 +57,7 @@ void draw_shape(App& app, edit::Which which) {
   }
   if (!typed) return;
   Lesson lesson = app.session().lesson();
-  edit::shape_of(lesson, which).vertices[typed->first] = typed->second;
+  lesson.bodies[body].vertices[typed->first] = typed->second;
   app.edit("type a value", std::move(lesson));
 }
 
@@ -69,9 +69,9 @@ Drawer shapes_drawer(App& app) {
                 "Drag vertices, shapes and the handle of a selected shape on the stage. Double "
                 "click an edge to add a vertex. Or type: decimal, or hex like 0x1.8p-1.");
             ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
-            for (const edit::Which which : {edit::Which::x, edit::Which::y}) {
-              ImGui::PushID(static_cast<int>(which));
-              draw_shape(app, which);
+            for (const std::size_t body : {0, 1}) {
+              ImGui::PushID(static_cast<int>(body));
+              draw_shape(app, body);
               ImGui::PopID();
             }
             ImGui::Separator();

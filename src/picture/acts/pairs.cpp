@@ -9,7 +9,7 @@ namespace {
 constexpr int kMostVertices = 8;
 
 int pair_count(const LessonRun& run) {
-  return static_cast<int>(run.lesson.x.vertices.size() * run.lesson.y.vertices.size());
+  return static_cast<int>(run.lesson.x().vertices.size() * run.lesson.y().vertices.size());
 }
 
 void pairs_frames(LessonRun& run, int index) {
@@ -27,9 +27,9 @@ std::string pairs_position(const LessonRun& run, int index) {
 Tick pairs_tick(const LessonRun& run, const Frame& frame) {
   if (frame.pairs == 0) return {.group = "start"};
   if (frame.pairs > pair_count(run)) return {.group = "hull", .label = "Z", .event = true};
-  const int per_x = static_cast<int>(run.lesson.y.vertices.size());
+  const int per_x = static_cast<int>(run.lesson.y().vertices.size());
   const gjk::VertexPair pair{(*frame.pairs - 1) / per_x, (*frame.pairs - 1) % per_x};
-  return {.group = fmt::format("{} − {}", run.lesson.y.name, run.lesson.x.vertex_names[pair.x]),
+  return {.group = fmt::format("{} − {}", run.lesson.y().name, run.lesson.x().vertex_names[pair.x]),
           .label = run.pair_name(pair)};
 }
 

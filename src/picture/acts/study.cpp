@@ -56,8 +56,8 @@ Tick study_tick(const LessonRun& run, const Frame& frame) {
 
 void study_values(const Story& story, FrameText& text) {
   using enum StudyStage;
-  text.values.emplace_back("x", story.run.lesson.x.name);
-  text.values.emplace_back("y", story.run.lesson.y.name);
+  text.values.emplace_back("x", story.run.lesson.x().name);
+  text.values.emplace_back("y", story.run.lesson.y().name);
   for (const StudyDot& dot : introduced(*story.run.lesson.study, story.frame.study->marks)) {
     text.values.emplace_back(dot.configuration,
                              fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));

@@ -65,14 +65,14 @@ void witness(PanelBuilder& panel) {
       [](const auto& vertex) { return vertex.w; });
   write_sum(
       panel,
-      sum(format("The same weights on {}", lesson.y.name), "y =", WitnessPart::on_y, result.y),
-      [&](gjk::VertexPair pair) { return lesson.y.vertex_names[pair.y]; },
-      [&](const auto& vertex) { return positioned.y_world[vertex.pair.y]; });
+      sum(format("The same weights on {}", lesson.y().name), "y =", WitnessPart::on_y, result.y),
+      [&](gjk::VertexPair pair) { return lesson.y().vertex_names[pair.y]; },
+      [&](const auto& vertex) { return positioned.y().world[vertex.pair.y]; });
   write_sum(
       panel,
-      sum(format("The same weights on {}", lesson.x.name), "x =", WitnessPart::on_x, result.x),
-      [&](gjk::VertexPair pair) { return lesson.x.vertex_names[pair.x]; },
-      [&](const auto& vertex) { return positioned.x_world[vertex.pair.x]; });
+      sum(format("The same weights on {}", lesson.x().name), "x =", WitnessPart::on_x, result.x),
+      [&](gjk::VertexPair pair) { return lesson.x().vertex_names[pair.x]; },
+      [&](const auto& vertex) { return positioned.x().world[vertex.pair.x]; });
   panel.write("heading", panel.left, "|y − x| = |P|", type::kHeading);
   panel.write(reached >= WitnessPart::distance ? "code.current" : "untried", panel.right,
               reached >= WitnessPart::distance ? panel.numbers(result.distance) : "–",
@@ -93,7 +93,7 @@ void counters(PanelBuilder& panel) {
   if (panel.frame.size) return growth_counters(panel);
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
-  const int all = static_cast<int>(positioned.x_world.size() * positioned.y_world.size());
+  const int all = static_cast<int>(positioned.x().world.size() * positioned.y().world.size());
   const int calls = panel.knows.support_calls;
   panel.write("heading", panel.left, "Support calls so far", type::kHeading);
   panel.write("code.current", panel.right, std::to_string(calls), type::kCodeBold, Align::right);

@@ -13,8 +13,8 @@ namespace {
 
 void pairs(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  const int per_x = static_cast<int>(positioned.y_world.size());
-  const int all = static_cast<int>(positioned.x_world.size()) * per_x;
+  const int per_x = static_cast<int>(positioned.y().world.size());
+  const int all = static_cast<int>(positioned.x().world.size()) * per_x;
   panel.heading("Z = { y − x }: every pair");
   const int made = panel.frame.pairs.value_or(all + 1);
   constexpr int kMost = 16;
@@ -28,7 +28,7 @@ void pairs(PanelBuilder& panel) {
     panel.write(role, panel.left, panel.run.pair_name(pair), style);
     if (is_made)
       panel.write(role, panel.right,
-                  panel.numbers.point(positioned.y_world[pair.y] - positioned.x_world[pair.x]),
+                  panel.numbers.point(positioned.y().world[pair.y] - positioned.x().world[pair.x]),
                   style, Align::right);
     panel.y += kTightRow + 2.0;
     if ((i + 1) % per_x == 0) panel.y += 8.0;

@@ -125,7 +125,7 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
     const bool holds = tests[i].holds;
     if (line.takes) {
       if (!holds) return {State::untried};
-      const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x_world[0];
+      const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x().world[0];
       return {State::current, {}, panel.numbers.point(p, 3)};
     }
     const bool reached = i == panel.knows.tests_reached && !(holds && has_takes);
@@ -170,7 +170,7 @@ std::string value_of(const PanelBuilder& panel, const gjk::Step<double, 2>& step
     case Phase::closest: {
       const bool point = panel.run.point_query();
       return panel.numbers.point(
-          point ? Eigen::Vector2d(after.p + panel.run.run(panel.frame).x_world[0]) : after.p);
+          point ? Eigen::Vector2d(after.p + panel.run.run(panel.frame).x().world[0]) : after.p);
     }
     case Phase::cull: {
       std::string dropped;
@@ -246,7 +246,7 @@ void support_listing(PanelBuilder& panel) {
   const bool known = panel.knows.whole_support;
   const State state = current ? State::current : State::idle;
   const std::string best = known ? panel.run.pair_name(panel.state.support.pair) : std::string();
-  const auto& names = panel.run.lesson.y.vertex_names;
+  const auto& names = panel.run.lesson.y().vertex_names;
   write_line(panel, "input: polygon, d",
              {known ? State::past : State::idle,
               {},
@@ -261,17 +261,17 @@ void support_listing(PanelBuilder& panel) {
 /// Catto 2010, slide "Building the Minkowski difference". One frame a pair, then the hull.
 void minkowski_listing(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  const int per_x = static_cast<int>(positioned.y_world.size());
-  const int all = static_cast<int>(positioned.x_world.size()) * per_x;
+  const int per_x = static_cast<int>(positioned.y().world.size());
+  const int all = static_cast<int>(positioned.x().world.size()) * per_x;
   const int made = *panel.frame.pairs;
   const bool building = made >= 1 && made <= all;
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
   const auto value = [&](const std::string& text) { return building ? text : std::string(); };
   write_line(panel, "points ← none", {made == 0 ? State::current : State::past});
   write_line(panel, "for each vertex x of X",
-             {State::past, {}, value(building ? panel.run.lesson.x.vertex_names[pair.x] : "")});
+             {State::past, {}, value(building ? panel.run.lesson.x().vertex_names[pair.x] : "")});
   write_line(panel, "  for each vertex y of Y",
-             {State::past, {}, value(building ? panel.run.lesson.y.vertex_names[pair.y] : "")});
+             {State::past, {}, value(building ? panel.run.lesson.y().vertex_names[pair.y] : "")});
   write_line(panel, "    add y − x to the points",
              {building ? State::current : State::past,
               {},

@@ -220,7 +220,7 @@ void regions(PanelBuilder& panel) {
                 current ? type::kStrong : type::kBody);
     if (current) {
       // An edge's point by its place: weights need not be known yet.
-      const Eigen::Vector2d on_edge = panel.state.p + panel.run.run(panel.frame).x_world[0];
+      const Eigen::Vector2d on_edge = panel.state.p + panel.run.run(panel.frame).x().world[0];
       const int size = gjk::vertex_count(face);
       const std::string p = "P = " + (size == 3   ? query_name(panel.run)
                                       : size == 2 ? panel.numbers.point(on_edge)

@@ -19,7 +19,7 @@ bool weights_known(const PanelBuilder& panel) {
 
 void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& entries, bool of_x,
              double x0, double x1, const std::string& title) {
-  const LessonShape& shape = of_x ? panel.run.lesson.x : panel.run.lesson.y;
+  const LessonShape& shape = of_x ? panel.run.lesson.x() : panel.run.lesson.y();
   const std::vector<std::string>& names = shape.vertex_names;
   panel.write("heading", x0, title, type::kHeading);
   panel.y += kRow;
@@ -158,8 +158,8 @@ void bounds(PanelBuilder& panel) {
   // 0.
   constexpr double kRounding = 1e-12;  // of the size of Y: far less than frames show
   double size = 0.0;
-  for (const Eigen::Vector2d& vertex : positioned.y_world)
-    size = std::max(size, (vertex - positioned.y_world[0]).norm());
+  for (const Eigen::Vector2d& vertex : positioned.y().world)
+    size = std::max(size, (vertex - positioned.y().world[0]).norm());
   const double high = bounds.upper < kRounding * size ? 0.0 : bounds.upper;
   panel.write("code.current", panel.right,
               known ? format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",

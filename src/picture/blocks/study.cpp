@@ -42,7 +42,7 @@ void heights(PanelBuilder& panel, const RoundedPair::Value& found, StudyStage st
   if (rounds) panel.write("body.muted", panel.right, "as float", type::kText, Align::right);
   panel.y += kLine + kBetween;
   for (const RoundedPair::Vertex& vertex : found.facing) {
-    const LessonShape& shape = vertex.of_x ? panel.run.lesson.x : panel.run.lesson.y;
+    const LessonShape& shape = vertex.of_x ? panel.run.lesson.x() : panel.run.lesson.y();
     panel.write(vertex.of_x ? "shape.x.label" : "shape.y.label", panel.left,
                 fmt::format("{} of {}", shape.vertex_names[static_cast<std::size_t>(vertex.index)],
                             shape.name),

@@ -67,7 +67,7 @@ void two_runs(PanelBuilder& panel) {
         [](const Column& column, double value) { return column.numbers(value); });
   };
   const auto p = [](const Column& column) {
-    return Eigen::Vector2d(column.state->p + column.run.x_world[0]);
+    return Eigen::Vector2d(column.state->p + column.run.x().world[0]);
   };
   const auto d = [](const Column& column) { return column.state->d; };
   coordinate("P.x", Phase::closest, p, 0);

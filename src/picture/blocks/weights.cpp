@@ -100,7 +100,7 @@ void linear_system(PanelBuilder& panel) {
   if (value.simplex.count != 3) return;
   panel.heading("The same as a linear system");
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  const Vector2d q = positioned.x_world[0];
+  const Vector2d q = positioned.x().world[0];
   constexpr double kColumn = 62.0;
   panel.y -= 5.0;
   for (int column = 0; column < 3; ++column) {

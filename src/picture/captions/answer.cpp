@@ -17,8 +17,8 @@ using fmt::format;
 std::string features(const Story& story) {
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const Lesson& lesson = story.run.lesson;
-  return format("{} of {} and {} of {}", feature_name(story.run, simplex, true), lesson.x.name,
-                feature_name(story.run, simplex, false), lesson.y.name);
+  return format("{} of {} and {} of {}", feature_name(story.run, simplex, true), lesson.x().name,
+                feature_name(story.run, simplex, false), lesson.y().name);
 }
 
 /// Where P lies on Z.
@@ -31,8 +31,8 @@ std::string place_of_p(const Story& story) {
 
 void overlap(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = format("{} and {} share a point x = y, so y − x = 0: O lies in Z.", lesson.x.name,
-                        lesson.y.name);
+  text.caption = format("{} and {} share a point x = y, so y − x = 0: O lies in Z.",
+                        lesson.x().name, lesson.y().name);
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
   text.detail = format("O lies {} the {}: the distance is 0 in both views.",
@@ -71,10 +71,11 @@ void warm_start(const Story& story, FrameText& text) {
     text.caption = format(
         "Start from {}, where the last run ended: P has left it, {} find it again.", starts, count);
   }
-  text.detail = result.distance > 0.0 ? format("Closest now: {}, {} apart.", features(story),
-                                               story.numbers(result.distance))
-                                      : format("{} and {} overlap: O lies in Z.",
-                                               story.run.lesson.x.name, story.run.lesson.y.name);
+  text.detail =
+      result.distance > 0.0
+          ? format("Closest now: {}, {} apart.", features(story), story.numbers(result.distance))
+          : format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
+                   story.run.lesson.y().name);
   if (!story.run.lesson.has_block(blocks::kStarts.name)) return;
   const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
@@ -97,45 +98,46 @@ void warm_start(const Story& story, FrameText& text) {
 std::string moves(const Story& story) {
   const Lesson& lesson = story.run.lesson;
   const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
-  const Vector2d x_by = story.positioned.x.translate - last.x.translate;
-  const Vector2d y_by = story.positioned.y.translate - last.y.translate;
+  const Vector2d x_by = story.positioned.x().placement.translate - last.x().placement.translate;
+  const Vector2d y_by = story.positioned.y().placement.translate - last.y().placement.translate;
   const std::string z_by = story.numbers.point(y_by - x_by);
   if (x_by == y_by) {
     return format("Both moved by {}: Z and everything in it stay where they were.",
                   story.numbers.point(x_by));
   }
   if (y_by.norm() == 0.0) {
-    return format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x.name,
+    return format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x().name,
                   story.numbers.point(x_by), z_by);
   }
   if (x_by.norm() == 0.0) {
-    return format("The {} moved by {}, and Z slides along by {}.", lesson.y.name,
+    return format("The {} moved by {}, and Z slides along by {}.", lesson.y().name,
                   story.numbers.point(y_by), z_by);
   }
-  return format("Z slides by {}: what the {} moved, less what the {} moved.", z_by, lesson.y.name,
-                lesson.x.name);
+  return format("Z slides by {}: what the {} moved, less what the {} moved.", z_by, lesson.y().name,
+                lesson.x().name);
 }
 
 void slide(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
   const double distance = story.trace.result.distance;
   const std::string change =
-      story.frame.run > 0
-          ? moves(story)
-          : format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.", lesson.y.name,
-                   lesson.x.name, lesson.y.name, lesson.y.name, lesson.x.name);
+      story.frame.run > 0 ? moves(story)
+                          : format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.",
+                                   lesson.y().name, lesson.x().name, lesson.y().name,
+                                   lesson.y().name, lesson.x().name);
   if (distance > 0.0) {
     text.caption = change;
-    text.detail = format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
-                         story.numbers(distance), lesson.x.name, lesson.y.name, lesson.y.name);
+    text.detail =
+        format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
+               story.numbers(distance), lesson.x().name, lesson.y().name, lesson.y().name);
   } else if (story.trace.result.verdict == gjk::Verdict::touching) {
     text.caption =
         format("The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
-               lesson.x.name, lesson.y.name, lesson.y.name);
+               lesson.x().name, lesson.y().name, lesson.y().name);
     text.detail = change + " All three distances are 0.";
   } else {
     text.caption = format("The {} and the {} overlap: p lies inside the grown {}, O inside Z.",
-                          lesson.x.name, lesson.y.name, lesson.y.name);
+                          lesson.x().name, lesson.y().name, lesson.y().name);
     text.detail = change + " All three distances are 0.";
   }
 }
@@ -155,13 +157,13 @@ std::string weighted(const Story& story, const std::vector<std::string>& names) 
 bool x_has_moved(const Story& story) {
   if (story.frame.run == 0) return false;
   const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
-  return story.positioned.x.translate != last.x.translate;
+  return story.positioned.x().placement.translate != last.x().placement.translate;
 }
 
 /// A point of one shape, from the weights of P.
 void carried_back(const Story& story, bool of_x, FrameText& text) {
   const gjk::Result<double, 2>& result = story.trace.result;
-  const LessonShape& shape = of_x ? story.run.lesson.x : story.run.lesson.y;
+  const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
   std::vector<std::string> names;
   for (int i = 0; i < result.simplex.count; ++i) {
     const gjk::VertexPair pair = result.simplex.vertices[i].pair;
@@ -175,7 +177,7 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
   const std::string point = story.numbers.point(of_x ? result.x : result.y);
   if (!one_vertex) {
     text.detail = format("{} = {} is the point of {} that is closest to {}.", letter, point,
-                         shape.name, of_x ? story.run.lesson.y.name : story.run.lesson.x.name);
+                         shape.name, of_x ? story.run.lesson.y().name : story.run.lesson.x().name);
   } else if (names.size() == 1) {
     text.detail =
         format("P is a single difference, so {} is {} itself: {}.", letter, names[0], point);
@@ -192,9 +194,10 @@ void answer(const Story& story, FrameText& text) {
   if (story.run.lesson.warm_start) return warm_start(story, text);
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
-  text.caption = format(
-      "{} and {} are {} apart, and O is as far from Z: it is the same arrow y − x.",
-      story.run.lesson.x.name, story.run.lesson.y.name, story.numbers(story.trace.result.distance));
+  text.caption =
+      format("{} and {} are {} apart, and O is as far from Z: it is the same arrow y − x.",
+             story.run.lesson.x().name, story.run.lesson.y().name,
+             story.numbers(story.trace.result.distance));
   text.detail = format("Closest are {}, so P {}.", features(story), place_of_p(story));
 }
 
@@ -209,7 +212,7 @@ void witness(const Story& story, FrameText& text) {
     case WitnessPart::p:
       text.caption =
           format("{}P = {} is the point of Z closest to O.",
-                 x_has_moved(story) ? story.run.lesson.x.name + " has moved. " : std::string(),
+                 x_has_moved(story) ? story.run.lesson.x().name + " has moved. " : std::string(),
                  weighted(story, of_z));
       text.detail =
           "Each difference remembers its two vertices. Put the weights on those: first on Y's, "

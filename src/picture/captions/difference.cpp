@@ -9,10 +9,10 @@ using Eigen::Vector2d;
 using fmt::format;
 
 void pairs(const Story& story, FrameText& text) {
-  const int per_x = static_cast<int>(story.positioned.y_world.size());
-  const int all = static_cast<int>(story.positioned.x_world.size()) * per_x;
-  const std::string& x = story.run.lesson.x.name;
-  const std::string& y = story.run.lesson.y.name;
+  const int per_x = static_cast<int>(story.positioned.y().world.size());
+  const int all = static_cast<int>(story.positioned.x().world.size()) * per_x;
+  const std::string& x = story.run.lesson.x().name;
+  const std::string& y = story.run.lesson.y().name;
   if (*story.frame.pairs == 0) {
     text.caption =
         format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
@@ -22,13 +22,13 @@ void pairs(const Story& story, FrameText& text) {
         "the vertex of Y, moved so that it starts at O = (0, 0).";
   } else if (*story.frame.pairs <= all) {
     const gjk::VertexPair pair{(*story.frame.pairs - 1) / per_x, (*story.frame.pairs - 1) % per_x};
-    const Vector2d a = story.positioned.x_world[pair.x];
-    const Vector2d b = story.positioned.y_world[pair.y];
+    const Vector2d a = story.positioned.x().world[pair.x];
+    const Vector2d b = story.positioned.y().world[pair.y];
     text.caption = format("{} = {} − {} = {}.", story.run.pair_name(pair), story.numbers.point(b),
                           story.numbers.point(a), story.numbers.point(b - a));
     text.detail = format("Point {} of {}: the arrow from {} to {}, moved so that it starts at O.",
-                         *story.frame.pairs, all, story.run.lesson.x.vertex_names[pair.x],
-                         story.run.lesson.y.vertex_names[pair.y]);
+                         *story.frame.pairs, all, story.run.lesson.x().vertex_names[pair.x],
+                         story.run.lesson.y().vertex_names[pair.y]);
   } else {
     const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();
     text.caption = format(

@@ -41,8 +41,8 @@ class Asking {
 
   void support() {
     const gjk::VertexPair pair = step_.after.support.pair;
-    const LessonShape& x = run_.lesson.x;
-    const LessonShape& y = run_.lesson.y;
+    const LessonShape& x = run_.lesson.x();
+    const LessonShape& y = run_.lesson.y();
     asked_.choices = some_vertices(y, pair.y);
     asked_.answer = run_.pair_name(pair);
     if (run_.point_query()) {

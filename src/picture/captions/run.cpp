@@ -127,7 +127,7 @@ std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& 
   std::vector<std::string> names;
   for (const auto& entry : scan) {
     if (entry.value == largest) {
-      names.push_back(story.run.lesson.y.vertex_names[static_cast<std::size_t>(entry.index)]);
+      names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(entry.index)]);
     }
   }
   if (names.size() < 2) return {};
@@ -200,7 +200,7 @@ void support(const Story& story, FrameText& text) {
     const auto& scan = story.run.step(story.frame).record.scan_y;
     const auto farthest = std::find_if(scan.begin(), scan.end(),
                                        [&](const auto& entry) { return entry.index == pair.y; });
-    const std::size_t count = story.run.lesson.y.vertices.size();
+    const std::size_t count = story.run.lesson.y().vertices.size();
     const std::string all = tied(story, scan, farthest->value);
     text.caption =
         all.empty()
@@ -212,8 +212,8 @@ void support(const Story& story, FrameText& text) {
   } else {
     text.caption =
         format("{} lies farthest along d: {} is the support point of {}, {} that of {} along −d.",
-               name, story.run.lesson.y.vertex_names[pair.y], story.run.lesson.y.name,
-               story.run.lesson.x.vertex_names[pair.x], story.run.lesson.x.name);
+               name, story.run.lesson.y().vertex_names[pair.y], story.run.lesson.y().name,
+               story.run.lesson.x().vertex_names[pair.x], story.run.lesson.x().name);
   }
   const bool known = has_pair(story.state.simplex, pair);
   text.detail = known ? format("{} is in the simplex already: nothing of {} lies farther that way.",
@@ -221,8 +221,8 @@ void support(const Story& story, FrameText& text) {
                       : news(story, name);
   if (story.run.point_query()) return;
   const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
-  text.detail += also_as_far(story.run.lesson.y, record.scan_y, pair.y);
-  text.detail += also_as_far(story.run.lesson.x, record.scan_x, pair.x);
+  text.detail += also_as_far(story.run.lesson.y(), record.scan_y, pair.y);
+  text.detail += also_as_far(story.run.lesson.x(), record.scan_x, pair.x);
 }
 
 void stop(const Story& story, FrameText& text) {
@@ -337,12 +337,12 @@ void run_values(const Story& story, FrameText& text) {
   };
   const gjk::Result<double, 2>& result = story.trace.result;
   const bool running = story.frame.step >= 0;
-  put("x", story.run.lesson.x.name);
-  put("y", story.run.lesson.y.name);
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
   put("iteration", std::to_string(running ? story.run.step(story.frame).iteration : 0));
   put("iterations", std::to_string(result.iterations));
   put("simplex", story.words.face(story.state.simplex.all()));
-  if (story.run.point_query()) put("Q", story.numbers.point(story.positioned.x_world[0]));
+  if (story.run.point_query()) put("Q", story.numbers.point(story.positioned.x().world[0]));
   if (story.knows.closest_point) {
     put("region", story.words.face(story.state.region));
     constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};

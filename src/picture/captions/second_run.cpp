@@ -80,7 +80,7 @@ void second_run(const Story& story, FrameText& text) {
       }
       text.detail =
           format("So {}, rounded: {} has P = {}, and this one lies {} away from it.", story.p_is(),
-                 other, point(beside.p + story.positioned.x_world[0]), numbers(away));
+                 other, point(beside.p + story.positioned.x().world[0]), numbers(away));
       return;
     }
     case gjk::Phase::direction:

@@ -13,7 +13,7 @@ using fmt::format;
 void shape_hull(const Story& story, FrameText& text) {
   const ShapeHull::Value& hulls = story.effects.get<ShapeHull>(story.frame);
   if (!story.run.point_query() || hulls.y.inside.empty()) return;
-  const std::string inside = story.run.lesson.y.vertex_names[hulls.y.inside[0]];
+  const std::string inside = story.run.lesson.y().vertex_names[hulls.y.inside[0]];
   if (story.knows.phase_is(gjk::Phase::support)) {
     const auto& scan = story.run.step(story.frame).record.scan_y;
     const auto entry = std::find_if(scan.begin(), scan.end(), [&](const auto& seen) {

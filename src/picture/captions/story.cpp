@@ -18,12 +18,12 @@ Story::Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown
       q(query_name(run)) {}
 
 Eigen::Vector2d Story::p_world() const {
-  return run.point_query() ? Eigen::Vector2d(state.p + positioned.x_world[0]) : state.p;
+  return run.point_query() ? Eigen::Vector2d(state.p + positioned.x().world[0]) : state.p;
 }
 
 std::string Story::distance() const { return numbers(std::sqrt(state.p_sq)); }
 
-std::string Story::set_name() const { return run.point_query() ? run.lesson.y.name : "Z"; }
+std::string Story::set_name() const { return run.point_query() ? run.lesson.y().name : "Z"; }
 
 std::string Story::simplex_name() const { return words.kind_and_face(state.simplex.all()); }
 

@@ -64,7 +64,7 @@ std::string compared(double ns, double with) {
 
 void shapes(const Story& story, const RoundedPair::Value& pair, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = format("Two shapes, {} and {}.", lesson.x.name, lesson.y.name);
+  text.caption = format("Two shapes, {} and {}.", lesson.x().name, lesson.y().name);
   if (!pair.facing.empty()) {
     text.caption += format(" The edges that face each other are parallel but for {} degrees.",
                            small_number(pair.tilt * 180.0 / std::numbers::pi));
@@ -229,8 +229,8 @@ void study_question(const Story& story, FrameText& text) {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
     asked.choices = {"yes", "no"};
     asked.answer = pair.distance() > 0.0 ? "no" : "yes";
-    text.caption = format("Question: do {} and {} have a point in common?", story.run.lesson.x.name,
-                          story.run.lesson.y.name);
+    text.caption = format("Question: do {} and {} have a point in common?",
+                          story.run.lesson.x().name, story.run.lesson.y().name);
     text.detail = "yes  ·  no";
     return;
   }

@@ -37,15 +37,15 @@ std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape
 void support_in_parts(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
   const gjk::VertexPair pair = story.state.support.pair;
-  const std::string& k = lesson.y.vertex_names[pair.y];
-  const std::string& c = lesson.x.vertex_names[pair.x];
+  const std::string& k = lesson.y().vertex_names[pair.y];
+  const std::string& c = lesson.x().vertex_names[pair.x];
   const std::string name = story.run.pair_name(pair);
-  const std::size_t of_x = lesson.x.vertices.size();
-  const std::size_t of_y = lesson.y.vertices.size();
-  const double along_y = story.state.d.dot(story.positioned.y_world[pair.y]);
+  const std::size_t of_x = lesson.x().vertices.size();
+  const std::size_t of_y = lesson.y().vertices.size();
+  const double along_y = story.state.d.dot(story.positioned.y().world[pair.y]);
   const gjk::State<double, 2>& next =
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
-  const double along_x = -story.state.d.dot(story.positioned.x_world[pair.x]);
+  const double along_x = -story.state.d.dot(story.positioned.x().world[pair.x]);
   switch (*story.frame.support_part) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
@@ -58,22 +58,22 @@ void support_in_parts(const Story& story, FrameText& text) {
       text.detail = format(
           "dot(d, y − x) = dot(d, y) + dot(−d, x): look along d in {} and along −d in {}, each for "
           "itself.",
-          lesson.y.name, lesson.x.name);
+          lesson.y().name, lesson.x().name);
       return;
     }
     case SupportPart::of_y:
       text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
-                            lesson.y.name, k, story.numbers(along_y),
-                            rank(story.positioned.y_world, lesson.y, pair.y, story.state.d));
+                            lesson.y().name, k, story.numbers(along_y),
+                            rank(story.positioned.y().world, lesson.y(), pair.y, story.state.d));
       text.detail = format("So {}. The support point of Z is one of the ringed {} − x.",
-                           behind(lesson.y, pair.y), k);
+                           behind(lesson.y(), pair.y), k);
       return;
     case SupportPart::of_x:
       text.caption = format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
-                            lesson.x.name, c, story.numbers(along_x),
-                            rank(story.positioned.x_world, lesson.x, pair.x, -story.state.d));
+                            lesson.x().name, c, story.numbers(along_x),
+                            rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
       text.detail =
-          format("So {}. Of the ringed differences it is {}.", behind(lesson.x, pair.x), name);
+          format("So {}. Of the ringed differences it is {}.", behind(lesson.x(), pair.x), name);
       return;
     default:
       text.caption =
@@ -92,7 +92,7 @@ void support_in_parts(const Story& story, FrameText& text) {
 }
 
 void touched_points(const Story& story, FrameText& text) {
-  const std::size_t all = story.positioned.x_world.size() * story.positioned.y_world.size();
+  const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
   text.detail += format(" GJK made {} of the {} differences of vertices.",
                         story.effects.get<TouchedPoints>(story.frame).size(), all);
 }
@@ -112,8 +112,8 @@ void slab(const Story& story, FrameText& text) {
                          : format("An upper bound: {}. Is there a pair that is closer?", high);
     return;
   }
-  const std::string k = lesson.y.vertex_names[story.state.support.pair.y];
-  const std::string c = lesson.x.vertex_names[story.state.support.pair.x];
+  const std::string k = lesson.y().vertex_names[story.state.support.pair.y];
+  const std::string c = lesson.x().vertex_names[story.state.support.pair.x];
   if (story.knows.phase_is(gjk::Phase::support)) {
     const double gap = -story.state.support_value / story.state.d.norm();
     if (!(gap > 0.0)) {
@@ -123,10 +123,10 @@ void slab(const Story& story, FrameText& text) {
     } else if (is_found_by(*widest, story.state)) {
       text.caption = format(
           "{} is the last of {} along d, {} of {} along −d: the slab between, {} wide, is empty.",
-          k, lesson.y.name, c, lesson.x.name, story.numbers(gap));
+          k, lesson.y().name, c, lesson.x().name, story.numbers(gap));
       text.detail = format(
           "Any way from {} to {} crosses the slab, so the distance is at least {}; at most {}.",
-          lesson.x.name, lesson.y.name, low, high);
+          lesson.x().name, lesson.y().name, low, high);
     } else {
       text.caption =
           format("The lines through {} and {} are {} apart: the slab found before is wider.", k, c,
@@ -146,7 +146,7 @@ void slab(const Story& story, FrameText& text) {
   text.caption =
       widest ? format("Stop: the empty slab is as wide as the closest points are apart, {}.",
                       story.numbers(story.trace.result.distance))
-             : format("Stop: no slab separates {} from {}.", lesson.x.name, lesson.y.name);
+             : format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
   text.detail = widest ? "Nothing can be closer than the slab is wide: the answer is proved, and "
                          "the slab is the proof."
                        : "The distance is 0.";

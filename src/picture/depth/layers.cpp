@@ -81,7 +81,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   if (shown.is_answer) {
     const depth::Result<double>& result = shown.trace.result;
     std::vector<Point> moved;
-    for (const Vector2d& vertex : scene.positioned.x_world)
+    for (const Vector2d& vertex : scene.positioned.x().world)
       moved.push_back(scene.at(vertex + result.translation));
     if (moved.size() > 1) scene.add("depth.moved", Polyline{moved, moved.size() > 2});
     for (std::size_t i = 0; i < moved.size(); ++i)

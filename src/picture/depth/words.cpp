@@ -43,8 +43,8 @@ class Telling {
   }
 
  private:
-  [[nodiscard]] const std::string& x() const { return run_.lesson.x.name; }
-  [[nodiscard]] const std::string& y() const { return run_.lesson.y.name; }
+  [[nodiscard]] const std::string& x() const { return run_.lesson.x().name; }
+  [[nodiscard]] const std::string& y() const { return run_.lesson.y().name; }
   [[nodiscard]] std::string number(double value) const { return story_.numbers(value); }
   [[nodiscard]] std::string edge() const { return edge_name(run_, state_, state_.edge); }
   /// What rounding makes of a length of 0.
@@ -214,8 +214,8 @@ void values(const Story& story, FrameText& text) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
   const depth::State<double>& state = shown.state;
-  put("x", story.run.lesson.x.name);
-  put("y", story.run.lesson.y.name);
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
   put("iteration", std::to_string(shown.step != nullptr ? shown.step->iteration : 0));
   put("iterations", std::to_string(shown.trace.result.iterations));
   if (shown.knows_edge()) put("edge", ends(story.run, state, state.edge));

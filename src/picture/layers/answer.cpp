@@ -55,7 +55,7 @@ void weights_at(SceneBuilder& scene, const std::map<int, std::string>& weights,
 void carried_back(SceneBuilder& scene, bool is_x) {
   const gjk::Result<double, 2>& result = scene.positioned.trace.result;
   const std::vector<Vector2d>& vertices =
-      is_x ? scene.positioned.x_world : scene.positioned.y_world;
+      is_x ? scene.positioned.x().world : scene.positioned.y().world;
   std::map<int, std::string> weights;
   for (int i = 0; i < result.simplex.count; ++i) {
     const gjk::VertexPair pair = result.simplex.vertices[i].pair;

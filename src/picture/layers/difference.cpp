@@ -28,7 +28,7 @@ void difference(SceneBuilder& scene) {
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
   const int all =
-      static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
+      static_cast<int>(scene.positioned.x().world.size() * scene.positioned.y().world.size());
   const bool names_all = all <= 12 && scene.frame.pairs;
   if (wants_hull && hull_is_shown(scene, all)) {
     const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
@@ -64,7 +64,7 @@ const Layer kDifference{.effect = {}, .on = Layer::On::difference, .order = 70, 
 
 void pair_under_construction(SceneBuilder& scene) {
   const int all =
-      static_cast<int>(scene.positioned.x_world.size() * scene.positioned.y_world.size());
+      static_cast<int>(scene.positioned.x().world.size() * scene.positioned.y().world.size());
   const int made = *scene.frame.pairs;
   if (made > all) {
     if (scene.view.kind == ViewKind::difference) {
@@ -82,10 +82,10 @@ void pair_under_construction(SceneBuilder& scene) {
     return;
   }
   if (made < 1) return;
-  const int per_x = static_cast<int>(scene.positioned.y_world.size());
+  const int per_x = static_cast<int>(scene.positioned.y().world.size());
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
-  const Vector2d x = scene.positioned.x_world[pair.x];
-  const Vector2d y = scene.positioned.y_world[pair.y];
+  const Vector2d x = scene.positioned.x().world[pair.x];
+  const Vector2d y = scene.positioned.y().world[pair.y];
   if (scene.view.kind == ViewKind::world) {
     difference_arrow(scene, scene.at(x), scene.at(y));
     scene.disk("support", scene.at(x), kSimplexRadius);
@@ -101,8 +101,8 @@ namespace {
 void corner_names(SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
   // Where shapes turn, corners come and go; those of the simplex are named in any case.
-  const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x.turns.empty() ||
-                                               !lesson.path_of_shapes->y.turns.empty());
+  const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x().turns.empty() ||
+                                               !lesson.path_of_shapes->y().turns.empty());
   if (scene.frame.pairs || turns) return;
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);

@@ -57,7 +57,7 @@ void grown_obstacle(SceneBuilder& scene) {
   scene.area("grown", grown);
   scene.outline(grown);
   const gjk::Result<double, 2>& result = scene.positioned.trace.result;
-  const Vector2d position = scene.positioned.x.translate;
+  const Vector2d position = scene.positioned.x().placement.translate;
   const Point p = scene.at(position);
   if (result.distance > 0.0) {
     // P of the difference, moved by where X stands.
@@ -68,7 +68,7 @@ void grown_obstacle(SceneBuilder& scene) {
   const Point far = *std::max_element(
       grown.begin(), grown.end(),
       [&](const Point& a, const Point& b) { return (a - p).norm() < (b - p).norm(); });
-  scene.out.moving_labels.push_back(scene.label("grown", "grown " + scene.run.lesson.y.name,
+  scene.out.moving_labels.push_back(scene.label("grown", "grown " + scene.run.lesson.y().name,
                                                 "hull.label", type::kSmallVertex, far, 2.0,
                                                 far - p));
   scene.disk("query", p, sizes::kPointRadius);

@@ -15,11 +15,11 @@ void shape_hull(SceneBuilder& scene) {
     scene.area("hull", points);
     scene.outline(points);
   };
-  draw(hulls.x, scene.positioned.x_world);
-  draw(hulls.y, scene.positioned.y_world);
+  draw(hulls.x, scene.positioned.x().world);
+  draw(hulls.y, scene.positioned.y().world);
   if (scene.run.point_query() && !hulls.y.inside.empty() &&
       scene.state.stop != gjk::StopReason::running) {
-    const Point q = scene.at(scene.positioned.x_world[0]);
+    const Point q = scene.at(scene.positioned.x().world[0]);
     scene.line("outline.line", q, scene.at(hulls.outline_point));
   }
 }

@@ -22,10 +22,13 @@ std::vector<Point> told_apart(const std::vector<Point>& points) {
   return out;
 }
 
-void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std::string& role) {
+void shape(SceneBuilder& scene, std::size_t body) {
   using Kind = Subject::Kind;
-  const LessonShape& shape = is_x ? scene.run.lesson.x : scene.run.lesson.y;
-  const std::vector<Vector2d>& world = is_x ? scene.positioned.x_world : scene.positioned.y_world;
+  const Lesson& lesson = scene.run.lesson;
+  const bool is_x = body == 0;
+  const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
+  const LessonShape& shape = lesson.bodies[body];
+  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   std::vector<Point> points;
   for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
@@ -53,7 +56,8 @@ void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std
     Point away = points[i] - middle;
     if (points.size() == 1) away = Point::Zero();
     // Beside a vertex that moves, no place is free for good.
-    const bool moves = motion && !motion->points.empty() && points.size() > 1;
+    const bool moves = lesson.path_of_shapes && points.size() > 1 &&
+                       !lesson.path_of_shapes->motions[body].points.empty();
     auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
     labels.push_back(scene.label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
                                  role + ".label", type::kVertex, points[i], kSimplexRadius, away));
@@ -61,15 +65,9 @@ void shape(SceneBuilder& scene, bool is_x, const LessonMotion* motion, const std
 }
 
 void shapes(SceneBuilder& scene) {
-  const Lesson& lesson = scene.run.lesson;
-  const LessonMotion* of_x = lesson.path_of_shapes ? &lesson.path_of_shapes->x : nullptr;
-  const LessonMotion* of_y = lesson.path_of_shapes ? &lesson.path_of_shapes->y : nullptr;
-  if (scene.run.point_query()) {
-    shape(scene, false, of_y, "shape");
-  } else {
-    shape(scene, true, of_x, "shape.x");
-    shape(scene, false, of_y, "shape.y");
-  }
+  // The query point has a mark of its own.
+  const std::size_t first = scene.run.point_query() ? 1 : 0;
+  for (std::size_t body = first; body < scene.run.lesson.bodies.size(); ++body) shape(scene, body);
 }
 
 }  // namespace
@@ -84,11 +82,11 @@ void path(SceneBuilder& scene) {
   const LessonPath& path = *scene.run.lesson.path_of_shapes;
   // Without a number of frames a path is a set of places to be in, not a way between them.
   if (path.frames == 0) return;
-  for (const auto& [motion, is_x] : {std::pair(&path.x, true), {&path.y, false}}) {
-    if (motion->points.empty()) continue;
+  for (std::size_t body = 0; body < path.motions.size(); ++body) {
+    if (path.motions[body].points.empty()) continue;
     std::vector<Point> points;
     for (const PositionedRun& run : scene.run.runs)
-      points.push_back(scene.at(centroid(is_x ? run.x_world : run.y_world)));
+      points.push_back(scene.at(centroid(run.bodies[body].world)));
     scene.add("path", Polyline{points});
     for (std::size_t i = 1; i < points.size(); ++i)
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
@@ -104,9 +102,9 @@ namespace {
 
 void query_point(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
-    const Point q = scene.at(scene.positioned.x_world[0]);
+    const Point q = scene.at(scene.positioned.x().world[0]);
     scene.disk("query", q, kPointRadius, {Subject::Kind::vertex_of_x, 0});
-    std::string name = scene.run.lesson.x.vertex_names[0];
+    std::string name = scene.run.lesson.x().vertex_names[0];
     if (scene.shows(Projection::kName)) {
       // Within a pixel of the line, G has no mark of its own.
       const Projection::Value& g = scene.effects.get<Projection>(scene.frame);

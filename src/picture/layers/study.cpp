@@ -152,8 +152,8 @@ class PairPicture {
       : scene_(scene),
         stage_(stage),
         pair_(scene.effects.get<RoundedPair>(scene.frame)),
-        x_(corners_of(pair_.exact.x_world)),
-        y_(corners_of(pair_.exact.y_world)) {
+        x_(corners_of(pair_.exact.x().world)),
+        y_(corners_of(pair_.exact.y().world)) {
     const Rect& card = scene.map.area();
     insets_top_ = card.max.y() - kMargin - kInsetHeight * card.size().y();
     from_afar_ = {{card.min.x(), card.min.y()}, {card.max.x(), insets_top_ + 14.0}};
@@ -165,8 +165,8 @@ class PairPicture {
       for (const Vector2d& corner : *corners) seen.extend(corner);
     }
     const StageMap map(from_afar_, camera_around(seen, from_afar_));
-    shape(map, x_, "shape.x", scene_.run.lesson.x.name);
-    shape(map, y_, "shape.y", scene_.run.lesson.y.name);
+    shape(map, x_, "shape.x", scene_.run.lesson.x().name);
+    shape(map, y_, "shape.y", scene_.run.lesson.y().name);
     const Point to_x = (map(centroid(x_)) - map(centroid(y_))).normalized();
     for (std::size_t i = 0; i < pair_.facing.size(); ++i) {
       const RoundedPair::Vertex& vertex = pair_.facing[i];
@@ -207,7 +207,8 @@ class PairPicture {
 
   [[nodiscard]] const std::string& name_of(const RoundedPair::Vertex& vertex) const {
     const Lesson& lesson = scene_.run.lesson;
-    return (vertex.of_x ? lesson.x : lesson.y).vertex_names[static_cast<std::size_t>(vertex.index)];
+    return (vertex.of_x ? lesson.x() : lesson.y())
+        .vertex_names[static_cast<std::size_t>(vertex.index)];
   }
 
   /// `side`: -1 for the left end, 1 for the right one.
@@ -226,8 +227,8 @@ class PairPicture {
     inset.outline("shape.y", y_);
     const std::string role = shown.of.of_x ? "shape.x" : "shape.y";
     if (rounds) {
-      inset.outline("rounded.x", corners_of(pair_.in_float.x_world));
-      inset.outline("rounded.y", corners_of(pair_.in_float.y_world));
+      inset.outline("rounded.x", corners_of(pair_.in_float.x().world));
+      inset.outline("rounded.y", corners_of(pair_.in_float.y().world));
       inset.move(shown.exact.vertex, shown.in_float.vertex);
       inset.vertex(shown.of.of_x ? "rounded.x.vertex" : "rounded.y.vertex", shown.in_float.vertex);
     }

@@ -47,8 +47,8 @@ void along(SceneBuilder& scene, const std::vector<Vector2d>& vertices, int found
 
 /// The differences that the chosen vertex of Y is in: a copy of X, turned round, standing at it.
 void row(SceneBuilder& scene, int y) {
-  for (const Vector2d& x : scene.positioned.x_world)
-    scene.disk("cloud.row", scene.at(scene.positioned.y_world[y] - x), kRowRadius);
+  for (const Vector2d& x : scene.positioned.x().world)
+    scene.disk("cloud.row", scene.at(scene.positioned.y().world[y] - x), kRowRadius);
 }
 
 }  // namespace
@@ -57,9 +57,9 @@ void support_in_parts(SceneBuilder& scene) {
   const gjk::State<double, 2>& state = scene.state;
   const SupportPart reached = *scene.frame.support_part;
   if (!scene.shows_difference) {
-    along(scene, scene.positioned.y_world, state.support.pair.y, state.d, "d",
+    along(scene, scene.positioned.y().world, state.support.pair.y, state.d, "d",
           reached >= SupportPart::of_y);
-    along(scene, scene.positioned.x_world, state.support.pair.x, -state.d, "−d",
+    along(scene, scene.positioned.x().world, state.support.pair.x, -state.d, "−d",
           reached >= SupportPart::of_x);
     return;
   }
