@@ -70,7 +70,7 @@ RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, cons
   value.facing =
       facing_edges(value.exact, closest_vertex(value.exact), closest_vertex(value.in_float));
   if (!value.facing.empty()) {
-    const auto at = [&](std::size_t i) { return place_of(value.exact, value.facing[i]); };
+    const auto at = [&](std::size_t i) { return vertex_in_world(value.exact, value.facing[i]); };
     const Vector2d u = (at(1) - at(0)).normalized();
     const Vector2d v = (at(3) - at(2)).normalized();
     value.tilt = std::abs(u.x() * v.y() - u.y() * v.x());
@@ -78,7 +78,7 @@ RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, cons
   return value;
 }
 
-Vector2d place_of(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
+Vector2d vertex_in_world(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
   return (vertex.of_x ? run.x().world : run.y().world)[static_cast<std::size_t>(vertex.index)];
 }
 

@@ -47,7 +47,8 @@ struct RoundedPair {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-[[nodiscard]] Eigen::Vector2d place_of(const PositionedRun& run, const RoundedPair::Vertex& vertex);
+[[nodiscard]] Eigen::Vector2d vertex_in_world(const PositionedRun& run,
+                                              const RoundedPair::Vertex& vertex);
 
 /// How far a float of this size is from the next larger one.
 [[nodiscard]] double spacing_of_floats(double value);

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace gjkscope {
 namespace {
@@ -113,6 +115,23 @@ std::string read_whole(const std::filesystem::path& path) {
                                          std::strerror(is_folder ? EISDIR : errno)));
   }
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
+  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {std::nullopt, "the file cannot be opened"};
+  // One byte more than allowed tells that there is more, however large the file.
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return {std::nullopt, "the file cannot be read"};
+  std::string text(std::min<std::uintmax_t>(size, most_bytes) + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) return {std::nullopt, "the file cannot be read"};
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return {std::move(text), {}};
 }
 
 void remove_leftovers(const std::filesystem::path& folder) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +20,18 @@ void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t
 /// so that a power failure does not leave half of it, either.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-/// All bytes of a file. Throws std::runtime_error with the path and the system's reason.
+/// A file's bytes, or why there are none.
+struct FileText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+/// Gives files that a lesson names; of a larger file than `most_bytes` the first bytes, one more.
+using FileReader =
+    std::function<FileText(const std::filesystem::path& file, std::size_t most_bytes)>;
+/// From the file system.
+[[nodiscard]] FileText read_file(const std::filesystem::path& file, std::size_t most_bytes);
+
+/// All bytes of a file. Throws std::runtime_error with the path and the reason.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
 /// Removes the temporary files that a killed process left in `folder`.

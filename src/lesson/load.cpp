@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -854,23 +853,6 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
 }
 
 }  // namespace
-
-FileText read_file(const std::filesystem::path& file, std::size_t most_bytes) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return {std::nullopt, "there is no such file"};
-  if (!std::filesystem::is_regular_file(status)) return {std::nullopt, "this is not a file"};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return {std::nullopt, "the file cannot be opened"};
-  // One byte more than allowed tells that there is more, however large the file.
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return {std::nullopt, "the file cannot be read"};
-  std::string text(std::min<std::uintmax_t>(size, most_bytes) + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) return {std::nullopt, "the file cannot be read"};
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return {std::move(text), {}};
-}
 
 LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
                           const Vocabulary& vocabulary, const FileReader& read) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lesson/file.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
 #include "lesson/vocabulary.hpp"
@@ -28,17 +29,6 @@ struct LoadedLesson {
 /// file that is not TOML has one problem, its first syntax error.
 [[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
                                        const Vocabulary& vocabulary);
-
-/// A file's text, or why there is none.
-struct FileText {
-  std::optional<std::string> text;
-  std::string problem;
-};
-/// Gives files that a lesson names; of a larger file than `most_bytes` the first bytes, one more.
-using FileReader =
-    std::function<FileText(const std::filesystem::path& file, std::size_t most_bytes)>;
-/// From the file system.
-[[nodiscard]] FileText read_file(const std::filesystem::path& file, std::size_t most_bytes);
 
 /// The same from text; `name` stands for the file in problems and gives the lesson's id. Results of
 /// a study are read by `read`.

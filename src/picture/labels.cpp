@@ -149,7 +149,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   // can be left, a line that passes is no matter. In a frame its own lines count.
   const bool in_frame = !fixed || moves;
   const bool minds_passing = in_frame || !request.steps_aside;
-  const auto centre = [&](const Place& place) -> Point {
+  const auto centre = [&](const Kept& place) -> Point {
     return request.anchor + place.beside + 0.5 * place.face.cwiseProduct(size);
   };
   const auto is_cut_off = [&](const Point& middle) {
@@ -166,8 +166,8 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     return mark_at(box, request.text, request.role, request.style);
   }
   double best_cost = std::numeric_limits<double>::infinity();
-  Place best;
-  const auto consider = [&](const Place& place, double extra) {
+  Kept best;
+  const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
     const double cost = extra + cost_of(box) +

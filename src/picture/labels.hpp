@@ -73,7 +73,7 @@ class LabelPlacer {
 
  private:
   /// A place that is kept when the text gets longer or shorter.
-  struct Place {
+  struct Kept {
     Point beside = Point::Zero();  ///< What of the label is nearest to the anchor, from there.
     Point face = Point::Zero();    ///< From there to the middle, in halves of the label's size.
   };
@@ -88,7 +88,7 @@ class LabelPlacer {
   Rect bounds_;
   Obstacles obstacles_;
   std::vector<Rect> taken_;
-  std::map<std::string, Place> places_;  ///< Of each label, in the last frame that it was in.
+  std::map<std::string, Kept> places_;  ///< Of each label, in the last frame that it was in.
 };
 
 }  // namespace gjkscope

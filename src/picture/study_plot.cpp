@@ -34,7 +34,7 @@ Plot plot_of(const std::vector<StudyDot>& dots, const std::vector<int>& subjects
     const PlotStyle style = style_of(dots[i]);
     PlotSeries& series = *std::find_if(plot.series.begin(), plot.series.end(),
                                        [&](const PlotSeries& each) { return each.style == style; });
-    series.points.push_back(place_of(dots[i]));
+    series.points.push_back(plotted(dots[i]));
     series.subjects.push_back({Subject::Kind::study_dot, subjects[i]});
   }
   std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
@@ -43,7 +43,7 @@ Plot plot_of(const std::vector<StudyDot>& dots, const std::vector<int>& subjects
 
 PlotSeries front_line(const std::vector<StudyDot>& front) {
   PlotSeries line{PlotStyle::limit, "front", {}, PlotJoin::stairs, false};
-  for (const StudyDot& dot : front) line.points.push_back(place_of(dot));
+  for (const StudyDot& dot : front) line.points.push_back(plotted(dot));
   return line;
 }
 
@@ -82,7 +82,7 @@ PlotStyle style_of(const StudyDot& dot) {
   return dot.proof == "bounds" ? PlotStyle::first : PlotStyle::third;
 }
 
-Eigen::Vector2d place_of(const StudyDot& dot) { return {dot.ns, std::max(*dot.error, kNoError)}; }
+Eigen::Vector2d plotted(const StudyDot& dot) { return {dot.ns, std::max(*dot.error, kNoError)}; }
 
 Plot study_plot(const std::vector<StudyDot>& family) {
   std::vector<int> subjects;
@@ -139,11 +139,11 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   plot.y.high = kAbove;
   if (!has_all) {
     for (const StudyDot& dot : shown) {
-      if (dot.error) plot.notes.push_back({style_of(dot), place_of(dot), dot.configuration});
+      if (dot.error) plot.notes.push_back({style_of(dot), plotted(dot), dot.configuration});
     }
   }
   if (frame.stage == StudyStage::mark && shown.back().error)
-    plot.current_point = place_of(shown.back());
+    plot.current_point = plotted(shown.back());
   if (frame.stage == StudyStage::front) plot.series.push_back(front_line(front_among(shown)));
   if (has_all) {
     PlotSeries others{PlotStyle::other, "other ways", {}, PlotJoin::none};
@@ -153,13 +153,13 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
         return mark.configuration == dot.configuration;
       };
       if (!dot.error || std::any_of(shown.begin(), shown.end(), is_same)) continue;
-      others.points.push_back(place_of(dot));
+      others.points.push_back(plotted(dot));
       others.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(i)});
     }
     if (!others.points.empty()) plot.series.push_back(std::move(others));
     plot.series.push_back(front_line(front));
     for (std::size_t i = 0; i < front.size(); ++i)
-      plot.notes.push_back({PlotStyle::limit, place_of(front[i]), std::to_string(i + 1)});
+      plot.notes.push_back({PlotStyle::limit, plotted(front[i]), std::to_string(i + 1)});
   }
   return plot;
 }

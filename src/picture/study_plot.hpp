@@ -22,7 +22,7 @@ inline constexpr double kLeastShown = 1e-21;
 [[nodiscard]] Plot study_plot(const LessonStudy& study, const StudyFrame& frame);
 
 /// Where a dot stands; only of dots with an error.
-[[nodiscard]] Eigen::Vector2d place_of(const StudyDot& dot);
+[[nodiscard]] Eigen::Vector2d plotted(const StudyDot& dot);
 
 /// The style of dots that go as far: the loop alone, bounds, a proof; or that stop early.
 [[nodiscard]] PlotStyle style_of(const StudyDot& dot);

@@ -106,7 +106,7 @@ class Figures {
     for (std::size_t i = 0; i < best.size(); ++i) {
       const StudyDot& dot = best[i];
       const std::string number = std::to_string(i + 1);
-      plot.notes.push_back({style_of(dot), place_of(dot), number});
+      plot.notes.push_back({style_of(dot), plotted(dot), number});
       const double y = kPlotTop + 20.0 + static_cast<double>(i) * step;
       page.write("plot.limit.label", {kListLeft, y}, number, type::kHeading);
       page.write("body", {kListLeft + kListGap, y}, dot.configuration, type::kHeading);

@@ -40,7 +40,7 @@ TEST(StudyPicture, EachDotWithAnErrorIsAMarkThatKnowsWhichItIs) {
     ASSERT_EQ(series.points.size(), series.subjects.size());
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const StudyDot& dot = family[static_cast<std::size_t>(series.subjects[i].x)];
-      EXPECT_EQ(series.points[i], place_of(dot)) << dot.configuration;
+      EXPECT_EQ(series.points[i], plotted(dot)) << dot.configuration;
       EXPECT_EQ(series.style, style_of(dot)) << dot.configuration;
     }
     points += series.points.size();
@@ -61,7 +61,7 @@ TEST(StudyPicture, TheFrontGoesDownToTheRight) {
   const PlotSeries& line = plot.series.back();
   EXPECT_FALSE(line.has_symbols);
   ASSERT_EQ(line.points.size(), front.size());
-  EXPECT_EQ(line.points.front(), place_of(front.front()));
+  EXPECT_EQ(line.points.front(), plotted(front.front()));
 }
 
 TEST(StudyPicture, MarksComeOneByOneAndStayWhereTheyAre) {
@@ -76,7 +76,7 @@ TEST(StudyPicture, MarksComeOneByOneAndStayWhereTheyAre) {
     ASSERT_EQ(plot.notes.size(), std::max<std::size_t>(2, named + 1));
     named = plot.notes.size();
     for (const PlotNote& note : plot.notes) {
-      EXPECT_EQ(note.at, place_of(shown.study().dot(note.text)));
+      EXPECT_EQ(note.at, plotted(shown.study().dot(note.text)));
       names.insert(note.text);
     }
   }

@@ -47,11 +47,11 @@ void heights(PanelBuilder& panel, const RoundedPair::Value& found, StudyStage st
                 fmt::format("{} of {}", shape.vertex_names[static_cast<std::size_t>(vertex.index)],
                             shape.name),
                 type::kName);
-    panel.write("body", column, height(place_of(found.exact, vertex).y()), type::kText,
+    panel.write("body", column, height(vertex_in_world(found.exact, vertex).y()), type::kText,
                 Align::right);
     if (rounds) {
-      panel.write("body", panel.right, height(place_of(found.in_float, vertex).y()), type::kText,
-                  Align::right);
+      panel.write("body", panel.right, height(vertex_in_world(found.in_float, vertex).y()),
+                  type::kText, Align::right);
     }
     panel.y += kLine + 4.0;
   }

@@ -171,8 +171,9 @@ class PairPicture {
     for (std::size_t i = 0; i < pair_.facing.size(); ++i) {
       const RoundedPair::Vertex& vertex = pair_.facing[i];
       const std::string role = vertex.of_x ? "shape.x.label" : "shape.y.label";
-      const Point at = map(place_of(pair_.exact, vertex));
-      const Point along = (at - map(place_of(pair_.exact, pair_.facing[i ^ 1]))).normalized();
+      const Point at = map(vertex_in_world(pair_.exact, vertex));
+      const Point along =
+          (at - map(vertex_in_world(pair_.exact, pair_.facing[i ^ 1]))).normalized();
       // Away from its edge, and from the other shape.
       scene_.out.fixed_labels.push_back(scene_.label("pair " + name_of(vertex), name_of(vertex),
                                                      role, type::kVertex, at, kRing,
