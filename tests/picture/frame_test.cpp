@@ -27,11 +27,6 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&
-         b.min.y() < a.max.y();
-}
-
 bool inside(const Rect& outer, const Rect& inner) {
   return (inner.min.array() >= outer.min.array()).all() &&
          (inner.max.array() <= outer.max.array()).all();

@@ -42,9 +42,9 @@ TEST(Linked, TheSupportPairLightsUpInAllThreePlaces) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE(i + 1);
     const SupportPart part = *run.frames[i].support_part;
-    EXPECT_EQ(marks<Disk>(frames[i], "support.vertex", 0).size(),
+    EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 0).size(),
               static_cast<std::size_t>(std::min(static_cast<int>(part), 2)));
-    EXPECT_EQ(marks<Disk>(frames[i], "support.vertex", 1).size(),
+    EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 1).size(),
               part == SupportPart::of_z ? 1u : 0u);
   }
 }

@@ -92,7 +92,7 @@ void simplex(PanelBuilder& panel) {
   }
   if (panel.knows.whole_support) {
     panel.subject = subject_of(panel.run, panel.state.support.pair);
-    panel.add("support", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
+    panel.add("support", diamond({panel.left + 8.0, panel.y - middle}, 7.0));
     panel.write("support.label", name_at, panel.run.pair_name(panel.state.support.pair),
                 type::kStrong);
     const bool known = panel.state.stop == gjk::StopReason::repeated_support;

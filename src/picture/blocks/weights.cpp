@@ -50,9 +50,7 @@ void weights(PanelBuilder& panel) {
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
                 type::kStrong);
     panel.bar(x0, x1, kLow, kHigh, weight,
-              weight < 0.0 ? "weight.negative"
-              : coloured   ? format("weight.bar.{}", kLetters[i])
-                           : "weight.bar");
+              coloured ? format("weight.bar.{}", kLetters[i]) : "weight.bar");
     panel.write("code.current", panel.right,
                 panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
                                                                : panel.numbers.weight(weight),
