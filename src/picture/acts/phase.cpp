@@ -18,7 +18,7 @@ void phase_frames(LessonRun& run, int index) { add_step_frames(run, index, is_ch
 
 const StagedAct kPhase{
     .act = {.name = "phase",
-            .meaning = "phase of each iteration: closest point, cull, direction, support, stop "
+            .meaning = "phase of each iteration: closest point, drop, direction, support, stop "
                        "tests, add",
             .needs = {.takes_phases = true},
             .add_frames = phase_frames,

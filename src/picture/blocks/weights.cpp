@@ -23,11 +23,11 @@ void weights(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   const int count = value.simplex.count;
   const bool point_query = panel.run.point_query();
-  panel.heading(count == 3   ? "Weights: fractional areas, signed"
-                : count == 2 ? "Weights: fractional lengths, signed"
+  panel.heading(count == 3   ? "Weights: signed fractions of area"
+                : count == 2 ? "Weights: signed fractions of length"
                              : "Weights");
   if (value.weights.empty()) {
-    panel.write("body.muted", panel.left, "the simplex is degenerate: no coordinates", type::kBody);
+    panel.write("body.muted", panel.left, "the simplex is degenerate: no weights", type::kBody);
     panel.y += kRow;
     return;
   }
