@@ -177,11 +177,11 @@ TEST(Captions, TellTheRunOfThePentagon) {
                                                     ": P lies on the segment CD."))
       << frames.back().text.detail;
   EXPECT_NEAR(distance, 1.6091, 5e-5);
-  EXPECT_TRUE(frames[15].text.caption.starts_with("Answer: E. Q lies beyond CD, seen from E"));
-  EXPECT_EQ(frames[16].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
+  EXPECT_TRUE(frames[14].text.caption.starts_with("Answer: E. Q lies beyond CD, seen from E"));
+  EXPECT_EQ(frames[15].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
   EXPECT_EQ(frames[0].text.phase, "start");
-  EXPECT_EQ(frames[16].text.phase, "drop");
-  EXPECT_EQ(frames[16].text.iteration, 3);
+  EXPECT_EQ(frames[15].text.phase, "drop");
+  EXPECT_EQ(frames[15].text.iteration, 3);
 }
 
 std::vector<FramePicture> frames_of(const std::string& id) {
@@ -205,15 +205,17 @@ TEST(Captions, SayHowWrongAWrongOrderIs) {
                                        fixed((b - q).norm(), 3)),
             std::string::npos)
       << frames[2].text.detail;
-  EXPECT_TRUE(frames[3].text.caption.ends_with("they still give vertex B.")) << frames[3].text.caption;
+  EXPECT_TRUE(frames[3].text.caption.ends_with("they still give vertex B."))
+      << frames[3].text.caption;
 }
 
 TEST(Captions, GiveTheSameWeightsFromGAndFromQ) {
   const auto frames = frames_of("segment-barycentric");
   // A quarter of the way from A to B, on the line and off it.
-  EXPECT_EQ(frames[2].text.caption,
-            "G = uA + vB divides AB: from G to B it is u = 0.750 of the length, from A to G it is v = "
-            "0.250.");
+  EXPECT_EQ(
+      frames[2].text.caption,
+      "G = uA + vB divides AB: from G to B it is u = 0.750 of the length, from A to G it is v = "
+      "0.250.");
   EXPECT_EQ(frames[9].text.detail,
             "So from Q itself: u = 3.354 / 4.472 = 0.750 and v = 1.118 / 4.472 = 0.250.");
   EXPECT_NEAR(std::hypot(4.0, 2.0), 4.472, 5e-4);
@@ -232,12 +234,11 @@ TEST(Captions, TellWhichWayTheBeamTurnsAndByHowMuch) {
   const double angle = 15.4 * 3.14159265358979 / 180.0;
   const double turning_a = 0.8 * (0.5 * std::cos(angle) - 0.15 * std::sin(angle));
   const double turning_b = 0.2 * (0.5 * std::cos(angle) + 0.15 * std::sin(angle));
-  EXPECT_EQ(caption(1, 1), "A's moment is larger, " + fixed(turning_a, 3) +
-                               " against " + fixed(turning_b, 3) +
-                               ": A is down by 15.4°, on the ground.");
-  EXPECT_EQ(
-      caption(1, 3),
-      "On G = uA + vB the moments are equal, 0.800 × 0.200 = 0.200 × 0.800: the beam is level again.");
+  EXPECT_EQ(caption(1, 1), "A's moment is larger, " + fixed(turning_a, 3) + " against " +
+                               fixed(turning_b, 3) + ": A is down by 15.4°, on the ground.");
+  EXPECT_EQ(caption(1, 3),
+            "On G = uA + vB the moments are equal, 0.800 × 0.200 = 0.200 × 0.800: the beam is "
+            "level again.");
   EXPECT_TRUE(caption(2, 0).starts_with("Q has moved. On G = uA + vB the moments are equal"))
       << caption(2, 0);
   EXPECT_TRUE(caption(3, 0).ends_with("A stays empty, B gets 1.200.")) << caption(3, 0);
@@ -250,10 +251,9 @@ TEST(Captions, TellWhereTheSignsMislead) {
   ASSERT_EQ(frames.size(), 10u);
   EXPECT_EQ(frames[7].text.caption,
             "At Q, w = −0.455 is negative. The signs name edge AB, but vertex A is closest.");
-  EXPECT_EQ(
-      frames[8].text.caption,
-      "At Q, u = −0.085 and w = −0.455 are negative. The signs name vertex B, but edge AB is "
-      "closest.");
+  EXPECT_EQ(frames[8].text.caption,
+            "At Q, u = −0.085 and w = −0.455 are negative. The signs name vertex B, but edge AB is "
+            "closest.");
   // w by areas: QAB lies 1 below AB, C 2.2 above.
   EXPECT_NEAR(-1.0 / 2.2, -0.455, 5e-4);
 }
@@ -334,7 +334,7 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
 }
 
 TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
-  const std::vector<std::string> texts = texts_of_frame("stop-repeated", 5);
+  const std::vector<std::string> texts = texts_of_frame("stop-repeated", 7);
   EXPECT_EQ(after(texts, "Q inside S"), "2 vertices, needs 3");
   EXPECT_EQ(after(texts, "Q inside S", 2), "·") << "of the next test: there is no P before";
   EXPECT_EQ(after(texts, "P no closer"), "✗");
@@ -350,19 +350,19 @@ TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
   const std::vector<std::string> direction = texts_of_frame("stop-repeated", 3);
   EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, needs 3");
   EXPECT_EQ(after(direction, "P no closer"), "·") << "of d = 0, which is asked of the next phase";
-  const std::vector<std::string> support = texts_of_frame("stop-repeated", 4);
+  const std::vector<std::string> support = texts_of_frame("stop-repeated", 6);
   EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
   EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";
   // What a stop phase told stays while the support point joins.
   const LessonRun run = run_lesson(testing::shipped_lesson("stop-contained"));
   int adds = 0;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    if (run.frames[i].question >= 0) continue;
     if (run.frames[i].step < 0 || run.step(run.frames[i]).phase != gjk::Phase::add) continue;
     ++adds;
     const auto add = texts_of_frame("stop-contained", static_cast<int>(i));
     const auto stop = texts_of_frame("stop-contained", static_cast<int>(i) - 1);
-    for (const char* test :
-         {"Q inside S", "d = 0", "V in S", "V no farther than S"})
+    for (const char* test : {"Q inside S", "d = 0", "V in S", "V no farther than S"})
       EXPECT_EQ(after(add, test), after(stop, test)) << test;
   }
   EXPECT_EQ(adds, 1);
@@ -402,7 +402,7 @@ TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
     EXPECT_FALSE(has(closest, fixed(weight, 3)));
     EXPECT_TRUE(has(drop, fixed(weight, 3))) << weight;
   }
-  EXPECT_TRUE(has(texts_of_frame("collinear", 2), "0")) << "B, which is dropped";
+  EXPECT_TRUE(has(texts_of_frame("collinear", 3), "0")) << "B, which is dropped";
 
   // Where the panel has the weights, it marks those that are kept.
   const LessonRun pentagon = run_lesson(testing::shipped_lesson("polygon-evolution"));
@@ -419,7 +419,7 @@ TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
     EXPECT_EQ(marked, drops_vertices ? pentagon.state(frame).simplex.count : 0) << i + 1;
     drops += drops_vertices;
   }
-  EXPECT_EQ(drops, 3);
+  EXPECT_EQ(drops, 2) << "none of a single vertex";
 }
 
 TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
@@ -428,13 +428,13 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
       return text.find(words) != std::string::npos;
     });
   };
-  EXPECT_TRUE(holds(texts_of_frame("collinear", 1), "BCD has area 0 and no weights"));
-  EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B, C and D lie equally far along d"));
-  EXPECT_TRUE(holds(texts_of_frame("collinear", 4), "B is not in the simplex: it was dropped."));
-  EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 25), "In X, D lies as far as C."));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 2), "BCD has area 0 and no weights"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B, C and D lie equally far along d"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B is not in the simplex: it was dropped."));
+  EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 24), "In X, D lies as far as C."));
   EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 0), "leads from P to O"));
-  EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 4), "its length does not matter"));
-  EXPECT_TRUE(holds(texts_of_frame("direction-half", 4), "Half precision finds B"));
+  EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 5), "its length does not matter"));
+  EXPECT_TRUE(holds(texts_of_frame("direction-half", 6), "Half precision finds B"));
   EXPECT_TRUE(holds(texts_of_frame("nonconvex-vertex", 4), "B can never win"));
 }
 
@@ -456,7 +456,7 @@ TEST(Captions, DoNotUseWeightsBeforeALessonHasThem) {
 TEST(Panel, ARoundingErrorIsNoDistance) {
   const std::vector<std::string> before = texts_of_frame("stop-edge-left", 3);
   EXPECT_EQ(after(before, "Distance lies in"), "[0.000, 0.000]");
-  const std::vector<std::string> exact = texts_of_frame("stop-edge-left", 5);
+  const std::vector<std::string> exact = texts_of_frame("stop-edge-left", 7);
   EXPECT_EQ(after(exact, "Distance lies in"), "[0.000, 0.000]");
 }
 
@@ -464,6 +464,7 @@ TEST(Panel, ARoundingErrorIsNoDistance) {
 Lesson direction_half_from_b() {
   Lesson lesson = testing::shipped_lesson("direction-half");
   lesson.options.start.count = 1;
+  lesson.questions.clear();
   return lesson;
 }
 
@@ -474,10 +475,10 @@ TEST(Captions, SayWhichNumbersRoundingMade) {
   const Eigen::Vector2d b(-90.0, -35.0), d(120.0, -15.0), q(0.5, -26.5);
   EXPECT_TRUE(texts[1].detail.ends_with("exact arithmetic has " + fixed((q - b).norm(), 3) + "."))
       << texts[1].detail;
-  EXPECT_TRUE(texts[4].caption.ends_with("exact arithmetic has " + fixed((q - b).dot(d), 3) + "."))
-      << texts[4].caption;
-  EXPECT_TRUE(texts[5].detail.ends_with("exact arithmetic has " + fixed((q - b).norm(), 3) + "."))
-      << texts[5].detail;
+  EXPECT_TRUE(texts[3].caption.ends_with("exact arithmetic has " + fixed((q - b).dot(d), 3) + "."))
+      << texts[3].caption;
+  EXPECT_TRUE(texts[4].detail.ends_with("exact arithmetic has " + fixed((q - b).norm(), 3) + "."))
+      << texts[4].detail;
 }
 
 TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
@@ -494,7 +495,7 @@ TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
     return false;
   };
   EXPECT_FALSE(coloured(1, "−90")) << "P is B in both runs, with other digits";
-  EXPECT_TRUE(coloured(7, "−26.375"));
+  EXPECT_TRUE(coloured(6, "−26.375"));
 }
 
 TEST(Panel, TheMapsComeBeforeWhatTheySayOfQ) {

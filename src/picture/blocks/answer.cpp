@@ -215,7 +215,7 @@ void bound_steps(PanelBuilder& panel) {
       if (high - low < 4.0) low = std::max(x0, 0.5 * (low + high) - 2.0), high = low + 4.0;
       panel.add("bounds.bar", Box{{{low, middle - 4.0}, {high, middle + 4.0}}, 2.0});
       panel.write("code", panel.right,
-                  format("{} … {}", fixed(bounds.lower, 4), fixed(bounds.upper, 4)), type::kCode,
+                  format("{} … {}", fixed(bounds.lower, 3), fixed(bounds.upper, 3)), type::kCode,
                   Align::right);
     }
     while (step < static_cast<int>(steps.size()) &&

@@ -12,7 +12,7 @@ namespace {
 
 using namespace rows;
 
-constexpr double kCondition = 64.0;  // from a card's text to the condition of a test
+constexpr double kCondition = 68.0;  // from a card's text to the condition of a test
 
 std::string condition(const PanelBuilder& panel, const gjk::FaceList& order, int index) {
   const gjk::Face face = order.faces[index];
@@ -174,7 +174,7 @@ void ruler(PanelBuilder& panel, int from, int to) {
               Polyline{{{at(end), panel.y - 2.0 * kHalf}, {at(end), panel.y + 2.0 * kHalf}}});
   }
   panel.add("closest", Disk{{at(share), panel.y}, 4.5});
-  panel.y += 20.0;
+  panel.y += 24.0;
   panel.write("body.muted", at(0.0), a, type::kTick, Align::center);
   panel.write("body.muted", at(1.0), b, type::kTick, Align::center);
   panel.y += kRow;

@@ -212,7 +212,7 @@ void areas(PanelBuilder& panel) {
     panel.write("strong", panel.left, from + to + third, type::kStrong);
     panel.write("code", panel.left + 48.0, format("½ cross({1} − {0}, {2} − {0})", from, to, third),
                 type::kCode);
-    panel.write("code", panel.right - 92.0, fixed(area, 3), type::kCode, Align::right);
+    panel.write("code", panel.right - 100.0, fixed(area, 3), type::kCode, Align::right);
     panel.write("code.current", panel.right, weight, type::kCodeBold, Align::right);
     panel.y += kRow;
   };

@@ -76,11 +76,8 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
       measured.begin(), measured.end(),
       [](const auto& a, const auto& b) { return a.within_tolerance < b.within_tolerance; });
   text.detail += format(
-      "For a distance within {:g} %, {} to {} are enough at every n. Larsen quotes {} for "
-      "polyhedra; "
-      "these are random polygons.",
-      100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1),
-      larsen());
+      "For {:g} %, {} to {} are enough at every n. Larsen's numbers are for polyhedra.",
+      100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
 }
 
 }  // namespace

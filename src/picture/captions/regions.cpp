@@ -28,8 +28,7 @@ std::string region_reason(const Story& story) {
     if (test.holds) won = &test;
   }
   if (simplex.count == 1)
-    return format("The simplex is the single point {0}: no other point of it can be closer to {1}.",
-                  story.words.vertex(0), story.q);
+    return format("S is the single point {0}, so P = {0}.", story.words.vertex(0));
   if (!won)
     return format("Rounding makes every test false. The nearest candidate is the {}.",
                   story.words.kind_and_face(face));
@@ -73,7 +72,7 @@ std::string region_reason(const Story& story) {
     if (names_coordinates(story)) {
       const std::vector<int> ends = story.words.order(face);
       return format(
-          "{0} lies in the region of {1}: it lies beyond {1}, since {2} = {3} is not positive, and "
+          "{0} lies in the region of {1}: it lies beyond {1}, since {2} = {3} < 0, and "
           "projects between {4} and {5}.",
           story.q, story.edge_name(face), story.words.coordinate(term.face, term.vertex),
           story.weight(term), story.words.vertex(ends[0]), story.words.vertex(ends[1]));
@@ -257,7 +256,10 @@ void closest(const Story& story, FrameText& text) {
     text.detail = format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
     return;
   }
-  text.detail = format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
+  text.detail =
+      story.state.simplex.count == 1
+          ? format("Its distance from {} is {}.", story.q, story.distance())
+          : format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
 }
 
 void region_test(const Story& story, FrameText& text) {

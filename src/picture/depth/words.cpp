@@ -139,7 +139,7 @@ class Telling {
         return;
     }
     text_.detail = format(
-        "So the edge is part of Z's boundary, and no other edge is nearer to O. The depth is {}.",
+        "The edge is part of Z's boundary, and no other edge is nearer to O. The depth is {}.",
         number(shown_.trace.result.depth));
   }
 
@@ -152,7 +152,7 @@ class Telling {
                            support_name(), count);
     const std::vector<int>& outgrown = shown_.step->record.outgrown;
     if (outgrown.empty()) {
-      text_.detail = "Two new edges replace it. Next: which edge is nearest to O now?";
+      text_.detail = "Two new edges replace the old one. Next: which edge is nearest to O now?";
       return;
     }
     std::vector<std::string> names;
