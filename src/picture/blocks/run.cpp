@@ -21,13 +21,18 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
              double x0, double x1, const std::string& title) {
   const LessonShape& shape = of_x ? panel.run.lesson.x() : panel.run.lesson.y();
   const std::vector<std::string>& names = shape.vertex_names;
+  constexpr int kShown = 6;
+  if (entries.empty()) {  // nothing to see yet, and what stands below keeps its place
+    const int count = static_cast<int>(names.size());
+    panel.y += kRow + kTightRow * (std::min(count, kShown) + (count > kShown ? 1 : 0));
+    return;
+  }
   panel.write("heading", x0, title, type::kHeading);
   panel.y += kRow;
   int best = -1;
   for (const auto& entry : entries) {
     if (entry.improves) best = entry.index;
   }
-  constexpr int kShown = 6;
   for (int i = 0; i < static_cast<int>(names.size()) && i < kShown; ++i) {
     // The scan of a large polygon does not look at every vertex.
     const auto entry = std::find_if(entries.begin(), entries.end(),
