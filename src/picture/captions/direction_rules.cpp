@@ -47,7 +47,8 @@ void direction_rules(const Story& story, FrameText& text) {
         off_by(story, towards->d), edge);
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     text.detail = format(
-        "The distance is {}. Here d was {}° off, and it did no harm; direction-half shows harm.",
+        "The distance is {}. Being {}° off, d did no harm here. Larger errors can find a wrong "
+        "vertex.",
         story.numbers(story.trace.result.distance), off_by(story, towards->d));
   }
 }

@@ -29,14 +29,13 @@ void start(const Story& story, FrameText& text) {
     text.caption =
         format("Start with {}. Any vertex will do.", story.words.face(story.state.simplex.all()));
   } else {
-    text.caption =
-        format("Start with the {}. Any simplex of vertices will do.", story.simplex_name());
+    text.caption = format("Start with the {} as the simplex S.", story.simplex_name());
   }
   text.detail =
       count == 1
           ? format("The simplex S is this one point. First: which point of S is closest to {}?",
                    story.q)
-          : format("It is the simplex S. First: which point of S is closest to {}?", story.q);
+          : format("Any vertices will do. First: which point of S is closest to {}?", story.q);
 }
 
 void cull(const Story& story, FrameText& text) {
