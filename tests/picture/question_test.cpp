@@ -57,8 +57,7 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[2].question.question->choices,
             (Choices{"no", "V in S", "V no farther", "P no closer", "Q inside S", "d = 0"}));
   EXPECT_EQ(all[2].question.question->answer, "V in S");
-  EXPECT_TRUE(
-      all[2].answer.caption.starts_with("Answer: V in S. C and D lie equally far along d"));
+  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: V in S. C and D lie equally far along d"));
   EXPECT_TRUE(all[2].answer.detail.starts_with("C is already in the simplex"));
 }
 
