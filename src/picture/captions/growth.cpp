@@ -32,18 +32,14 @@ void size(const Sample& sample, FrameText& text) {
                         : sample.iterations < Growth::kLarsenLeast ? "fewer than the"
                                                                    : "within the",
                         larsen());
-  text.detail =
-      format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
-             grouped(all_differences(sample)),
-             calls == iterations
-                 ? ""
-                 : format(" in {} support calls (some runs end before the last search)", calls));
-  text.detail +=
-      sample.is_climbed
-          ? format("Climbing from neighbour to neighbour looks at {} vertices, scanning at {}.",
-                   grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
-          : format("Each support call scans every vertex: {} in all.",
-                   grouped(sample.seen_vertices));
+  text.detail = format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
+                       grouped(all_differences(sample)),
+                       calls == iterations ? "" : format(" in {} support calls", calls));
+  text.detail += sample.is_climbed
+                     ? format("Climbing looks at {} vertices, scanning at {}.",
+                              grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
+                     : format("Each support call scans every vertex: {} in all.",
+                              grouped(sample.seen_vertices));
 }
 
 /// The first size that takes more than Larsen's iterations; the end when there is none.
@@ -68,7 +64,7 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
   if (above != measured.end()) {
     const Sample& from = above == measured.begin() ? *above : *(above - 1);
     if (&from != &last) {
-      text.detail = format("Beyond, ten times as many vertices add about {} iterations. ",
+      text.detail = format("Beyond, ten times as many vertices add about {}. ",
                            fixed(each_tenfold(from, last), 1));
     }
   }

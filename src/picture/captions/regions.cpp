@@ -52,10 +52,8 @@ std::string region_reason(const Story& story) {
         story.weight(terms[1]));
   }
   if (simplex.count == 2)
-    return format(
-        "{0} projects between the ends of {1}: both weights are positive, so it lies in {1}'s "
-        "region.",
-        story.q, story.edge_name(face));
+    return format("{} projects between the ends of {}: both weights are positive.", story.q,
+                  story.edge_name(face));
   for (const gjk::RegionTerm<double>& term : won->terms) {
     if (term.wants_positive) continue;
     if (term.denominator == 0.0) {
@@ -79,9 +77,11 @@ std::string region_reason(const Story& story) {
     }
     const std::vector<int> ends = story.words.order(face);
     return format(
-        "{} lies beyond {}, seen from {} (area fraction {} < 0), and projects between {} and {}.",
-        story.q, story.edge_name(face), story.words.vertex(term.vertex), story.weight(term),
-        story.words.vertex(ends[0]), story.words.vertex(ends[1]));
+        "{} lies beyond {}, seen from {} (area fraction {} < 0), and projects between {}.", story.q,
+        story.edge_name(face), story.words.vertex(term.vertex), story.weight(term),
+        story.run.point_query()
+            ? format("{} and {}", story.words.vertex(ends[0]), story.words.vertex(ends[1]))
+            : "its ends");
   }
   return {};
 }
@@ -279,7 +279,7 @@ void region_test(const Story& story, FrameText& text) {
       const std::string edge = story.words.face(0b011);
       text.detail = format(
           "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; u{3}, v{3} and "
-          "w{3} are those in the triangle. GJK tests vertices, then edges; the interior is left.",
+          "w{3} are those in the triangle.",
           edge, story.words.vertex(0), story.words.vertex(1), story.words.face(0b111));
     }
     return;

@@ -111,9 +111,8 @@ void direction(const Story& story, FrameText& text) {
       text.detail = format("{} − P = 0, but d = {} is {}. So the test d = 0 does not stop GJK.",
                            story.q, d, turned);
     } else if (note.flipped) {
-      text.detail = format(
-          "{} is {}. Its dot product with {} − {} is negative, so d points the other way: d = {}.",
-          turned, story.numbers.point(note.normal), story.q, vertex(0), d);
+      text.detail = format("{} is {}. Its dot product with {} − {} is negative, so d = {}.", turned,
+                           story.numbers.point(note.normal), story.q, vertex(0), d);
     } else {
       text.detail = format("d = {} is {}. It needs neither P nor a division.", d, turned);
     }
