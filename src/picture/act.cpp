@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "effects/history.hpp"
 #include "effects/second_run.hpp"
