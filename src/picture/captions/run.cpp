@@ -269,8 +269,7 @@ void stop(const Story& story, FrameText& text) {
                        support, story.set_name(), story.q);
       text.detail = outcome(story);
       if (lower > 0.0) {
-        text.detail +=
-            format(" All of {} lies behind the dashed line through P.", story.set_name());
+        text.detail += format(" All of {} lies behind the dashed line.", story.set_name());
       }
       return;
     case gjk::StopReason::origin_inside:
