@@ -1,4 +1,4 @@
-// The command line of gjkscope: what may be said, and which command it means.
+// The command line of gjkscope: its arguments, and the command that runs them.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -241,7 +241,7 @@ int run(const CLI::App& app, Arguments& args) {
   const bool tells = app.got_subcommand("transcript");
   if (args.lessons.all == !args.lessons.names.empty()) {
     std::cerr << "gjkscope " << (tells ? "transcript" : "export")
-              << ": name lessons, or say --all\n";
+              << ": name lessons, or give --all\n";
     return kUsage;
   }
   if (tells) return transcript_command(env, args.lessons, args.markdown, options.questions);
@@ -268,7 +268,7 @@ int parse_and_run(int argc, char** argv) {
   app.footer(kFooter);
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "gjkscope: " + std::string(error.what()) + "\nRun `" + failed->get_display_name() +
-           " --help` for what may be said.\n";
+           " --help` for its arguments.\n";
   });
   Arguments args;
   add_commands(app, args);

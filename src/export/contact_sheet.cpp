@@ -10,7 +10,7 @@
 namespace gjkscope {
 namespace {
 
-constexpr int kSidecarVersion = 1;
+constexpr int kSidecarVersion = 2;
 
 std::string figure(const ExportedLesson& lesson, const ExportedFrame& frame) {
   return fmt::format(

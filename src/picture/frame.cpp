@@ -22,12 +22,12 @@ namespace {
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
 constexpr double kCardCorner = 10.0;
-constexpr double kProseLine = 20.0;
+constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
-constexpr double kWidePanel = 424.0;    // beside one view
-constexpr double kNarrowPanel = 368.0;  // beside two
+constexpr double kWidePanel = 440.0;    // beside one view
+constexpr double kNarrowPanel = 400.0;  // beside two
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 

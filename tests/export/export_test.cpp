@@ -83,7 +83,7 @@ TEST_F(Export, WritesNumberedFramesAndASidecarThatDescribesThem) {
   const auto files = contents(folder_ / "out");
   EXPECT_EQ(files.size(), result.files.size()) << "nothing else is left in the folder";
   const auto json = nlohmann::json::parse(files.at("segment-closest.json"));
-  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["version"], 2);
   EXPECT_EQ(json["lesson"], "segment-closest");
   EXPECT_EQ(json["theme"], "light");
   EXPECT_EQ(json["width"], 640);
