@@ -13,6 +13,7 @@
 
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
+#include "site/site.hpp"
 
 namespace gjkscope {
 
@@ -38,6 +39,10 @@ struct LessonChoice {
 };
 
 int list_lessons(const Environment& env, bool json);
+
+/// Lessons as pages for browsers.
+int export_pages_command(const Environment& env, const LessonChoice& choice,
+                         const SiteOptions& options, bool json);
 
 /// `options.assets_dir` is filled in here.
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
