@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "cli/input.hpp"
 #include "cli/transcript.hpp"
 #include "effects/registry.hpp"
+#include "export/record.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
@@ -184,6 +189,34 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
   }
   if (!flushed(env)) return kCannot;
   return result.signal == 0 ? kDone : kSignalBase + result.signal;
+}
+
+int open_command(const Environment& env, const std::string& file, bool json) {
+  const std::optional<std::string> bytes = read_text(env, file);
+  if (!bytes) return kCannot;
+  const std::optional<Record> record =
+      find_record({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+  if (!record) {
+    env.err << fmt::format(
+        "gjkscope: {} has no record of a lesson; png, apng, svg, pdf and gif that `gjkscope "
+        "export` "
+        "wrote have\n",
+        file);
+    return kProblem;
+  }
+  if (json) {
+    env.out << record_text(*record) << '\n';
+    return flushed(env) ? kDone : kCannot;
+  }
+  std::error_code none;
+  const fs::path viewer =
+      fs::read_symlink("/proc/self/exe", none).parent_path() / "gjkscope-viewer";
+  std::string program = fs::exists(viewer, none) ? viewer.string() : "gjkscope-viewer";
+  std::string path = file;
+  std::array<char*, 3> arguments = {program.data(), path.data(), nullptr};
+  ::execvp(program.c_str(), arguments.data());
+  env.err << fmt::format("gjkscope: cannot start {}: {}\n", program, std::strerror(errno));
+  return kCannot;
 }
 
 namespace {

@@ -48,6 +48,10 @@ int export_pages_command(const Environment& env, const LessonChoice& choice,
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json);
 
+/// Starts the window, beside this program or on the PATH, with the step that an exported file
+/// shows; `json`: prints the file's record instead.
+int open_command(const Environment& env, const std::string& file, bool json);
+
 /// `name` is a lesson or a case file; `scalar` is for cases, lessons bring their own.
 int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json);
 

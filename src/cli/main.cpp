@@ -163,6 +163,14 @@ void add_commands(CLI::App& app, Arguments& args) {
 
   add_export(app, args);
 
+  CLI::App* open = app.add_subcommand("open", "Show the step of an exported file in the window");
+  open->add_option("file", args.name, "png, apng, svg, pdf or gif from `gjkscope export`")
+      ->required();
+  open->add_flag("--json", args.json, "Print what the file says of itself instead");
+  open->footer(
+      "Examples:\n  gjkscope open out/polygons-gjk-0017.png\n"
+      "  gjkscope open figure.svg --json\n");
+
   CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
   trace->add_option("lesson|case", args.name, "Id or file of a lesson, a case.json, or -")
       ->required();
@@ -296,6 +304,7 @@ int run_export(const Environment& env, Arguments& args) {
 int run(const CLI::App& app, Arguments& args) {
   const Environment env{share_folder(), std::cin, std::cout, std::cerr};
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
+  if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
   if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
   if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
   if (app.got_subcommand("check")) return check_command(env, args.files);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <ios>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "paint/png.hpp"
 
@@ -120,11 +121,19 @@ std::optional<Record> find_record(std::span<const std::uint8_t> file) {
     const Json json = Json::parse(text);
     Record record{json.at("lesson"), json.at("toml"), json.at("key"), {}};
     for (const Json& frame : json.at("frames")) {
-      record.frames.push_back({frame.at("step"), frame.at("caption"), {}});
+      RecordedFrame one{frame.at("step"), frame.at("caption"), {}};
+      if (frame.contains("case")) {
+        one.shapes = parse_cases(frame.at("case").dump(), "record").front().value.value();
+      } else if (!record.frames.empty()) {
+        one.shapes = record.frames.back().shapes;
+      }
+      record.frames.push_back(std::move(one));
     }
     return record;
   } catch (const Json::exception&) {
     return std::nullopt;
+  } catch (const std::bad_optional_access&) {
+    return std::nullopt;  // Of a case that is none.
   }
 }
 

@@ -34,8 +34,7 @@ struct Record {
 /// As JSON in ASCII; coordinates are hexadecimal floats. A frame without a case shows that of the
 /// frame before.
 [[nodiscard]] std::string record_text(const Record& record);
-/// The record in the bytes of a PNG, APNG, SVG, PDF or GIF; nothing where there is none. Cases are
-/// left out: they follow from the lesson.
+/// The record in the bytes of a PNG, APNG, SVG, PDF or GIF; nothing where there is none.
 [[nodiscard]] std::optional<Record> find_record(std::span<const std::uint8_t> file);
 
 /// Whether a file has these bytes in its first 64 KiB or its last MiB.
