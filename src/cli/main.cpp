@@ -344,7 +344,8 @@ std::string nearest_command(const CLI::App& app, int argc, char** argv) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("gjkscope: the GJK distance algorithm, one decision at a time", "gjkscope");
-  app.set_version_flag("--version", "gjkscope " GJKSCOPE_VERSION);
+  app.set_version_flag("--version",
+                       "gjkscope " GJKSCOPE_VERSION "\nbuilt with " GJKSCOPE_BUILT_WITH);
   app.require_subcommand(1);
   app.footer(kFooter);
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
