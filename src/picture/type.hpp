@@ -51,6 +51,8 @@ inline constexpr TextStyle kTickBold{Face::semibold, 16};
 
 /// The characters of a text. What is not UTF-8 gives U+FFFD, one for each byte.
 [[nodiscard]] std::u32string code_points(std::string_view utf8);
+/// A character as UTF-8.
+[[nodiscard]] std::string utf8_of(char32_t character);
 
 /// The bytes of a face's font file, and of the one that draws what the first lacks.
 struct FaceBytes {
@@ -73,6 +75,8 @@ class Fonts {
   /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular:
   /// each is as wide as the widest, in every face.
   [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
+  /// Of one character.
+  [[nodiscard]] double advance(const TextStyle& style, char32_t character) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
   /// Distance from base line to base line.
