@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "effects/every_scalar.hpp"
 #include "lesson/names.hpp"
@@ -76,11 +78,14 @@ std::string relation(const PanelBuilder& panel, const Answer& answer, const Answ
 /// A number, its digits that differ from the right ones underlined and bold.
 void number(PanelBuilder& panel, double value, double right, ScalarKind scalar) {
   const int decimals = decimals_of(std::max(value, right), scalar);
-  const std::string text = fixed(value, decimals);
-  const std::string wanted = fixed(right, decimals);
-  const auto parts = std::mismatch(text.begin(), text.end(), wanted.begin(), wanted.end());
-  const std::string same(text.begin(), parts.first);
-  const std::string other(parts.first, text.end());
+  const std::string text = value == 0.0 ? "0" : fixed(value, decimals);
+  const std::string wanted = right == 0.0 ? "0" : fixed(right, decimals);
+  const bool one_is_zero = (value == 0.0) != (right == 0.0);
+  const auto parts =
+      one_is_zero ? std::pair(text.cbegin(), wanted.cbegin())
+                  : std::mismatch(text.cbegin(), text.cend(), wanted.cbegin(), wanted.cend());
+  const std::string same(text.cbegin(), parts.first);
+  const std::string other(parts.first, text.cend());
   // The columns start at one place, so that digits stand below each other.
   const double at = panel.left + 68.0;
   panel.write("code.current", at, same, type::kCode);
@@ -135,6 +140,9 @@ void scalars(PanelBuilder& panel) {
     panel.y += kRow + 8.0;
   }
   panel.write("body.muted", panel.left, "Underlined digits are wrong.", type::kBody);
+  panel.y += kTightRow;
+  panel.write("body.muted", panel.left, "Runs that part on a tie may still answer alike.",
+              type::kBody);
   panel.y += kTightRow;
 }
 
