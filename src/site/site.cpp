@@ -137,10 +137,10 @@ class SiteWriter {
     const std::map<int, std::string> chapters =
         parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
     std::string list;
-    int chapter = 0;
+    int chapter = -1;  // of the lesson before; none
     for (const Lesson& lesson : lessons) {
       if (lesson.chapter != chapter) {
-        if (chapter != 0) list += "</ul></section>\n";
+        if (chapter >= 0) list += "</ul></section>\n";
         chapter = lesson.chapter;
         const auto title = chapters.find(chapter);
         list +=
@@ -149,7 +149,7 @@ class SiteWriter {
       }
       list += card(lesson);
     }
-    if (chapter != 0) list += "</ul></section>\n";
+    if (chapter >= 0) list += "</ul></section>\n";
     write_plain("index", {{"lessons", list}});
   }
 
