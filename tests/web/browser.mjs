@@ -65,7 +65,7 @@ const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 function action(name, body, sizes = Object.keys(SIZES)) {
   for (const size of sizes) {
     for (const theme of THEMES)
-      claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size));
+      claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
   }
 }
 const text = (page, id) => page.locator(`#${id}`).textContent();
@@ -212,18 +212,23 @@ action("a finger that swipes over the empty stage steps, one that drags does not
   await close(page);
 }, ["phone"]);
 
-action("a difference that is pointed at lights up with its two vertices", async (visit) => {
+action("a difference that is pointed at lights up with its two vertices", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
-  await page.mouse.move(...await vertex(page, "z 2 0"));
+  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  const at = await vertex(page, "z 2 0");
+  if (SIZES[size].touch) await page.touchscreen.tap(...at);
+  else await page.mouse.move(...at);
   const lit = await page.locator("#stage .ring").evaluateAll((rings) => [...new Set(rings.map((ring) => ring.dataset.lit))].sort());
   assert.deepEqual(lit, ["x 2", "y 0", "z 2 0"]);
   await close(page);
 });
 
-action("in the difference a drag moves Y", async (visit) => {
+action("in the difference a drag moves Y", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
+  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
   const before = await state(page);
-  await dragByMouse(page, await vertex(page, "z 2 0"), [30, -20]);
+  await drag(page, await vertex(page, "z 2 0"), [30, -20]);
   const after = await state(page);
   assert.deepEqual(after.shapes.x, before.shapes.x);
   assert.ok(after.shapes.y.vertices[0][0] - before.shapes.y.vertices[0][0] > 0.01);
@@ -334,7 +339,7 @@ action("a shared link restores lesson, step and vertices", async (visit) => {
   await close(page);
 });
 
-action("frames are saved as SVG and PNG", async (visit) => {
+action("frames are saved as SVG and PNG", async (visit, _, theme) => {
   const page = await visit(url("stop-vertex", "#step=3"));
   const file = async (button) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
@@ -343,6 +348,7 @@ action("frames are saved as SVG and PNG", async (visit) => {
   const [svgName, svg] = await file("#svg");
   const program = await startProgram();
   program({ do: "open", lesson: read("lessons/stop-vertex.toml"), name: "stop-vertex.toml" });
+  program({ do: "layout", width: 1280, height: 720, panel: 368, timeline: 800, theme });
   program({ do: "go", to: 2 });
   assert.equal(svgName, "stop-vertex-0003.svg");
   assert.equal(svg.toString(), program({ do: "frame" }).svg);
