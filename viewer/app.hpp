@@ -115,6 +115,8 @@ class App {
   void draw_button(std::string_view name, float width = 0.0f);
   void stop_playing() { playing_ = false; }
 
+  /// At the step that an exported file shows.
+  void open_exported(const std::filesystem::path& file);
   void open_lesson(const std::filesystem::path& file);
   /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
   /// cannot be shown. `unsaved`: it comes from no file.

@@ -11,6 +11,7 @@
 #include "app.hpp"
 #include "drawers/study.hpp"
 #include "export/export.hpp"
+#include "export/record.hpp"
 #include "files.hpp"
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"
@@ -75,12 +76,40 @@ void App::open_path(const fs::path& path) {
       } else {
         open_results(*this, text, path);
       }
-    } else {
+    } else if (path.extension() == ".toml") {
       open_lesson(path);
+    } else {
+      open_exported(path);
     }
   } catch (const std::runtime_error& error) {
     say(error.what(), true);
   }
+}
+
+void App::open_exported(const fs::path& file) {
+  const std::string bytes = read_whole(file);
+  const std::optional<Record> record =
+      find_record({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  if (!record || record->frames.empty()) {
+    return say(
+        fmt::format("{} is neither a lesson (.toml) nor a case (.json), and no export of one",
+                    file.string()),
+        true);
+  }
+  // Results of a study stand beside the shipped lessons.
+  const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
+  LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
+  if (!loaded.lesson) return say(all_of(loaded.problems), true);
+  // The step counts the frames that ask, which the window shows only in predict mode.
+  const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
+  const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));
+  const auto end = frames.begin() + static_cast<std::ptrdiff_t>(std::min(step, frames.size()));
+  const auto index = session_.is_predicting()
+                         ? end - frames.begin() - 1
+                         : std::count_if(frames.begin(), end, [](const Frame& frame) {
+                             return frame.question < 0;
+                           }) - 1;
+  if (show(std::move(*loaded.lesson), {}, file.string())) session_.go_to(static_cast<int>(index));
 }
 
 void App::open_lesson(const fs::path& file) {

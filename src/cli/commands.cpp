@@ -2,22 +2,26 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "cli/input.hpp"
 #include "cli/transcript.hpp"
 #include "effects/registry.hpp"
+#include "export/record.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/theme.hpp"
-#include "site/site.hpp"
 #include "trace/trace_json.hpp"
 #include "trace/trace_text.hpp"
 
@@ -130,6 +134,31 @@ int list_lessons(const Environment& env, bool json) {
   return flushed(env) ? exit_code : kCannot;
 }
 
+int export_pages_command(const Environment& env, const LessonChoice& choice,
+                         const SiteOptions& options, bool json) {
+  const FoundLessons found = find_lessons(env, choice);
+  if (found.exit_code != kDone) return found.exit_code;
+  const std::vector<fs::path> files = export_site(found.lessons, options);
+  if (json) {
+    Json list = Json::array();
+    for (const fs::path& file : files) list.push_back(file.string());
+    env.out << Json{{"files", std::move(list)}}.dump(2) << '\n';
+  } else {
+    env.out << fmt::format("{} pages in {}\n", files.size(), options.out_dir.string());
+  }
+  return flushed(env) ? kDone : kCannot;
+}
+
+namespace {
+
+/// Frames of their own, and not only one of them.
+bool has_several_files(const ExportOptions& options) {
+  return has_file_per_frame(options.format) &&
+         (!options.first_step || options.first_step != options.last_step);
+}
+
+}  // namespace
+
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json) {
   FoundLessons found = find_lessons(env, choice);
@@ -142,28 +171,52 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
                            fmt::join(themes, ", "));
     return kUsage;
   }
-  if (options.format == "html") {
-    const std::vector<fs::path> files =
-        export_site(lessons, {options.out_dir, env.share, options.index});
-    if (json) {
-      Json list = Json::array();
-      for (const fs::path& file : files) list.push_back(file.string());
-      env.out << Json{{"files", std::move(list)}}.dump(2) << '\n';
-    } else {
-      env.out << fmt::format("{} pages in {}\n", files.size(), options.out_dir.string());
-    }
-    return flushed(env) ? kDone : kCannot;
+  if (!options.file_name.empty() && (lessons.size() > 1 || has_several_files(options))) {
+    env.err << fmt::format(
+        "gjkscope: {} is one file; {}\n", options.file_name,
+        lessons.size() > 1 ? "name one lesson, or a folder" : "say which frame, --steps 3");
+    return kUsage;
   }
   const ExportResult result = export_lessons(lessons, options);
   if (json) {
     env.out << to_json(result) << '\n';
   } else {
-    env.out << fmt::format("{} frames of {} lessons in {} ({:.1f} s, {:.0f} frames per second)\n",
-                           result.frames, lessons.size(), options.out_dir.string(), result.seconds,
-                           result.frames_per_second());
+    env.out << fmt::format(
+        "{} frames of {} lessons in {} ({:.1f} s, {:.0f} frames per second{})\n", result.frames,
+        lessons.size(), (options.out_dir / options.file_name).string(), result.seconds,
+        result.frames_per_second(),
+        result.kept == 0 ? "" : fmt::format("; {} were up to date", result.kept));
   }
   if (!flushed(env)) return kCannot;
   return result.signal == 0 ? kDone : kSignalBase + result.signal;
+}
+
+int open_command(const Environment& env, const std::string& file, bool json) {
+  const std::optional<std::string> bytes = read_text(env, file);
+  if (!bytes) return kCannot;
+  const std::optional<Record> record =
+      find_record({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+  if (!record) {
+    env.err << fmt::format(
+        "gjkscope: {} has no record of a lesson; png, apng, svg, pdf and gif that `gjkscope "
+        "export` "
+        "wrote have\n",
+        file);
+    return kProblem;
+  }
+  if (json) {
+    env.out << record_text(*record) << '\n';
+    return flushed(env) ? kDone : kCannot;
+  }
+  std::error_code none;
+  const fs::path viewer =
+      fs::read_symlink("/proc/self/exe", none).parent_path() / "gjkscope-viewer";
+  std::string program = fs::exists(viewer, none) ? viewer.string() : "gjkscope-viewer";
+  std::string path = file;
+  std::array<char*, 3> arguments = {program.data(), path.data(), nullptr};
+  ::execvp(program.c_str(), arguments.data());
+  env.err << fmt::format("gjkscope: cannot start {}: {}\n", program, std::strerror(errno));
+  return kCannot;
 }
 
 namespace {

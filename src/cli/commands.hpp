@@ -13,6 +13,7 @@
 
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
+#include "site/site.hpp"
 
 namespace gjkscope {
 
@@ -39,9 +40,17 @@ struct LessonChoice {
 
 int list_lessons(const Environment& env, bool json);
 
+/// Lessons as pages for browsers.
+int export_pages_command(const Environment& env, const LessonChoice& choice,
+                         const SiteOptions& options, bool json);
+
 /// `options.assets_dir` is filled in here.
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json);
+
+/// Starts the window, beside this program or on the PATH, with the step that an exported file
+/// shows; `json`: prints the file's record instead.
+int open_command(const Environment& env, const std::string& file, bool json);
 
 /// `name` is a lesson or a case file; `scalar` is for cases, lessons bring their own.
 int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json);

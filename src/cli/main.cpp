@@ -1,4 +1,4 @@
-// The command line of gjkscope: what may be said, and which command it means.
+// The command line of gjkscope: its arguments, and the command that runs them.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/problem.hpp"
+#include "paint/pdf.hpp"
 
 namespace {
 
@@ -57,10 +58,89 @@ struct Arguments {
   bool markdown = false;
   ScalarKind scalar = ScalarKind::double_;
   ExportOptions export_options;
+  std::filesystem::path out;
+  std::string format;
+  std::string caption = "below";
+  std::string crop;
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
   StudyOptions study;
 };
+
+void add_export_look(CLI::App* command, Arguments& args) {
+  ExportOptions& options = args.export_options;
+  parsed(command, "--size", args.size, parse_size, "a size such as 1280x720",
+         "What a frame is laid out for, in pixels")
+      ->type_name("WxH")
+      ->default_str("1280x720");
+  command->add_option("--scale", options.scale, "Pixels of an image for each pixel of the size")
+      ->check(CLI::Range(0.1, 16.0))
+      ->capture_default_str();
+  command
+      ->add_option("--dpi", options.dpi,
+                   "Pixels of the size an inch: how large a png or pdf says that it is")
+      ->check(CLI::Range(1.0, 10000.0));
+  command->add_option("--theme", options.theme, "Theme of assets/themes")->capture_default_str();
+  command->add_flag("--transparent", options.transparent, "No background: png, svg, pdf, tex");
+  command->add_option("--crop", args.crop, "stage: the stages alone, for slides")
+      ->check(CLI::IsMember({"stage"}));
+  command
+      ->add_option("--caption", args.caption,
+                   "below: in the frame; none: left out; file: in a text file beside each frame")
+      ->check(CLI::IsMember({"below", "none", "file"}))
+      ->capture_default_str();
+  command
+      ->add_option("--handout", options.handout, "pdf: so many frames a page, with their captions")
+      ->check(CLI::Range(1, kMostOnHandout))
+      ->type_name("N");
+  command
+      ->add_option("--seconds", options.seconds,
+                   "gif, apng, mp4, webm: how long a frame is shown; the last twice as long")
+      ->check(CLI::Range(0.04, 600.0))
+      ->capture_default_str();
+}
+
+void add_export(CLI::App& app, Arguments& args) {
+  CLI::App* command = app.add_subcommand("export", "Draw the frames of lessons, headless");
+  ExportOptions& options = args.export_options;
+  command->add_option("lesson", args.lessons.names, "Ids or files of lessons");
+  command->add_flag("--all", args.lessons.all, "All shipped lessons");
+  command
+      ->add_option("--out", args.out,
+                   "Folder for the files, made when not there; or, with an ending of a format, the "
+                   "one file")
+      ->required()
+      ->type_name("DIR|FILE");
+  command
+      ->add_option("--format", args.format,
+                   "png, svg: a file for each frame; pdf, tex (slides of beamer, and their pdf), "
+                   "gif, apng, mp4, webm (these two by ffmpeg): one for each lesson; html: pages "
+                   "to step through in a browser. Without it, what --out ends with, or png")
+      ->check(CLI::IsMember({"png", "svg", "pdf", "tex", "gif", "apng", "mp4", "webm", "html"}));
+  add_export_look(command, args);
+  parsed(command, "--steps", args.steps, parse_steps, "a range such as 3..7",
+         "Only these frames, counted from 1")
+      ->type_name("A..B");
+  command->add_option("--jobs", options.jobs, "Threads; 0: one a processor")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--no-questions{false}", options.questions, "Leave out the frames that ask");
+  command->add_flag("--index", options.index,
+                    "Also write index.html: of png a contact sheet, of pages their index");
+  command->add_flag("--force", options.force,
+                    "Replace files that were not exported, and make again what is up to date");
+  command->add_flag("--json", args.json, "Print JSON");
+  command->footer(
+      "A file that was made from the same lesson, theme, fonts, options and program is up to date "
+      "and\nstays. Each file holds the lesson and the step that it shows: `gjkscope open FILE` "
+      "goes there.\n\n"
+      "Examples:\n  gjkscope export --all --out out --index\n"
+      "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
+      "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
+      "  gjkscope export polygons-gjk --out polygons.gif --size 960x540\n"
+      "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
+      "  gjkscope export --all --out site --format html --index\n");
+}
 
 void add_commands(CLI::App& app, Arguments& args) {
   const auto add_json = [&](CLI::App* command) {
@@ -81,36 +161,15 @@ void add_commands(CLI::App& app, Arguments& args) {
   add_json(lessons);
   lessons->footer("Examples:\n  gjkscope lessons\n  gjkscope lessons --json\n");
 
-  CLI::App* exported = app.add_subcommand("export", "Draw the frames of lessons, headless");
-  ExportOptions& options = args.export_options;
-  exported->add_option("lesson", args.lessons.names, "Ids or files of lessons");
-  exported->add_flag("--all", args.lessons.all, "All shipped lessons");
-  exported->add_option("--out", options.out_dir, "Folder for the frames; made when not there")
-      ->required()
-      ->type_name("DIR");
-  exported
-      ->add_option("--format", options.format,
-                   "png: frames; html: pages to step through in a browser")
-      ->check(CLI::IsMember({"png", "html"}))
-      ->capture_default_str();
-  parsed(exported, "--size", args.size, parse_size, "a size such as 1280x720", "Pixels of a frame")
-      ->type_name("WxH")
-      ->default_str("1280x720");
-  parsed(exported, "--steps", args.steps, parse_steps, "a range such as 3..7",
-         "Only these frames, counted from 1")
-      ->type_name("A..B");
-  exported->add_option("--theme", options.theme, "Theme of assets/themes")->capture_default_str();
-  exported->add_option("--jobs", options.jobs, "Threads; 0: one a processor")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  add_no_questions(exported);
-  exported->add_flag("--index", options.index,
-                     "Also write index.html, a contact sheet, or of pages their index");
-  add_json(exported);
-  exported->footer(
-      "Examples:\n  gjkscope export --all --out out --index\n"
-      "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
-      "  gjkscope export --all --out site --format html --index\n");
+  add_export(app, args);
+
+  CLI::App* open = app.add_subcommand("open", "Show the step of an exported file in the window");
+  open->add_option("file", args.name, "png, apng, svg, pdf or gif from `gjkscope export`")
+      ->required();
+  open->add_flag("--json", args.json, "Print what the file says of itself instead");
+  open->footer(
+      "Examples:\n  gjkscope open out/polygons-gjk-0017.png\n"
+      "  gjkscope open figure.svg --json\n");
 
   CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
   trace->add_option("lesson|case", args.name, "Id or file of a lesson, a case.json, or -")
@@ -217,9 +276,35 @@ void add_commands(CLI::App& app, Arguments& args) {
           "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 
+int run_export(const Environment& env, Arguments& args) {
+  ExportOptions& options = args.export_options;
+  std::tie(options.width, options.height) = args.size;
+  options.first_step = args.steps.first;
+  options.last_step = args.steps.last;
+  options.progress = !args.json;
+  options.stage_only = args.crop == "stage";
+  options.caption = args.caption == "none"   ? CaptionPlace::none
+                    : args.caption == "file" ? CaptionPlace::file
+                                             : CaptionPlace::below;
+  if (args.format == "html")
+    return export_pages_command(env, args.lessons, {args.out, env.share, options.index}, args.json);
+  const std::string extension = args.out.extension().string();
+  const std::optional<Format> by_ending =
+      extension.empty() ? std::nullopt : format_of(extension.substr(1));
+  options.out_dir = args.out;
+  if (by_ending && !std::filesystem::is_directory(args.out)) {
+    options.out_dir = args.out.has_parent_path() ? args.out.parent_path() : ".";
+    options.file_name = args.out.filename().string();
+    options.format = *by_ending;
+  }
+  if (!args.format.empty()) options.format = *format_of(args.format);
+  return export_command(env, args.lessons, options, args.json);
+}
+
 int run(const CLI::App& app, Arguments& args) {
   const Environment env{share_folder(), std::cin, std::cout, std::cerr};
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
+  if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
   if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
   if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
   if (app.got_subcommand("check")) return check_command(env, args.files);
@@ -241,15 +326,11 @@ int run(const CLI::App& app, Arguments& args) {
   const bool tells = app.got_subcommand("transcript");
   if (args.lessons.all == !args.lessons.names.empty()) {
     std::cerr << "gjkscope " << (tells ? "transcript" : "export")
-              << ": name lessons, or say --all\n";
+              << ": name lessons, or give --all\n";
     return kUsage;
   }
   if (tells) return transcript_command(env, args.lessons, args.markdown, options.questions);
-  std::tie(options.width, options.height) = args.size;
-  options.first_step = args.steps.first;
-  options.last_step = args.steps.last;
-  options.progress = !args.json;
-  return export_command(env, args.lessons, options, args.json);
+  return run_export(env, args);
 }
 
 /// The command that an unknown word was meant to be.
@@ -263,12 +344,13 @@ std::string nearest_command(const CLI::App& app, int argc, char** argv) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("gjkscope: the GJK distance algorithm, one decision at a time", "gjkscope");
-  app.set_version_flag("--version", "gjkscope " GJKSCOPE_VERSION);
+  app.set_version_flag("--version",
+                       "gjkscope " GJKSCOPE_VERSION "\nbuilt with " GJKSCOPE_BUILT_WITH);
   app.require_subcommand(1);
   app.footer(kFooter);
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "gjkscope: " + std::string(error.what()) + "\nRun `" + failed->get_display_name() +
-           " --help` for what may be said.\n";
+           " --help` for its arguments.\n";
   });
   Arguments args;
   add_commands(app, args);

@@ -98,7 +98,7 @@ class JsonWriter {
       case depth::Phase::stop:
         out["stop_tests"] = Json::array();
         for (const depth::StopTest<double>& test : record.stop_tests) {
-          out["stop_tests"].push_back({{"reason", name_of(test.reason)},
+          out["stop_tests"].push_back({{"test", name_of(test.reason)},
                                        {"tried", test.tried},
                                        {"holds", test.holds},
                                        {"left", number(test.left)},

@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "export/record.hpp"
 #include "lesson/html.hpp"
 
 namespace gjkscope {
 namespace {
 
-constexpr int kSidecarVersion = 1;
+constexpr int kSidecarVersion = 2;
 
 std::string figure(const ExportedLesson& lesson, const ExportedFrame& frame) {
   return fmt::format(
@@ -80,11 +81,11 @@ std::string sidecar(const ExportedLesson& lesson) {
     }
     frames.push_back(std::move(one));
   }
-  const Json json = {{"version", kSidecarVersion}, {"lesson", lesson.id},
-                     {"title", lesson.title},      {"chapter", lesson.chapter},
-                     {"source", lesson.source},    {"theme", lesson.theme},
-                     {"width", lesson.width},      {"height", lesson.height},
-                     {"steps", lesson.steps},      {"frames", std::move(frames)}};
+  const Json json = {
+      {"version", kSidecarVersion}, {"program", signature()},     {"lesson", lesson.id},
+      {"title", lesson.title},      {"chapter", lesson.chapter},  {"source", lesson.source},
+      {"theme", lesson.theme},      {"width", lesson.width},      {"height", lesson.height},
+      {"steps", lesson.steps},      {"frames", std::move(frames)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -98,9 +99,10 @@ std::string contact_sheet(const std::vector<ExportedLesson>& lessons, const std:
   const std::string summary = fmt::format("{} {}, {} frames", lessons.size(),
                                           lessons.size() == 1 ? "lesson" : "lessons", frame_count);
   // The lessons last: their words may hold anything, a mark of the template too.
-  return with_content(with_content(with_content(page, "<!-- summary -->", summary),
-                                   "<!-- contents -->", contents(lessons)),
-                      "<!-- lessons -->", sections);
+  std::string html = with_content(page, "<!-- program -->", signature());
+  html = with_content(std::move(html), "<!-- summary -->", summary);
+  html = with_content(std::move(html), "<!-- contents -->", contents(lessons));
+  return with_content(std::move(html), "<!-- lessons -->", sections);
 }
 
 }  // namespace gjkscope

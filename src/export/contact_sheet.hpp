@@ -27,7 +27,7 @@ struct ExportedLesson {
   std::vector<ExportedFrame> frames;
 };
 
-/// `<lesson>.json`: the words and values of each frame, as JSON, format version 1.
+/// `<lesson>.json`: the words and values of each frame, as JSON (docs/trace-format.md).
 [[nodiscard]] std::string sidecar(const ExportedLesson& lesson);
 
 /// `index.html`: one page that works offline from the folder of the frames. `page` is the template

@@ -7,19 +7,26 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
 #include "effects/graph.hpp"
 #include "export/contact_sheet.hpp"
+#include "export/film.hpp"
 #include "export/frame_writer.hpp"
+#include "export/record.hpp"
 #include "export/signal_watch.hpp"
 #include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
+#include "lesson/save.hpp"
 #include "paint/canvas.hpp"
+#include "paint/pdf.hpp"
+#include "paint/svg.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 
@@ -76,8 +83,13 @@ StepRange step_range(const ExportOptions& options, const std::string& id, int co
 }
 
 void check(const ExportOptions& options) {
-  if (options.format != "png") {
-    throw std::runtime_error(fmt::format(R"(no format "{}"; there is png)", options.format));
+  if (options.handout < 0 || options.handout > kMostOnHandout) {
+    throw std::runtime_error(fmt::format("a page of a handout has 1 to {} frames; asked for {}",
+                                         kMostOnHandout, options.handout));
+  }
+  if (options.transparent && is_film(options.format)) {
+    throw std::runtime_error(fmt::format("a {} cannot be transparent; png, svg, pdf and tex can",
+                                         name_of(options.format)));
   }
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {
     throw std::runtime_error(fmt::format("a frame of {}x{} is too small; the least is {}x{}",
@@ -98,67 +110,138 @@ int thread_count(const ExportOptions& options) {
   return std::clamp(asked, 1, kMostThreads);
 }
 
-std::string frame_name(const std::string& id, int step) {
-  return fmt::format("{}-{:04}.png", id, step);
+std::string frame_name(const std::string& id, int step, Format format) {
+  return fmt::format("{}-{:04}.{}", id, step, name_of(format));
 }
 
 /// Frames beyond `count` are of an earlier, longer lesson.
-void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, int count) {
+void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, int count,
+                         Format format) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(id + "-")) continue;
     int step = 0;
     std::from_chars(name.data() + id.size() + 1, name.data() + name.size(), step);
-    if (step > count && name == frame_name(id, step)) {
+    if (step > count && name == frame_name(id, step, format) && is_exported(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }
 }
+
+/// All but the lesson that a file is made from.
+Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
+  Fingerprint sum;
+  // The program itself: a version number does not change with each change of a drawing.
+  sum.add(read_whole("/proc/self/exe"));
+  for (const FaceBytes& face : faces_of(fonts)) {
+    for (const auto& file : {face.main, face.fallback}) {
+      sum.add({reinterpret_cast<const char*>(file.data()), file.size()});
+    }
+  }
+  for (const std::string& name : Theme::names(options.assets_dir / "themes")) {
+    sum.add(read_whole(options.assets_dir / "themes" / (name + ".toml")));
+  }
+  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {}", name_of(options.format), options.theme,
+                      options.width, options.height, options.scale, options.dpi,
+                      options.transparent, options.stage_only, options.handout, options.seconds,
+                      static_cast<int>(options.caption)));
+  return sum;
+}
+
+/// The results of a study that a lesson shows are not in its file.
+std::string text_of_results(const Lesson& lesson) {
+  std::string text;
+  if (!lesson.study) return text;
+  const auto add_points = [&](const std::vector<Eigen::Vector2d>& points) {
+    for (const Eigen::Vector2d& p : points) text += fmt::format("{:a} {:a},", p.x(), p.y());
+  };
+  for (const StudyDot& dot : lesson.study->dots) {
+    text += fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {:a} {:a} {:a} ", dot.family,
+                        dot.configuration, dot.axis, dot.proof, dot.pairs, dot.wrong, dot.undecided,
+                        dot.settled, dot.on_front, dot.ns, dot.ratio, dot.error.value_or(-1.0),
+                        dot.answer.value_or(-1.0), dot.distance);
+    add_points(dot.x);
+    add_points(dot.y);
+  }
+  return text + lesson.study->processor;
+}
+
+/// A document that shows the pages of the PDF beside it, one after the other.
+std::string beamer(const std::string& pdf, const std::string& title,
+                   const std::vector<RecordedFrame>& frames) {
+  std::string overlays;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    std::string note;
+    for (const char c : frames[i].caption) {
+      if (std::string_view("\\{}").find(c) != std::string_view::npos) continue;
+      if (std::string_view("#$%&_").find(c) != std::string_view::npos) note += '\\';
+      note += c == '^' || c == '~' ? fmt::format("\\{}{{}}", c) : std::string(1, c);
+    }
+    overlays += fmt::format(
+        "  \\only<{0}>{{\\includegraphics[page={0},width=\\paperwidth,height=\\paperheight,"
+        "keepaspectratio]{{{1}}}}}%\n  \\note<{0}>{{{2}}}%\n",
+        i + 1, pdf, note);
+  }
+  return fmt::format(
+      "% {}. {}\n% Compile with lualatex or xelatex: notes have mathematical characters.\n"
+      "\\documentclass[aspectratio=169]{{beamer}}\n"
+      "\\usepackage{{fontspec}}\n\\setsansfont{{DejaVu Sans}}\n"
+      "\\setbeamertemplate{{navigation symbols}}{{}}\n"
+      "\\setbeamersize{{text margin left=0pt,text margin right=0pt}}\n"
+      "\\begin{{document}}\n\\begin{{frame}}[plain]\n{}\\end{{frame}}\n\\end{{document}}\n",
+      signature(), title, overlays);
+}
+
+/// A lesson on its way into files.
+struct LessonOnItsWay {
+  LessonRun run;
+  std::vector<FrameText> texts;
+  std::vector<Picture> pictures;  ///< None where all files are up to date.
+  StepRange steps;
+  std::string toml;
+  Fingerprint made_from;
+
+  [[nodiscard]] RecordedFrame recorded(int step) const {
+    const auto index = static_cast<std::size_t>(step - 1);
+    return {step, texts[index].caption, case_of(run.run(run.frames[index]))};
+  }
+  [[nodiscard]] Record record(std::string key, int first, int last) const {
+    Record out{run.lesson.id, toml, std::move(key), {}};
+    for (int step = first; step <= last; ++step) out.frames.push_back(recorded(step));
+    return out;
+  }
+  [[nodiscard]] std::string key(int first, int last) const {
+    Fingerprint sum = made_from;
+    sum.add(fmt::format("{}..{}", first, last));
+    return sum.hex();
+  }
+};
 
 class Exporter {
  public:
   explicit Exporter(const ExportOptions& options)
       : options_(options),
         fonts_(options.assets_dir / "fonts.toml"),
-        canvas_(fonts_, Theme::load(options.assets_dir / "themes", options.theme), options.width,
-                options.height, kSupersampling, page_of(options.width, options.height).zoom),
-        writer_(thread_count(options), kSupersampling) {}
+        theme_(Theme::load(options.assets_dir / "themes", options.theme)),
+        page_(page_of(options.width, options.height)),
+        writer_(thread_count(options), kSupersampling),
+        made_from_(fingerprint_of(options, fonts_)) {
+    page_.bare = options.stage_only;
+  }
 
-  /// Hands the lesson's frames to the writer. False when a signal came before the last one.
+  /// Makes the lesson's files, or hands its frames to the writer. False when a signal came before
+  /// the last one.
   bool add(const Lesson& lesson, std::size_t lesson_index, Progress& progress) {
-    Lesson asked_for = lesson;
-    if (!options_.questions) asked_for.questions.clear();
-    const LessonRun run = run_lesson(std::move(asked_for));
-    for (const PositionedRun& positioned : run.runs) {
-      if (const std::string why = why_not_drawn(positioned); !why.empty()) {
-        throw std::runtime_error(
-            fmt::format("{}: {}; `gjkscope check` says where", lesson.id, why));
-      }
-    }
-    EffectGraph effects(run);
-    std::vector<FramePicture> pictures =
-        lesson_pictures(run, effects, fonts_, page_of(options_.width, options_.height));
-    const int count = static_cast<int>(pictures.size());
-    const StepRange range = step_range(options_, lesson.id, count);
-
-    ExportedLesson exported{lesson.id,       lesson.title,   lesson.chapter,
-                            lesson.source,   options_.theme, options_.width,
-                            options_.height, count,          {}};
-    for (int step = range.first; step <= range.last; ++step) {
-      if (SignalWatch::signal() != 0) return false;
-      FramePicture& picture = pictures[static_cast<std::size_t>(step - 1)];
-      ExportedFrame frame{step, frame_name(lesson.id, step), std::move(picture.text)};
-      Image image = writer_.acquire();
-      canvas_.paint(picture.picture, image);
-      files_.push_back(options_.out_dir / frame.file);
-      writer_.submit(std::move(image), files_.back());
-      exported.frames.push_back(std::move(frame));
-      ++frame_count_;
-      progress.frame(lesson_index, lesson.id, step - range.first + 1, range.last - range.first + 1);
-    }
-    progress.lesson(lesson_index, lesson.id, range.last - range.first + 1);
-    lessons_.push_back(std::move(exported));
+    LessonOnItsWay way = run(lesson);
+    const auto [first, last] = way.steps;
+    const int count = last - first + 1;
+    lesson_index_ = lesson_index;
+    progress_ = &progress;
+    const bool complete = has_file_per_frame(options_.format) ? add_frames(way) : add_document(way);
+    if (!complete) return false;
+    progress.lesson(lesson_index, lesson.id, count);
+    describe(way);
     return true;
   }
 
@@ -166,32 +249,255 @@ class Exporter {
   void finish(ExportResult& result, bool complete) {
     writer_.finish();
     for (const ExportedLesson& lesson : lessons_) {
-      write(options_.out_dir / (lesson.id + ".json"), sidecar(lesson));
-      if (!options_.first_step && !options_.last_step) {
-        remove_stale_frames(options_.out_dir, lesson.id, lesson.steps);
+      if (options_.file_name.empty()) write(lesson.id + ".json", sidecar(lesson));
+      if (!options_.first_step && !options_.last_step && options_.file_name.empty()) {
+        remove_stale_frames(options_.out_dir, lesson.id, lesson.steps, options_.format);
       }
     }
     if (options_.index && complete) {
-      write(options_.out_dir / "index.html",
+      write("index.html",
             contact_sheet(lessons_, read_whole(options_.assets_dir / "contact-sheet.html")));
     }
     result.files = std::move(files_);
     result.frames = frame_count_;
+    result.kept = kept_count_;
   }
 
  private:
-  void write(const std::filesystem::path& path, const std::string& text) {
-    write_whole(path, text);
-    files_.push_back(path);
+  LessonOnItsWay run(const Lesson& lesson) {
+    Lesson asked_for = lesson;
+    if (!options_.questions) asked_for.questions.clear();
+    LessonOnItsWay way{run_lesson(std::move(asked_for)), {}, {}, {}, {}, made_from_};
+    for (const PositionedRun& positioned : way.run.runs) {
+      if (const std::string why = why_not_drawn(positioned); !why.empty()) {
+        throw std::runtime_error(
+            fmt::format("{}: {}; `gjkscope check` says where", lesson.id, why));
+      }
+    }
+    way.steps = step_range(options_, lesson.id, static_cast<int>(way.run.frames.size()));
+    way.toml = lesson_toml(way.run.lesson);
+    way.made_from.add(lesson.id);
+    way.made_from.add(way.toml);
+    way.made_from.add(text_of_results(lesson));
+    EffectGraph effects(way.run);
+    way.texts = lesson_texts(way.run, effects);
+    if (is_up_to_date(way)) return way;
+    for (FramePicture& each : lesson_pictures(way.run, effects, fonts_, page_)) {
+      if (options_.caption != CaptionPlace::below) {
+        std::erase_if(each.picture.marks, [](const Mark& mark) {
+          return mark.role.starts_with("caption") || mark.role == "detail";
+        });
+      }
+      way.pictures.push_back(std::move(each.picture));
+    }
+    return way;
+  }
+
+  [[nodiscard]] std::filesystem::path file_of(const LessonOnItsWay& way, int step) const {
+    const std::string& id = way.run.lesson.id;
+    if (!options_.file_name.empty()) return options_.out_dir / options_.file_name;
+    if (has_file_per_frame(options_.format)) {
+      return options_.out_dir / frame_name(id, step, options_.format);
+    }
+    return options_.out_dir / fmt::format("{}.{}", id, name_of(options_.format));
+  }
+  [[nodiscard]] bool has(const std::filesystem::path& file, const std::string& key) const {
+    return !options_.force && mentions(file, key);
+  }
+  /// Also refuses, before anything is drawn, to replace what was not exported.
+  [[nodiscard]] bool is_up_to_date(const LessonOnItsWay& way) const {
+    const auto [first, last] = way.steps;
+    if (!has_file_per_frame(options_.format)) {
+      may_write(file_of(way, first));
+      return has(file_of(way, first), way.key(first, last));
+    }
+    bool all = true;
+    for (int step = first; step <= last; ++step) {
+      may_write(file_of(way, step));
+      all = all && has(file_of(way, step), way.key(step, step));
+    }
+    return all;
+  }
+  void may_write(const std::filesystem::path& file) const {
+    if (options_.force || is_exported(file)) return;
+    throw std::runtime_error(fmt::format(
+        "{} is there and was not exported by gjkscope; --force replaces it", file.string()));
+  }
+
+  bool add_frames(LessonOnItsWay& way) {
+    const auto [first, last] = way.steps;
+    for (int step = first; step <= last; ++step) {
+      if (SignalWatch::signal() != 0) return false;
+      const std::filesystem::path file = file_of(way, step);
+      const std::string key = way.key(step, step);
+      if (has(file, key)) {
+        ++kept_count_;
+      } else {
+        const Picture& picture = way.pictures[static_cast<std::size_t>(step - 1)];
+        const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
+        const std::string record = record_text(way.record(key, step, step));
+        if (options_.format == Format::svg) {
+          write_bytes(file, to_svg(picture, fonts_, theme_, alternative_text(text), record,
+                                   options_.transparent));
+        } else {
+          Image image = writer_.acquire();
+          paint(picture, image);
+          writer_.submit(std::move(image), file, words(way, text, record));
+        }
+      }
+      files_.push_back(file);
+      ++frame_count_;
+      write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
+      progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
+    }
+    return true;
+  }
+
+  [[nodiscard]] PngWords words(const LessonOnItsWay& way, const FrameText& text,
+                               const std::string& record) const {
+    return {{{"Software", signature()},
+             {"Title", way.run.lesson.title},
+             {"Description", alternative_text(text)},
+             {kRecordKeyword, record}},
+            options_.dpi * options_.scale,
+            options_.transparent};
+  }
+
+  bool add_document(LessonOnItsWay& way) {
+    const auto [first, last] = way.steps;
+    const std::filesystem::path file = file_of(way, first);
+    const std::string key = way.key(first, last);
+    const Record record = way.record(key, first, last);
+    if (has(file, key)) {
+      kept_count_ += last - first + 1;
+    } else if (is_film(options_.format)) {
+      if (!add_film(way, file, record_text(record))) return false;
+    } else {
+      write_document(way, file, record);
+    }
+    files_.push_back(file);
+    frame_count_ += last - first + 1;
+    return true;
+  }
+
+  void write_document(LessonOnItsWay& way, const std::filesystem::path& file,
+                      const Record& record) {
+    std::vector<PdfFigure> figures;
+    for (const RecordedFrame& frame : record.frames) {
+      const auto index = static_cast<std::size_t>(frame.step - 1);
+      figures.push_back({std::move(way.pictures[index]),
+                         fmt::format("{} {}", way.run.lesson.id, frame.step),
+                         fmt::format("{}. {}", frame.step, alternative_text(way.texts[index]))});
+    }
+    const double points = options_.dpi > 0.0 ? 72.0 / options_.dpi : 1.0;
+    const std::string pdf =
+        to_pdf(figures, fonts_, theme_,
+               {way.run.lesson.title, fmt::format("{} from {}", signature(), record.key),
+                record_text(record)},
+               {points * options_.scale, options_.handout, options_.transparent});
+    if (options_.format == Format::pdf) return write_bytes(file, pdf);
+    std::filesystem::path pages = file;
+    pages.replace_extension(".pdf");
+    may_write(pages);
+    write_bytes(pages, pdf);
+    files_.push_back(pages);
+    // The key is in both: without its pages the document is out of date.
+    write_bytes(file, beamer(pages.filename().string(), way.run.lesson.title, record.frames) +
+                          fmt::format("% {}\n", record.key));
+  }
+
+  bool add_film(const LessonOnItsWay& way, const std::filesystem::path& file,
+                const std::string& record) {
+    const auto [first, last] = way.steps;
+    Image image;
+    std::unique_ptr<Film> film;
+    for (int step = first; step <= last; ++step) {
+      if (SignalWatch::signal() != 0) return false;
+      paint(way.pictures[static_cast<std::size_t>(step - 1)], image);
+      const Image small = shrink(image, kSupersampling);
+      if (!film) film = film_of(file, small, {record, way.run.lesson.title});
+      film->add(small, step == last ? 2.0 * options_.seconds : options_.seconds);
+      progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
+    }
+    film->finish();
+    return true;
+  }
+  [[nodiscard]] std::unique_ptr<Film> film_of(const std::filesystem::path& file, const Image& image,
+                                              const FilmWords& words) const {
+    if (options_.format == Format::gif)
+      return gif_film(file, image.width, image.height, theme_, words);
+    if (options_.format == Format::apng) return apng_film(file, words);
+    return ffmpeg_film(file, std::string(name_of(options_.format)), image.width, image.height,
+                       words);
+  }
+
+  /// What differs between the picture on black and on white is what shines through.
+  void paint(const Picture& picture, Image& image) {
+    if (!canvas_) {
+      const auto pixels = [&](int length) {
+        return std::max(1, static_cast<int>(std::lround(length * options_.scale)));
+      };
+      canvas_ =
+          std::make_unique<Canvas>(fonts_, theme_, pixels(options_.width), pixels(options_.height),
+                                   kSupersampling, page_.zoom * options_.scale);
+    }
+    if (!options_.transparent) return canvas_->paint(picture, image);
+    canvas_->set_theme(theme_.on({255, 255, 255, 255}));
+    const Image on_white = canvas_->paint(picture);
+    canvas_->set_theme(theme_.on({0, 0, 0, 255}));
+    canvas_->paint(picture, image);
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+      image.pixels[i + 3] =
+          static_cast<std::uint8_t>(255 - (on_white.pixels[i + 1] - image.pixels[i + 1]));
+    }
+  }
+
+  void describe(LessonOnItsWay& way) {
+    const Lesson& lesson = way.run.lesson;
+    ExportedLesson exported{lesson.id,
+                            lesson.title,
+                            lesson.chapter,
+                            lesson.source,
+                            options_.theme,
+                            options_.width,
+                            options_.height,
+                            static_cast<int>(way.texts.size()),
+                            {}};
+    for (int step = way.steps.first; step <= way.steps.last; ++step) {
+      exported.frames.push_back({step, file_of(way, step).filename().string(),
+                                 std::move(way.texts[static_cast<std::size_t>(step - 1)])});
+    }
+    lessons_.push_back(std::move(exported));
+  }
+
+  void write_caption(std::filesystem::path file, const FrameText& text) {
+    if (options_.caption != CaptionPlace::file) return;
+    file.replace_extension(".txt");
+    write_bytes(file, alternative_text(text) + "\n");
+    files_.push_back(std::move(file));
+  }
+  static void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
+    write_whole(file, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+  }
+  void write(const std::string& name, const std::string& text) {
+    may_write(options_.out_dir / name);
+    write_whole(options_.out_dir / name, text);
+    files_.push_back(options_.out_dir / name);
   }
 
   const ExportOptions& options_;
   Fonts fonts_;
-  Canvas canvas_;
+  Theme theme_;
+  Page page_;
+  std::unique_ptr<Canvas> canvas_;  ///< Made when the first frame is painted.
   FrameWriter writer_;
+  Fingerprint made_from_;
+  Progress* progress_ = nullptr;
+  std::size_t lesson_index_ = 0;
   std::vector<ExportedLesson> lessons_;
   std::vector<std::filesystem::path> files_;
   int frame_count_ = 0;
+  int kept_count_ = 0;
 };
 
 }  // namespace
@@ -219,6 +525,7 @@ std::string to_json(const ExportResult& result) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const auto& file : result.files) files.push_back(file.string());
   const nlohmann::ordered_json json = {{"frames", result.frames},
+                                       {"kept", result.kept},
                                        {"seconds", result.seconds},
                                        {"frames_per_second", result.frames_per_second()},
                                        {"files", std::move(files)}};

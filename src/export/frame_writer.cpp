@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "lesson/file.hpp"
-#include "paint/png.hpp"
 
 namespace gjkscope {
 
@@ -24,9 +23,9 @@ Image FrameWriter::acquire() {
   return image;
 }
 
-void FrameWriter::submit(Image image, std::filesystem::path path) {
+void FrameWriter::submit(Image image, std::filesystem::path path, PngWords words) {
   const std::lock_guard lock(mutex_);
-  jobs_.push_back({std::move(image), std::move(path)});
+  jobs_.push_back({std::move(image), std::move(path), std::move(words)});
   changed_.notify_all();
 }
 
@@ -57,7 +56,7 @@ void FrameWriter::work() {
       lock.unlock();
       std::exception_ptr failure;
       try {
-        write_whole(job.path, encode_png(shrink(job.image, supersampling_)));
+        write_whole(job.path, encode_png(shrink(job.image, supersampling_), job.words));
       } catch (...) {
         failure = std::current_exception();
       }

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "paint/canvas.hpp"
+#include "paint/png.hpp"
 
 namespace gjkscope {
 
@@ -25,7 +25,7 @@ class FrameWriter {
   /// An image to paint into, as soon as one is free: memory is bounded. Throws what a thread failed
   /// at.
   [[nodiscard]] Image acquire();
-  void submit(Image image, std::filesystem::path path);
+  void submit(Image image, std::filesystem::path path, PngWords words);
   /// Waits until all is written. Throws what a thread failed at.
   void finish();
 
@@ -33,6 +33,7 @@ class FrameWriter {
   struct Job {
     Image image;
     std::filesystem::path path;
+    PngWords words;
   };
   void work();
   void close();

@@ -23,12 +23,6 @@ namespace {
 constexpr std::string_view kPrefix = ".gjkscope-";
 constexpr std::string_view kSuffix = ".part";
 
-// The writer's process id is in the name: another one's files are its own business while it lives.
-std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  return path.parent_path() /
-         fmt::format("{}{}-{}{}", kPrefix, ::getpid(), path.filename().string(), kSuffix);
-}
-
 /// The file itself where `path` is a symbolic link to it.
 std::filesystem::path followed(const std::filesystem::path& path) {
   std::error_code error;
@@ -92,6 +86,12 @@ class TemporaryFile {
 bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 }  // namespace
+
+// The writer's process id is in the name: another one's files are its own business while it lives.
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  return path.parent_path() /
+         fmt::format("{}{}-{}{}", kPrefix, ::getpid(), path.filename().string(), kSuffix);
+}
 
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   TemporaryFile file(path);

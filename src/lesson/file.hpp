@@ -20,6 +20,9 @@ void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t
 /// so that a power failure does not leave half of it, either.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// The temporary name that `path` has while it is written.
+[[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& path);
+
 /// A file's bytes, or why there are none.
 struct FileText {
   std::optional<std::string> text;

@@ -33,7 +33,7 @@ template <>
 struct Named<gjk::Phase> {
   static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> kTable = {
       {{"closest", gjk::Phase::closest},
-       {"cull", gjk::Phase::cull},
+       {"drop", gjk::Phase::cull},
        {"direction", gjk::Phase::direction},
        {"support", gjk::Phase::support},
        {"stop", gjk::Phase::stop},

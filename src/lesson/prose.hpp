@@ -16,13 +16,14 @@ struct PlaceholderInfo {
 };
 
 /// All placeholders there are of any run; an algorithm that follows GJK has more.
-inline constexpr std::array<PlaceholderInfo, 17> kPlaceholders = {{
+inline constexpr std::array<PlaceholderInfo, 18> kPlaceholders = {{
     {"distance", "distance between the shapes, as far as this step knows it"},
     {"lower", "certified lower bound of the distance"},
     {"upper", "certified upper bound of the distance"},
-    {"u", "barycentric weight of the simplex's first vertex"},
-    {"v", "barycentric weight of the second vertex"},
-    {"w", "barycentric weight of the third vertex"},
+    {"u", "barycentric coordinate of the query point for the simplex's first vertex, signed"},
+    {"v", "the same for the second vertex"},
+    {"w", "the same for the third vertex"},
+    {"weights", "weights of P, each with its vertex"},
     {"P", "closest point of the simplex to the origin, or to Q"},
     {"Q", "query point"},
     {"d", "search direction"},

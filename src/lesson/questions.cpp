@@ -66,7 +66,7 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
                      question.at
                          ? fmt::format(" {} {}", run.act->ask(question.ask)->counted, *question.at)
                          : std::string()),
-         "a question that a frame answers, out of more than one answer", ""});
+         "a question with more than one answer to choose from, which a frame answers", ""});
   }
   return problems;
 }

@@ -173,7 +173,7 @@ std::string subject_name(const Subject& subject) {
 }
 
 std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& theme,
-                   const std::string& title) {
+                   const std::string& title, const std::string& record, bool transparent) {
   const std::string width = number(picture.width);
   const std::string height = number(picture.height);
   std::string out = fmt::format(
@@ -182,6 +182,7 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
       "style=\"white-space:pre;font-variant-numeric:tabular-nums;font-kerning:none\">\n"
       "<title>{2}</title>\n",
       width, height, escape_html(title));
+  if (!record.empty()) out += fmt::format("<metadata>{}</metadata>\n", escape_html(record));
   for (std::size_t i = 0; i < picture.clips.size(); ++i) {
     const Rect& rect = picture.clips[i];
     out += fmt::format(
@@ -190,8 +191,10 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
         i, number(rect.min.x()), number(rect.min.y()), number(rect.size().x()),
         number(rect.size().y()), number(picture.clip_corner));
   }
-  out += fmt::format("<rect width=\"{}\" height=\"{}\"{}/>\n", width, height,
-                     paint("fill", theme.background()));
+  if (!transparent) {
+    out += fmt::format("<rect width=\"{}\" height=\"{}\"{}/>\n", width, height,
+                       paint("fill", theme.background()));
+  }
   for (const Mark& mark : picture.marks) {
     std::string more = mark.clip < 0 ? "" : fmt::format(" clip-path=\"url(#clip{})\"", mark.clip);
     more += fmt::format(" data-mark=\"{}\"", mark.role);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "effects/history.hpp"
 #include "effects/second_run.hpp"
 #include "effects/slab.hpp"
+#include "lesson/names.hpp"
 #include "lesson/questions.hpp"
 #include "picture/layers/layers.hpp"
 
@@ -26,7 +26,7 @@ std::string position_in_run(const LessonRun& run, int index) {
   if (frame.step < 0)
     return asks ? "start" : format("start · {} of {}", index + 1, run.frames.size());
   const gjk::Step<double, 2>& step = run.step(frame);
-  const std::string_view phase = phase_word(step.phase);
+  const std::string_view phase = name_of(step.phase);
   if (asks) return format("iteration {} · {}", step.iteration, phase);
   return format("iteration {} of {} · {}", step.iteration, run.run(frame).trace.result.iterations,
                 phase);
@@ -49,16 +49,8 @@ std::string position_in_lesson(const LessonRun& run, int index) {
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   if (frame.step < 0) return {.group = "start", .label = "S"};
   const gjk::Step<double, 2>& step = run.step(frame);
-  constexpr std::array<std::array<std::string_view, 2>, 6> kPhases = {{{"closest", "P"},
-                                                                       {"drop", "−"},
-                                                                       {"direction", "d"},
-                                                                       {"support", "V"},
-                                                                       {"stop?", "?"},
-                                                                       {"add", "+"}}};
-  const auto& [label, short_label] = kPhases[static_cast<std::size_t>(step.phase)];
   return {.group = format("iteration {}", step.iteration),
-          .label = std::string(label),
-          .short_label = std::string(short_label),
+          .label = std::string(name_of(step.phase)),
           .event = run.info(frame).is_event,
           .phase = std::string(run.info(frame).phase)};
 }

@@ -9,9 +9,11 @@
 #include <string_view>
 
 #include "picture/caption.hpp"
+#include "picture/legend.hpp"
 #include "picture/panel.hpp"
 #include "picture/registry.hpp"
 #include "picture/stage.hpp"
+#include "picture/text_box.hpp"
 #include "picture/timeline.hpp"
 
 namespace gjkscope {
@@ -20,12 +22,12 @@ namespace {
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
 constexpr double kCardCorner = 10.0;
-constexpr double kProseLine = 20.0;
+constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
-constexpr double kWidePanel = 424.0;    // beside one view
-constexpr double kNarrowPanel = 368.0;  // beside two
+constexpr double kWidePanel = 440.0;    // beside one view
+constexpr double kNarrowPanel = 400.0;  // beside two
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
@@ -238,6 +240,7 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
   page_ = page;
   scope_ = scope;
   views_.clear();
+  explained_.clear();
   const double text_width = page_.width - 2.0 * kMargin;
   std::size_t prose_lines = 0;
   std::set<std::string_view> proses;
@@ -340,6 +343,23 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   }
 }
 
+/// While something is dragged no other frame is looked at, and nothing is explained.
+std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std::size_t index) {
+  if (scope_ == LabelScope::frame) return {};
+  constexpr std::size_t kMost = 3;
+  if (explained_.empty()) {
+    explained_.resize(run_.frames.size() * views_.size());
+    for (const LegendEntry& entry : legend_entries()) {
+      for (std::size_t at = 0; at < explained_.size(); ++at) {
+        if (!has_mark(scene(at % views_.size(), at / views_.size()), entry.role)) continue;
+        if (explained_[at].size() < kMost) explained_[at].push_back(entry);
+        break;
+      }
+    }
+  }
+  return explained_[index * views_.size() + view];
+}
+
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
   const FrameText& text = texts_[at];
@@ -376,6 +396,7 @@ Picture LessonPictures::picture(int index) {
     }
     view.placer.begin_frame(of_frame.obstacles);
     view.placer.reserve(view.title_box);
+    const std::size_t first_label = picture.marks.size();
     std::set<std::string> drawn;
     for (const LabelRequest& label : of_frame.fixed_labels) {
       if (shows(card, label) && drawn.insert(label.id).second)
@@ -386,6 +407,12 @@ Picture LessonPictures::picture(int index) {
     for (const LabelRequest& label : of_frame.moving_labels) {
       if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
     }
+    std::vector<Rect> words = {view.title_box};
+    for (std::size_t k = first_label; k < picture.marks.size(); ++k) {
+      if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
+        words.push_back(box_of(fonts_, *label));
+    }
+    page.append(legend(marks_to_explain(i, at), of_frame, card, words, fonts_));
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "effects/graph.hpp"
+#include "picture/legend.hpp"
 #include "picture/picture.hpp"
 #include "picture/scene.hpp"
 
@@ -94,6 +95,7 @@ class LessonPictures {
   struct View;
   [[nodiscard]] const Scene& scene(std::size_t view, std::size_t index);
   void place_fixed_labels(std::size_t of_view, std::size_t shown);
+  [[nodiscard]] std::vector<LegendEntry> marks_to_explain(std::size_t view, std::size_t index);
 
   const LessonRun& run_;
   EffectGraph& effects_;
@@ -102,6 +104,8 @@ class LessonPictures {
   LabelScope scope_ = LabelScope::lesson;
   std::vector<FrameText> texts_;
   std::vector<View> views_;
+  /// What is explained in each frame of each view: marks where they are shown first.
+  std::vector<std::vector<LegendEntry>> explained_;
   std::optional<Rect> panel_;
   double prose_y_ = 0.0;
   double caption_y_ = 0.0;

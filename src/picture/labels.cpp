@@ -46,11 +46,6 @@ Rect grown(const Rect& box, double by) {
   return {box.min - Point(by, by), box.max + Point(by, by)};
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&
-         b.min.y() < a.max.y();
-}
-
 bool contains(const Rect& outer, const Rect& inner) {
   return outer.min.x() <= inner.min.x() && outer.min.y() <= inner.min.y() &&
          inner.max.x() <= outer.max.x() && inner.max.y() <= outer.max.y();

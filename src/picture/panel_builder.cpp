@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/hatch.hpp"
+
 namespace gjkscope {
 
 using namespace rows;
@@ -53,10 +55,17 @@ void PanelBuilder::bar(double x0, double x1, double low, double high, double val
     return x0 + (std::clamp(v, low, high) - low) / (high - low) * (x1 - x0);
   };
   add("weight.track", Box{{{x0, middle - 6.0}, {x1, middle + 6.0}}, 3.0});
-  if (std::abs(at(value) - at(0.0)) >= 1.0) {
-    add(role, Box{{{std::min(at(0.0), at(value)), middle - 6.0},
-                   {std::max(at(0.0), at(value)), middle + 6.0}},
-                  2.0});
+  const double x_low = std::min(at(0.0), at(value));
+  const double x_high = std::max(at(0.0), at(value));
+  if (x_high - x_low >= 1.0 && value >= 0.0)
+    add(role, Box{{{x_low, middle - 6.0}, {x_high, middle + 6.0}}, 2.0});
+  if (x_high - x_low >= 1.0 && value < 0.0) {
+    const std::vector<Point> box = {{x_low, middle - 6.0},
+                                    {x_high, middle - 6.0},
+                                    {x_high, middle + 6.0},
+                                    {x_low, middle + 6.0}};
+    for (Polyline& line : hatch(box, 4.0, {box[0], box[2]})) add(role + ".hatch", std::move(line));
+    add("weight.negative", Polyline{box, true});
   }
   if (low < 0.0) add("weight.axis", Polyline{{{at(0.0), middle - 9.0}, {at(0.0), middle + 9.0}}});
 }

@@ -22,6 +22,9 @@ struct Rect {
   [[nodiscard]] Point size() const { return max - min; }
   [[nodiscard]] Point center() const { return 0.5 * (min + max); }
 };
+[[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
+  return (a.min.array() < b.max.array()).all() && (b.min.array() < a.max.array()).all();
+}
 
 /// A convex polygon, filled and outlined as its role says. Counter-clockwise or clockwise.
 struct Polygon {
@@ -45,6 +48,11 @@ struct Cross {
   Point center;
   double radius = 0.0;
 };
+/// A square that stands on a corner: a support point.
+[[nodiscard]] inline Polygon diamond(const Point& center, double radius) {
+  return {{center + Point(radius, 0.0), center + Point(0.0, radius), center - Point(radius, 0.0),
+           center - Point(0.0, radius)}};
+}
 struct Box {
   Rect rect;
   double corner = 0.0;  ///< Corner radius.

@@ -4,6 +4,7 @@
 
 #include "effects/barycentric.hpp"
 #include "lesson/vocabulary.hpp"
+#include "picture/hatch.hpp"
 
 namespace gjkscope {
 
@@ -46,6 +47,11 @@ void SceneBuilder::area(std::string role, const std::vector<Point>& points,
   add(std::move(role), Polygon{points}, subject);
 }
 
+void SceneBuilder::hatched(const std::string& role, const std::vector<Point>& points) {
+  constexpr double kSpacing = 9.0;
+  for (Polyline& line : hatch(points, kSpacing, map.area())) add(role, std::move(line));
+}
+
 void SceneBuilder::line(std::string role, const Point& a, const Point& b, const Subject& subject) {
   add(std::move(role), Polyline{{a, b}}, subject);
   out.obstacles.segments.push_back({a, b});
@@ -60,6 +66,18 @@ void SceneBuilder::outline(const std::vector<Point>& points) {
 void SceneBuilder::disk(std::string role, const Point& center, double radius,
                         const Subject& subject) {
   add(std::move(role), Disk{center, radius}, subject);
+  out.obstacles.circles.push_back({center, radius});
+}
+
+void SceneBuilder::diamond(std::string role, const Point& center, double radius,
+                           const Subject& subject) {
+  add(std::move(role), gjkscope::diamond(center, radius), subject);
+  out.obstacles.circles.push_back({center, radius});
+}
+
+void SceneBuilder::cross(std::string role, const Point& center, double radius,
+                         const Subject& subject) {
+  add(std::move(role), Cross{center, radius}, subject);
   out.obstacles.circles.push_back({center, radius});
 }
 
@@ -88,14 +106,18 @@ void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const 
 
 void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
                                   const std::string& role) {
+  const auto mark = [&](const Point& point, const Subject& subject) {
+    if (role == "support")
+      diamond("support.vertex", point, kSupportRadius, subject);
+    else
+      disk(role + ".vertex", point, kSimplexRadius, subject);
+  };
   if (shows_difference) {
-    disk(role + ".vertex", at_difference(vertex.w), kSimplexRadius, subject_of(run, vertex.pair));
+    mark(at_difference(vertex.w), subject_of(run, vertex.pair));
     if (!run.point_query()) pair_label(vertex, role + ".label");
   } else {
-    disk(role + ".vertex", at(vertex_of_x(vertex)), kSimplexRadius,
-         {Subject::Kind::vertex_of_x, vertex.pair.x});
-    disk(role + ".vertex", at(vertex_of_y(vertex)), kSimplexRadius,
-         {Subject::Kind::vertex_of_y, -1, vertex.pair.y});
+    mark(at(vertex_of_x(vertex)), {Subject::Kind::vertex_of_x, vertex.pair.x});
+    mark(at(vertex_of_y(vertex)), {Subject::Kind::vertex_of_y, -1, vertex.pair.y});
   }
 }
 

@@ -51,9 +51,10 @@ struct Scene {
 
 /// Sizes of marks in frame pixels.
 namespace sizes {
-inline constexpr double kVertexRadius = 4.5;
+inline constexpr double kVertexRadius = 4.0;
 inline constexpr double kSimplexRadius = 6.5;
-inline constexpr double kPointRadius = 6.0;
+inline constexpr double kSupportRadius = 9.0;  // of a diamond
+inline constexpr double kPointRadius = 8.0;    // of the cross at Q
 inline constexpr double kClosestRadius = 4.5;  // a simplex vertex under P stays visible as a ring
 inline constexpr double kCloudRadius = 3.0;
 inline constexpr double kTouchedRadius = 4.5;
@@ -95,10 +96,14 @@ struct SceneBuilder {
   // Marks; all but areas are obstacles for labels, too
   void add(std::string role, decltype(Mark::shape) shape, const Subject& subject = {});
   void area(std::string role, const std::vector<Point>& points, const Subject& subject = {});
+  /// An area told by lines alone, for which no colour is needed.
+  void hatched(const std::string& role, const std::vector<Point>& points);
   void line(std::string role, const Point& a, const Point& b, const Subject& subject = {});
   /// The closed outline as an obstacle alone.
   void outline(const std::vector<Point>& points);
   void disk(std::string role, const Point& center, double radius, const Subject& subject = {});
+  void diamond(std::string role, const Point& center, double radius, const Subject& subject = {});
+  void cross(std::string role, const Point& center, double radius, const Subject& subject = {});
   void arrow(std::string role, const Point& from, const Point& to);
   /// A label `radius` and a little away from its anchor, preferably on the side `towards`.
   [[nodiscard]] LabelRequest label(std::string id, std::string text, std::string role,

@@ -217,6 +217,16 @@ std::vector<std::string> Theme::names(const std::filesystem::path& folder) {
   return list;
 }
 
+std::vector<Color> Theme::colors() const {
+  std::vector<Color> all = {background_};
+  for (const auto& [role, style] : styles_) {
+    for (const std::optional<Color>& color : {style.fill, style.stroke}) {
+      if (color && color->a == 255) all.push_back(*color);
+    }
+  }
+  return all;
+}
+
 const Style& Theme::style(std::string_view role) const {
   for (std::string_view name = role;;) {
     if (const auto found = styles_.find(name); found != styles_.end()) return found->second;

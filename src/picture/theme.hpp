@@ -38,6 +38,14 @@ class Theme {
   [[nodiscard]] static std::vector<std::string> names(const std::filesystem::path& folder);
 
   [[nodiscard]] Color background() const { return background_; }
+  /// The same theme on another background.
+  [[nodiscard]] Theme on(Color background) const {
+    Theme theme = *this;
+    theme.background_ = background;
+    return theme;
+  }
+  /// The opaque colours of its styles, and its background, the first.
+  [[nodiscard]] std::vector<Color> colors() const;
   /// The style of `role`, or of its nearest ancestor ("a.b.c", "a.b", "a"). Throws
   /// std::out_of_range when there is none: every role that pictures use must be in every theme
   /// (tested).

@@ -142,7 +142,9 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     place(current, tick_at(current).label, true);
     for (int k = first; k < std::min(index, last + 1); ++k) {
       if (k == current || tick_at(k).question) continue;  // a question's dot says enough
-      if (!place(k, tick_at(k).label, false)) place(k, tick_at(k).short_label, false);
+      const Tick& tick = tick_at(k);
+      if (!place(k, tick.label, false) && !tick.short_label.empty())
+        place(k, tick.short_label, false);
     }
   }
   return marks;

@@ -183,6 +183,19 @@ std::u32string code_points(std::string_view utf8) {
   return result;
 }
 
+std::string utf8_of(char32_t character) {
+  const auto tail = [&](int shift) {
+    return static_cast<char>(0x80u | ((character >> shift) & 0x3Fu));
+  };
+  const auto head = [&](unsigned mark, int shift) {
+    return static_cast<char>(mark | (character >> shift));
+  };
+  if (character < 0x80) return {static_cast<char>(character)};
+  if (character < 0x800) return {head(0xC0, 6), tail(0)};
+  if (character < 0x10000) return {head(0xE0, 12), tail(6), tail(0)};
+  return {head(0xF0, 18), tail(12), tail(6), tail(0)};
+}
+
 struct Fonts::Loaded {
   struct FaceFiles {
     FontFile main;
@@ -249,13 +262,16 @@ Fonts::Fonts(std::array<FaceBytes, kFaceCount> files) : loaded_(std::make_unique
 Fonts::~Fonts() = default;
 
 double Fonts::width(const TextStyle& style, std::string_view utf8) const {
-  const auto& advances = loaded_->face(style.face).advances;
+  const TextStyle em{style.face, 1.0};
   double ems = 0.0;
-  for (const char32_t c : code_points(utf8)) {
-    const auto found = advances.find(c);
-    ems += (found != advances.end() ? found : advances.find(kReplacement))->second;
-  }
+  for (const char32_t c : code_points(utf8)) ems += advance(em, c);
   return ems * style.size;
+}
+
+double Fonts::advance(const TextStyle& style, char32_t character) const {
+  const auto& advances = loaded_->face(style.face).advances;
+  const auto found = advances.find(character);
+  return (found != advances.end() ? found : advances.find(kReplacement))->second * style.size;
 }
 
 double Fonts::cap_height(const TextStyle& style) const {

@@ -16,31 +16,31 @@ inline constexpr int kFaceCount = 6;
 
 struct TextStyle {
   Face face = Face::regular;
-  double size = 14.0;  ///< Em size in frame pixels.
+  double size = 16.0;  ///< Em size in frame pixels.
   friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
-/// The type scale of a frame.
+/// The type scale of a frame. Nothing is smaller than 16 pixels: the last row reads it, too.
 namespace type {
 inline constexpr TextStyle kTitle{Face::bold, 24};
-inline constexpr TextStyle kProse{Face::regular, 15};
+inline constexpr TextStyle kProse{Face::regular, 16};
 inline constexpr TextStyle kPosition{Face::medium, 16};
-inline constexpr TextStyle kViewTitle{Face::semibold, 15};
+inline constexpr TextStyle kViewTitle{Face::semibold, 16};
 inline constexpr TextStyle kVertex{Face::semibold, 17};
-inline constexpr TextStyle kSmallVertex{Face::semibold, 14};
-inline constexpr TextStyle kRegion{Face::semibold, 14};
+inline constexpr TextStyle kSmallVertex{Face::semibold, 16};
+inline constexpr TextStyle kRegion{Face::semibold, 16};
 inline constexpr TextStyle kCaption{Face::medium, 20};
 inline constexpr TextStyle kDetail{Face::regular, 19};
-inline constexpr TextStyle kHeading{Face::semibold, 14};
-inline constexpr TextStyle kBody{Face::regular, 14};
-inline constexpr TextStyle kStrong{Face::semibold, 15};
-inline constexpr TextStyle kCode{Face::mono, 14};
-inline constexpr TextStyle kCodeBold{Face::mono_bold, 14};
+inline constexpr TextStyle kHeading{Face::semibold, 16};
+inline constexpr TextStyle kBody{Face::regular, 16};
+inline constexpr TextStyle kStrong{Face::semibold, 16};
+inline constexpr TextStyle kCode{Face::mono, 16};
+inline constexpr TextStyle kCodeBold{Face::mono_bold, 16};
 inline constexpr TextStyle kText{Face::regular, 16};
 inline constexpr TextStyle kName{Face::semibold, 16};
 inline constexpr TextStyle kNumber{Face::mono, 16};
-inline constexpr TextStyle kTick{Face::regular, 12};
-inline constexpr TextStyle kTickBold{Face::semibold, 12};
+inline constexpr TextStyle kTick{Face::regular, 16};
+inline constexpr TextStyle kTickBold{Face::semibold, 16};
 /// Every style above: what a painter prepares.
 [[nodiscard]] std::vector<TextStyle> all_styles();
 }  // namespace type
@@ -51,6 +51,8 @@ inline constexpr TextStyle kTickBold{Face::semibold, 12};
 
 /// The characters of a text. What is not UTF-8 gives U+FFFD, one for each byte.
 [[nodiscard]] std::u32string code_points(std::string_view utf8);
+/// A character as UTF-8.
+[[nodiscard]] std::string utf8_of(char32_t character);
 
 /// The bytes of a face's font file, and of the one that draws what the first lacks.
 struct FaceBytes {
@@ -73,6 +75,8 @@ class Fonts {
   /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular:
   /// each is as wide as the widest, in every face.
   [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
+  /// Of one character.
+  [[nodiscard]] double advance(const TextStyle& style, char32_t character) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
   /// Distance from base line to base line.

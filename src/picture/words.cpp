@@ -66,7 +66,7 @@ std::string Numbers::operator()(double value) const {
   if (scalar_ == ScalarKind::half) return float_digits(value, 5);
   const double size = std::abs(value);
   if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return with_minus(fmt::format("{:.3e}", value));
-  return fixed(value, 4);
+  return fixed(value, 3);
 }
 
 std::string Numbers::point(const Eigen::Vector2d& value, int decimals) const {
@@ -122,12 +122,15 @@ std::string SimplexWords::face(gjk::Face face) const {
 }
 
 std::string SimplexWords::kind_and_face(gjk::Face face) const {
-  constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
   const int size = gjk::vertex_count(face);
+  const std::string_view kind = size == 1                ? "vertex"
+                                : size == 3              ? "triangle"
+                                : simplex_.count == size ? "segment"
+                                                         : "edge";
   if (size == 2 && !run_.point_query()) {
-    return fmt::format("edge from {} to {}", vertex(order(face)[0]), vertex(order(face)[1]));
+    return fmt::format("{} from {} to {}", kind, vertex(order(face)[0]), vertex(order(face)[1]));
   }
-  return fmt::format("{} {}", kKinds[size], this->face(face));
+  return fmt::format("{} {}", kind, this->face(face));
 }
 
 std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
@@ -176,10 +179,6 @@ std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& si
   out += ' ';
   for (const int i : indices) out += (of_x ? run.lesson.x() : run.lesson.y()).vertex_names[i];
   return out;
-}
-
-std::string_view phase_word(gjk::Phase phase) {
-  return phase == gjk::Phase::cull ? "drop" : name_of(phase);
 }
 
 std::string query_name(const LessonRun& run) {

@@ -19,7 +19,7 @@ namespace gjkscope {
 /// "1,203": the whole number next to a value, its digits in groups of three.
 [[nodiscard]] std::string grouped(double value);
 
-/// Numbers of one lesson: four decimals in double and exact lessons, all digits that tell values
+/// Numbers of one lesson: three decimals in double and exact lessons, all digits that tell values
 /// apart in half (5) and float (9, trailing zeros dropped) ones. Very large and very small numbers
 /// in scientific notation.
 class Numbers {
@@ -45,7 +45,8 @@ class SimplexWords {
   [[nodiscard]] std::vector<int> order(gjk::Face face) const;
   /// "CE", or "N−C, L−D" where vertices are pairs.
   [[nodiscard]] std::string face(gjk::Face face) const;
-  /// "vertex E", "edge CE", "triangle CDE"; for pairs "edge from K−C to L−D".
+  /// "vertex E", "segment CE", "triangle CDE"; for pairs "segment from K−C to L−D". A side of a
+  /// triangle is an edge.
   [[nodiscard]] std::string kind_and_face(gjk::Face face) const;
   /// "u", "vAB", "wABC": the slides' name of a vertex's barycentric coordinate in a face; for pairs
   /// "weight of K−C".
@@ -67,9 +68,6 @@ class SimplexWords {
 /// KLM".
 [[nodiscard]] std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex,
                                        bool of_x);
-
-/// A phase as its reader knows it: "drop", which the code calls cull.
-[[nodiscard]] std::string_view phase_word(gjk::Phase phase);
 
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);

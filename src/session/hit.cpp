@@ -58,10 +58,20 @@ struct Aim {
     return nearest <= slack ? kLine + nearest : kMiss;
   }
   double operator()(const Polygon& polygon) const {
+    // A small one marks a point.
+    constexpr double kPoint = 12.0;
+    Point middle = Point::Zero();
+    for (const Point& corner : polygon.points)
+      middle += corner / static_cast<double>(polygon.points.size());
+    const auto is_near = [&](const Point& corner) { return (corner - middle).norm() <= kPoint; };
+    if (std::all_of(polygon.points.begin(), polygon.points.end(), is_near))
+      return operator()(Disk{middle, kPoint});
     return is_inside(polygon.points, p) ? kArea : kMiss;
   }
   double operator()(const Arrow&) const { return kMiss; }
-  double operator()(const Cross&) const { return kMiss; }
+  double operator()(const Cross& cross) const {
+    return operator()(Disk{cross.center, cross.radius});
+  }
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "lesson/names.hpp"
+
 namespace gjkscope::fields {
 
 Json number(double value) {
@@ -52,6 +54,11 @@ template Json vertex(const gjk::SupportPoint<double, 2>& value, const std::strin
                      const RunIn<2>& run);
 template Json vertex(const gjk::SupportPoint<double, 3>& value, const std::string& name,
                      const RunIn<3>& run);
+
+std::string_view stop_test_name(gjk::StopReason reason, bool follows_support) {
+  if (reason != gjk::StopReason::no_progress) return name_of(reason);
+  return follows_support ? "support-no-farther" : "p-no-closer";
+}
 
 std::string number_text(ScalarKind scalar, double value) {
   switch (scalar) {

@@ -91,8 +91,8 @@ class TraceWriter {
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();
     for (std::size_t i = 0; i < value.trace.steps.size(); ++i)
-      out["steps"].push_back(one_step(value.trace.steps[i], value.bounds[i]));
-    out["result"] = result(value.trace.result);
+      out["steps"].push_back(one_step(value, i));
+    out["result"] = result(value);
     return out;
   }
 
@@ -141,7 +141,10 @@ class TraceWriter {
   }
 
   /// Only the members that the phase fills in.
-  Json one_step(const gjk::Step<double, D>& step, const DistanceBounds& bounds) const {
+  Json one_step(const RunIn<D>& run, std::size_t index) const {
+    const gjk::Step<double, D>& step = run.trace.steps[index];
+    const DistanceBounds& bounds = run.bounds[index];
+    const bool follows_support = run.follows_support(static_cast<int>(index));
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
@@ -167,7 +170,8 @@ class TraceWriter {
         break;
       case Phase::stop:
         out["stop_tests"] = Json::array();
-        for (const auto& test : record.stop_tests) out["stop_tests"].push_back(stop_test(test));
+        for (const auto& test : record.stop_tests)
+          out["stop_tests"].push_back(stop_test(test, follows_support));
         break;
       case Phase::add:
         break;
@@ -206,9 +210,9 @@ class TraceWriter {
     return out;
   }
 
-  static Json stop_test(const gjk::StopTest<double>& test) {
+  static Json stop_test(const gjk::StopTest<double>& test, bool follows_support) {
     Json out;
-    out["reason"] = name_of(test.reason);
+    out["test"] = fields::stop_test_name(test.reason, follows_support);
     out["enabled"] = test.enabled;
     out["tried"] = test.tried;
     out["holds"] = test.holds;
@@ -217,10 +221,13 @@ class TraceWriter {
     return out;
   }
 
-  Json result(const gjk::Result<double, D>& value) const {
+  Json result(const RunIn<D>& run) const {
+    const gjk::Result<double, D>& value = run.trace.result;
+    const int last = static_cast<int>(run.trace.steps.size()) - 1;
     Json out;
     out["error"] = name_of(value.error);
     out["stop"] = name_of(value.stop);
+    out["stop_test"] = fields::stop_test_name(value.stop, run.follows_support(last));
     out["verdict"] = name_of(value.verdict);
     out["settled"] = value.settled;
     out["distance"] = number(value.distance);

@@ -8,7 +8,7 @@
 namespace gjkscope {
 
 /// Counts up when a key changes its meaning or goes away; new keys do not count.
-inline constexpr int kTraceFormatVersion = 2;
+inline constexpr int kTraceFormatVersion = 3;
 
 /// D: 2 or 3.
 template <int D>

@@ -108,7 +108,8 @@ class TraceText {
         support(after, record);
         break;
       case Phase::stop:
-        for (const auto& test : record.stop_tests) stop_test(test);
+        for (const auto& test : record.stop_tests)
+          stop_test(test, before.previous == Phase::support);
         line("bounds", fmt::format("{} to {}", number(bounds.lower), number(bounds.upper)));
         break;
       case Phase::add:
@@ -142,7 +143,7 @@ class TraceText {
   void cull(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
     std::vector<std::string> names;
     for (const auto& vertex : record.dropped) names.push_back(name(vertex));
-    line("cull", fmt::format("keeps {}{}", face(after.simplex, after.simplex.all()),
+    line("drop", fmt::format("keeps {}{}", face(after.simplex, after.simplex.all()),
                              names.empty() ? std::string()
                                            : fmt::format(", drops {}", fmt::join(names, " "))));
   }
@@ -182,16 +183,17 @@ class TraceText {
                      name(after.support), number(after.support_value)));
   }
 
-  void stop_test(const gjk::StopTest<double>& test) {
+  void stop_test(const gjk::StopTest<double>& test, bool follows_support) {
+    const std::string_view name = fields::stop_test_name(test.reason, follows_support);
     const std::string_view verdict = !test.enabled ? "off"
                                      : !test.tried ? "not tried"
                                      : test.holds  ? "yes"
                                                    : "no";
     if (test.enabled && test.tried) {
-      line("stop?", fmt::format("{}: {} (left {}, right {})", name_of(test.reason), verdict,
-                                number(test.left), number(test.right)));
+      line("stop?", fmt::format("{}: {} (left {}, right {})", name, verdict, number(test.left),
+                                number(test.right)));
     } else {
-      line("stop?", fmt::format("{}: {}", name_of(test.reason), verdict));
+      line("stop?", fmt::format("{}: {}", name, verdict));
     }
   }
 

@@ -91,7 +91,7 @@ TEST(TraceJson, IsCompleteFromStartToStop) {
   for (const std::string& text : {kPentagon, kOverlap, kInSpace}) {
     const json document = json::parse(trace(text, true).out);
     EXPECT_EQ("gjkscope-trace", document["format"]);
-    EXPECT_EQ(2, document["version"]);
+    EXPECT_EQ(3, document["version"]);
     const int dimension = text == kInSpace ? 3 : 2;
     EXPECT_EQ(dimension, document["dimension"]);
     EXPECT_EQ(dimension, document["runs"][0]["result"]["witness_x"].size());
@@ -163,7 +163,7 @@ TEST(TraceText, TellsEveryPhase) {
   const Traced traced = trace(kPentagon, false);
   EXPECT_EQ(kDone, traced.exit_code);
   for (const char* word :
-       {"iteration 1", "iteration 2", "test ", "closest ", "cull ", "direction ", "scan ",
+       {"iteration 1", "iteration 2", "test ", "closest ", "drop ", "direction ", "scan ",
         "support ", "stop? ", "add ", "result", "bounds ", "repeated-support: yes"}) {
     EXPECT_NE(std::string::npos, traced.out.find(word)) << word;
   }

@@ -132,7 +132,12 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
 }
 
 TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
-  const LessonRun run = run_lesson(testing::shipped_lesson("segment-balance"));
+  Lesson lesson = testing::shipped_lesson("segment-balance");
+  // More moments than the lesson shows.
+  const std::vector<double> swinging = {0.0, 0.15, 0.75, 2.25, 2.5, 3.0, 3.5, 4.0, 6.0};
+  lesson.time->moments = {
+      {0.0, 3.0}, swinging, swinging, {0.0, 0.15, 0.75, 2.25, 2.5, 2.75, 2.9, 3.05, 4.0}};
+  const LessonRun run = run_lesson(std::move(lesson));
   EffectGraph graph(run);
   int tilted = 0;
   for (const Frame& frame : run.frames) {

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "export/contact_sheet.hpp"
+#include "export/record.hpp"
 #include "lesson/html.hpp"
 #include "lesson/load.hpp"
 #include "picture/registry.hpp"
@@ -83,7 +84,7 @@ TEST_F(Export, WritesNumberedFramesAndASidecarThatDescribesThem) {
   const auto files = contents(folder_ / "out");
   EXPECT_EQ(files.size(), result.files.size()) << "nothing else is left in the folder";
   const auto json = nlohmann::json::parse(files.at("segment-closest.json"));
-  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["version"], 2);
   EXPECT_EQ(json["lesson"], "segment-closest");
   EXPECT_EQ(json["theme"], "light");
   EXPECT_EQ(json["width"], 640);
@@ -135,7 +136,7 @@ TEST_F(Export, FramesOfALongerPastAreRemovedAndNoOthers) {
   for (const char* name :
        {"segment-closest-0999.png", "segment-closest-12345.png", "segment-closest-notes.png",
         "segment-closest-0999.png.bak", "other-0999.png"}) {
-    std::ofstream(options().out_dir / name) << "old";
+    std::ofstream(options().out_dir / name) << signature();
   }
   ExportOptions some = options();
   some.last_step = 1;
@@ -214,8 +215,9 @@ TEST_F(Export, WhatThereIsNotIsAnError) {
   wrong.theme = "sepia";
   EXPECT_NE(error_of(wrong).find("dark, high-contrast, light, print"), std::string::npos);
   wrong = options();
-  wrong.format = "bmp";
-  EXPECT_NE(error_of(wrong).find("there is png"), std::string::npos);
+  wrong.format = Format::gif;
+  wrong.transparent = true;
+  EXPECT_NE(error_of(wrong).find("a gif cannot be transparent"), std::string::npos);
   wrong = options();
   wrong.width = 100;
   EXPECT_NE(error_of(wrong).find("160x90"), std::string::npos);
@@ -226,6 +228,80 @@ TEST_F(Export, WhatThereIsNotIsAnError) {
   wrong.first_step = 3;
   wrong.last_step = 2;
   EXPECT_NE(error_of(wrong).find("asked for 3..2"), std::string::npos);
+}
+
+TEST_F(Export, WhatIsUpToDateStaysAndWhatIsStaleNever) {
+  const ExportOptions plain = options();
+  const ExportResult first = export_lessons({lesson("segment-closest")}, plain);
+  EXPECT_EQ(first.kept, 0);
+  const auto expected = contents(plain.out_dir);
+  EXPECT_EQ(export_lessons({lesson("segment-closest")}, plain).kept, first.frames);
+  EXPECT_EQ(contents(plain.out_dir), expected);
+
+  // One frame is gone, one is cut short, one is another step's.
+  fs::remove(plain.out_dir / "segment-closest-0001.png");
+  std::ofstream(plain.out_dir / "segment-closest-0002.png") << signature();
+  fs::copy_file(plain.out_dir / "segment-closest-0004.png",
+                plain.out_dir / "segment-closest-0003.png", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(export_lessons({lesson("segment-closest")}, plain).kept, first.frames - 3);
+  EXPECT_EQ(contents(plain.out_dir), expected);
+
+  ExportOptions dark = plain;
+  dark.theme = "dark";
+  EXPECT_EQ(export_lessons({lesson("segment-closest")}, dark).kept, 0);
+  EXPECT_EQ(export_lessons({lesson("segment-closest")}, plain).kept, 0);
+  ExportOptions small = plain;
+  small.width = 320;
+  small.height = 180;
+  EXPECT_EQ(export_lessons({lesson("segment-closest")}, small).kept, 0);
+  Lesson changed = lesson("segment-closest");
+  changed.y().vertices.front().x() += 0x1p-40;
+  static_cast<void>(export_lessons({lesson("segment-closest")}, plain));
+  EXPECT_EQ(export_lessons({changed}, plain).kept, 0);
+}
+
+TEST_F(Export, WhatWasNotExportedIsReplacedOnlyByForce) {
+  ExportOptions careful = options();
+  fs::create_directories(careful.out_dir);
+  const fs::path mine = careful.out_dir / "segment-closest-0002.png";
+  std::ofstream(mine) << "a photograph";
+  EXPECT_NE(error_of(careful).find(mine.string() + " is there"), std::string::npos);
+  EXPECT_EQ(read(mine), "a photograph");
+  EXPECT_EQ(contents(careful.out_dir).size(), 1u) << "nothing is drawn before that is known";
+  careful.force = true;
+  EXPECT_EQ(error_of(careful), "no error");
+  EXPECT_EQ(read(mine).substr(1, 3), "PNG");
+}
+
+TEST_F(Export, EveryFormatHasTheSameBytesEachTimeAndARecordThatLeadsBack) {
+  for (const Format format :
+       {Format::png, Format::svg, Format::pdf, Format::tex, Format::gif, Format::apng}) {
+    SCOPED_TRACE(name_of(format));
+    ExportOptions one = options(std::string(name_of(format)) + "-1");
+    one.format = format;
+    one.jobs = 1;
+    one.width = 320;
+    one.height = 180;
+    ExportOptions two = one;
+    two.out_dir = folder_ / (std::string(name_of(format)) + "-2");
+    two.jobs = 3;
+    const ExportResult result = export_lessons({lesson("segment-closest")}, one);
+    static_cast<void>(export_lessons({lesson("segment-closest")}, two));
+    EXPECT_EQ(contents(one.out_dir), contents(two.out_dir));
+    EXPECT_EQ(export_lessons({lesson("segment-closest")}, one).kept, result.frames);
+
+    const std::string bytes = read(result.files.front());
+    const auto record =
+        find_record({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->lesson, "segment-closest");
+    EXPECT_EQ(record->frames.size(),
+              has_file_per_frame(format) ? 1u : static_cast<std::size_t>(result.frames));
+    const LoadedLesson again =
+        parse_lesson(record->toml, kSource / "lessons/segment-closest.toml", vocabulary());
+    ASSERT_TRUE(again.lesson);
+    EXPECT_EQ(again.lesson->y(), lesson("segment-closest").y());
+  }
 }
 
 TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {

@@ -415,10 +415,10 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   EXPECT_EQ(loaded.lesson->time->frames, 0);
   ASSERT_EQ(loaded.lesson->time->moments.size(), 4u);
   const LessonRun run = run_lesson(*loaded.lesson);
-  ASSERT_EQ(run.frames.size(), 2u + 9u + 9u + 9u);
+  ASSERT_EQ(run.frames.size(), 2u + 4u + 1u + 3u);
   EXPECT_EQ(run.seconds(run.frames[1]), 3.0);
   EXPECT_EQ(run.seconds(run.frames[2]), 0.0);
-  EXPECT_EQ(run.seconds(run.frames[10]), 6.0);
+  EXPECT_EQ(run.seconds(run.frames[5]), 6.0);
   const std::string list = "[0.0, 3.0],";
   const Edits refused = {
       {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},

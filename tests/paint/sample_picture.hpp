@@ -143,7 +143,7 @@ inline void footer(Picture& picture) {
         "It is not in the simplex yet, and it gets us closer to O by up to 1.6000: it will be "
         "added.",
         type::kDetail);
-  const char* phases[] = {"closest", "cull", "direction", "support", "stop?", "add"};
+  const char* phases[] = {"closest", "drop", "direction", "support", "stop", "add"};
   for (int group = 0; group < 3; ++group) {
     const double left = 32 + 404 * group;
     write(picture, group == 1 ? "timeline.label" : "timeline.label", left, 636,

@@ -38,11 +38,6 @@ std::vector<Shape> shapes(const std::vector<Mark>& marks, const std::string& rol
   return out;
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x() < b.max.x() && b.min.x() < a.max.x() && a.min.y() < b.max.y() &&
-         b.min.y() < a.max.y();
-}
-
 std::vector<std::string> labels(const std::vector<PlotTick>& ticks) {
   std::vector<std::string> out;
   for (const PlotTick& tick : ticks) out.push_back(tick.label);

@@ -54,19 +54,23 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[0].question.position, "iteration 2 · question");
   EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
   EXPECT_EQ(all[1].question.question->answer, "E");
-  EXPECT_EQ(all[2].question.question->answer, "yes");
-  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: yes. C and D lie equally far along d"));
-  EXPECT_TRUE(all[2].answer.detail.starts_with("C is in the simplex already"));
+  EXPECT_EQ(all[2].question.question->choices,
+            (Choices{"no", "V in S", "V no farther", "P no closer", "Q inside S", "d = 0"}));
+  EXPECT_EQ(all[2].question.question->answer, "V in S");
+  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: V in S. C and D lie equally far along d"));
+  EXPECT_TRUE(all[2].answer.detail.starts_with("C is already in the simplex"));
 }
 
 TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
   const auto last = [](const std::string& id) { return asked(asking(id, {{"stop", {}}})).back(); };
   const Asked contained = last("stop-contained");
-  EXPECT_EQ(contained.question.question->answer, "yes");
-  EXPECT_EQ(contained.answer.phase, "cull");
+  EXPECT_EQ(contained.question.question->answer, "Q inside S");
+  EXPECT_EQ(contained.answer.phase, "drop");
   const Asked at_vertex = last("stop-vertex");
-  EXPECT_EQ(at_vertex.question.question->answer, "yes");
+  EXPECT_EQ(at_vertex.question.question->answer, "d = 0");
   EXPECT_EQ(at_vertex.answer.phase, "direction");
+  EXPECT_EQ(last("stop-edge-right").question.question->answer, "P no closer");
+  EXPECT_EQ(last("collinear").question.question->answer, "V no farther");
 }
 
 TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
@@ -85,7 +89,7 @@ TEST(QuestionFrames, OfferTheRegionsNotRuledOutInAnOrderThatDoesNotGiveTheAnswer
     Choices choices;
   };
   const std::vector<Case> cases = {
-      {{1.35, 1.45}, "BC", {"ABC", "BC", "CA"}},
+      {{1.0, 1.5}, "BC", {"ABC", "BC", "CA"}},
       {{-1.9, 0.9}, "CA", {"ABC", "CA"}},
       {{0.0, -1.8}, "AB", {"AB", "ABC", "BC", "CA"}},
       {{0.3, 2.4}, "C", {"AB", "ABC", "BC", "C", "CA"}},

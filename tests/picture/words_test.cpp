@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lesson/names.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 
@@ -54,8 +55,8 @@ TEST(Words, AnEdgeThatARunStartsWithHasItsDirection) {
 }
 
 TEST(Words, ThePhaseThatDropsVerticesIsCalledSo) {
-  EXPECT_EQ(phase_word(gjk::Phase::cull), "drop");
-  EXPECT_EQ(phase_word(gjk::Phase::support), "support");
+  EXPECT_EQ(name_of(gjk::Phase::cull), "drop");
+  EXPECT_EQ(name_of(gjk::Phase::support), "support");
 }
 
 TEST(Words, TheThirdEdgeOfATriangleIsCA) {

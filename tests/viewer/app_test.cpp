@@ -433,8 +433,8 @@ TEST(App, AnyVertexOfTheOpeningLessonCanBeDeleted) {
 
 TEST(App, BetweenFramesOfTheTimelineTheNearestIsTaken) {
   HeadlessApp window;
-  const Point a = window.at({Kind::frame, 6});
-  const Point b = window.at({Kind::frame, 7});
+  const Point a = window.at({Kind::frame, 5});
+  const Point b = window.at({Kind::frame, 6});
   const Point gap = 0.5 * (a + b);
   window.move(gap);
   ASSERT_NE(Kind::frame, window.app().picture().hovered().kind) << "there is a gap";

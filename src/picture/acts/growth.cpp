@@ -1,4 +1,8 @@
+#include "effects/growth.hpp"
+
 #include <fmt/format.h>
+
+#include <utility>
 
 #include "picture/acts/acts.hpp"
 #include "picture/layers/layers.hpp"
@@ -55,6 +59,24 @@ void growth_words(const Story& story, FrameText& text) {
   return story.frame.size ? captions::growth(story, text) : captions::step(story, text);
 }
 
+/// Of a size of polygons: what its runs come to. The lesson's own pair is no part of that.
+void growth_values(const Story& story, FrameText& text) {
+  if (!story.frame.size) return captions::run_values(story, text);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
+  const int* vertices = vertices_of(story.run, story.frame);
+  if (vertices == nullptr) return;
+  const Growth::Sample& sample =
+      story.effects.get<Growth>(story.frame)[static_cast<std::size_t>(*story.frame.size)];
+  put("n", grouped(*vertices));
+  put("iterations", fixed(sample.iterations, 1));
+  put("support calls", fixed(sample.support_calls, 1));
+  put("differences computed", fixed(sample.touched_points, 1));
+}
+
 bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind == ViewKind::plot) {
     layers::growth(scene, fonts);
@@ -82,6 +104,7 @@ const StagedAct kGrowth{
     .tick = growth_tick,
     .words = growth_words,
     .stage = stage_step,
+    .values = growth_values,
     .fill = growth_fill,
     .plot_title = growth_plot_title,
 };

@@ -8,7 +8,12 @@ namespace {
 
 bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
-  const gjk::Phase phase = run.runs[static_cast<std::size_t>(index)].trace.steps[step].phase;
+  const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
+  const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
+  // Of a single vertex there is nothing to drop, and nothing to see.
+  if (phase == gjk::Phase::cull && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
+      steps[static_cast<std::size_t>(step) - 1].after.simplex.count == 1)
+    return false;
   return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
 }
 
@@ -18,7 +23,7 @@ void phase_frames(LessonRun& run, int index) { add_step_frames(run, index, is_ch
 
 const StagedAct kPhase{
     .act = {.name = "phase",
-            .meaning = "phase of each iteration: closest point, cull, direction, support, stop "
+            .meaning = "phase of each iteration: closest point, drop, direction, support, stop "
                        "tests, add",
             .needs = {.takes_phases = true},
             .add_frames = phase_frames,

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "lesson/questions.hpp"
 #include "picture/acts/acts.hpp"
 #include "picture/layers/layers.hpp"
 
@@ -52,13 +53,26 @@ void support_stage(SceneBuilder& scene) {
   return scene.frame.support_part ? layers::support_in_parts(scene) : stage_step(scene);
 }
 
+constexpr std::array kSupportAsks = {asks::kSupport};
+
+/// Asked where d is known, and answered by the support points of Y and X.
+int support_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const bool answers = question.ask == asks::kSupport.name &&
+                       frame.support_part == SupportPart::of_y &&
+                       (!question.at || *question.at == run.step(frame).iteration);
+  return answers ? frame.step : -1;
+}
+
 }  // namespace
 
 const StagedAct kSupport{
     .act = {.name = "support",
             .meaning = "part of each support step: the direction, the support point of Y, that of "
                        "X, their difference",
-            .add_frames = support_frames},
+            .add_frames = support_frames,
+            .asks = kSupportAsks,
+            .answering_step = support_answer},
     .position = support_position,
     .tick = support_tick,
     .words = support_words,

@@ -32,7 +32,7 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
   const TextStyle style = sum.is_current ? type::kCodeBold : type::kCode;
   panel.write("heading", panel.left, sum.heading, type::kHeading);
   panel.y += kTightRow + 2.0;
-  for (int i = 0; i < simplex.count; ++i) {
+  for (const int i : SimplexWords(panel.run, simplex).order(simplex.all())) {
     const gjk::SupportPoint<double, 2>& vertex = simplex.vertices[i];
     panel.write(role, panel.left, panel.numbers.weight(simplex.weights[i]), style);
     panel.write(role, panel.left + 64.0, "· " + name_of(vertex.pair), style);
@@ -147,7 +147,9 @@ void starts(PanelBuilder& panel) {
       panel.add(role, Box{{{x0, bottom - kHeight * value / scale}, {x1, bottom}}, 0.0});
     };
     bar("chart.cold", middle - half, middle, cold[static_cast<std::size_t>(i)]);
-    bar("chart.warm", middle, middle + half, warm[static_cast<std::size_t>(i)]);
+    // The first run has no simplex to start from.
+    bar(i == 0 ? "chart.cold" : "chart.warm", middle, middle + half,
+        warm[static_cast<std::size_t>(i)]);
   }
   panel.y = bottom + 30.0;
   const double cold_at = panel.right - 76.0;
@@ -213,7 +215,7 @@ void bound_steps(PanelBuilder& panel) {
       if (high - low < 4.0) low = std::max(x0, 0.5 * (low + high) - 2.0), high = low + 4.0;
       panel.add("bounds.bar", Box{{{low, middle - 4.0}, {high, middle + 4.0}}, 2.0});
       panel.write("code", panel.right,
-                  format("{} … {}", fixed(bounds.lower, 4), fixed(bounds.upper, 4)), type::kCode,
+                  format("{} … {}", fixed(bounds.lower, 3), fixed(bounds.upper, 3)), type::kCode,
                   Align::right);
     }
     while (step < static_cast<int>(steps.size()) &&

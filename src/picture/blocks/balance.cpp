@@ -23,7 +23,7 @@ void balance(PanelBuilder& panel) {
   const double arm_at = panel.left + 268.0;
   panel.write("heading", mass_at, "mass", type::kHeading, Align::right);
   panel.write("heading", arm_at, "× arm", type::kHeading, Align::right);
-  panel.write("heading", panel.right, "= turning", type::kHeading, Align::right);
+  panel.write("heading", panel.right, "= moment", type::kHeading, Align::right);
   panel.y += kRow;
   const std::array<double, 2> arms = arms_of(beam);
   for (int i = 0; i < 2; ++i) {
@@ -35,8 +35,8 @@ void balance(PanelBuilder& panel) {
     panel.y += kRow;
   }
   panel.y += 4.0;
-  panel.write("body.muted", panel.left,
-              "arm: how far to its side of the support, in lengths of the beam", type::kTick);
+  panel.write("body.muted", panel.left, "arm: distance from the support, in beam lengths",
+              type::kTick);
   panel.y += kRow;
   const double degrees = std::abs(beam.angle) * 180.0 / std::numbers::pi;
   constexpr double kLevel = 0.05;  // degrees: prints as 0.0

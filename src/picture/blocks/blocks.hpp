@@ -28,7 +28,8 @@ namespace blocks {
 // What several blocks are written with.
 
 // regions.cpp
-enum class TestMark { untried, fails, holds };
+/// `misleads`: a test that holds, and takes the wrong point.
+enum class TestMark { untried, fails, holds, misleads };
 /// At the left of the current row.
 void test_mark(PanelBuilder& panel, TestMark mark);
 /// One row of a chain of tests: mark, region, condition and numbers.

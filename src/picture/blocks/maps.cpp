@@ -41,7 +41,7 @@ std::string condition_of(const PanelBuilder& panel, const RegionOrders::Chain& c
 
 /// The coordinates on each edge and in the triangle, a row each.
 void numbers_of(PanelBuilder& panel) {
-  panel.heading("The numbers, the same for every order");
+  panel.heading("Coordinates, the same in any order");
   for (const gjk::Face face : std::array<gjk::Face, 4>{0b011, 0b110, 0b101, 0b111}) {
     const gjk::Barycentric<double, 2> coordinates = gjk::barycentric(panel.state.simplex, face);
     double x = panel.left;
@@ -55,7 +55,7 @@ void numbers_of(PanelBuilder& panel) {
     panel.y += kRow + 2.0;
   }
   panel.rule();
-  panel.heading("Tests of a vertex, of an edge, of the rest");
+  panel.heading("Tests: a vertex, an edge, the rest");
   const auto test = [&](gjk::Face face, bool whole, const std::string& name) {
     panel.write("body", panel.left, panel.words.face(face) + name, type::kBody);
     RegionOrders::Chain chain;
@@ -78,7 +78,7 @@ void sign_highlight(PanelBuilder& panel, double x) {
 void signs(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (value.weights.size() != 3) return;
-  panel.heading("What the signs would say");
+  panel.heading("Signs, and the feature they name");
   gjk::Face positive = 0;
   for (int i = 0; i < 3; ++i) {
     if (value.weights[i] > 0.0) positive = static_cast<gjk::Face>(positive | gjk::face_of(i));
@@ -107,8 +107,11 @@ void signs(PanelBuilder& panel) {
   const bool is_interior = panel.frame.map == MapStage::interior;
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
-    const bool current = is_interior ? face == 0b111 : face == positive && told(MapStage::signs);
+    const bool holds_q = face == positive && told(MapStage::signs);
+    const bool current = holds_q || (is_interior && face == 0b111);
     if (current) panel.highlight();
+    if (holds_q)
+      panel.write("query.label", panel.right, query_name(panel.run), type::kStrong, Align::right);
     for (int i = 0; i < 3; ++i) {
       const bool lit = current || is_shown(face, i);
       const double x = panel.left + 44.0 * i;
@@ -152,9 +155,10 @@ void orders(PanelBuilder& panel) {
   const int tried = static_cast<int>(chain.tests.size());
   for (int i = 0; i < list.count; ++i) {
     const gjk::Face face = list.faces[i];
-    const TestMark mark = i >= tried             ? TestMark::untried
-                          : chain.tests[i].holds ? TestMark::holds
-                                                 : TestMark::fails;
+    const TestMark mark = i >= tried              ? TestMark::untried
+                          : !chain.tests[i].holds ? TestMark::fails
+                          : chain.error > 0.0     ? TestMark::misleads
+                                                  : TestMark::holds;
     test_row(panel, mark, i == tried - 1, panel.words.face(face), condition_of(panel, chain, face),
              i < tried ? values_of(panel, chain.tests[i]) : "");
   }
@@ -172,9 +176,9 @@ void orders(PanelBuilder& panel) {
     sum += (sum.empty() ? "" : " + ") + weight + panel.words.vertex(i);
   }
   if (gjk::vertex_count(chain.region) == 3) sum = query_name(panel.run);
-  row("point taken, P′", sum);
+  row("P′, the point found", sum);
   row("its distance from " + query_name(panel.run), panel.numbers(chain.p.norm()));
-  row("its distance from P: the error", panel.numbers(chain.error));
+  row("error |P′ − P|", panel.numbers(chain.error));
 }
 
 }  // namespace

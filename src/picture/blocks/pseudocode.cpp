@@ -97,12 +97,12 @@ Lines gjk_lines(const LessonRun& run) {
       {"loop"},
       {point ? "  P ← closest point to Q on S" : "  P ← closest point on S", Phase::closest},
       {"  drop vertices without weight", Phase::cull},
-      {format("  if {} in S{}: stop", q, progress ? " or P no nearer" : ""),
+      {format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
        {},
        {},
        false,
        Phase::cull},
-      {point ? "  d ← direction from P to Q" : "  d ← from P towards O", Phase::direction},
+      {format("  d ← normal of S, to {}", q), Phase::direction},
       {"  if d = 0: stop", {}, {}, false, Phase::direction},
       {point ? "  V ← support point along d" : "  V ← support(Y,d) − support(X,−d)",
        Phase::support},
@@ -225,7 +225,8 @@ void loop(PanelBuilder& panel) {
       if (stop && !step_of(next == Phase::stop ? Phase::add : next) && step_of(*line.stops_after)) {
         view = {State::current, {}, value_of(panel, *stop)};
       } else if (step_of(next)) {
-        view = {State::past, {}, "no"};
+        // The frame of the phase that follows is the one in which they failed.
+        view = {panel.knows.phase == next ? State::current : State::past, {}, "no"};
       }
     }
     const std::optional<Phase> phase = line.stops_after ? Phase::stop : line.phase;

@@ -12,6 +12,8 @@ namespace {
 
 using namespace rows;
 
+constexpr double kCondition = 68.0;  // from a card's text to the condition of a test
+
 std::string condition(const PanelBuilder& panel, const gjk::FaceList& order, int index) {
   const gjk::Face face = order.faces[index];
   const int size = gjk::vertex_count(face);
@@ -48,6 +50,8 @@ void test_mark(PanelBuilder& panel, TestMark mark) {
       return panel.write("fail", panel.left, "✗", type::kStrong);
     case TestMark::holds:
       return panel.write("pass", panel.left, "✓", type::kStrong);
+    case TestMark::misleads:
+      return panel.write("fail", panel.left + 6.0, "!", type::kStrong);
   }
 }
 
@@ -56,12 +60,12 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
   const bool tried = mark != TestMark::untried;
   const bool holds = mark == TestMark::holds;
   if (current) panel.highlight(holds ? "highlight.pass" : "highlight");
-  const TextStyle name_style = current ? type::kStrong : TextStyle{Face::regular, 15};
+  const TextStyle name_style = current ? type::kStrong : type::kBody;
   const TextStyle code = current ? type::kCodeBold : type::kCode;
   const std::string role = !tried ? "untried" : current ? "code.current" : "code";
   test_mark(panel, mark);
   panel.write(!tried ? "untried" : "body", panel.left + 24.0, region, name_style);
-  panel.write(role, panel.left + 78.0, condition, code);
+  panel.write(role, panel.left + kCondition, condition, code);
   if (tried) panel.write(role, panel.right, values, code, Align::right);
   panel.y += kRow + 2.0;
 }
@@ -82,7 +86,7 @@ void between_ends(PanelBuilder& panel, const gjk::RegionTest<double>& test) {
     values += signed_fixed(term.numerator / term.denominator, 3);
   }
   panel.highlight("highlight.pass");
-  panel.write("code.current", panel.left + 78.0, names, type::kCodeBold);
+  panel.write("code.current", panel.left + kCondition, names, type::kCodeBold);
   panel.write("code.current", panel.right, values, type::kCodeBold, Align::right);
   panel.y += kRow + 2.0;
 }
@@ -139,13 +143,11 @@ void ruler(PanelBuilder& panel, int from, int to) {
   const double share = along.numerator[to] / along.denominator;
   const std::string a = panel.words.vertex(from);
   const std::string b = panel.words.vertex(to);
-  std::string name = "onto " + panel.words.face(face);
+  std::string name = "on " + panel.words.face(face);
   if (simplex.count == 3) {
     const int other = 3 - from - to;
     const bool inside = gjk::barycentric(simplex, simplex.all()).numerator[other] > 0.0;
-    name += inside
-                ? fmt::format(", {} on {}'s side", query_name(panel.run), panel.words.vertex(other))
-                : fmt::format(", {} beyond it", query_name(panel.run));
+    name += inside ? fmt::format(", on {}'s side", panel.words.vertex(other)) : ", beyond it";
   }
   panel.write("body", panel.left, name, type::kBody);
   panel.write("strong", panel.right,
@@ -172,7 +174,7 @@ void ruler(PanelBuilder& panel, int from, int to) {
               Polyline{{{at(end), panel.y - 2.0 * kHalf}, {at(end), panel.y + 2.0 * kHalf}}});
   }
   panel.add("closest", Disk{{at(share), panel.y}, 4.5});
-  panel.y += 20.0;
+  panel.y += 24.0;
   panel.write("body.muted", at(0.0), a, type::kTick, Align::center);
   panel.write("body.muted", at(1.0), b, type::kTick, Align::center);
   panel.y += kRow;
@@ -187,7 +189,7 @@ void candidates(PanelBuilder& panel) {
                        bool holds) {
     panel.write(holds ? "strong" : "body.muted", panel.left, "from " + name,
                 holds ? type::kStrong : type::kBody);
-    panel.write("body.muted", panel.left + 104.0, note, type::kBody);
+    panel.write("body.muted", panel.left + 92.0, note, type::kBody);
     panel.write(holds ? "code.current" : "code", panel.right, panel.numbers(distance),
                 holds ? type::kCodeBold : type::kCode, Align::right);
     panel.y += kRow;
@@ -198,13 +200,15 @@ void candidates(PanelBuilder& panel) {
         panel.state.region == gjk::face_of(i));
   }
   const bool on_edge = panel.state.region == simplex.all();
-  row("G", on_edge ? "on the segment" : "not on the segment", g->norm(), on_edge);
+  const std::string segment = panel.words.face(simplex.all());
+  row("G", (on_edge ? "on " : "not on ") + segment, g->norm(), on_edge);
 }
 
 void regions(PanelBuilder& panel) {
   panel.heading("Closest feature");
   const int count = panel.state.simplex.count;
   constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
+  const gjk::Face all = panel.state.simplex.all();
   gjk::FaceList order = gjk::tested_faces(count, gjk::RegionOrder::vertices_first);
   if (count == 2)
     std::swap(order.faces[0], order.faces[1]);  // A before B: this is no order of tests
@@ -213,10 +217,11 @@ void regions(PanelBuilder& panel) {
     const bool current = panel.knows.phase && face == panel.state.region;
     if (current) panel.highlight("highlight.pass");
     panel.write(current ? "pass" : "untried", panel.left, current ? "●" : "○", type::kBody);
-    panel.write(current ? "body" : "body.muted", panel.left + 24.0,
-                std::string(kKinds[gjk::vertex_count(face)]),
-                current ? type::kStrong : type::kBody);
-    panel.write(current ? "body" : "body.muted", panel.left + 104.0, panel.words.face(face),
+    panel.write(
+        current ? "body" : "body.muted", panel.left + 24.0,
+        std::string(count == 2 && face == all ? "segment" : kKinds[gjk::vertex_count(face)]),
+        current ? type::kStrong : type::kBody);
+    panel.write(current ? "body" : "body.muted", panel.left + 116.0, panel.words.face(face),
                 current ? type::kStrong : type::kBody);
     if (current) {
       // An edge's point by its place: weights need not be known yet.

@@ -21,13 +21,18 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
              double x0, double x1, const std::string& title) {
   const LessonShape& shape = of_x ? panel.run.lesson.x() : panel.run.lesson.y();
   const std::vector<std::string>& names = shape.vertex_names;
+  constexpr int kShown = 6;
+  if (entries.empty()) {  // nothing to see yet, and what stands below keeps its place
+    const int count = static_cast<int>(names.size());
+    panel.y += kRow + kTightRow * (std::min(count, kShown) + (count > kShown ? 1 : 0));
+    return;
+  }
   panel.write("heading", x0, title, type::kHeading);
   panel.y += kRow;
   int best = -1;
   for (const auto& entry : entries) {
     if (entry.improves) best = entry.index;
   }
-  constexpr int kShown = 6;
   for (int i = 0; i < static_cast<int>(names.size()) && i < kShown; ++i) {
     // The scan of a large polygon does not look at every vertex.
     const auto entry = std::find_if(entries.begin(), entries.end(),
@@ -59,14 +64,17 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
 }
 
 void simplex(PanelBuilder& panel) {
-  panel.write("heading", panel.left, "Simplex S", type::kHeading);
+  // A support point that is not in S stands below its vertices.
+  const bool candidate = panel.knows.whole_support;
+  panel.write("heading", panel.left, candidate ? "Simplex S, and V" : "Simplex S", type::kHeading);
   const double x0 = panel.left + 152.0;
   panel.write("heading", x0, "weight", type::kHeading);
   panel.y += kRow;
   const double name_at = panel.left + 24.0;
   const double middle = 0.5 * panel.fonts.cap_height(type::kStrong);
   int rows = 0;
-  for (int i = 0; i < panel.state.simplex.count; ++i, ++rows) {
+  for (const int i : panel.words.order(panel.state.simplex.all())) {
+    ++rows;
     panel.subject = subject_of(panel.run, panel.state.simplex.vertices[i].pair);
     if (panel.knows.phase == Phase::cull) panel.highlight("highlight.pass");  // what is kept
     panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
@@ -90,18 +98,18 @@ void simplex(PanelBuilder& panel) {
       ++rows;
     }
   }
-  if (panel.knows.whole_support) {
+  if (candidate) {
     panel.subject = subject_of(panel.run, panel.state.support.pair);
-    panel.add("support", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
+    panel.add("support", diamond({panel.left + 8.0, panel.y - middle}, 7.0));
     panel.write("support.label", name_at, panel.run.pair_name(panel.state.support.pair),
                 type::kStrong);
     const bool known = panel.state.stop == gjk::StopReason::repeated_support;
     const bool decided = panel.knows.phase == Phase::stop;
     panel.write("support.label", x0,
-                !decided                                       ? "support point"
-                : known                                        ? "in S already: stop"
-                : panel.state.stop == gjk::StopReason::running ? "new: goes on"
-                                                               : "support point",
+                !decided                                       ? "V, support point"
+                : known                                        ? "V is in S: stop"
+                : panel.state.stop == gjk::StopReason::running ? "V is not in S"
+                                                               : "V, support point",
                 type::kBody);
     panel.y += kRow;
     ++rows;
@@ -126,7 +134,7 @@ void scan(PanelBuilder& panel) {
   const double top = panel.y;
   if (panel.run.point_query()) {
     scan_of(panel, record ? record->scan_y : none, false, panel.left, panel.right,
-            "Support scan: dot(d, vertex)");
+            "Dot product with d");
     return;
   }
   const double middle = 0.5 * (panel.left + panel.right);
@@ -178,7 +186,7 @@ void bounds(PanelBuilder& panel) {
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
     // Of all support lines so far, which need not be the one that is drawn.
-    const std::string line = "best support line";
+    const std::string line = "best line";
     constexpr double kBetween = 6.0;
     const double p_at = std::min(b, panel.right - 12.0);
     if (low > 0.0) {
@@ -240,7 +248,7 @@ void direction_rules(PanelBuilder& panel) {
     panel.write("body.muted", panel.left + 12.0,
                 !known                        ? ""
                 : found->dot_with_edge == 0.0 ? "exactly perpendicular"
-                                              : "not perpendicular: round-off of P",
+                                              : "not perpendicular: P is rounded",
                 type::kBody);
     panel.y += kRow + 6.0;
   }

@@ -20,9 +20,9 @@ std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
     case StopReason::zero_direction:
       return "d = 0";
     case StopReason::repeated_support:
-      return "support point in S";
+      return "V in S";
     case StopReason::no_progress:
-      return "support point no farther";
+      return "V no farther than S";
     case StopReason::within_tolerance:
       return "bounds close enough";
     default:
@@ -35,15 +35,15 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   switch (test.reason) {
     case StopReason::origin_inside:
-      return format("{:.0f} {}, 3 needed", test.left, test.left == 1.0 ? "vertex" : "vertices");
+      return format("{:.0f} {}, needs 3", test.left, test.left == 1.0 ? "vertex" : "vertices");
     case StopReason::zero_direction:
       return "|d| = " + number(panel.state.d.norm());
     case StopReason::repeated_support:
       return format("{} {}", panel.run.pair_name(panel.state.support.pair),
-                    test.holds ? "is there" : "is new");
+                    test.holds ? "is in S" : "is new");
     case StopReason::no_progress:
       return format("{} is {} farther", panel.run.pair_name(panel.state.support.pair),
-                    test.holds ? "no" : number(test.left - test.right));
+                    test.holds ? "no" : number((test.left - test.right) / panel.state.d.norm()));
     case StopReason::within_tolerance:
       return format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
     default:
@@ -64,7 +64,7 @@ void row(PanelBuilder& panel, TestMark mark, const std::string& name, const std:
   if (holds) panel.highlight("highlight.pass");
   test_mark(panel, mark);
   panel.write(tried ? "body" : "untried", panel.left + 24.0, name,
-              holds ? type::kStrong : TextStyle{Face::regular, 15});
+              holds ? type::kStrong : type::kBody);
   if (tried) {
     panel.write(holds ? "code.current" : "code", panel.right, values,
                 holds ? type::kCodeBold : type::kCode, Align::right);
@@ -103,7 +103,7 @@ bool decided(const PanelBuilder& panel, StopReason reason, bool follows_support)
 
 /// Whether P came nearer than in the iteration before, which is asked before there is a direction.
 void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* test) {
-  const std::string name = "P no nearer";
+  const std::string name = "P no closer";
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   std::vector<double> lengths;  // of this iteration and the one before
   for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
@@ -115,13 +115,13 @@ void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* t
       panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|";
   if (test && test->tried && test->holds) {
     return row(panel, TestMark::holds, name,
-               format("{} = {} as before", length, number(lengths[0])));
+               format("{} = {}, as before", length, number(lengths[0])));
   }
   row(panel, TestMark::fails, name, format("{} < {}", number(lengths[0]), number(lengths[1])));
 }
 
 void stop_tests(PanelBuilder& panel) {
-  panel.heading("Stop tests: the first that holds");
+  panel.heading("Stop tests (V: support point)");
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   const int stop = stop_step(panel);
   const bool follows_support = panel.run.run(panel.frame).follows_support(stop);

@@ -23,11 +23,11 @@ void weights(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   const int count = value.simplex.count;
   const bool point_query = panel.run.point_query();
-  panel.heading(count == 3   ? "Weights: fractional areas, signed"
-                : count == 2 ? "Weights: fractional lengths, signed"
+  panel.heading(count == 3   ? "Weights: signed fractions of area"
+                : count == 2 ? "Weights: signed fractions of length"
                              : "Weights");
   if (value.weights.empty()) {
-    panel.write("body.muted", panel.left, "the simplex is degenerate: no coordinates", type::kBody);
+    panel.write("body.muted", panel.left, "the simplex is degenerate: no weights", type::kBody);
     panel.y += kRow;
     return;
   }
@@ -50,9 +50,7 @@ void weights(PanelBuilder& panel) {
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
                 type::kStrong);
     panel.bar(x0, x1, kLow, kHigh, weight,
-              weight < 0.0 ? "weight.negative"
-              : coloured   ? format("weight.bar.{}", kLetters[i])
-                           : "weight.bar");
+              coloured ? format("weight.bar.{}", kLetters[i]) : "weight.bar");
     panel.write("code.current", panel.right,
                 panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
                                                                : panel.numbers.weight(weight),
@@ -210,9 +208,9 @@ void areas(PanelBuilder& panel) {
   const auto row = [&](const std::string& from, const std::string& to, const std::string& third,
                        double area, const std::string& weight) {
     panel.write("strong", panel.left, from + to + third, type::kStrong);
-    panel.write("code", panel.left + 48.0, format("½ cross({1} − {0}, {2} − {0})", from, to, third),
+    panel.write("code", panel.left + 42.0, format("½ cross({1} − {0}, {2} − {0})", from, to, third),
                 type::kCode);
-    panel.write("code", panel.right - 92.0, fixed(area, 3), type::kCode, Align::right);
+    panel.write("code", panel.right - 96.0, fixed(area, 3), type::kCode, Align::right);
     panel.write("code.current", panel.right, weight, type::kCodeBold, Align::right);
     panel.y += kRow;
   };

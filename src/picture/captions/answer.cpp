@@ -8,18 +8,18 @@
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
-namespace {
 
 using Eigen::Vector2d;
 using fmt::format;
 
-/// "vertex K of Y and edge CD of X", from the vertices whose differences hold P.
-std::string features(const Story& story) {
+std::string closest_features(const Story& story) {
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const Lesson& lesson = story.run.lesson;
   return format("{} of {} and {} of {}", feature_name(story.run, simplex, true), lesson.x().name,
                 feature_name(story.run, simplex, false), lesson.y().name);
 }
+
+namespace {
 
 /// Where P lies on Z.
 std::string place_of_p(const Story& story) {
@@ -31,7 +31,7 @@ std::string place_of_p(const Story& story) {
 
 void overlap(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = format("{} and {} share a point x = y, so y − x = 0: O lies in Z.",
+  text.caption = format("{} and {} overlap: they share a point x = y, so y − x = O lies in Z.",
                         lesson.x().name, lesson.y().name);
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
@@ -59,23 +59,26 @@ void warm_start(const Story& story, FrameText& text) {
                   result.simplex.vertices.begin() + result.simplex.count, in_start);
   if (story.frame.run == 0) {
     text.caption =
-        format("The first run has nothing to build on: from {} it takes {}.", starts, count);
+        format("No run came before this one: it starts cold from {} and takes {}.", starts, count);
   } else if (is_same) {
     text.caption =
-        format("Start from {}, where the last run ended: P is still there, {} confirms it.", starts,
+        format("Start from {}, where the last run ended. P is still there: {} confirms it.", starts,
                count);
   } else if (result.iterations == 1) {
     text.caption =
-        format("Start from {}, where the last run ended: {} finds the new P in it.", starts, count);
+        format("Start from {}, where the last run ended. The new P lies in it: {} finds it.",
+               starts, count);
   } else {
     text.caption = format(
-        "Start from {}, where the last run ended: P has left it, {} find it again.", starts, count);
+        "Start from {}, where the last run ended. P is no longer on that simplex; finding it takes "
+        "{}.",
+        starts, count);
   }
-  text.detail =
-      result.distance > 0.0
-          ? format("Closest now: {}, {} apart.", features(story), story.numbers(result.distance))
-          : format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
-                   story.run.lesson.y().name);
+  text.detail = result.distance > 0.0
+                    ? format("Closest are {}, {} apart.", closest_features(story),
+                             story.numbers(result.distance))
+                    : format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
+                             story.run.lesson.y().name);
   if (!story.run.lesson.has_block(blocks::kStarts.name)) return;
   const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
@@ -90,7 +93,7 @@ void warm_start(const Story& story, FrameText& text) {
     cold_sum += cold(i);
     warm_sum += story.run.runs[static_cast<std::size_t>(i)].trace.result.iterations;
   }
-  text.detail += format(" All {} runs together take {} iterations, cold starts {}.", last + 1,
+  text.detail += format(" All {} runs take {} iterations; cold starts would take {}.", last + 1,
                         warm_sum, cold_sum);
 }
 
@@ -106,14 +109,14 @@ std::string moves(const Story& story) {
                   story.numbers.point(x_by));
   }
   if (y_by.norm() == 0.0) {
-    return format("The {} moved by {}, so Z slides by {}: the opposite way.", lesson.x().name,
+    return format("The {} moved by {}, so Z slides by {}, the opposite way.", lesson.x().name,
                   story.numbers.point(x_by), z_by);
   }
   if (x_by.norm() == 0.0) {
-    return format("The {} moved by {}, and Z slides along by {}.", lesson.y().name,
+    return format("The {} moved by {}, and Z slides with it by {}.", lesson.y().name,
                   story.numbers.point(y_by), z_by);
   }
-  return format("Z slides by {}: what the {} moved, less what the {} moved.", z_by, lesson.y().name,
+  return format("Z slides by {}: the move of the {} minus that of the {}.", z_by, lesson.y().name,
                 lesson.x().name);
 }
 
@@ -121,14 +124,15 @@ void slide(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
   const double distance = story.trace.result.distance;
   const std::string change =
-      story.frame.run > 0 ? moves(story)
-                          : format("Z = {} − {}. Drawn around the {} it is the {} grown by the {}.",
-                                   lesson.y().name, lesson.x().name, lesson.y().name,
-                                   lesson.y().name, lesson.x().name);
+      story.frame.run > 0
+          ? moves(story)
+          : format("Z = {} − {}. Drawn around the {}, it is the {} grown by the {}.",
+                   lesson.y().name, lesson.x().name, lesson.y().name, lesson.y().name,
+                   lesson.x().name);
   if (distance > 0.0) {
     text.caption = change;
     text.detail =
-        format("The same distance three times, {}: {} to {}, p to the grown {}, O to Z.",
+        format("Three times the same distance, {}: {} to {}, p to the grown {}, O to Z.",
                story.numbers(distance), lesson.x().name, lesson.y().name, lesson.y().name);
   } else if (story.trace.result.verdict == gjk::Verdict::touching) {
     text.caption =
@@ -147,8 +151,8 @@ std::string weighted(const Story& story, const std::vector<std::string>& names) 
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   if (simplex.count == 1) return names[0];
   std::string out;
-  for (int i = 0; i < simplex.count; ++i) {
-    if (i > 0) out += " + ";
+  for (const int i : SimplexWords(story.run, simplex).order(simplex.all())) {
+    if (!out.empty()) out += " + ";
     out += story.numbers.weight(simplex.weights[i]) + " " + names[static_cast<std::size_t>(i)];
   }
   return out;
@@ -172,12 +176,12 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
   const std::string letter = of_x ? "x" : "y";
   const bool one_vertex =
       std::all_of(names.begin(), names.end(), [&](const auto& name) { return name == names[0]; });
-  text.caption = format("On the vertices of {} the same weights give {} = {}.", shape.name, letter,
+  text.caption = format("The same weights on the vertices of {} give {} = {}.", shape.name, letter,
                         weighted(story, names));
   const std::string point = story.numbers.point(of_x ? result.x : result.y);
   if (!one_vertex) {
-    text.detail = format("{} = {} is the point of {} that is closest to {}.", letter, point,
-                         shape.name, of_x ? story.run.lesson.y().name : story.run.lesson.x().name);
+    text.detail = format("{} = {} is the point of {} closest to {}.", letter, point, shape.name,
+                         of_x ? story.run.lesson.y().name : story.run.lesson.x().name);
   } else if (names.size() == 1) {
     text.detail =
         format("P is a single difference, so {} is {} itself: {}.", letter, names[0], point);
@@ -195,10 +199,10 @@ void answer(const Story& story, FrameText& text) {
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
   text.caption =
-      format("{} and {} are {} apart, and O is as far from Z: it is the same arrow y − x.",
+      format("{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
              story.run.lesson.x().name, story.run.lesson.y().name,
              story.numbers(story.trace.result.distance));
-  text.detail = format("Closest are {}, so P {}.", features(story), place_of_p(story));
+  text.detail = format("Closest are {}, so P {}.", closest_features(story), place_of_p(story));
 }
 
 void witness(const Story& story, FrameText& text) {
@@ -216,7 +220,8 @@ void witness(const Story& story, FrameText& text) {
                  weighted(story, of_z));
       text.detail =
           "Each difference remembers its two vertices. Put the weights on those: first on Y's, "
-          "then on X's.";
+          "then "
+          "on X's.";
       return;
     case WitnessPart::on_y:
       return carried_back(story, false, text);
@@ -225,11 +230,11 @@ void witness(const Story& story, FrameText& text) {
     case WitnessPart::distance:
       if (!(result.distance > 0.0)) return overlap(story, text);
       text.caption =
-          format("y − x = {} − {} = {} is P, so |y − x| = |P| = {}.", story.numbers.point(result.y),
+          format("y − x = {} − {} = {} = P, so |y − x| = |P| = {}.", story.numbers.point(result.y),
                  story.numbers.point(result.x), story.numbers.point(result.y - result.x),
                  story.numbers(result.distance));
-      text.detail =
-          format("Closest are {}: the two indices of each difference say which.", features(story));
+      text.detail = format("Closest are {}: the two letters of each difference say which.",
+                           closest_features(story));
   }
 }
 

@@ -31,6 +31,9 @@ void balance(const Story& story, FrameText& text) {
   const std::string winner = turning[0] > turning[1] ? a : b;
   const std::string more = format("{} against {}", number(std::max(turning[0], turning[1])),
                                   number(std::min(turning[0], turning[1])));
+  // Q jumps from one position to the next.
+  const std::string moved =
+      story.frame.run > 0 && *story.frame.moment == 0 ? story.q + " has moved. " : std::string();
   const bool missing = u < 0.0 || v < 0.0;
   const int empty = u < 0.0 ? 0 : 1;
   const std::string nobody = empty == 0 ? a : b;
@@ -45,64 +48,69 @@ void balance(const Story& story, FrameText& text) {
             : format("{} is down by {}°", tilt > 0.0 ? a : b, fixed(std::abs(tilt), 1));
   const double share = beam.seconds / story.run.lesson.time->seconds;
   if (beam.seconds == 0.0) {
-    text.caption = missing ? format(
-                                 "The weights are {} and {}. A mass cannot be negative: {} stays "
-                                 "empty, {} gets {}.",
-                                 number(u), number(v), nobody, end, number(masses[1 - empty]))
-                           : format("u and v become masses at {} and {}: {} and {}.", a, b,
-                                    number(u), number(v));
-    text.detail = equal ? "The beam hangs by its middle. Equal masses: it will stay level."
+    text.caption = missing
+                       ? format(
+                             "{}The weights are u = {} and v = {}. No mass is negative: {} stays "
+                             "empty, {} gets {}.",
+                             moved, number(u), number(v), nobody, end, number(masses[1 - empty]))
+                       : format("{}The masses at {} and {} are the weights u = {} and v = {}.",
+                                moved, a, b, number(u), number(v));
+    text.detail = equal ? "The beam hangs from its middle. Equal masses: it stays level."
                         : format(
-                              "The beam hangs by its middle, where {} turns it more, {}: that "
-                              "end will go down.",
-                              heavier, more);
+                              "The beam hangs from its middle. {}'s moment is larger, {}: {} will "
+                              "sink.",
+                              heavier, more, heavier);
   } else if (share <= kSupportStarts) {
     if (equal) {
-      text.caption = format("Equal masses balance in the middle: {} at {} against {} at {}.",
-                            product(0), a, product(1), b);
-      text.detail = "G = uA + vB is the middle, so that the support need not move.";
+      text.caption = format("Equal masses balance in the middle: {} at {}, {} at {}.", product(0),
+                            a, product(1), b);
+      text.detail = "G = uA + vB is the middle, so the support need not move.";
     } else {
-      text.caption = format("{} is heavier, and turns the beam more, {}: {}{}.", heavier, more,
-                            tilts, beam.on_ground ? ", on the ground" : " so far");
+      text.caption = format("{}'s moment is larger, {}: {}{}.", heavier, more, tilts,
+                            beam.on_ground ? ", on the ground" : " so far");
       text.detail = beam.on_ground
                         ? format("Next, the support slides towards {}, to G = uA + vB.", heavier)
-                        : "It goes down until the ground stops it.";
+                        : "It sinks until the ground stops it.";
     }
   } else if (missing && arms[1 - empty] < 0.0) {
     const std::string reason = format(
-        "{} is on {}'s side of the support: its arm {} counts negative, and on the other side "
-        "nothing pulls.",
-        end, nobody, number(arms[1 - empty]));
+        "The only mass, at {}, is now on {}'s side of the support (arm {}): {} will sink instead.",
+        end, nobody, number(arms[1 - empty]), nobody);
     if (share < kSupportArrives) {
-      text.caption = format("The support slides on, past {}: the beam tips.", end);
+      text.caption =
+          format("The support has passed {}: the moment now turns the beam the other way.", end);
       text.detail = reason;
       return;
     }
     text.caption = format(
-        "G lies beyond {}: to balance there, {} would need the mass {}. It has none: the beam {}.",
-        end, nobody, number(std::min(u, v)), beam.on_ground ? "has tipped" : "tips");
-    text.detail =
-        beam.on_ground
-            ? format(
-                  "Masses that are not negative balance at {0} at the farthest, and that is the "
-                  "closest point: P = {0}.",
-                  end)
-            : reason;
+        "G lies beyond {}. To balance there, {} would need the mass {}. No mass is negative: the "
+        "beam {}.",
+        end, nobody, number(std::min(u, v)),
+        beam.on_ground ? format("has tipped over to {}", nobody)
+                       : format("tips over to {}", nobody));
+    text.detail = beam.on_ground ? format(
+                                       "The farthest point where masses can balance is {0}, and "
+                                       "{0} is the closest point: "
+                                       "P = {0}.",
+                                       end)
+                                 : reason;
   } else if (share < kSupportArrives) {
     text.caption =
         equal ? format("The support is where it must be, and {}.", tilts)
-              : format("The support slides towards {}: its arm gets shorter, that of {} longer.",
+              : format("The support slides towards {0}: {0}'s arm gets shorter, {1}'s longer.",
                        heavier, lighter);
-    text.detail = format("Now {} at {} against {} at {}: {}.", product(0), a, product(1), b, tilts);
+    text.detail = format("The moments are now {} at {} and {} at {}; {}.", product(0), a,
+                         product(1), b, tilts);
   } else if (rests) {
-    text.caption = format("On G = uA + vB both sides turn alike, {} = {}: the beam {}.", product(0),
-                          product(1), equal ? "stays level" : "is level again");
-    text.detail = format("G is the balance point of the masses: {} of the way from {} to {}.",
-                         number(v), a, b);
-  } else {
-    text.caption = format("{} turns the beam more now, {}: it swings back to level.", winner, more);
+    text.caption = format("{}On G = uA + vB the moments are equal, {} = {}: the beam {}.", moved,
+                          product(0), product(1), equal ? "stays level" : "is level again");
     text.detail =
-        format("The support is on G = uA + vB; {}. Level, both sides will turn alike.", tilts);
+        format("G is the balance point: v = {} of the way from {} to {}.", number(v), a, b);
+  } else {
+    text.caption =
+        format("Now {}'s moment is larger, {}: the beam swings back to level.", winner, more);
+    text.detail =
+        format("The support is on G = uA + vB; {}. At level the moments are equal.", tilts);
   }
 }
 

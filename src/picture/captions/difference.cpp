@@ -18,8 +18,9 @@ void pairs(const Story& story, FrameText& text) {
         format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
                y, per_x, all / per_x, all);
     text.detail =
-        "Each difference is a point of the view beside it: the arrow from the vertex of X to "
-        "the vertex of Y, moved so that it starts at O = (0, 0).";
+        "Each difference is an arrow from a vertex of X to a vertex of Y, moved so that it starts "
+        "at "
+        "O = (0, 0).";
   } else if (*story.frame.pairs <= all) {
     const gjk::VertexPair pair{(*story.frame.pairs - 1) / per_x, (*story.frame.pairs - 1) % per_x};
     const Vector2d a = story.positioned.x().world[pair.x];
@@ -32,13 +33,16 @@ void pairs(const Story& story, FrameText& text) {
   } else {
     const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();
     text.caption = format(
-        "The hull of the {} points is the Minkowski difference Z = {} − {}; {} of them are its "
+        "The convex hull of the {} points is the Minkowski difference Z = {} − {}. {} of them are "
+        "its "
         "vertices.",
         all, y, x, corners);
     text.detail =
         story.trace.result.distance > 0.0
-            ? format("O lies outside, at distance {}: exactly the distance between {} and {}.",
-                     story.numbers(story.trace.result.distance), x, y)
+            ? format(
+                  "O lies {} outside Z, and {} and {} are {} apart: the two distances are equal.",
+                  story.numbers(story.trace.result.distance), x, y,
+                  story.numbers(story.trace.result.distance))
             : format("O lies inside: {} and {} overlap.", x, y);
   }
 }

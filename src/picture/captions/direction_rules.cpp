@@ -3,12 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
 
 using fmt::format;
+
+namespace {
+
+/// "0.00008": the degrees by which a direction misses being perpendicular to the simplex, with one
+/// digit.
+std::string off_by(const Story& story, const Eigen::Vector2d& d) {
+  const Eigen::Vector2d edge =
+      story.state.simplex.vertices[1].w - story.state.simplex.vertices[0].w;
+  const double degrees =
+      std::asin(std::abs(d.dot(edge)) / (d.norm() * edge.norm())) * 180.0 / std::numbers::pi;
+  const int decimals = degrees > 0.0 ? static_cast<int>(std::ceil(-std::log10(degrees))) : 0;
+  return fixed(degrees, std::max(decimals, 0));
+}
+
+}  // namespace
 
 void direction_rules(const Story& story, FrameText& text) {
   const DirectionRules::Value& rules = story.effects.get<DirectionRules>(story.frame);
@@ -22,13 +39,17 @@ void direction_rules(const Story& story, FrameText& text) {
   const std::string edge = story.words.vertex(1) + " − " + story.words.vertex(0);
   const std::string value = story.numbers(towards->dot_with_edge);
   if (story.knows.phase_is(gjk::Phase::direction)) {
-    text.caption = format("d = {0} − P should be perpendicular to {1}, but dot(d, {2}) = {3}.",
-                          story.q, story.edge_words(), edge, value);
-    text.detail = format("d = cross({}, z) has a dot product of exactly 0 with the edge.", edge);
+    text.caption =
+        format("d = {0} − P should be perpendicular to {1}, but dot(d, {2}) = {3}, not 0.", story.q,
+               story.edge_words(), edge, value);
+    text.detail = format(
+        "That is {}° off, too little to see. With d = cross({}, z) the dot product is exactly 0.",
+        off_by(story, towards->d), edge);
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     text.detail = format(
-        "The distance is {}. Among more vertices a d as wrong as this can pick the wrong one.",
-        story.numbers(story.trace.result.distance));
+        "The distance is {}. Being {}° off, d did no harm here. Larger errors can find a wrong "
+        "vertex.",
+        story.numbers(story.trace.result.distance), off_by(story, towards->d));
   }
 }
 

@@ -26,24 +26,20 @@ double each_tenfold(const Sample& from, const Sample& to) {
 void size(const Sample& sample, FrameText& text) {
   const std::string iterations = fixed(sample.iterations, 1);
   const std::string calls = fixed(sample.support_calls, 1);
-  text.caption = format("n = {}: {} iterations on average, {} at most; {} {} that Larsen reports.",
+  text.caption = format("n = {}: {} iterations on average, {} in the worst run; {} {} of Larsen.",
                         grouped(sample.vertices), iterations, sample.most_iterations,
                         sample.iterations > Growth::kLarsenMost    ? "more than the"
                         : sample.iterations < Growth::kLarsenLeast ? "fewer than the"
                                                                    : "within the",
                         larsen());
-  text.detail =
-      format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
-             grouped(all_differences(sample)),
-             calls == iterations
-                 ? ""
-                 : format(", with {} support calls: some runs end before a last search", calls));
-  text.detail +=
-      sample.is_climbed
-          ? format("Climbing from vertex to neighbour looks at {} vertices, scanning at {}.",
-                   grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
-          : format("Scanning looks at every vertex in each support call, at {} in all.",
-                   grouped(sample.seen_vertices));
+  text.detail = format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
+                       grouped(all_differences(sample)),
+                       calls == iterations ? "" : format(" in {} support calls", calls));
+  text.detail += sample.is_climbed
+                     ? format("Climbing looks at {} vertices, scanning at {}.",
+                              grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
+                     : format("Each support call scans every vertex: {} in all.",
+                              grouped(sample.seen_vertices));
 }
 
 /// The first size that takes more than Larsen's iterations; the end when there is none.
@@ -68,16 +64,16 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
   if (above != measured.end()) {
     const Sample& from = above == measured.begin() ? *above : *(above - 1);
     if (&from != &last) {
-      text.detail = format("From there ten times as many vertices add about {}. ",
+      text.detail = format("Beyond, ten times as many vertices add about {}. ",
                            fixed(each_tenfold(from, last), 1));
     }
   }
   const auto [least, most] = std::minmax_element(
       measured.begin(), measured.end(),
       [](const auto& a, const auto& b) { return a.within_tolerance < b.within_tolerance; });
-  text.detail += format("To be within {:g} % of the distance, {} to {} were enough at every n.",
-                        100.0 * tolerance, fixed(least->within_tolerance, 1),
-                        fixed(most->within_tolerance, 1));
+  text.detail += format(
+      "For {:g} %, {} to {} are enough at every n. Larsen's numbers are for polyhedra.",
+      100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
 }
 
 }  // namespace

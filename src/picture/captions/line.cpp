@@ -20,19 +20,20 @@ void line(const Story& story, FrameText& text) {
   const bool on_line = g->norm() < 1e-9 * built->length;
   if (!on_line) {
     text.caption = format(
-        "G need not be found first: {0} − G is perpendicular to n, so that dot({1} − {0}, n) is "
-        "dot({1} − G, n) = {2}.",
+        "{0} does it without G: {0} − G is perpendicular to n, so dot({1} − {0}, n) = dot({1} − G, "
+        "n) = {2}.",
         story.q, b, story.numbers(built->of_g.to_b));
     text.detail =
-        format("So straight from {}: u = {} / {} = {} and v = {} / {} = {}.", story.q,
+        format("So from {} itself: u = {} / {} = {} and v = {} / {} = {}.", story.q,
                story.numbers(built->of_q.to_b), story.numbers(built->length), weight(u),
                story.numbers(built->of_q.from_a), story.numbers(built->length), weight(v));
     return;
   }
   if (u > 0.0 && v > 0.0) {
     text.caption = format(
-        "G = uA + vB divides {0}{1}: from G to {1} is u = {2} of its length, from {0} to G is v = "
-        "{3}.",
+        "G = uA + vB divides {0}{1}: from G to {1} it is u = {2} of the length, from {0} to G it "
+        "is "
+        "v = {3}.",
         a, b, weight(u), weight(v));
   } else if (v < 0.0 || u < 0.0) {
     const bool before = v < 0.0;
@@ -43,7 +44,7 @@ void line(const Story& story, FrameText& text) {
         weight(before ? v : u), before ? "u" : "v", weight(before ? u : v));
   } else {
     const bool at_b = v > 0.0;
-    text.caption = format("G is {}: from {} to {} is the whole length, so u = {} and v = {}.",
+    text.caption = format("G is {}: from {} to {} it is the whole length, so u = {} and v = {}.",
                           at_b ? b : a, at_b ? a : "G", at_b ? "G" : b, weight(u), weight(v));
   }
   text.detail = format("u = {} / {} and v = {} / {}; u + v = 1 on the whole line.",

@@ -37,7 +37,7 @@ std::string negatives(const Story& story) {
     ++count;
   }
   return count == 0 ? "no coordinate is negative"
-                    : out + (count == 1 ? " alone is negative" : " are negative");
+                    : out + (count == 1 ? " is negative" : " are negative");
 }
 
 std::string edge_opposite(const Story& story, int vertex) {
@@ -47,9 +47,9 @@ std::string edge_opposite(const Story& story, int vertex) {
 
 void negative(const Story& story, FrameText& text, int i) {
   const std::string edge = edge_opposite(story, i);
-  text.caption = format("{} is negative beyond {}: a whole half-plane.", "uvw"[i], edge);
+  text.caption = format("{} is negative in the whole half-plane beyond {}.", "uvw"[i], edge);
   text.detail =
-      format("The Voronoi region of {} is only the band of it that projects onto {}.", edge, edge);
+      format("The Voronoi region of {} is only the part of it that projects onto {}.", edge, edge);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ void maps(const Story& story, FrameText& text) {
   switch (*story.frame.map) {
     case MapStage::voronoi:
       text.caption =
-          format("Voronoi map: a point's region names its closest feature, for {} it is {}.",
+          format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
                  story.q, region);
       text.detail =
           "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
@@ -68,8 +68,8 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::interior:
       text.caption = "Sign map: u, v and w are all positive inside the triangle.";
       text.detail =
-          "The lines are the edges, prolonged: on each of them one of the three is 0. Next: where "
-          "it is negative.";
+          "The lines extend the edges: on each of them one of u, v and w is 0. Next: where is it "
+          "negative?";
       return;
     case MapStage::negative_u:
       return negative(story, text, 0);
@@ -78,27 +78,26 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::negative_w:
       return negative(story, text, 2);
     case MapStage::signs:
-      text.caption = format("The half-planes overlap: beyond {} two are negative at once, v and w.",
+      text.caption = format("The half-planes overlap: beyond {}, v and w are both negative.",
                             story.words.vertex(0));
       text.detail =
           "Three lines make seven regions again, one for each feature, but with other borders.";
       return;
     case MapStage::blended:
-      text.caption = "Both maps at once: they agree inside, and the borders outside are others.";
+      text.caption = "Both maps at once: they agree inside the triangle, but not outside.";
       text.detail =
-          "Voronoi borders (dashed) are normal to the edges; sign borders are the edges, "
-          "prolonged.";
+          "Voronoi borders (dashed) are perpendicular to the edges; sign borders extend the edges.";
       return;
     case MapStage::difference: {
       const gjk::Face face = by_signs(story);
       const bool agree = face == story.state.region;
-      text.caption = agree ? format("At {}, {}: the signs name {}, and that is the closest.",
+      text.caption = agree ? format("At {}, {}. The signs name {}, and it is the closest feature.",
                                     story.q, negatives(story), region)
-                           : format("At {}, {}, as if {} were closest, but {} is.", story.q,
+                           : format("At {}, {}. The signs name {}, but {} is closest.", story.q,
                                     negatives(story), feature(story, face), region);
       text.detail =
-          "Marked: where the maps disagree. The signs of u, v and w find the region only with "
-          "further tests.";
+          "Marked: where the maps disagree. The signs alone do not find the region; further tests "
+          "do.";
       return;
     }
   }
@@ -109,12 +108,10 @@ void orders(const Story& story, FrameText& text) {
   if (chains.empty()) return;
   const OrderStage stage = *story.frame.order;
   if (stage == OrderStage::numbers) {
-    text.caption =
-        format("The coordinates of {} come first; in which order to test them is ours to choose.",
-               story.q);
+    text.caption = format(
+        "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
     text.detail =
-        "A short test of an edge only asks whether its area is negative: for AB, wABC ≤ 0. Next: "
-        "vertices first.";
+        "A short edge test asks for the sign of one area: for AB, wABC ≤ 0. Next: vertices first.";
     return;
   }
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
@@ -124,34 +121,33 @@ void orders(const Story& story, FrameText& text) {
   const std::string taken = story.words.face(chain.region);
   if (chain.error > 0.0) {
     text.caption = format(
-        "{} first: the short test of {} is true in the shaded half-plane, and takes P′, wrong by "
-        "|P′ − P| = {}.",
+        "{} first: the short test of {} is true in the whole shaded half-plane. It gives P′, wrong "
+        "by |P′ − P| = {}.",
         chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
         story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
-    text.detail = format("P′ {}: it is at {} from {}, the triangle at {}. Next: whole tests.",
+    text.detail = format("P′ {}: it is {} from {}, the triangle {}. Next: whole tests.",
                          off ? "is not even on " + taken : "is on the wrong edge", distance,
                          story.q, story.distance());
   } else if (stage == OrderStage::vertices_first_short) {
     text.caption =
         format("Vertices first: the first true test is that of {}, and it is right.", region);
-    text.detail = format("P = P′, at distance {}. {} Next: the same tests, edges first.", distance,
-                         is_edge ? "With the vertices ruled out, the shaded short test will do."
-                                 : "The edges are never asked.");
+    text.detail = format("P′ = P, at distance {}. {} Next: the same tests, edges first.", distance,
+                         is_edge ? "Once the vertices are ruled out, the short test is enough."
+                                 : "The edges are not tested.");
   } else if (stage == OrderStage::edges_first_short) {
     text.caption = format(
-        "Edges first: the short test of {} is true in the shaded half-plane, and here it is "
-        "right.",
+        "Edges first: the short test of {} is true in the shaded half-plane, and here it is right.",
         taken);
     text.detail =
-        format("{} projects onto the edge itself, so that P′ is P. Next: whole tests.", story.q);
+        format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
   } else {
-    text.caption =
-        format("Whole tests also ask for u, v > 0 on the edge: edges first, and still {}.", region);
+    text.caption = format(
+        "Whole tests also ask for u, v > 0 on the edge. Edges first, they still give {}.", region);
     text.detail = format(
-        "P = P′, at distance {}. No two of these six are true at once: any order of them will "
-        "do. The interior is what is left.",
+        "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
+        "The interior is left.",
         distance);
   }
 }

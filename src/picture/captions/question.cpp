@@ -52,9 +52,9 @@ class Asking {
       return;
     }
     const std::vector<std::string> of_x = some_vertices(x, pair.x);
-    text_.caption =
-        format("Question: which vertex of {} lies farthest along d, and which of {} along −d?",
-               y.name, x.name);
+    text_.caption = format(
+        "Question: which vertex of {} lies farthest along d, and which vertex of {} along −d?",
+        y.name, x.name);
     text_.detail =
         format("{}: {}      {}: {}", y.name, listed(asked_.choices), x.name, listed(of_x));
     std::vector<std::string> pairs;
@@ -91,22 +91,43 @@ class Asking {
                     : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)
                                           : "two of them";
     text_.caption =
-        format("Question: which vertex of the {} will P not need, so that it is dropped?",
+        format("Question: which vertex of the {} can P do without, so that GJK drops it?",
                gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
     text_.detail = listed(asked_.choices);
   }
 
   void stop() {
-    const bool stops = next_step().after.stop != gjk::StopReason::running;
-    asked_.choices = {"no", "yes"};
-    asked_.answer = stops ? "yes" : "no";
-    text_.caption = "Question: will GJK stop in this iteration, and why?";
-    text_.detail = format(
-        "It stops when the support point is no news, when {} is inside, or when P gets no closer.",
-        story_.q);
+    asked_.choices = {"no",   "V in S", "V no farther", "P no closer", story_.q + " inside S",
+                      "d = 0"};
+    asked_.answer = stop_test();
+    if (std::find(asked_.choices.begin(), asked_.choices.end(), asked_.answer) ==
+        asked_.choices.end())
+      asked_.choices.push_back(asked_.answer);
+    text_.caption =
+        "Question: will GJK stop in this iteration, and by which test? V is the support point.";
+    text_.detail = listed(asked_.choices);
   }
 
  private:
+  /// The test that ends the run in this iteration, or "no".
+  [[nodiscard]] std::string stop_test() const {
+    const gjk::StopReason stop = next_step().after.stop;
+    switch (stop) {
+      case gjk::StopReason::running:
+        return "no";
+      case gjk::StopReason::repeated_support:
+        return "V in S";
+      case gjk::StopReason::no_progress:
+        return step_.phase == gjk::Phase::support ? "V no farther" : "P no closer";
+      case gjk::StopReason::origin_inside:
+        return story_.q + " inside S";
+      case gjk::StopReason::zero_direction:
+        return "d = 0";
+      default:
+        return std::string(name_of(stop));
+    }
+  }
+
   /// Where what is asked for happens, if not in the step that tells it.
   [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];

@@ -28,10 +28,9 @@ std::string region_reason(const Story& story) {
     if (test.holds) won = &test;
   }
   if (simplex.count == 1)
-    return format("The simplex is the single point {0}, so {0} is its closest point to {1}.",
-                  story.words.vertex(0), story.q);
+    return format("S is the single point {0}, so P = {0}.", story.words.vertex(0));
   if (!won)
-    return format("Rounding left every test false; the nearest candidate is the {}.",
+    return format("Rounding makes every test false. The nearest candidate is the {}.",
                   story.words.kind_and_face(face));
   if (gjk::vertex_count(face) == 3)
     return format("{} lies inside {}: all three weights are positive.", story.q,
@@ -45,21 +44,21 @@ std::string region_reason(const Story& story) {
     }
     const std::vector<gjk::RegionTerm<double>> terms = story.words.terms(*won);
     return format(
-        "{0} lies in the Voronoi region of {1}: onto both edges of {1} it projects beyond {1} ({2} "
-        "= {3}, {4} = {5}).",
+        "{0} lies in the Voronoi region of {1}: on the lines of both edges at {1} it projects "
+        "beyond "
+        "{1} ({2} = {3}, {4} = {5}).",
         story.q, vertex, story.words.coordinate(terms[0].face, terms[0].vertex),
         story.weight(terms[0]), story.words.coordinate(terms[1].face, terms[1].vertex),
         story.weight(terms[1]));
   }
   if (simplex.count == 2)
-    return format("{} lies in the Voronoi region of {}: both weights are positive.", story.q,
+    return format("{} projects between the ends of {}: both weights are positive.", story.q,
                   story.edge_name(face));
   for (const gjk::RegionTerm<double>& term : won->terms) {
     if (term.wants_positive) continue;
     if (term.denominator == 0.0) {
       return format(
-          "{} lies in the region of {}: {} has area 0 and no weights, so its interior holds "
-          "nothing; {} "
+          "{} lies in the region of {}: {} has area 0 and no weights, so no point lies inside. {} "
           "projects onto {}.",
           story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
           story.edge_name(face));
@@ -71,15 +70,18 @@ std::string region_reason(const Story& story) {
     if (names_coordinates(story)) {
       const std::vector<int> ends = story.words.order(face);
       return format(
-          "{0} lies in the region of {1}: beyond {1}, as {2} = {3} says, and it projects between "
-          "{4} and {5}.",
+          "{0} lies in the region of {1}: it lies beyond {1}, since {2} = {3} < 0, and "
+          "projects between {4} and {5}.",
           story.q, story.edge_name(face), story.words.coordinate(term.face, term.vertex),
           story.weight(term), story.words.vertex(ends[0]), story.words.vertex(ends[1]));
     }
+    const std::vector<int> ends = story.words.order(face);
     return format(
-        "{} lies in the region of {}: it projects onto that edge from beyond, as the signed area "
-        "fraction of {}, {}, says.",
-        story.q, story.edge_name(face), story.words.vertex(term.vertex), story.weight(term));
+        "{} lies beyond {}, seen from {} (area fraction {} < 0), and projects between {}.", story.q,
+        story.edge_name(face), story.words.vertex(term.vertex), story.weight(term),
+        story.run.point_query()
+            ? format("{} and {}", story.words.vertex(ends[0]), story.words.vertex(ends[1]))
+            : "its ends");
   }
   return {};
 }
@@ -124,20 +126,20 @@ void areas(const Story& story, FrameText& text) {
     edges += (count > 0 ? " and " : "") + edge;
     ++count;
   }
-  sum += thousandths == 1000 ? " = 1" : " = 1, but for the digits left out";
+  sum += thousandths == 1000 ? " = 1" : " = 1 before rounding";
   if (count == 0) {
-    text.caption =
-        format("All three areas are positive: {} lies inside, and they fill {}.", story.q, whole);
-    text.detail = format("u + v + w = {}. The linear system says the same: uA + vB + wC is {}.",
-                         sum, story.q);
+    text.caption = format("{} lies inside: all three areas are positive and together fill {}.",
+                          story.q, whole);
+    text.detail =
+        format("u + v + w = {}. The linear system says the same: uA + vB + wC = {}.", sum, story.q);
     return;
   }
   text.caption = format("{} {} negative: {} lies beyond {}.", negatives, count == 1 ? "is" : "are",
                         story.q, edges);
   text.detail =
-      format("{} {} {} by just {}, which {} negative: {}.", parts_of(story, coordinates, false),
-             count == 1 ? "together exceed" : "exceeds", whole, parts_of(story, coordinates, true),
-             count == 1 ? "counts" : "count", sum);
+      format("{} {} negative: {} {} larger than {} by exactly that much. So {}.",
+             parts_of(story, coordinates, true), count == 1 ? "counts" : "count",
+             parts_of(story, coordinates, false), count == 1 ? "together are" : "is", whole, sum);
 }
 
 /// A lesson that shows no weights is told by features: weights may be new to its reader.
@@ -154,6 +156,15 @@ gjk::Face next_region(const Story& story) {
   return story.run.runs[next].trace.steps.front().after.region;
 }
 
+/// "AB and CA": the edges of a triangle that end at a vertex.
+std::string edges_at(const Story& story, gjk::Face vertex) {
+  std::string out;
+  for (const gjk::Face edge : {gjk::Face{0b011}, gjk::Face{0b110}, gjk::Face{0b101}}) {
+    if ((edge & vertex) != 0) out += (out.empty() ? "" : " and ") + story.words.face(edge);
+  }
+  return out;
+}
+
 void features(const Story& story, FrameText& text) {
   const gjk::Face face = story.state.region;
   const std::string name = story.words.face(face);
@@ -162,18 +173,18 @@ void features(const Story& story, FrameText& text) {
       text.caption =
           format("{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
                  story.q, name);
-      text.detail =
-          format("So all else of both is farther: the vertex {} is closest, at distance {}.", name,
-                 story.distance());
+      text.detail = format(
+          "Every other point of {} is farther, and the interior lies behind them. So P = {}, at "
+          "distance {}.",
+          edges_at(story, face), name, story.distance());
       break;
     case 2: {
       const std::vector<int> ends = story.words.order(face);
-      text.caption = format(
-          "{0} lies in region {1}: beyond {1}, and its projection onto {1} falls between {2} and "
-          "{3}.",
-          story.q, name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
+      text.caption =
+          format("{0} lies in region {1}: it lies beyond {1} and projects between {2} and {3}.",
+                 story.q, name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
       text.detail = format(
-          "That projection is the closest point P, at distance {}: the triangle lies behind {}.",
+          "The projection is the closest point P, at distance {}: the triangle lies behind {}.",
           story.distance(), name);
       break;
     }
@@ -184,7 +195,7 @@ void features(const Story& story, FrameText& text) {
   }
   const gjk::Face next = next_region(story);
   if (next == 0 || next == face) return;
-  text.detail += gjk::vertex_count(next) == 3 ? format(" Next, {} is inside.", story.q)
+  text.detail += gjk::vertex_count(next) == 3 ? format(" Next, {} moves inside.", story.q)
                                               : format(" Next: region {}.", story.words.face(next));
 }
 
@@ -197,10 +208,9 @@ std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
                                : format("{} lies on the triangle's side of {}.", story.q, opposite);
   }
   const std::string edge = story.words.face(term.face);
-  if (term.wants_positive)
-    return format("Projected onto {}, {} falls beyond the end.", edge, story.q);
+  if (term.wants_positive) return format("{} projects beyond an end of {}.", story.q, edge);
   const gjk::Face other = static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex));
-  return format("Projected onto {}, {} falls on {}'s side of {}.", edge, story.q,
+  return format("On the line {}, {} projects to {}'s side of {}.", edge, story.q,
                 story.words.vertex(term.vertex), story.words.face(other));
 }
 
@@ -212,12 +222,14 @@ void projection(const Story& story, FrameText& text) {
   const bool before = story.state.region == 0b01;
   const std::string end = before ? a : b;
   text.caption =
-      between ? format("{} projects to G, between {} and {}: it lies in region {}{}, and P is G.",
-                       story.q, a, b, a, b)
-              : format("{} projects to G, beyond {}: it lies in region {}, and P is {}.", story.q,
-                       end, end, end);
-  text.detail = format("Distance {}: every other point of {}{} is farther from G, and so from {}.",
-                       story.distance(), a, b, story.q);
+      between
+          ? format("{0} projects to G, between {1} and {2}: {0} lies in region {1}{2}, and P = G.",
+                   story.q, a, b)
+          : format("{0} projects to G, beyond {1}: {0} lies in region {1}, and P = {1}.", story.q,
+                   end);
+  text.detail =
+      format("The distance is {}: every other point of {}{} is farther from G, and so from {}.",
+             story.distance(), a, b, story.q);
   const gjk::Face next = next_region(story);
   if (next == 0 || next == story.state.region) return;
   const gjk::Face passed = between ? next : story.state.region;
@@ -244,7 +256,10 @@ void closest(const Story& story, FrameText& text) {
     text.detail = format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
     return;
   }
-  text.detail = format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
+  text.detail =
+      story.state.simplex.count == 1
+          ? format("Its distance from {} is {}.", story.q, story.distance())
+          : format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
 }
 
 void region_test(const Story& story, FrameText& text) {
@@ -255,7 +270,7 @@ void region_test(const Story& story, FrameText& text) {
     if (simplex.count == 2) {
       const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
       text.detail = format(
-          "u = {} and v = {} are fractions of the length of {}, signed. The first true test "
+          "u = {} and v = {} are signed fractions of the length of {}. The first true test "
           "decides.",
           story.numbers.weight(weights.numerator[0] / weights.denominator),
           story.numbers.weight(weights.numerator[1] / weights.denominator),
@@ -263,9 +278,8 @@ void region_test(const Story& story, FrameText& text) {
     } else {
       const std::string edge = story.words.face(0b011);
       text.detail = format(
-          "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; those in the "
-          "triangle are u{3}, v{3} and w{3}. Vertices are tested first, then edges, then what is "
-          "left.",
+          "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; u{3}, v{3} and "
+          "w{3} are those in the triangle.",
           edge, story.words.vertex(0), story.words.vertex(1), story.words.face(0b111));
     }
     return;
@@ -287,8 +301,10 @@ void region_test(const Story& story, FrameText& text) {
       format("Not region {}: {} = {} is {}positive.", story.words.face(test.region), coordinate,
              story.signed_weight(*failed), failed->wants_positive ? "not " : "");
   const gjk::RegionTest<double>& next = story.knows.region_tests[*story.frame.tests];
-  text.detail =
-      format("{} Next test: region {}.", where(story, *failed), story.words.face(next.region));
+  const bool is_left = next.region == simplex.all();
+  text.detail = format(
+      "{} {} region {}.", where(story, *failed),
+      is_left ? "No test is left but the else:" : "Next test:", story.words.face(next.region));
 }
 
 }  // namespace gjkscope::captions

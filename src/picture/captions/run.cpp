@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "effects/barycentric.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
@@ -16,25 +16,25 @@ using fmt::format;
 
 void start(const Story& story, FrameText& text) {
   if (story.state.stop == gjk::StopReason::failed) {
-    text.caption = format("The run is refused: {}.", name_of(story.state.error));
-    text.detail = "No distance is better than a wrong one.";
+    text.caption = format("GJK refuses this query: {}.", name_of(story.state.error));
+    text.detail = "It gives no distance rather than a wrong one.";
     return;
   }
   const int count = story.state.simplex.count;
   if (story.run.lesson.options.start.count == 0) {
-    text.caption = format("Start with {}: the vertex farthest along the line between the centres.",
+    text.caption = format("Start with {}, the vertex farthest along the line between the centres.",
                           story.words.face(story.state.simplex.all()));
   } else if (count == 1) {
     text.caption =
-        format("Start with {}: any vertex will do.", story.words.face(story.state.simplex.all()));
+        format("Start with {}. Any vertex will do.", story.words.face(story.state.simplex.all()));
   } else {
-    text.caption = format("Start with the {}.", story.simplex_name());
+    text.caption = format("Start with the {} as the simplex S.", story.simplex_name());
   }
   text.detail =
       count == 1
-          ? "The simplex is this one point. First question: which of its points is closest to " +
-                story.q + "?"
-          : format("First question: which of its points is closest to {}?", story.q);
+          ? format("The simplex S is this one point. First: which point of S is closest to {}?",
+                   story.q)
+          : format("Any vertices will do. First: which point of S is closest to {}?", story.q);
 }
 
 void cull(const Story& story, FrameText& text) {
@@ -43,12 +43,12 @@ void cull(const Story& story, FrameText& text) {
   const gjk::Phase next = story.trace.steps[story.frame.step + 1].phase;
   if (dropped.empty()) {
     if (story.state.simplex.count == 1) {
-      text.caption =
-          format("Nothing to drop: the simplex is {} alone.", story.words.face(story.state.region));
+      text.caption = format("There is nothing to drop: S is the single vertex {}.",
+                            story.words.face(story.state.region));
     } else if (story.state.simplex.count == 3) {
-      text.caption = "Nothing is dropped: all three vertices have weight.";
+      text.caption = "S keeps all three vertices: each has a positive weight.";
     } else {
-      text.caption = "Nothing is dropped: both vertices have weight in P.";
+      text.caption = "S keeps both vertices: each has a positive weight in P.";
     }
   } else {
     std::string names;
@@ -57,39 +57,39 @@ void cull(const Story& story, FrameText& text) {
     const std::string feature = story.state.simplex.count == 1
                                     ? story.words.face(story.state.region)
                                     : story.edge_name(story.state.region);
+    const std::string_view lies = story.state.simplex.count == 1 ? "is" : "lies on";
     text.caption =
         dropped.size() == 1
-            ? format("{0} is dropped: P lies on {1}, so the weight of {0} is 0.", names, feature)
-            : format("{0} are dropped: P lies on {1}, so the weights of {0} are 0.", names,
-                     feature);
+            ? format("{0} is dropped: P {2} {1}, so the weight of {0} is 0.", names, feature, lies)
+            : format("{0} are dropped: P {2} {1}, so the weights of {0} are 0.", names, feature,
+                     lies);
   }
   if (next == gjk::Phase::stop) {
     text.detail =
-        story.state.simplex.count == 3 ? format(
-                                             "P is {0}, and nothing is closer to {0} than that: "
-                                             "nothing is left to search for.",
-                                             story.q)
+        story.state.simplex.count == 3
+            ? format("P = {}: no point is closer. The search is over.", story.q)
         : story.knows.is_at_query && !dropped.empty()
-            ? format("P is {} as it was before: {} brought nothing, and nothing else will.",
-                     story.q, story.run.pair_name(dropped[0].pair))
-            : "P came no nearer than before: nothing is left to search for.";
+            ? format("P = {}, as before {} was added. No point is closer than distance 0.", story.q,
+                     story.run.pair_name(dropped[0].pair))
+            : "P is no closer than in the last iteration. The search is over.";
   } else if (story.knows.is_at_query) {
     text.detail =
-        format("P is {} already, but no test has asked for that. Next: a direction d.", story.q);
+        format("P = {} already, but GJK has not checked. Next: a search direction d.", story.q);
   } else {
-    text.detail = format("Next: a direction d in which to look for a point closer to {}.", story.q);
+    text.detail = format("Next: a search direction d, towards points closer to {}.", story.q);
   }
 }
 
 void direction(const Story& story, FrameText& text) {
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
-    text.caption = format("d = 0: P is {} itself.", story.q);
-    text.detail = "There is no direction left to search in.";
+    text.caption = format("d = 0, because P = {}.", story.q);
+    text.detail = "No direction is left to search in.";
   } else if (!note.from_normal) {
     text.caption =
-        format("d points from P to {}: look for a vertex that lies farther that way.", story.q);
-    text.detail = format("d = {} − P = {}.", story.q, story.numbers.point(story.state.d));
+        format("d points from P to {}. Next: which vertex lies farthest that way?", story.q);
+    text.detail = format("d = {} − P = {}. The arrow shows its direction, not its length.", story.q,
+                         story.numbers.point(story.state.d));
   } else {
     const auto vertex = [&](int i) {
       const std::string name = story.words.vertex(i);
@@ -99,22 +99,21 @@ void direction(const Story& story, FrameText& text) {
     const std::string edge = format("{} − {}", vertex(1), vertex(0));
     if (note.sign_is_arbitrary) {
       text.caption =
-          format("d is perpendicular to {}; {} lies on its line, so either sign would do.",
+          format("d is perpendicular to {}. {} lies on its line, so either sign will do.",
                  story.edge_words(), story.q);
     } else {
       text.caption =
           format("d is perpendicular to {} and points to {}'s side.", story.edge_words(), story.q);
     }
-    const std::string turned = format("{}, turned clockwise by a right angle", edge);
+    const std::string turned = format("{} turned clockwise by 90°", edge);
     if (story.knows.is_at_query) {
-      text.detail = format("{} − P is 0, but d = {} is {}: d = 0 does not stop this run.", story.q,
-                           d, turned);
+      text.detail = format("{} − P = 0, but d = {} is {}. So the test d = 0 does not stop GJK.",
+                           story.q, d, turned);
     } else if (note.flipped) {
-      text.detail = format("{}, is {}; its dot with {} − {} is negative, so d = {}.", turned,
+      text.detail = format("{} is {}. Its dot product with {} − {} is negative, so d = {}.", turned,
                            story.numbers.point(note.normal), story.q, vertex(0), d);
     } else {
-      text.detail =
-          format("d = {} is {}: it comes from the edge alone, without a division.", d, turned);
+      text.detail = format("d = {} is {}. It needs neither P nor a division.", d, turned);
     }
   }
 }
@@ -169,7 +168,7 @@ std::string news(const Story& story, const std::string& name) {
         "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,
         story.edge_words());
   }
-  return format("{} is {}. Nothing of {} lies beyond the dashed line.", name,
+  return format("{} is {}. No point of {} lies beyond the dashed line.", name,
                 was_dropped ? "no longer in the simplex" : "not in the simplex yet",
                 story.set_name());
 }
@@ -182,13 +181,31 @@ std::string zero_distance(const Story& story) {
   return format("The distance is 0: {} lies on {}.", story.q, story.edge_name(all));
 }
 
+/// How the run ends: the distance, and between which features.
+std::string outcome(const Story& story) {
+  if (story.knows.is_at_query) return zero_distance(story);
+  const std::string distance = story.numbers(story.trace.result.distance);
+  if (!story.run.point_query())
+    return format("The distance is {}, between {}.", distance, closest_features(story));
+  const gjk::Face all = story.state.simplex.all();
+  return format("The distance is {}: P {} the {}.", distance,
+                gjk::vertex_count(all) == 1 ? "is" : "lies on", story.words.kind_and_face(all));
+}
+
+/// How much farther along d the support point lies than P: a length.
+double farther_than_p(const Story& story) {
+  const gjk::State<double, 2>& state = story.state;
+  return state.d.dot(state.support.w - state.p) / state.d.norm();
+}
+
 /// What the best support line so far says of the distance, which P bounds from above.
 std::string proved(const Story& story) {
   const BestSupport::Value& best = story.effects.get<BestSupport>(story.frame);
   const bool is_new = best && is_found_by(*best, story.state);
-  return format("The {} support line keeps all of {} at least {} from {}; P is at distance {}.",
-                is_new ? "dashed" : "thin", story.set_name(),
-                story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance());
+  return format("All of {} lies behind the {} line, at least {} from {}. P is {} from {}.",
+                story.set_name(), is_new ? "dashed" : "thin",
+                story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance(),
+                story.q);
 }
 
 }  // namespace
@@ -207,16 +224,18 @@ void support(const Story& story, FrameText& text) {
             ? format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
                      story.numbers(farthest->value),
                      count == 2 ? "larger of the two" : format("largest of all {}", count))
-            : format("{} lie equally far along d, at {}: the scan keeps {}, the first it saw.", all,
-                     story.numbers(farthest->value), name);
+            : format(
+                  "{0} lie equally far along d: each dot product is {1}. The scan keeps {2}, the "
+                  "first it saw.",
+                  all, story.numbers(farthest->value), name);
   } else {
     text.caption =
-        format("{} lies farthest along d: {} is the support point of {}, {} that of {} along −d.",
+        format("{} lies farthest along d: {} is {}'s farthest vertex along d, {} is {}'s along −d.",
                name, story.run.lesson.y().vertex_names[pair.y], story.run.lesson.y().name,
                story.run.lesson.x().vertex_names[pair.x], story.run.lesson.x().name);
   }
   const bool known = has_pair(story.state.simplex, pair);
-  text.detail = known ? format("{} is in the simplex already: nothing of {} lies farther that way.",
+  text.detail = known ? format("{} is already in the simplex: no point of {} lies farther along d.",
                                name, story.set_name())
                       : news(story, name);
   if (story.run.point_query()) return;
@@ -230,31 +249,27 @@ void stop(const Story& story, FrameText& text) {
   const std::string bounds =
       format("The distance lies between {} and {}.", story.numbers(lower), story.numbers(upper));
   const std::string support = story.run.pair_name(story.state.support.pair);
-  const std::string final_distance =
-      format("The distance is {}.", story.numbers(story.trace.result.distance));
   switch (story.state.stop) {
     case gjk::StopReason::running:
-      text.caption = format("Go on: {} is new, and lies farther along d than P does.", support);
-      text.detail =
-          story.knows.is_at_query
-              ? format("P is {} already, at distance 0; but no test has asked for that.", story.q)
-          : lower > 0.0 ? proved(story)
-                        : format("No support line has separated {} from {}; P is at distance {}.",
-                                 story.q, story.set_name(), story.distance());
+      text.caption = format("Go on: {} is not in the simplex, and lies {} farther along d than P.",
+                            support, story.numbers(farther_than_p(story)));
+      text.detail = story.knows.is_at_query
+                        ? format("P = {} already, at distance 0, but GJK has not checked.", story.q)
+                    : lower > 0.0 ? proved(story)
+                                  : format("No line separates {} from {} yet. P is {} from {}.",
+                                           story.q, story.set_name(), story.distance(), story.q);
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
           story.knows.is_at_query
-              ? format("Stop: {} is in the simplex already, so nothing of {} lies farther along d.",
-                       support, story.set_name())
-              : format("Stop: {} is in the simplex already, so nothing of {} lies closer to {}.",
+              ? format(
+                    "Stop: {} is already in the simplex, so no point of {} lies farther along d.",
+                    support, story.set_name())
+              : format("Stop: {} is already in the simplex, so no point of {} is closer to {}.",
                        support, story.set_name(), story.q);
-      text.detail = story.knows.is_at_query ? zero_distance(story) : final_distance;
+      text.detail = outcome(story);
       if (lower > 0.0) {
-        text.detail += format(
-            " The dashed line proves it: it passes P at a right angle to P{}, and all of {} lies "
-            "behind.",
-            story.q, story.set_name());
+        text.detail += format(" All of {} lies behind the dashed line.", story.set_name());
       }
       return;
     case gjk::StopReason::origin_inside:
@@ -262,31 +277,31 @@ void stop(const Story& story, FrameText& text) {
                             story.words.face(story.state.simplex.all()));
       text.detail = story.run.point_query()
                         ? format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
-                        : "The distance is 0: the shapes overlap.";
+                        : format("So {} and {} overlap: the distance is 0.",
+                                 story.run.lesson.x().name, story.run.lesson.y().name);
       return;
     case gjk::StopReason::zero_direction:
-      text.caption = format("Stop: d = 0, because P is {}.", story.q);
+      text.caption = format("Stop: d = 0, because P = {}.", story.q);
       text.detail = zero_distance(story);
       return;
     case gjk::StopReason::no_progress:
-      text.caption =
-          story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
-              ? format("Stop: P came no nearer to {} than it was an iteration ago.", story.q)
-              : format("Stop: nothing of {} lies farther along d than the simplex does.",
-                       story.set_name());
-      text.detail = story.knows.is_at_query ? zero_distance(story) : final_distance;
+      text.caption = story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
+                         ? format("Stop: P is no closer to {} than in the last iteration.", story.q)
+                         : format("Stop: no point of {} lies farther along d than the simplex.",
+                                  story.set_name());
+      text.detail = outcome(story);
       return;
     case gjk::StopReason::within_tolerance:
-      text.caption = "Stop: the bounds are as close as was asked for.";
+      text.caption = "Stop: the bounds are as close as the lesson asks.";
       text.detail = bounds;
       return;
     case gjk::StopReason::iteration_cap:
-      text.caption = format("Stop: {} iterations are all that was allowed. This is no answer yet.",
+      text.caption = format("Stop: GJK has used all {} iterations. P is not the answer yet.",
                             story.state.iteration);
       text.detail = bounds;
       return;
     case gjk::StopReason::failed:
-      text.caption = format("The run is refused: {}.", name_of(story.state.error));
+      text.caption = format("GJK refuses this query: {}.", name_of(story.state.error));
       return;
   }
 }
@@ -295,7 +310,7 @@ void add(const Story& story, FrameText& text) {
   const int count = story.state.simplex.count;
   text.caption = format("{} joins the simplex, which is now the {}.", story.words.vertex(count - 1),
                         story.simplex_name());
-  text.detail = format("Iteration {} asks again: which of its points is closest to {}?",
+  text.detail = format("Iteration {} asks again: which point of S is closest to {}?",
                        story.state.iteration, story.q);
 }
 
@@ -331,6 +346,30 @@ void step(const Story& story, FrameText& text) {
   }
 }
 
+namespace {
+
+/// u, v and w of the query point, signed, as long as the simplex is the one that they are about;
+/// and the weights of P, none of them negative. Both in the order of "simplex".
+void put_weights(const Story& story, FrameText& text) {
+  const gjk::Simplex<double, 2>& simplex = story.state.simplex;
+  const BarycentricWeights::Value& of_q = story.effects.get<BarycentricWeights>(story.frame);
+  const std::vector<int> order = story.words.order(simplex.all());
+  const bool measures = simplex.count > 1 && of_q.simplex.count == simplex.count &&
+                        of_q.weights.size() == order.size();
+  std::string of_p;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(order[i]);
+    if (measures)
+      text.values.emplace_back(std::string(1, "uvw"[i]),
+                               story.numbers.weight(of_q.weights[vertex]));
+    of_p += format("{}{} {}", of_p.empty() ? "" : ", ",
+                   story.numbers.weight(simplex.weights[vertex]), story.words.vertex(order[i]));
+  }
+  text.values.emplace_back("weights", of_p);
+}
+
+}  // namespace
+
 void run_values(const Story& story, FrameText& text) {
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
@@ -339,15 +378,16 @@ void run_values(const Story& story, FrameText& text) {
   const bool running = story.frame.step >= 0;
   put("x", story.run.lesson.x().name);
   put("y", story.run.lesson.y().name);
-  put("iteration", std::to_string(running ? story.run.step(story.frame).iteration : 0));
+  const int iteration = story.frame.question >= 0 ? story.run.answering_iteration(story.frame)
+                        : running                 ? story.run.step(story.frame).iteration
+                                                  : 0;
+  put("iteration", std::to_string(iteration));
   put("iterations", std::to_string(result.iterations));
   put("simplex", story.words.face(story.state.simplex.all()));
   if (story.run.point_query()) put("Q", story.numbers.point(story.positioned.x().world[0]));
   if (story.knows.closest_point) {
     put("region", story.words.face(story.state.region));
-    constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
-    for (int i = 0; i < story.state.simplex.count; ++i)
-      put(std::string(kLetters[i]), story.numbers.weight(story.state.simplex.weights[i]));
+    put_weights(story, text);
     put("P", story.numbers.point(story.p_world()));
     put("distance", story.numbers(std::sqrt(story.state.p_sq)));
   }
@@ -359,6 +399,7 @@ void run_values(const Story& story, FrameText& text) {
   }
   if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     put("stop", std::string(name_of(story.state.stop)));
+    if (result.settled) put("bounds by", "exact arithmetic");
   }
 }
 

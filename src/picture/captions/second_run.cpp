@@ -46,6 +46,25 @@ double degrees_between(const Vector2d& a, const Vector2d& b) {
   return std::abs(angle) * 180.0 / std::numbers::pi;
 }
 
+/// How the other run finds the query point inside, and whether the first one does with the other
+/// way to build d.
+std::string inside(const Story& story, const PositionedRun& beside, const std::string& in_first) {
+  const auto triangle = [&](const PositionedRun& run) {
+    const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
+    return SimplexWords(story.run, simplex).face(simplex.all());
+  };
+  std::string out = format("It ends with {} inside {}, at distance 0.", story.q, triangle(beside));
+  gjk::Options options = story.run.lesson.options;
+  options.direction_rule = gjk::DirectionRule::perpendicular;
+  const PositionedRun mended = run_again(story.positioned, options, story.run.lesson.scalar);
+  if (mended.trace.result.stop == gjk::StopReason::origin_inside &&
+      triangle(mended) == triangle(beside)) {
+    out += format(" So does {} with d = cross({} − {}, z).", in_first, story.words.vertex(1),
+                  story.words.vertex(0));
+  }
+  return out;
+}
+
 }  // namespace
 
 void second_run(const Story& story, FrameText& text) {
@@ -72,23 +91,24 @@ void second_run(const Story& story, FrameText& text) {
       if (away == 0.0) {
         if (mine.p_sq != beside.p_sq) {
           text.detail = format(
-              "So {}. Its squared distance from {}, rounded to {}, is {}: distance {}; {} has {}.",
+              "So {}. Its squared distance from {}, rounded to {}, is {}, so the distance is {}; "
+              "{} has {}.",
               story.p_is(), story.q, in_first, story.numbers(mine.p_sq), story.distance(), other,
               numbers(std::sqrt(beside.p_sq)));
         }
         return;
       }
       text.detail =
-          format("So {}, rounded: {} has P = {}, and this one lies {} away from it.", story.p_is(),
+          format("So {}, rounded. In {} P = {}: the rounded P is {} away from it.", story.p_is(),
                  other, point(beside.p + story.positioned.x().world[0]), numbers(away));
       return;
     }
     case gjk::Phase::direction:
       if (degrees < 0.05) return;
-      text.caption = format("d = {} − P takes over what P was off by: it points {}° off.", story.q,
-                            fixed(degrees, 1));
+      text.caption =
+          format("d = {} − P inherits the error of P: it is {}° off.", story.q, fixed(degrees, 1));
       text.detail =
-          format("d = {}; {} has d = {}.", story.numbers.point(mine.d), other, point(beside.d));
+          format("Here d = {}; in {} d = {}.", story.numbers.point(mine.d), other, point(beside.d));
       return;
     case gjk::Phase::support:
       if (mine.support.pair == beside.support.pair) {
@@ -100,27 +120,26 @@ void second_run(const Story& story, FrameText& text) {
                    name, story.numbers(along), in_first, other, numbers(along_beside));
         return;
       }
-      text.caption = format("{} finds {} farthest along its d. Along the d of {} it is {}.", first,
-                            name, other, name_beside);
-      text.detail = format("The wrong support point: {}° of round-off in d are enough for it.",
-                           fixed(degrees, 1));
+      text.caption = format("{} finds {}, the farthest vertex along its d. {} finds {}.", first,
+                            name, at_the_start(other), name_beside);
+      text.detail = format("{} is the wrong support point, because round-off turned d by {}°.",
+                           name, fixed(degrees, 1));
       return;
     case gjk::Phase::stop:
       if (!story.knows.has_ended) {
         if (beside.stop == gjk::StopReason::running && mine.p_sq != beside.p_sq) {
-          text.detail = format("P is at distance {}, the root of the rounded square; {} has {}.",
+          text.detail = format("P is {} away, the root of the rounded square; {} has {}.",
                                story.distance(), other, numbers(std::sqrt(beside.p_sq)));
         }
         return;
       }
       if (beside.stop != gjk::StopReason::running) return;
-      text.caption = format("{} stops, with {} once more, and P at distance {}. {} goes on to {}.",
-                            first, name, story.distance(), at_the_start(other), name_beside);
+      text.caption = format("{} stops at distance {}: {} is already in the simplex. {} adds {}.",
+                            first, story.distance(), name, at_the_start(other), name_beside);
       text.detail =
           second.run.trace.result.distance > 0.0
-              ? format("It comes to distance {}.", numbers(second.run.trace.result.distance))
-              : format("It finds {} inside, at distance 0: the wrong support point hid the answer.",
-                       story.q);
+              ? format("It ends at distance {}.", numbers(second.run.trace.result.distance))
+              : inside(story, second.run, in_first);
       return;
     default:
       return;

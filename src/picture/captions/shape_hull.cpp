@@ -20,12 +20,13 @@ void shape_hull(const Story& story, FrameText& text) {
       return seen.index == hulls.y.inside[0];
     });
     if (entry == scan.end()) return;
-    text.detail = format("{0} can never win: it lies inside the hull, and reaches only {1} here.",
-                         inside, story.numbers(entry->value));
+    text.detail =
+        format("{0} can never win: it lies inside the hull. Here dot(d, {0}) is only {1}.", inside,
+               story.numbers(entry->value));
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     text.detail = format(
-        "P lies on the hull, {} away; the polygon's own outline is {} away (thin line). GJK has "
-        "never taken {}.",
+        "The hull is {} away, but the polygon itself is {} away (thin line). For the polygon the "
+        "answer is wrong: GJK never sees {}.",
         story.numbers(story.trace.result.distance), story.numbers(hulls.outline_distance), inside);
   }
 }

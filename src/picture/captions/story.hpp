@@ -53,6 +53,8 @@ void region_test(const Story& story, FrameText& text);
 /// What a phase did, and why.
 void step(const Story& story, FrameText& text);
 void start(const Story& story, FrameText& text);
+/// "vertex K of Y and edge CD of X": those whose differences hold P at the end of a run.
+[[nodiscard]] std::string closest_features(const Story& story);
 /// The values of a run's step.
 void run_values(const Story& story, FrameText& text);
 void cull(const Story& story, FrameText& text);

@@ -66,10 +66,10 @@ void shapes(const Story& story, const RoundedPair::Value& pair, FrameText& text)
   const Lesson& lesson = story.run.lesson;
   text.caption = format("Two shapes, {} and {}.", lesson.x().name, lesson.y().name);
   if (!pair.facing.empty()) {
-    text.caption += format(" The edges that face each other are parallel but for {} degrees.",
+    text.caption += format(" The edges that face each other are {} degrees from parallel.",
                            small_number(pair.tilt * 180.0 / std::numbers::pi));
   }
-  text.detail = "From afar it looks as if they touched all along these edges.";
+  text.detail = "From afar the shapes seem to touch along these edges.";
 }
 
 void gap(const RoundedPair::Value& pair, FrameText& text) {
@@ -77,15 +77,14 @@ void gap(const RoundedPair::Value& pair, FrameText& text) {
     text.caption = "The shapes have a point in common: their distance is 0.";
     return;
   }
-  text.caption = format(
-      "{} times larger, one sees a gap. The distance is the shortest way across it: "
-      "{}.",
-      grouped(pair.magnification()), power_text(pair.distance(), 3));
+  text.caption =
+      format("Enlarged {} times, a gap appears. The distance is the shortest way across it: {}.",
+             grouped(pair.magnification()), power_text(pair.distance(), 3));
   const double other = pair.ends[1].exact.length;
   if (other > pair.distance()) {
     text.detail = format(
-        "At the other end the gap is {}, hardly more: which end is closer depends "
-        "on the last digits of the vertices.",
+        "At the other end the gap is {}, hardly more: the last digits of the vertices decide which "
+        "end is closer.",
         power_text(other, 3));
   }
 }
@@ -93,12 +92,13 @@ void gap(const RoundedPair::Value& pair, FrameText& text) {
 void in_float(const RoundedPair::Value& pair, FrameText& text) {
   const double at = pair.ends[0].exact.vertex.y();
   text.caption = format(
-      "A float has 24 binary digits. Near {:.2g} it is {} to the next float: the "
-      "vertices move to the nearest dots.",
+      "A float has 24 binary digits. Near {:.2g} the next float is {} away, so each vertex moves "
+      "to "
+      "the nearest dot.",
       at, power_text(spacing_of_floats(at), 2));
   text.detail = format(
-      "GJK in float answers {}{}. That is the distance of the moved shapes (dotted); "
-      "GJK is not told of any others.",
+      "GJK in float answers {}{}. That is the distance of the moved shapes (dotted); GJK knows no "
+      "others.",
       power_text(pair.in_float.trace.result.distance, 3),
       pair.ends[0].exact.vertex == pair.ends[1].exact.vertex ? "" : ", at the other end");
 }
@@ -106,8 +106,8 @@ void in_float(const RoundedPair::Value& pair, FrameText& text) {
 void in_double(const RoundedPair::Value& pair, FrameText& text) {
   const double error = error_of(pair.in_double.trace.result.distance, pair.distance());
   text.caption =
-      "A double has 53 binary digits: its dots are 500 million times closer together, too "
-      "close to draw. No vertex moves.";
+      "A double has 53 binary digits. Its dots are 500 million times closer together, too close to "
+      "draw: no vertex moves.";
   text.detail =
       format("GJK in double answers {}: {}.", power_text(pair.in_double.trace.result.distance, 3),
              error == 0.0 ? "every digit that a double can hold is right"
@@ -119,8 +119,9 @@ void error(const RoundedPair::Value& pair, FrameText& text) {
   const double of_float = error_of(answer, pair.distance());
   const double of_double = error_of(pair.in_double.trace.result.distance, pair.distance());
   text.caption =
-      "The error of an answer: how far it is off, as a share of the distance or of the "
-      "answer, whichever is larger.";
+      "The error of an answer is how far it is off, divided by the distance or the answer, "
+      "whichever "
+      "is larger.";
   text.detail = format("In float: |{} − {}| / {} = {}. {} is right. In double: {}.",
                        power_text(answer, 3), power_text(pair.distance(), 3),
                        power_text(std::max(answer, pair.distance()), 3), power_text(of_float, 2),
@@ -132,18 +133,18 @@ void error(const RoundedPair::Value& pair, FrameText& text) {
 void error_axis(const LessonStudy& study, FrameText& text) {
   const StudyDot first = introduced(study, 1).front();
   text.caption = format(
-      "Now {} pairs like this one. Each mark is a way to run GJK, at the largest "
-      "error seen on them: down is more accurate.",
+      "Now {} pairs like this one. Each mark is a way to run GJK, drawn at its largest error: "
+      "lower "
+      "is more accurate.",
       first.pairs);
   const std::string wrong = of_pairs(first.configuration, first);
-  text.detail = "At 10⁻⁸ eight digits are right, at 1 not one. " + wrong;
+  text.detail = "At 10⁻⁸ eight digits are right, at 1 none is. " + capitalized(wrong);
 }
 
 void time_axis(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> marks = introduced(study, 2);
   text.caption = format(
-      "The second axis: the time for one pair, on one thread of an {}. Farther left "
-      "is faster.",
+      "The second axis is the time for one pair, on one thread of an {}. Farther left is faster.",
       study.processor);
   std::vector<std::string> times;
   for (const StudyDot& dot : marks)
@@ -153,7 +154,7 @@ void time_axis(const LessonStudy& study, FrameText& text) {
       std::max_element(marks.begin(), marks.end(),
                        [](const StudyDot& a, const StudyDot& b) { return a.settled < b.settled; });
   if (most->settled > 0) {
-    text.detail += format(": exact arithmetic must settle {} of {} pairs that {} leaves open",
+    text.detail += format(". Exact arithmetic must decide {} of {} pairs that {} leaves open",
                           most->settled, most->pairs, most->configuration);
   }
   text.detail += ".";
@@ -166,7 +167,7 @@ void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
   text.caption =
       format("{}: {} for a pair, {} {}. {}.", dot.configuration, time_text(dot.ns),
              compared(dot.ns, beside.ns), beside.configuration,
-             dot.error ? "Largest error: " + error_words(dot) : "To some pair it has no answer");
+             dot.error ? "Largest error: " + error_words(dot) : "For some pair it has no answer");
   text.detail = of_pairs("It", dot) + shown.note;
 }
 
@@ -176,11 +177,9 @@ void front(const LessonStudy& study, FrameText& text) {
   std::vector<std::string> names;
   for (const StudyDot& dot : best) names.push_back(dot.configuration);
   text.caption =
-      "Which would you take? A mark is beaten if another one is as fast and as accurate, or "
-      "better.";
+      "Which would you take? A mark is beaten if another one is no slower and no less accurate.";
   text.detail = format(
-      "The dotted line joins the marks that nothing beats, the front: {}. A smaller "
-      "error costs time.",
+      "The dotted line joins the marks that none beats, the front: {}. A smaller error costs time.",
       fmt::join(names, "; "));
 }
 
@@ -188,24 +187,25 @@ void all(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   const std::vector<StudyDot> best = front_of(family);
   text.caption = format(
-      "All {} ways that were measured, {} of them new: other tolerances and caps, "
-      "other rules, other starts.",
+      "All {} ways that were measured; {} are new: other tolerances, caps, rules and starts.",
       family.size(), family.size() - study.marks.size());
   text.detail = format(
-      "{} of them are the front: they beat all others that get a digit right. (Times within 10 % "
-      "count as equal, errors within a factor of 2.)",
+      "{} of them are the front: they beat all others that get a digit right. Times within 10 % "
+      "count as equal, and so do errors within a factor of 2.",
       best.size());
 }
 
 void choice(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   text.caption =
-      "Take the fastest way that gives the digits that you need, and a proved one if a wrong "
-      "answer would do harm.";
+      "Take the fastest way with the digits that you need, and a proved one if a wrong answer "
+      "would "
+      "do harm.";
   // The rule of three: 0 of n leaves room for 3 / n, with 95 % confidence.
   text.detail = format(
-      "Without a proof nothing tells when an answer is wrong: what none of {} pairs "
-      "showed may still happen to one pair in {}.",
+      "Without a proof nothing tells that an answer is wrong: an error that none of {} pairs "
+      "showed "
+      "may still happen to one pair in {}.",
       family.front().pairs, family.front().pairs / 3);
 }
 
@@ -243,7 +243,7 @@ void study_question(const Story& story, FrameText& text) {
     return std::abs(std::log(a) - ratio) < std::abs(std::log(b) - ratio);
   });
   asked.answer = ratio_words(*nearest);
-  text.caption = format("Question: next comes {}{}. How many times as long as {} does it take?",
+  text.caption = format("Question: next comes {}{}. How long does it take, compared with {}?",
                         dot.configuration, next.about.empty() ? "" : format(" ({})", next.about),
                         with.configuration);
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));

@@ -13,7 +13,7 @@ using fmt::format;
 
 /// The vertices of a shape behind its support point.
 std::string behind(const LessonShape& shape, int support) {
-  return format("all of {} lies behind the dashed line through {}", shape.name,
+  return format("All of {} lies behind the dashed line through {}", shape.name,
                 shape.vertex_names[support]);
 }
 
@@ -50,14 +50,13 @@ void support_in_parts(const Story& story, FrameText& text) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
           story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
-      text.caption = format("d = {} {}. Which point of Z lies farthest that way?",
+      text.caption = format("d = {} {}. Which point of Z lies farthest along d?",
                             story.numbers.point(story.state.d),
                             before.record.direction.from_normal
                                 ? "points from P towards O; its length does not matter"
                                 : "leads from P to O");
       text.detail = format(
-          "dot(d, y − x) = dot(d, y) + dot(−d, x): look along d in {} and along −d in {}, each for "
-          "itself.",
+          "dot(d, y − x) = dot(d, y) + dot(−d, x): search {} along d and {} along −d, separately.",
           lesson.y().name, lesson.x().name);
       return;
     }
@@ -65,7 +64,7 @@ void support_in_parts(const Story& story, FrameText& text) {
       text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
                             lesson.y().name, k, story.numbers(along_y),
                             rank(story.positioned.y().world, lesson.y(), pair.y, story.state.d));
-      text.detail = format("So {}. The support point of Z is one of the ringed {} − x.",
+      text.detail = format("{}. The support point of Z is one of the ringed points {} − x.",
                            behind(lesson.y(), pair.y), k);
       return;
     case SupportPart::of_x:
@@ -73,7 +72,7 @@ void support_in_parts(const Story& story, FrameText& text) {
                             lesson.x().name, c, story.numbers(along_x),
                             rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
       text.detail =
-          format("So {}. Of the ringed differences it is {}.", behind(lesson.x(), pair.x), name);
+          format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
       return;
     default:
       text.caption =
@@ -82,18 +81,19 @@ void support_in_parts(const Story& story, FrameText& text) {
                  story.numbers(std::abs(along_x)), story.numbers(story.state.support_value));
       text.detail =
           next.stop == gjk::StopReason::repeated_support
-              ? format("{} is in the simplex already: GJK stops, at distance {}.", name,
-                       story.numbers(story.trace.result.distance))
+              ? format(
+                    "{} is already in the simplex, so GJK stops. The distance is {}, between {}.",
+                    name, story.numbers(story.trace.result.distance), closest_features(story))
               : format(
-                    "None of the {} differences lies beyond its line, and {} + {} dot products "
-                    "found it.",
+                    "None of the {} differences lies beyond its line. {} + {} dot products found "
+                    "it.",
                     of_x * of_y, of_y, of_x);
   }
 }
 
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
-  text.detail += format(" GJK made {} of the {} differences of vertices.",
+  text.detail += format(" GJK computed {} of {} differences.",
                         story.effects.get<TouchedPoints>(story.frame).size(), all);
 }
 
@@ -105,11 +105,12 @@ void slab(const Story& story, FrameText& text) {
   const BestSupport::Value& widest = story.effects.get<BestSupport>(story.frame);
   if (story.knows.phase_is(gjk::Phase::closest)) {
     text.caption =
-        format("The closest points of this simplex are {} apart: the distance is at most that.",
+        format("The closest points of this simplex are {} apart, so the distance is at most that.",
                story.distance());
-    text.detail = widest ? format("The slab is {} wide, so the distance lies between {} and {}.",
-                                  story.numbers(widest->width), low, high)
-                         : format("An upper bound: {}. Is there a pair that is closer?", high);
+    text.detail =
+        widest ? format("The slab is {} wide, so the distance lies between {} and {}.",
+                        story.numbers(widest->width), low, high)
+               : format("So {} is an upper bound. Is any other pair of points closer?", high);
     return;
   }
   const std::string k = lesson.y().vertex_names[story.state.support.pair.y];
@@ -117,39 +118,46 @@ void slab(const Story& story, FrameText& text) {
   if (story.knows.phase_is(gjk::Phase::support)) {
     const double gap = -story.state.support_value / story.state.d.norm();
     if (!(gap > 0.0)) {
-      text.caption =
-          format("The lines through {} and {} leave no gap: this d separates nothing.", k, c);
+      text.caption = format(
+          "The lines through {} and {} leave no gap: this d does not separate the shapes.", k, c);
       text.detail = format("The distance still lies between {} and {}.", low, high);
     } else if (is_found_by(*widest, story.state)) {
       text.caption = format(
-          "{} is the last of {} along d, {} of {} along −d: the slab between, {} wide, is empty.",
+          "{} is {}'s farthest vertex along d, {} is {}'s along −d: the slab between is empty and "
+          "{} "
+          "wide.",
           k, lesson.y().name, c, lesson.x().name, story.numbers(gap));
       text.detail = format(
-          "Any way from {} to {} crosses the slab, so the distance is at least {}; at most {}.",
+          "Every way from {} to {} crosses the slab, so the distance is at least {}. It is at most "
+          "{}.",
           lesson.x().name, lesson.y().name, low, high);
     } else {
-      text.caption =
-          format("The lines through {} and {} are {} apart: the slab found before is wider.", k, c,
-                 story.numbers(gap));
+      text.caption = format("The lines through {} and {} are {} apart: an earlier slab is wider.",
+                            k, c, story.numbers(gap));
       text.detail = format("The distance lies between {} and {}.", low, high);
     }
     return;
   }
   if (!story.knows.has_ended) {
     text.caption =
-        format("{} − {} = {} is still open, so {} joins the simplex.", high, low,
+        format("The bounds still differ by {}, so {} joins the simplex.",
                story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
-    text.detail =
-        "The slab may widen, the closest points may come closer, until both are the same.";
+    text.detail = format(
+        "{} − {} = {}. The slab may get wider and the closest points closer, until the bounds "
+        "meet.",
+        high, low, story.numbers(upper - lower));
     return;
   }
   text.caption =
       widest ? format("Stop: the empty slab is as wide as the closest points are apart, {}.",
                       story.numbers(story.trace.result.distance))
              : format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
-  text.detail = widest ? "Nothing can be closer than the slab is wide: the answer is proved, and "
-                         "the slab is the proof."
-                       : "The distance is 0.";
+  text.detail = widest
+                    ? format(
+                          "Closest are {}. No pair of points can be closer than the slab is wide: "
+                          "the slab proves the answer.",
+                          closest_features(story))
+                    : "The distance is 0.";
 }
 
 }  // namespace gjkscope::captions

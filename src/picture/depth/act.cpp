@@ -78,13 +78,14 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   return shown.step->record.edges.size() > 1 ? *frame.steps_over - 1 : -1;
 }
 
+constexpr std::array<std::string_view, depth::kPhaseCount> kWords = {"nearest edge", "support",
+                                                                     "stop", "expand"};
+
 std::string position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
   const Shown shown(run, frame);
   if (shown.step == nullptr) return "start";
   if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
-  constexpr std::array<std::string_view, depth::kPhaseCount> kWords = {"nearest edge", "support",
-                                                                       "stop?", "expand"};
   const std::string_view phase = kWords[static_cast<std::size_t>(shown.step->phase)];
   if (asks_later(run, index)) return fmt::format("iteration {} · {}", shown.step->iteration, phase);
   return fmt::format("iteration {} of {} · {}", shown.step->iteration,
@@ -97,12 +98,8 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   if (shown.step == nullptr)
     return {.group = group_of_position(run, frame, "GJK's end"), .label = "S"};
   if (shown.is_answer) return {.group = "answer", .label = "t", .event = true};
-  constexpr std::array<std::array<std::string_view, 2>, depth::kPhaseCount> kLabels = {
-      {{"nearest edge", "e"}, {"support", "V"}, {"stop?", "?"}, {"expand", "+"}}};
-  const auto& [label, short_label] = kLabels[static_cast<std::size_t>(shown.step->phase)];
   return {.group = fmt::format("iteration {}", at.iteration),
-          .label = std::string(label),
-          .short_label = std::string(short_label),
+          .label = std::string(kWords[static_cast<std::size_t>(shown.step->phase)]),
           .event = at.is_event,
           .phase = std::string(at.phase)};
 }

@@ -40,7 +40,7 @@ void depth_listing(PanelBuilder& panel) {
   write("loop", {}, false);
   write("  e ← its edge nearest to O", Phase::nearest, shown.is(Phase::nearest),
         shown.step != nullptr ? ends(panel.run, state, state.edge) : "");
-  write("  n ← outward normal of e", Phase::nearest, shown.is(Phase::nearest),
+  write("  n ← normal of e", Phase::nearest, shown.is(Phase::nearest),
         panel.numbers.point(state.n));
   write("  V ← support point of Z along n", Phase::support, shown.is(Phase::support), v);
   write("  if V is an end of e: stop", Phase::stop,
@@ -51,7 +51,7 @@ void depth_listing(PanelBuilder& panel) {
         has_stopped && !repeated ? "yes" : "no");
   write("  put V between the ends of e", Phase::expand, shown.is(Phase::expand),
         format("{} edges", state.polygon.count));
-  write("t ← the point of e nearest to O", {}, shown.is_answer,
+  write("t ← e's nearest point", {}, shown.is_answer,
         panel.numbers.point(shown.trace.result.translation));
 }
 

@@ -39,7 +39,7 @@ void polygon(SceneBuilder& scene, const Shown& shown) {
                scene.at(polygon.at(edge.from)), scene.at(polygon.at(edge.to)));
   }
   for (const depth::Edge<double>& edge : edges) {
-    scene.simplex_vertex(polygon.corners[static_cast<std::size_t>(edge.from)].point, "simplex");
+    scene.simplex_vertex(polygon.corners[static_cast<std::size_t>(edge.from)].point, "polygon");
   }
   if (!shown.is(Phase::expand)) return;
   for (const int corner : shown.step->record.outgrown) {
@@ -100,7 +100,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   if (shown.knows_edge() && !shown.knows_support()) {
     for (const int end : {shown.state.edge.from, shown.state.edge.to}) {
       scene.simplex_vertex(shown.state.polygon.corners[static_cast<std::size_t>(end)].point,
-                           "simplex");
+                           "polygon");
     }
   }
   if (!shown.knows_support()) return;

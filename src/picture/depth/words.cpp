@@ -56,25 +56,24 @@ class Telling {
   [[nodiscard]] std::string support_name() const { return run_.pair_name(state_.support.pair); }
 
   void apart() {
-    text_.caption = format("{} and {} do not overlap: they are {} apart, and have no depth.", x(),
+    text_.caption = format("{} and {} do not overlap: they are {} apart and have no depth.", x(),
                            y(), number(story_.trace.result.distance));
-    text_.detail =
-        "O lies outside of Z, so no polygon of Z's points holds it. Nothing needs to move.";
+    text_.detail = "O lies outside Z, so no polygon in Z holds it. Nothing needs to move.";
   }
 
   void start() {
     const gjk::Simplex<double, 2>& simplex = story_.trace.result.simplex;
     const SimplexWords words(run_, simplex);
     text_.caption = format(
-        "{} and {} share points: GJK ends with O {} the {}. How deep are they in each other?", x(),
-        y(),
+        "{} and {} share points: GJK ends with O {} the {}. How deep do they overlap?", x(), y(),
         simplex.count == 1   ? "at"
         : simplex.count == 2 ? "on"
                              : "in",
         words.kind_and_face(simplex.all()));
     text_.detail =
-        "The depth is the way from O to the nearest point of Z's boundary. The search starts with "
-        "this simplex: a polygon in Z.";
+        "The depth is the distance from O to the boundary of Z. The search starts with this "
+        "simplex, "
+        "a polygon in Z.";
   }
 
   void nearest() {
@@ -82,15 +81,16 @@ class Telling {
     if (!(state_.edge.distance_sq > 0.0)) {
       text_.caption = format("O lies on {}: its distance is 0.", name);
       text_.detail =
-          "So nothing is known of the depth yet. Next: does Z reach beyond, along the normal n?";
+          "So the depth is at least 0. Next: does Z reach beyond the edge, along its normal n?";
       return;
     }
-    text_.caption = format("{}{} is nearest to O, at the distance {}.",
-                           static_cast<char>(std::toupper(name[0])), name.substr(1),
-                           number(std::sqrt(state_.edge.distance_sq)));
+    text_.caption =
+        format("{}{} is nearest to O, at distance {}.", static_cast<char>(std::toupper(name[0])),
+               name.substr(1), number(std::sqrt(state_.edge.distance_sq)));
     text_.detail = format(
-        "The polygon lies in Z, so the boundary of Z is no nearer: depth ≥ {}. Next: how far "
-        "does Z reach along the normal n?",
+        "The polygon lies in Z, so the boundary of Z is no nearer: depth ≥ {}. Next: how far does "
+        "Z "
+        "reach along the normal n?",
         number(shown_.step->bounds.lower));
   }
 
@@ -98,20 +98,20 @@ class Telling {
     const double reach = state_.n.dot(state_.support.w) / state_.n.norm();
     const double upper = shown_.step->bounds.upper;
     if (is_zero(reach)) {
-      text_.caption = format("{} lies farthest along n, and no farther than O.", support_name());
-      text_.detail = format("Nothing of Z lies beyond O in this direction: {} need not move.", x());
+      text_.caption = format("{} lies farthest along n, but no farther than O.", support_name());
+      text_.detail =
+          format("No point of Z lies beyond O in this direction: {} need not move.", x());
       return;
     }
     text_.caption = format("{} lies farthest along n: Z reaches {} from O in this direction.",
                            support_name(), number(reach));
-    text_.detail =
-        upper < reach * (1.0 - kRounding)
-            ? format(
-                  "Moving {} that far along n parts the shapes, but a shorter way is known: depth "
-                  "≤ {}.",
-                  x(), number(upper))
-            : format("Moved that far along n, {} has no inner point in common with {}: depth ≤ {}.",
-                     x(), y(), number(upper));
+    text_.detail = upper < reach * (1.0 - kRounding)
+                       ? format(
+                             "Moving {} that far along n parts the shapes, but a shorter move is "
+                             "known: depth ≤ {}.",
+                             x(), number(upper))
+                       : format("Moving {} that far along n parts it from {}: depth ≤ {}.", x(),
+                                y(), number(upper));
   }
 
   void stop() {
@@ -121,27 +121,25 @@ class Telling {
       case StopReason::running:
         text_.caption = format("{} lies {} beyond the edge: the edge is not part of Z's boundary.",
                                support_name(), number(beyond));
-        text_.detail =
-            format("So the search goes on: {} becomes a corner of the polygon.", support_name());
+        text_.detail = format("Go on: {} becomes a corner of the polygon.", support_name());
         return;
       case StopReason::repeated_support:
-        text_.caption = format("{} is an end of this edge already: no point of Z lies beyond it.",
+        text_.caption = format("Stop: {} is an end of this edge, so no point of Z lies beyond it.",
                                support_name());
         break;
       case StopReason::no_progress:
-        text_.caption =
-            format("{} lies no farther along n than the edge: no point of Z lies beyond it.",
-                   support_name());
+        text_.caption = format(
+            "Stop: {} lies no farther along n than the edge, so no point of Z lies beyond it.",
+            support_name());
         break;
       default:
-        text_.caption =
-            "The search has used all its iterations and gives up. The bounds still hold.";
+        text_.caption = "Stop: the search has used all its iterations. The bounds still hold.";
         text_.detail = format("The depth lies between {} and {}.",
                               number(shown_.trace.result.lower), number(shown_.trace.result.upper));
         return;
     }
     text_.detail = format(
-        "So the edge is part of Z's boundary, and no other edge is nearer to O: the depth is {}.",
+        "The edge is part of Z's boundary, and no other edge is nearer to O. The depth is {}.",
         number(shown_.trace.result.depth));
   }
 
@@ -150,17 +148,17 @@ class Telling {
       return run_.pair_name(state_.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
     };
     const int count = state_.polygon.count;
-    text_.caption = format("{} goes between the ends of the edge: the polygon has {} edges now.",
+    text_.caption = format("{} goes between the ends of the edge. The polygon now has {} edges.",
                            support_name(), count);
     const std::vector<int>& outgrown = shown_.step->record.outgrown;
     if (outgrown.empty()) {
-      text_.detail = "The edge gave way to two new ones. Next: which edge is nearest to O now?";
+      text_.detail = "Two new edges replace the old one. Next: which edge is nearest to O now?";
       return;
     }
     std::vector<std::string> names;
     for (const int corner : outgrown) names.push_back(name(corner));
     text_.detail =
-        format("{} {} inside the larger polygon now and {} dropped.", fmt::join(names, " and "),
+        format("{} now {} inside the larger polygon and {} dropped.", fmt::join(names, " and "),
                names.size() == 1 ? "lies" : "lie", names.size() == 1 ? "is" : "are");
   }
 
@@ -168,18 +166,18 @@ class Telling {
     const depth::Result<double>& result = shown_.trace.result;
     if (!(result.depth > 0.0)) {
       text_.caption =
-          format("The depth is 0: {} and {} touch, and nothing needs to move.", x(), y());
-      text_.detail = format("They touch at {}; along {} Z has no point beyond O.",
+          format("The depth is 0: {} and {} only touch. Nothing needs to move.", x(), y());
+      text_.detail = format("They touch at {}. Along {}, no point of Z lies beyond O.",
                             story_.numbers.point(result.x), story_.numbers.point(result.direction));
       return;
     }
     text_.caption =
-        format("The depth is {}: moved by t = {}, {} just touches {}.", number(result.depth),
+        format("The depth is {}. Moved by t = {}, {} just touches {}.", number(result.depth),
                story_.numbers.point(result.translation), x(), y());
     text_.detail = format(
-        "The point {} of {} then meets {} of {}. No shorter way parts them, because no edge of Z "
-        "is "
-        "nearer to O.",
+        "The point {} of {} then meets {} of {}. No shorter move parts them: no edge of Z is "
+        "nearer "
+        "to O.",
         story_.numbers.point(result.x), x(), story_.numbers.point(result.y), y());
   }
 

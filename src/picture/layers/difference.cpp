@@ -35,7 +35,9 @@ void difference(SceneBuilder& scene) {
     const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
     std::vector<Point> points;
     for (const int index : hull) points.push_back(scene.at(cloud[index].z));
-    scene.area("hull", points, {Subject::Kind::difference});
+    // While a run is followed Z is what GJK does without.
+    const bool is_ghost = scene.run.act->follows_run || scene.frame.support_part;
+    scene.area(is_ghost ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
   if (wants_cloud && pairs_made(scene, all) > 0) {
@@ -88,8 +90,8 @@ void pair_under_construction(SceneBuilder& scene) {
   const Vector2d y = scene.positioned.y().world[pair.y];
   if (scene.view.kind == ViewKind::world) {
     difference_arrow(scene, scene.at(x), scene.at(y));
-    scene.disk("support", scene.at(x), kSimplexRadius);
-    scene.disk("support", scene.at(y), kSimplexRadius);
+    scene.disk("cloud.current", scene.at(x), kSimplexRadius);
+    scene.disk("cloud.current", scene.at(y), kSimplexRadius);
   } else {
     difference_arrow(scene, scene.at(Vector2d::Zero()), scene.at(y - x));
     scene.disk("cloud.current", scene.at(y - x), kSimplexRadius);

@@ -71,7 +71,7 @@ void grown_obstacle(SceneBuilder& scene) {
   scene.out.moving_labels.push_back(scene.label("grown", "grown " + scene.run.lesson.y().name,
                                                 "hull.label", type::kSmallVertex, far, 2.0,
                                                 far - p));
-  scene.disk("query", p, sizes::kPointRadius);
+  scene.cross("query", p, sizes::kPointRadius);
   scene.out.moving_labels.push_back(
       scene.label("reference", "p", "query.label", type::kVertex, p, sizes::kPointRadius));
 }

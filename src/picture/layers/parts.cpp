@@ -37,11 +37,13 @@ void parts(SceneBuilder& scene) {
     if (!measures_tested_edge(scene, part)) continue;
     std::vector<Point> points;
     for (const Vector2d& point : part.points) points.push_back(scene.at_difference(point));
-    const std::string role = part.weight < 0.0 ? "area.negative" : std::string(kRoles[part.vertex]);
+    const std::string hue(kRoles[part.vertex]);
+    const std::string role = part.weight < 0.0 ? "area.negative" : hue;
     const std::string text = fmt::format("{} = {}", kLetters[part.vertex],
                                          Numbers(scene.run.lesson).weight(part.weight));
     if (points.size() == 3) {
       scene.area(role, points);
+      if (part.weight < 0.0) scene.hatched(hue + ".hatch", points);
       scene.outline(points);
       // Where the area is too thin for its label: outside of the simplex, at the edge that the
       // area stands on. A negative area lies beyond that edge, up to Q: on the far side of the

@@ -95,7 +95,9 @@ void regions(SceneBuilder& scene) {
     if (gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
     if (!is_drawn(region.face)) role = "region.hidden";
+    const bool is_ruled_out = role == "region.rejected";
     scene.area(std::move(role), points, {Subject::Kind::region, region.face});
+    if (is_ruled_out) scene.hatched("region.hatch", points);
     if (!is_drawn(region.face)) continue;
     const bool interior = gjk::vertex_count(region.face) == 3;
     const std::string name = interior ? "interior" : "region " + words.face(region.face);

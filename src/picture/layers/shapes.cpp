@@ -103,7 +103,7 @@ namespace {
 void query_point(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
     const Point q = scene.at(scene.positioned.x().world[0]);
-    scene.disk("query", q, kPointRadius, {Subject::Kind::vertex_of_x, 0});
+    scene.cross("query", q, kPointRadius, {Subject::Kind::vertex_of_x, 0});
     std::string name = scene.run.lesson.x().vertex_names[0];
     if (scene.shows(Projection::kName)) {
       // Within a pixel of the line, G has no mark of its own.

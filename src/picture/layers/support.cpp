@@ -42,7 +42,7 @@ void along(SceneBuilder& scene, const std::vector<Vector2d>& vertices, int found
   const Point point = scene.at(vertices[found]);
   line_past(scene, vertices, point, d);
   search_arrow(scene, point, d, sizes::kPairArrow, text);
-  scene.disk("support.vertex", point, sizes::kSimplexRadius);
+  scene.diamond("support.vertex", point, sizes::kSupportRadius);
 }
 
 /// The differences that the chosen vertex of Y is in: a copy of X, turned round, standing at it.

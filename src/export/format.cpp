@@ -1,0 +1,27 @@
+#include "export/format.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gjkscope {
+namespace {
+
+constexpr std::array<std::string_view, 8> kNames = {"png", "svg",  "pdf", "tex",
+                                                    "gif", "apng", "mp4", "webm"};
+
+}  // namespace
+
+std::optional<Format> format_of(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<Format>(found - kNames.begin());
+}
+
+std::string_view name_of(Format format) { return kNames[static_cast<std::size_t>(format)]; }
+
+std::string format_names() { return fmt::format("{}", fmt::join(kNames, ", ")); }
+
+}  // namespace gjkscope

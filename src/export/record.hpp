@@ -1,0 +1,55 @@
+#pragma once
+// What an exported file says of itself: which lesson, which step, which case, made from what.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/case.hpp"
+
+namespace gjkscope {
+
+/// In every exported file, as text: it may be replaced without asking.
+[[nodiscard]] const std::string& signature();
+/// The keyword of a record among the texts of a PNG.
+inline constexpr const char* kRecordKeyword = "gjkscope";
+
+struct RecordedFrame {
+  int step = 1;  ///< From 1.
+  std::string caption;
+  Case shapes;  ///< As they stand in the world.
+};
+
+struct Record {
+  std::string lesson;  ///< Its id,
+  std::string toml;    ///< and its file, from which it can be read again.
+  std::string key;     ///< Of all that the file was made from, as `Fingerprint` has it.
+  std::vector<RecordedFrame> frames;  ///< Those that the file shows.
+};
+
+/// As JSON in ASCII; coordinates are hexadecimal floats. A frame without a case shows that of the
+/// frame before.
+[[nodiscard]] std::string record_text(const Record& record);
+/// The record in the bytes of a PNG, APNG, SVG, PDF or GIF; nothing where there is none.
+[[nodiscard]] std::optional<Record> find_record(std::span<const std::uint8_t> file);
+
+/// Whether a file has these bytes in its first 64 KiB or its last MiB.
+[[nodiscard]] bool mentions(const std::filesystem::path& file, std::string_view text);
+/// Whether a file may be replaced: it is not there, or was exported.
+[[nodiscard]] bool is_exported(const std::filesystem::path& file);
+
+/// Sums up what a file is made from, in 64 bits: equal inputs, equal sums (FNV-1a).
+class Fingerprint {
+ public:
+  void add(std::string_view bytes);
+  [[nodiscard]] std::string hex() const;
+
+ private:
+  std::uint64_t sum_ = 0xcbf29ce484222325;
+};
+
+}  // namespace gjkscope

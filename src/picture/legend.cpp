@@ -1,0 +1,133 @@
+#include "picture/legend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <variant>
+
+namespace gjkscope {
+namespace {
+
+constexpr std::array<LegendEntry, 13> kEntries = {
+    {{"simplex.vertex", "vertex of the simplex S"},
+     {"polygon.vertex", "corner of the polygon"},
+     {"support.vertex", "support point"},
+     {"closest", "closest point"},
+     {"dropped", "dropped vertex"},
+     {"support.plane", "support line, normal to d"},
+     {"support.axis.foot", "foot: how far along"},
+     {"closest.circle", "as far away as P"},
+     {"region.rejected", "ruled out"},
+     {"hull.ghost", "outline of Z, not known to GJK"},
+     {"cloud.point", "a difference y − x"},
+     {"cloud.touched", "a difference that was computed"},
+     {"history.closest", "P of an earlier iteration"}}};
+
+const Mark* mark_of(const Scene& scene, std::string_view role) {
+  const auto found = std::find_if(scene.marks.begin(), scene.marks.end(),
+                                  [&](const Mark& mark) { return mark.role == role; });
+  return found == scene.marks.end() ? nullptr : &*found;
+}
+
+/// A mark like those of the scene, of the size of a letter.
+struct Glyph {
+  Point center;
+
+  decltype(Mark::shape) operator()(const Disk& disk) const {
+    return Disk{center, std::min(disk.radius, 6.0)};
+  }
+  decltype(Mark::shape) operator()(const Polygon& polygon) const {
+    if (polygon.points.size() == 4) return diamond(center, 7.0);
+    return operator()(Box{});
+  }
+  decltype(Mark::shape) operator()(const Polyline&) const {
+    return Polyline{{center - Point(9.0, 0.0), center + Point(9.0, 0.0)}};
+  }
+  decltype(Mark::shape) operator()(const Arrow&) const {
+    return Arrow{center - Point(9.0, 0.0), center + Point(9.0, 0.0)};
+  }
+  decltype(Mark::shape) operator()(const Cross&) const { return Cross{center, 7.0}; }
+  decltype(Mark::shape) operator()(const Box&) const {
+    return Box{{center - Point(8.0, 6.0), center + Point(8.0, 6.0)}, 2.0};
+  }
+  decltype(Mark::shape) operator()(const Text& text) const { return text; }
+};
+
+/// How much of what labels keep away from lies in a box.
+int covered(const Obstacles& obstacles, const Rect& box) {
+  const auto is_in = [&](const Point& point, double slack) {
+    return (point.array() > box.min.array() - slack).all() &&
+           (point.array() < box.max.array() + slack).all();
+  };
+  int count = 0;
+  for (const Obstacles::Circle& circle : obstacles.circles)
+    count += is_in(circle.center, circle.radius) ? 4 : 0;
+  constexpr int kPieces = 32;
+  for (const Obstacles::Segment& segment : obstacles.segments) {
+    for (int i = 0; i <= kPieces; ++i)
+      count += is_in(segment.a + i * (segment.b - segment.a) / kPieces, 0.0) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Where a box of this size hides least at the edges of a card, and no words; none where it would.
+std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect& card,
+                              const std::vector<Rect>& words) {
+  constexpr int kPlaces = 6;  // along each edge
+  std::optional<Rect> best;
+  int least = 0;
+  const Point room = card.size() - size;
+  for (const Point& edge : {Point(0.0, 1.0), Point(1.0, 0.0), Point(0.0, 0.0)}) {
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double along = static_cast<double>(i) / kPlaces;
+      // The lower edge, the right one, the upper one.
+      const Point share = edge.x() > 0.0 ? Point(1.0, along) : Point(along, edge.y());
+      const Point at = card.min + share.cwiseProduct(room);
+      const Rect box{at, at + size};
+      if (std::any_of(words.begin(), words.end(),
+                      [&](const Rect& word) { return overlap(box, word); }))
+        continue;
+      const int cost = covered(scene.obstacles, box);
+      if (best && cost >= least) continue;
+      best = box;
+      least = cost;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::span<const LegendEntry> legend_entries() { return kEntries; }
+
+bool has_mark(const Scene& scene, std::string_view role) { return mark_of(scene, role) != nullptr; }
+
+std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
+                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts) {
+  constexpr double kGlyph = 28.0;
+  constexpr double kPad = 12.0;
+  constexpr double kRow = 24.0;
+  if (entries.empty()) return {};
+  double width = 0.0;
+  for (const LegendEntry& entry : entries)
+    width = std::max(width, kGlyph + fonts.width(type::kText, entry.text) + 2.0 * kPad);
+  const Point size(width, kRow * static_cast<double>(entries.size()) + kPad);
+  const Point frame(1.0, 1.0);
+  const Rect inside{card.min + frame, card.max - frame};
+  if ((size.array() > inside.size().array()).any()) return {};
+  const std::optional<Rect> box = place_for(size, scene, inside, words);
+  if (!box) return {};
+  std::vector<Mark> marks = {{"legend.box", Box{*box, 9.0}}};
+  const double x = box->min.x() + kPad;
+  double y = box->min.y() + 0.5 * (kRow + kPad);
+  for (const LegendEntry& entry : entries) {
+    const Mark& like = *mark_of(scene, entry.role);
+    marks.push_back({like.role, std::visit(Glyph{{x + 10.0, y}}, like.shape)});
+    const double base = y + 0.5 * fonts.cap_height(type::kText);
+    marks.push_back({"legend", Text{{x + kGlyph, base}, std::string(entry.text), type::kText}});
+    y += kRow;
+  }
+  return marks;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,28 @@
+#pragma once
+// What marks mean, said in the frame that shows them first.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "picture/scene.hpp"
+
+namespace gjkscope {
+
+struct LegendEntry {
+  std::string_view role;
+  std::string_view text;
+};
+
+/// All there are, in the order in which they are said.
+[[nodiscard]] std::span<const LegendEntry> legend_entries();
+
+[[nodiscard]] bool has_mark(const Scene& scene, std::string_view role);
+
+/// What explains them, at the edge of a card where it hides least, and none of the `words`. Nothing
+/// where there is no such place.
+[[nodiscard]] std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
+                                       const Rect& card, const std::vector<Rect>& words,
+                                       const Fonts& fonts);
+
+}  // namespace gjkscope
