@@ -1,3 +1,5 @@
+import { readFileSync, readdirSync } from "node:fs";
+
 // What the scripts of the pages and of their tests are held to.
 const browser = ["document", "window", "location", "history", "localStorage", "navigator", "performance", "matchMedia",
   "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "requestAnimationFrame", "cancelAnimationFrame",
@@ -14,6 +16,10 @@ const rules = {
   "no-shadow": "error",
   "no-unreachable": "error",
 };
+// The scripts of a page are one.
+const scripts = new URL("assets/web/", import.meta.url);
+const names = readdirSync(scripts).filter((file) => file.endsWith(".js")).flatMap((file) =>
+  [...readFileSync(new URL(file, scripts), "utf8").matchAll(/^(?:async )?(?:function|const|let) ([\w$]+)/gm)].map(([, name]) => name));
 const readonly = (names) => Object.fromEntries(names.map((name) => [name, "readonly"]));
 
 export default [
@@ -21,8 +27,7 @@ export default [
     files: ["**/assets/web/*.js"],
     languageOptions: {
       sourceType: "script",
-      // The three scripts of a page are one.
-      globals: readonly([...browser, "bytesOf", "startPlayerWith", "animate"]),
+      globals: readonly([...browser, ...names]),
     },
     rules: { ...rules, "no-redeclare": ["error", { builtinGlobals: false }] },
   },

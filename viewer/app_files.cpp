@@ -17,6 +17,7 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "picture/registry.hpp"
+#include "session/edit.hpp"
 
 namespace gjkscope {
 namespace {
@@ -46,13 +47,6 @@ Expectation outcome_of(const LessonRun& run) {
     expect.supports->push_back(run.point_query() ? y : fmt::format("{}-{}", y, x));
   }
   return expect;
-}
-
-std::string all_of(const std::vector<Problem>& problems) {
-  std::string text;
-  for (const Problem& problem : problems)
-    text += fmt::format("{}{}", text.empty() ? "" : "\n", to_string(problem));
-  return text;
 }
 
 std::vector<std::string> lines_of(const fs::path& file) {
@@ -105,7 +99,7 @@ void App::open_exported(const fs::path& file) {
   // Results of a study stand beside the shipped lessons.
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
   LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
-  if (!loaded.lesson) return say(all_of(loaded.problems), true);
+  if (!loaded.lesson) return say(to_string(loaded.problems), true);
   // The step counts the frames that ask, which the window shows only in predict mode.
   const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
   const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));
@@ -120,13 +114,13 @@ void App::open_exported(const fs::path& file) {
 
 void App::open_lesson(const fs::path& file) {
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
-  if (!loaded.lesson) return say(all_of(loaded.problems), true);
+  if (!loaded.lesson) return say(to_string(loaded.problems), true);
   if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);
 }
 
 void App::open_case_text(std::string_view text, const std::string& name, bool unsaved) {
   const std::vector<ReadCase> cases = parse_cases(text, name);
-  if (!cases.front().value) return say(all_of(cases.front().problems), true);
+  if (!cases.front().value) return say(to_string(cases.front().problems), true);
   std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
   if (lesson && show(*std::move(lesson), {}, name, unsaved) && cases.size() > 1)
     say(fmt::format("the first of {} cases", cases.size()));
@@ -134,31 +128,19 @@ void App::open_case_text(std::string_view text, const std::string& name, bool un
 
 std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
-  const Lesson plain = lesson_of(shapes, name, ScalarKind::double_);
   const fs::path file = opening_lesson(paths_.share);
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) {
-    say(all_of(loaded.problems), true);
+    say(to_string(loaded.problems), true);
     return std::nullopt;
   }
-  Lesson lesson = std::move(*loaded.lesson);
-  lesson.id = plain.id;
+  Lesson lesson = edit::told_of(*std::move(loaded.lesson), shapes);
+  lesson.id = name;
   lesson.path.clear();
   lesson.title = name;
   lesson.prose = "Shapes of a case.";
   lesson.source.clear();
-  lesson.x() = plain.x();
-  lesson.y() = plain.y();
-  lesson.options = plain.options;
-  lesson.questions.clear();
-  lesson.expect = {};
-  for (LessonView& view : lesson.views) view.camera.reset();
-  // All differences of large shapes are more than can be told apart, and than can be computed.
-  constexpr std::size_t kMostPairs = 100'000;
-  if (lesson.x().vertices.size() * lesson.y().vertices.size() > kMostPairs) {
-    for (LessonView& view : lesson.views) view.effects.clear();
-  }
-  lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to
+  lesson.options = {};
   return lesson;
 }
 
@@ -180,7 +162,7 @@ void App::file_changed(const fs::path& path) {
   if (path != session_.file()) return;
   try {
     LoadedLesson loaded = parse_lesson(read_whole(path), path, vocabulary());
-    if (!loaded.lesson) return say(all_of(loaded.problems), true);
+    if (!loaded.lesson) return say(to_string(loaded.problems), true);
     if (session_.saved() && *loaded.lesson == *session_.saved()) return;
     picture_.release();
     if (!session_.reload(std::move(*loaded.lesson)))
@@ -201,7 +183,7 @@ void App::save_to(const fs::path& file) {
   lesson.expect = outcome_of(session_.run());
   const std::string text = lesson_toml(lesson);
   LoadedLesson saved = parse_lesson(text, file, vocabulary());
-  if (!saved.lesson) return say(all_of(saved.problems), true);
+  if (!saved.lesson) return say(to_string(saved.problems), true);
   try {
     std::error_code none;
     std::string note;
@@ -310,7 +292,7 @@ void App::open_left_work() {
     const bool has_file = fs::exists(left.file);
     LoadedLesson loaded =
         parse_lesson(left.text, left.file.empty() ? "unsaved.toml" : left.file, vocabulary());
-    if (!loaded.lesson) return say(all_of(loaded.problems), true);
+    if (!loaded.lesson) return say(to_string(loaded.problems), true);
     LoadedLesson saved = has_file ? load_lesson(left.file, vocabulary()) : LoadedLesson{};
     const std::string name = left.file.empty() ? loaded.lesson->title : left.file.string();
     // On top of what its file holds, so that undo and revert lead there.

@@ -54,6 +54,12 @@ std::string to_string(const Problem& problem) {
   return out;
 }
 
+std::string to_string(const std::vector<Problem>& problems) {
+  std::string out;
+  for (const Problem& problem : problems) out += (out.empty() ? "" : "\n") + to_string(problem);
+  return out;
+}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
   const std::string wanted = folded(name);
   std::string nearest;

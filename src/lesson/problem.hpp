@@ -33,6 +33,8 @@ struct Problem {
 
 /// "file:line:column: what; expected ...; did you mean 'nearest'?"
 [[nodiscard]] std::string to_string(const Problem& problem);
+/// One a line.
+[[nodiscard]] std::string to_string(const std::vector<Problem>& problems);
 
 /// The known name with the smallest edit distance, if that is small enough to be a slip of the
 /// fingers (a third of the longer name); else empty. Letter case and `_` for `-` count nothing.

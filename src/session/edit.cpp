@@ -128,6 +128,24 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
   return nearest;
 }
 
+Lesson told_of(Lesson lesson, const Case& shapes) {
+  constexpr std::size_t kMostPairs = 100'000;
+  const Lesson plain = lesson_of(shapes, "", lesson.scalar);
+  lesson.x() = plain.x();
+  lesson.y() = plain.y();
+  lesson.options.start = plain.options.start;
+  lesson.path_of_shapes.reset();
+  lesson.questions.clear();
+  lesson.expect = {};
+  lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to
+  const bool are_few = shapes.a.size() * shapes.b.size() <= kMostPairs;
+  for (LessonView& view : lesson.views) {
+    view.camera.reset();
+    if (!are_few) view.effects.clear();
+  }
+  return lesson;
+}
+
 Lesson told_by_depth(Lesson lesson) {
   lesson.act = acts::kDepth.act.name;
   lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kDepthEdges.name),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "lesson/case.hpp"
 #include "lesson/run.hpp"
 
 namespace gjkscope::edit {
@@ -33,6 +34,10 @@ int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& p
 /// Takes a vertex away, unless it is the last one. First simplices that name it are forgotten, and
 /// so are the support points that the lesson expects.
 bool erase_vertex(Lesson& lesson, std::size_t body, int index);
+
+/// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects are, too,
+/// where the differences are more than can be drawn one by one.
+[[nodiscard]] Lesson told_of(Lesson lesson, const Case& shapes);
 
 /// The same shapes, told by the expanding polygon that finds their penetration depth.
 [[nodiscard]] Lesson told_by_depth(Lesson lesson);

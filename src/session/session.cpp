@@ -36,15 +36,10 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
 
 }  // namespace
 
-std::string why_not_said(const Lesson& lesson, const FileReader& read) {
-  const LoadedLesson loaded = parse_lesson(
-      lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path, vocabulary(), read);
-  std::string why;
-  for (const Problem& problem : loaded.problems) {
-    why += fmt::format("{}{}", why.empty() ? "this lesson cannot have that: " : "; ", problem.what);
-    if (!problem.expected.empty()) why += fmt::format(", expected {}", problem.expected);
-  }
-  return why;
+std::vector<Problem> why_not_said(const Lesson& lesson, const FileReader& read) {
+  return parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path,
+                      vocabulary(), read)
+      .problems;
 }
 
 /// A run and its pictures, which refer to it.
@@ -147,7 +142,7 @@ void Session::remember(Entry entry) {
 
 bool Session::edit(const std::string& name, Lesson lesson) {
   if (dragging_) end_drag();
-  problem_ = why_not_said(lesson, read_);
+  problem_ = to_string(why_not_said(lesson, read_));
   if (!problem_.empty()) return false;
   hold_cameras();
   std::optional<Lesson> before = replace(std::move(lesson), cameras_);

@@ -26,9 +26,10 @@ struct Answer {
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 
-/// Why no lesson file could say this, in the loader's words; empty when one could. `read` gives the
-/// files that it names.
-[[nodiscard]] std::string why_not_said(const Lesson& lesson, const FileReader& read = read_file);
+/// Why no lesson file could say this, as the loader says it of the file that would be saved; empty
+/// when one could. `read` gives the files that it names.
+[[nodiscard]] std::vector<Problem> why_not_said(const Lesson& lesson,
+                                                const FileReader& read = read_file);
 
 class Session {
  public:

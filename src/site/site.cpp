@@ -109,7 +109,9 @@ class SiteWriter {
     shared_["wasm"] = base64(read_whole(web / "gjkscope.wasm.gz"));
     shared_["fonts"] = read_whole(web / "fonts.css");
     shared_["style"] = read_whole(assets_ / "web" / "style.css");
-    for (const char* name : {"player.js", "motion.js", "page.js"})
+    shared_["theme-script"] = read_whole(assets_ / "web" / "theme.js");
+    for (const char* name :
+         {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js", "kit.js", "start.js"})
       shared_["script"] += read_whole(assets_ / "web" / name);
   }
 
@@ -150,10 +152,16 @@ class SiteWriter {
       list += card(lesson);
     }
     if (chapter >= 0) list += "</ul></section>\n";
-    write_plain("index", {{"lessons", list}});
+    write_plain("index", "GJK, step by step",
+                "The GJK distance algorithm, one decision at a time: lessons to step through, to "
+                "drag and to ask.",
+                {{"lessons", list}});
   }
 
-  void write_about() { write_plain("about", {}); }
+  void write_about() {
+    write_plain("about", "About · gjkscope", "Where these pages come from, and how to use them.",
+                {});
+  }
 
   std::vector<fs::path> files() && { return std::move(files_); }
 
@@ -238,14 +246,20 @@ class SiteWriter {
     write(lesson.id, filled(page_, parts));
   }
 
-  void write_plain(const std::string& name, std::map<std::string, std::string> parts) {
-    parts.insert(shared_.begin(), shared_.end());
+  /// A page around the lessons: no figure of its own, and no program.
+  void write_plain(const std::string& name, const std::string& title, const std::string& about,
+                   const std::map<std::string, std::string>& in_body) {
+    std::map<std::string, std::string> parts = shared_;
+    parts["name"] = name;
+    parts["title"] = title;
+    parts["about"] = about;
     parts["nav"] = nav(name + ".html", nullptr);
-    write(name, filled(read_whole(assets_ / "web" / (name + ".html")), parts));
+    parts["main"] = filled(read_whole(assets_ / "web" / (name + ".html")), in_body);
+    write(name, filled(read_whole(assets_ / "web" / "plain.html"), parts));
   }
 
-  /// The last frame without its words, which are too small to read there.
-  [[nodiscard]] std::string thumbnail(const Lesson& lesson) const {
+  /// The last frame without its words, which are too small to read there, and what it is about.
+  [[nodiscard]] std::string card(const Lesson& lesson) const {
     Lesson told = lesson;
     told.questions.clear();
     const LessonRun run = run_lesson(std::move(told));
@@ -255,18 +269,11 @@ class SiteWriter {
     std::erase_if(picture.marks, [](const Mark& mark) {
       return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
     });
-    return "data:image/svg+xml;base64," + base64(to_svg(picture, fonts_, theme_, ""));
-  }
-
-  [[nodiscard]] std::string card(const Lesson& lesson) const {
-    const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
     return fmt::format(
-        "<li><a href=\"{}.html\"><img src=\"{}\" width=\"640\" height=\"360\" alt=\"\" "
-        "loading=\"lazy\"><strong>{}</strong><span>{}</span></a></li>\n",
-        escape_html(lesson.id), thumbnail(lesson), escape_html(lesson.title),
-        escape_html(texts.front().prose));
+        "<li><a href=\"{}.html\"><img src=\"data:image/svg+xml;base64,{}\" width=\"640\" "
+        "height=\"360\" alt=\"\" loading=\"lazy\"><strong>{}</strong><span>{}</span></a></li>\n",
+        escape_html(lesson.id), base64(to_svg(picture, fonts_, theme_, "")),
+        escape_html(lesson.title), escape_html(pictures.texts().front().prose));
   }
 
   void write(const std::string& name, const std::string& text) {

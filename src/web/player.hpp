@@ -55,8 +55,6 @@ class Player {
   [[nodiscard]] static Lesson parsed(const std::string& text, const std::string& name,
                                      const Files& files);
   void change(const std::string& name, const Lesson& lesson);
-  /// A change leaves who looks at the answer there.
-  [[nodiscard]] bool at_end() const;
 
   // What is shown
   [[nodiscard]] std::string shown();

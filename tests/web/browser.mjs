@@ -1,5 +1,5 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it.
+// that does not hold ends it. Claims about actions hold at each size in each theme.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD]
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -35,7 +35,7 @@ const failures = [];
 const ready = (page) => page.locator("html[data-ready]").waitFor({ state: "attached" });
 
 /** A page that must not complain, nor ask anybody for anything. */
-async function open(address, size = "laptop", more = {}) {
+async function open(address, size = "laptop", { theme, ...more } = {}) {
   const { width, height, touch } = SIZES[size];
   const context = await browser.newContext({ viewport: { width, height }, hasTouch: Boolean(touch), acceptDownloads: true, ...more });
   const page = await context.newPage();
@@ -45,9 +45,11 @@ async function open(address, size = "laptop", more = {}) {
   page.on("request", (request) => {
     if (!/^(data:|blob:)/.test(request.url()) && !request.isNavigationRequest()) page.complaints.push(`asks for ${request.url()}`);
   });
+  if (theme) await page.addInitScript((name) => localStorage.setItem("gjkscope-theme", name), theme);
   await page.goto(address);
   if (more.javaScriptEnabled !== false && (await page.locator("#wasm").count()))
     await ready(page);
+  if (theme) assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
   return page;
 }
 
@@ -57,7 +59,15 @@ async function close(page) {
 }
 
 const tests = [];
-const claim = (name, body) => tests.push({ name, body });
+/** One that is `alone` measures time, so nothing runs beside it. */
+const claim = (name, body, alone = false) => tests.push({ name, body, alone });
+/** What a hand does holds at each of some sizes, in each theme: `body` gets how to open a page there. */
+function action(name, body, sizes = Object.keys(SIZES)) {
+  for (const size of sizes) {
+    for (const theme of THEMES)
+      claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
+  }
+}
 const text = (page, id) => page.locator(`#${id}`).textContent();
 const count = async (page) => (await text(page, "count")).split(" / ").map(Number);
 /** Motion is over. */
@@ -90,52 +100,50 @@ const distance = async (page) => Number((await state(page)).outcome[0][1]);
 
 // Steps -------------------------------------------------------------------------------------------
 
-for (const size of Object.keys(SIZES)) {
-  claim(`${size}: buttons, keys, slider and ticks step`, async () => {
-    const page = await open(url("polygons-gjk"), size);
-    const [, all] = await count(page);
-    assert.equal(all, (await page.locator(".transcript li").count()));
-    await page.click("#step");
-    assert.deepEqual(await count(page), [2, all]);
-    await page.click("#iteration");
-    const [after] = await count(page);
-    assert.ok(after > 2);
-    await page.click("#iteration-back");
-    await page.click("#back");
-    assert.deepEqual(await count(page), [1, all]);
-    await page.locator("body").press("ArrowRight");
-    await page.locator("body").press("Shift+ArrowRight");
-    assert.ok((await count(page))[0] >= 3);
-    await page.locator("body").press("End");
-    assert.deepEqual(await count(page), [all, all]);
-    assert.ok(await page.locator("#step").isDisabled());
-    await page.locator("body").press("Home");
-    await page.locator("#scrub").focus();
-    await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("ArrowRight");
-    assert.deepEqual(await count(page), [3, all]);
-    assert.equal(await text(page, "caption"), (await state(page)).caption);
-    assert.match(page.url(), /#step=3$/);
-    const slider = await page.locator("#scrub").boundingBox();
-    await page.mouse.click(slider.x + slider.width / 2, slider.y + slider.height / 2);
-    const [middle] = await count(page);
-    assert.ok(Math.abs(middle - all / 2) <= 2, `the slider's middle is step ${middle} of ${all}`);
-    if (size !== "phone") {
-      await page.locator('#timeline [data-of="frame 4"]').first().click();
-      assert.deepEqual(await count(page), [5, all]);
-    }
-    await page.locator('#panel [role="button"]').nth(1).click();
-    const [byLine] = await count(page);
-    await page.locator('#panel [role="button"]').nth(1).press("Enter");
-    assert.notEqual((await count(page))[0], byLine);
-    await page.locator(".transcript a").nth(6).click();
-    assert.deepEqual(await count(page), [7, all]);
-    await close(page);
-  });
-}
+action("buttons, keys, slider and ticks step", async (visit, size) => {
+  const page = await visit(url("polygons-gjk"), size);
+  const [, all] = await count(page);
+  assert.equal(all, (await page.locator(".transcript li").count()));
+  await page.click("#step");
+  assert.deepEqual(await count(page), [2, all]);
+  await page.click("#iteration");
+  const [after] = await count(page);
+  assert.ok(after > 2);
+  await page.click("#iteration-back");
+  await page.click("#back");
+  assert.deepEqual(await count(page), [1, all]);
+  await page.locator("body").press("ArrowRight");
+  await page.locator("body").press("Shift+ArrowRight");
+  assert.ok((await count(page))[0] >= 3);
+  await page.locator("body").press("End");
+  assert.deepEqual(await count(page), [all, all]);
+  assert.ok(await page.locator("#step").isDisabled());
+  await page.locator("body").press("Home");
+  await page.locator("#scrub").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual(await count(page), [3, all]);
+  assert.equal(await text(page, "caption"), (await state(page)).caption);
+  assert.match(page.url(), /#step=3$/);
+  const slider = await page.locator("#scrub").boundingBox();
+  await page.mouse.click(slider.x + slider.width / 2, slider.y + slider.height / 2);
+  const [middle] = await count(page);
+  assert.ok(Math.abs(middle - all / 2) <= 2, `the slider's middle is step ${middle} of ${all}`);
+  if (size !== "phone") {
+    await page.locator('#timeline [data-of="frame 4"]').first().click();
+    assert.deepEqual(await count(page), [5, all]);
+  }
+  await page.locator('#panel [role="button"]').nth(1).click();
+  const [byLine] = await count(page);
+  await page.locator('#panel [role="button"]').nth(1).press("Enter");
+  assert.notEqual((await count(page))[0], byLine);
+  await page.locator(".transcript a").nth(6).click();
+  assert.deepEqual(await count(page), [7, all]);
+  await close(page);
+});
 
-claim("play goes on by itself and ends at the end", async () => {
-  const page = await open(url("segment-regions", "#step=1"));
+action("play goes on by itself and ends at the end", async (visit) => {
+  const page = await visit(url("segment-regions", "#step=1"));
   await page.clock.install();
   const [, all] = await count(page);
   await page.locator("body").press(" ");
@@ -151,8 +159,8 @@ claim("play goes on by itself and ends at the end", async () => {
   await close(page);
 });
 
-claim("an address names the step, also a later one", async () => {
-  const page = await open(url("polygons-gjk", "#step=7"));
+action("an address names the step, also a later one", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=7"));
   assert.equal((await count(page))[0], 7);
   await page.evaluate(() => { location.hash = "9"; });
   await page.locator("#count", { hasText: /^9 / }).waitFor();
@@ -161,41 +169,39 @@ claim("an address names the step, also a later one", async () => {
 
 // The hand ----------------------------------------------------------------------------------------
 
-for (const size of Object.keys(SIZES)) {
-  claim(`${size}: a vertex and a shape are dragged, and undo takes it back`, async () => {
-    const page = await open(url("polygons-gjk", "#step=5"), size);
-    await page.locator("#stage").scrollIntoViewIfNeeded();
-    const drag = SIZES[size].touch ? touchPath : dragByMouse;
-    const before = await state(page);
-    const scrolled = await page.evaluate(() => scrollY);
-    await drag(page, await vertex(page, "y 0"), [-30, 34]);
-    const after = await state(page);
-    assert.notDeepEqual(after.shapes.y.vertices[0], before.shapes.y.vertices[0]);
-    assert.deepEqual(after.shapes.y.vertices.slice(1), before.shapes.y.vertices.slice(1));
-    assert.notEqual(after.outcome[0][1], before.outcome[0][1]);
-    assert.equal(await page.evaluate(() => scrollY), scrolled, "the page stays under a dragging finger");
-    const box = await page.locator('#stage path[data-of="X"]').first().boundingBox();
-    await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [24, -10]);
-    const moved = await state(page);
-    const shift = (i, axis) => moved.shapes.x.vertices[i][axis] - before.shapes.x.vertices[i][axis];
-    assert.ok(shift(0, 0) > 0.01);
-    for (let i = 1; i < moved.shapes.x.vertices.length; ++i) assert.ok(Math.abs(shift(i, 0) - shift(0, 0)) < 1e-9);
-    await page.locator("body").press("u");
-    assert.deepEqual((await state(page)).shapes, after.shapes);
-    await page.click("#undo");
-    assert.deepEqual((await state(page)).shapes, before.shapes);
-    assert.equal((await state(page)).changed, false);
-    await page.click("#redo");
-    await page.click("#redo");
-    assert.deepEqual((await state(page)).shapes, moved.shapes);
-    await page.click("#reset");
-    assert.deepEqual((await state(page)).shapes, before.shapes);
-    await close(page);
-  });
-}
+action("a vertex and a shape are dragged, and undo takes it back", async (visit, size) => {
+  const page = await visit(url("polygons-gjk", "#step=5"), size);
+  await page.locator("#stage").scrollIntoViewIfNeeded();
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
+  const before = await state(page);
+  const scrolled = await page.evaluate(() => scrollY);
+  await drag(page, await vertex(page, "y 0"), [-30, 34]);
+  const after = await state(page);
+  assert.notDeepEqual(after.shapes.y.vertices[0], before.shapes.y.vertices[0]);
+  assert.deepEqual(after.shapes.y.vertices.slice(1), before.shapes.y.vertices.slice(1));
+  assert.notEqual(after.outcome[0][1], before.outcome[0][1]);
+  assert.equal(await page.evaluate(() => scrollY), scrolled, "the page stays under a dragging finger");
+  const box = await page.locator('#stage path[data-of="X"]').first().boundingBox();
+  await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [24, -10]);
+  const moved = await state(page);
+  const shift = (i, axis) => moved.shapes.x.vertices[i][axis] - before.shapes.x.vertices[i][axis];
+  assert.ok(shift(0, 0) > 0.01);
+  for (let i = 1; i < moved.shapes.x.vertices.length; ++i) assert.ok(Math.abs(shift(i, 0) - shift(0, 0)) < 1e-9);
+  await page.locator("body").press("u");
+  assert.deepEqual((await state(page)).shapes, after.shapes);
+  await page.click("#undo");
+  assert.deepEqual((await state(page)).shapes, before.shapes);
+  assert.equal((await state(page)).changed, false);
+  await page.click("#redo");
+  await page.click("#redo");
+  assert.deepEqual((await state(page)).shapes, moved.shapes);
+  await page.click("#reset");
+  assert.deepEqual((await state(page)).shapes, before.shapes);
+  await close(page);
+});
 
-claim("a finger that swipes over the empty stage steps, one that drags does not", async () => {
-  const page = await open(url("polygons-gjk", "#step=4"), "phone");
+action("a finger that swipes over the empty stage steps, one that drags does not", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=4"));
   const box = await page.locator("#stage").boundingBox();
   const empty = [box.x + box.width - 30, box.y + 14];
   await touchPath(page, empty, [-160, 6]);
@@ -204,28 +210,33 @@ claim("a finger that swipes over the empty stage steps, one that drags does not"
   assert.equal((await count(page))[0], 4);
   assert.equal((await state(page)).changed, false);
   await close(page);
-});
+}, ["phone"]);
 
-claim("a difference that is pointed at lights up with its two vertices", async () => {
-  const page = await open(url("polygons-gjk", "#step=17"));
-  await page.mouse.move(...await vertex(page, "z 2 0"));
+action("a difference that is pointed at lights up with its two vertices", async (visit, size) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  const at = await vertex(page, "z 2 0");
+  if (SIZES[size].touch) await page.touchscreen.tap(...at);
+  else await page.mouse.move(...at);
   const lit = await page.locator("#stage .ring").evaluateAll((rings) => [...new Set(rings.map((ring) => ring.dataset.lit))].sort());
   assert.deepEqual(lit, ["x 2", "y 0", "z 2 0"]);
   await close(page);
 });
 
-claim("in the difference a drag moves Y", async () => {
-  const page = await open(url("polygons-gjk", "#step=17"));
+action("in the difference a drag moves Y", async (visit, size) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
   const before = await state(page);
-  await dragByMouse(page, await vertex(page, "z 2 0"), [30, -20]);
+  await drag(page, await vertex(page, "z 2 0"), [30, -20]);
   const after = await state(page);
   assert.deepEqual(after.shapes.x, before.shapes.x);
   assert.ok(after.shapes.y.vertices[0][0] - before.shapes.y.vertices[0][0] > 0.01);
   await close(page);
 });
 
-claim("vertices are typed as decimals and hex floats, and moved by arrow keys", async () => {
-  const page = await open(url("polygons-gjk"));
+action("vertices are typed as decimals and hex floats, and moved by arrow keys", async (visit) => {
+  const page = await visit(url("polygons-gjk"));
   await page.click("#vertices-part summary");
   await page.fill("#y-0-0", "0.75");
   await page.locator("#y-0-0").press("Enter");
@@ -254,8 +265,8 @@ claim("vertices are typed as decimals and hex floats, and moved by arrow keys", 
   await close(page);
 });
 
-claim("values are shown in decimal and hex", async () => {
-  const page = await open(url("polygons-gjk", "#step=17"));
+action("values are shown in decimal and hex", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
   await page.click("#numbers-part summary");
   await page.locator("#numbers table").first().waitFor();
   assert.match(await text(page, "numbers"), /distance1\.35566/);
@@ -265,8 +276,8 @@ claim("values are shown in decimal and hex", async () => {
   await close(page);
 });
 
-claim("scalar and rules are chosen, and the run follows", async () => {
-  const page = await open(url("direction-half"));
+action("scalar and rules are chosen, and the run follows", async (visit) => {
+  const page = await visit(url("direction-half"));
   await page.locator("summary", { hasText: "How the run computes" }).click();
   const before = await state(page);
   assert.equal(before.numerics.scalar, "half");
@@ -283,8 +294,8 @@ claim("scalar and rules are chosen, and the run follows", async () => {
   await close(page);
 });
 
-claim("questions are asked before they are told, and graded from the run", async () => {
-  const page = await open(url("polygon-evolution"));
+action("questions are asked before they are told, and graded from the run", async (visit) => {
+  const page = await visit(url("polygon-evolution"));
   await page.locator("body").press("p");
   for (let i = 0; i < 20 && !(await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
   assert.ok(await page.locator("#question").isVisible());
@@ -301,15 +312,15 @@ claim("questions are asked before they are told, and graded from the run", async
 
 // Links and files ---------------------------------------------------------------------------------
 
-claim("a shared link restores lesson, step and vertices", async () => {
-  const page = await open(url("polygons-gjk", "#step=6"));
+action("a shared link restores lesson, step and vertices", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=6"));
   await dragByMouse(page, await vertex(page, "y 0"), [-25, 30]);
   const before = await state(page);
   await page.click("#share");
   await page.locator("#link-title", { hasText: "Share" }).waitFor();
   const link = await page.inputValue("#link-value");
   assert.ok(link.length < 2500, `${link.length} characters`);
-  const other = await open(link, "phone");
+  const other = await visit(link, "phone");
   const after = await state(other);
   assert.deepEqual(after, before);
   await other.click("#reset");
@@ -320,7 +331,7 @@ claim("a shared link restores lesson, step and vertices", async () => {
   await page.locator("#link-title", { hasText: "Embed" }).waitFor();
   const line = await page.inputValue("#link-value");
   const [, source] = line.match(/^<iframe src="([^"]+)" width="\d+" height="\d+" title="[^"]*"><\/iframe>$/);
-  const framed = await open(source);
+  const framed = await visit(source);
   assert.deepEqual((await state(framed)).shapes, before.shapes);
   assert.equal(await framed.locator(".transcript").isVisible(), false);
   assert.equal(await framed.locator("#stage").isVisible(), true);
@@ -328,8 +339,8 @@ claim("a shared link restores lesson, step and vertices", async () => {
   await close(page);
 });
 
-claim("frames are saved as SVG and PNG", async () => {
-  const page = await open(url("stop-vertex", "#step=3"));
+action("frames are saved as SVG and PNG", async (visit, _, theme) => {
+  const page = await visit(url("stop-vertex", "#step=3"));
   const file = async (button) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
     return [download.suggestedFilename(), readFileSync(await download.path())];
@@ -337,6 +348,7 @@ claim("frames are saved as SVG and PNG", async () => {
   const [svgName, svg] = await file("#svg");
   const program = await startProgram();
   program({ do: "open", lesson: read("lessons/stop-vertex.toml"), name: "stop-vertex.toml" });
+  program({ do: "layout", width: 1280, height: 720, panel: 368, timeline: 800, theme });
   program({ do: "go", to: 2 });
   assert.equal(svgName, "stop-vertex-0003.svg");
   assert.equal(svg.toString(), program({ do: "frame" }).svg);
@@ -388,36 +400,34 @@ claim("a script in names and titles of a link is text", async () => {
 
 // The playground ----------------------------------------------------------------------------------
 
-for (const size of Object.keys(SIZES)) {
-  claim(`${size}: the playground answers for shapes of the kit`, async () => {
-    const page = await open(url("playground"), size);
-    assert.equal((await count(page))[0], (await count(page))[1], "it opens at the answer");
-    for (const shape of ["point", "segment", "box", "ngon"]) {
-      await page.click(`[data-for="x"][data-shape="${shape}"]`);
-      await page.click(`[data-for="y"][data-shape="${shape}"]`);
-      const { shapes } = await state(page);
-      const corners = { point: 1, segment: 2, box: 4, ngon: 6 }[shape];
-      assert.deepEqual([shapes.x.vertices.length, shapes.y.vertices.length], [corners, corners]);
-      assert.match(await text(page, "answer"), /distance[\d.]+lower bound[\d.]+upper bound/);
-    }
-    assert.ok((await distance(page)) > 0);
-    await page.click("#random");
-    await page.locator(".kit summary").click();
-    await page.fill("#case", '{"a": [[0, 0], [2, 0], [2, 2], [0, 2]], "b": [[1.5, 0.5], [3, 0.5], [3, 1.5], [1.5, 1.5]]}');
-    await page.click("#paste");
-    assert.equal(await distance(page), 0);
-    assert.match(await text(page, "answer"), /penetration depth0\.5its lower bound0\.(5|4999)/);
-    await page.fill("#case", '{"a": [[0, 0]], "b": [[3, 4]]}');
-    await page.click("#paste");
-    assert.equal(await distance(page), 5);
-    assert.match(await text(page, "answer"), /closest point of Y\.x3closest point of Y\.y4/);
-    await page.fill("#case", '{"a": [[0, 0]],\n "b": [[3, "four"]]}');
-    await page.click("#paste");
-    assert.match(await text(page, "problem"), /^pasted:2:\d+: \/b\/0\/1 is "four"; expected a finite number/);
-    assert.equal(await distance(page), 5);
-    await close(page);
-  });
-}
+action("the playground answers for shapes of the kit", async (visit, size) => {
+  const page = await visit(url("playground"), size);
+  assert.equal((await count(page))[0], (await count(page))[1], "it opens at the answer");
+  for (const shape of ["point", "segment", "box", "ngon"]) {
+    await page.click(`[data-for="x"][data-shape="${shape}"]`);
+    await page.click(`[data-for="y"][data-shape="${shape}"]`);
+    const { shapes } = await state(page);
+    const corners = { point: 1, segment: 2, box: 4, ngon: 6 }[shape];
+    assert.deepEqual([shapes.x.vertices.length, shapes.y.vertices.length], [corners, corners]);
+    assert.match(await text(page, "answer"), /distance[\d.]+lower bound[\d.]+upper bound/);
+  }
+  assert.ok((await distance(page)) > 0);
+  await page.click("#random");
+  await page.locator(".kit summary").click();
+  await page.fill("#case", '{"a": [[0, 0], [2, 0], [2, 2], [0, 2]], "b": [[1.5, 0.5], [3, 0.5], [3, 1.5], [1.5, 1.5]]}');
+  await page.click("#paste");
+  assert.equal(await distance(page), 0);
+  assert.match(await text(page, "answer"), /penetration depth0\.5its lower bound0\.(5|4999)/);
+  await page.fill("#case", '{"a": [[0, 0]], "b": [[3, 4]]}');
+  await page.click("#paste");
+  assert.equal(await distance(page), 5);
+  assert.match(await text(page, "answer"), /closest point of Y\.x3closest point of Y\.y4/);
+  await page.fill("#case", '{"a": [[0, 0]],\n "b": [[3, "four"]]}');
+  await page.click("#paste");
+  assert.match(await text(page, "problem"), /^pasted:2:\d+: \/b\/0\/1 is "four"; expected a finite number/);
+  assert.equal(await distance(page), 5);
+  await close(page);
+});
 
 claim("a case of 10 MB and one of 10,000 vertices are refused or drawn, not hung", async () => {
   const page = await open(url("playground"));
@@ -518,7 +528,7 @@ claim("things move between steps, and not for who prefers less of it", async () 
     assert.equal(shown.replace(/ opacity="1"/g, ""), drawn, "motion ends at the picture");
     await close(page);
   }
-});
+}, true);
 
 claim("axe finds nothing, in any theme", async () => {
   const axe = readFileSync(join(root, "tests/web/node_modules/axe-core/axe.min.js"), "utf8");
@@ -591,7 +601,7 @@ claim("pages are small; how fast they are is printed", async () => {
   const [median, most] = [work[100], work[190]];
   console.log(`    largest page ${(largest / 1e6).toFixed(2)} MB, wasm ${(compressed / 1e6).toFixed(2)} MB compressed, live after ${live} ms, drag to frame ${median.toFixed(1)} ms, 95 % below ${most.toFixed(1)} ms`);
   await close(page);
-});
+}, true);
 
 claim("every lesson opens from a file of its own, steps to its end, and says nothing on the console", async () => {
   for (const name of pages.filter((file) => !["index.html", "about.html"].includes(file))) {
@@ -627,7 +637,7 @@ if (shots) {
 }
 
 const wanted = tests.filter((test) => test.name.includes(only));
-for (const { name, body } of wanted) {
+async function check({ name, body }) {
   const began = performance.now();
   try {
     await body();
@@ -637,6 +647,14 @@ for (const { name, body } of wanted) {
     console.log(`FAILED  ${name}\n${String(error.stack ?? error).replace(/^/gm, "        ")}`);
   }
 }
+
+const began = performance.now();
+const together = wanted.filter((test) => !test.alone);
+const lane = async () => {
+  for (let test = together.shift(); test; test = together.shift()) await check(test);
+};
+await Promise.all([lane(), lane()]);
+for (const test of wanted.filter(({ alone }) => alone)) await check(test);
 await browser.close();
-console.log(`${wanted.length - failures.length} of ${wanted.length} claims hold`);
+console.log(`${wanted.length - failures.length} of ${wanted.length} claims hold, in ${((performance.now() - began) / 1000).toFixed(0)} s`);
 process.exit(failures.length ? 1 : 0);

@@ -141,10 +141,10 @@ void draw_numerics(App& app, Beside& beside) {
     // Through a lesson, so that what a lesson could not say is refused with the same words.
     Lesson other = session.lesson();
     other.options = options;
-    if (const std::string why = why_not_said(other); why.empty()) {
+    if (const std::vector<Problem> why = why_not_said(other); why.empty()) {
       beside.options = options;
     } else {
-      app.say(why, true);
+      app.say(to_string(why), true);
     }
   }
   if (ImGui::Button("The same options, exact")) {

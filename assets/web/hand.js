@@ -1,0 +1,71 @@
+"use strict";
+
+// Pointers on the stage: drags, swipes, and what lights up.
+
+let held = null;
+
+/** Where on the picture an event is, in its own pixels. */
+function placeOf(event) {
+  const svg = $("stage").querySelector("svg");
+  const box = svg.getBoundingClientRect();
+  const scale = svg.viewBox.baseVal.width / box.width;
+  return { x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale };
+}
+
+function onDown(event) {
+  if (event.button !== 0 || held) return;
+  endMotion();
+  stop();
+  const place = placeOf(event);
+  // The picture stays: what is touched must be there when the browser asks whether to scroll.
+  const drags = ask({ do: "press", ...place }).dragging;
+  held = { id: event.pointerId, drags, from: place, touch: event.pointerType !== "mouse" };
+  if (!held.drags) return;
+  $("stage").classList.add("drags");
+  $("stage").setPointerCapture(event.pointerId);
+  event.preventDefault();
+}
+
+function onMove(event) {
+  if (held?.drags && event.pointerId === held.id) {
+    act({ do: "move", ...placeOf(event) });
+  } else if (!held && event.pointerType === "mouse") {
+    light(placeOf(event));
+  }
+}
+
+function onUp(event) {
+  if (!held || event.pointerId !== held.id) return;
+  const { drags, from, touch } = held;
+  held = null;
+  $("stage").classList.remove("drags");
+  if (drags) act({ do: "release" });
+  const place = placeOf(event);
+  light(place);
+  const swiped = place.x - from.x;
+  const slanted = Math.abs(place.y - from.y) > 0.6 * Math.abs(swiped);
+  if (touch && !drags && event.type === "pointerup" && Math.abs(swiped) > 40 && !slanted)
+    step(swiped < 0 ? 1 : -1);
+}
+
+/** What is pointed at lights up, and what belongs to it. */
+function light(place) {
+  const found = ask({ do: "point", ...place });
+  if (found.problem !== undefined) return;
+  const svg = $("stage").querySelector("svg");
+  svg.querySelectorAll(".ring").forEach((ring) => ring.remove());
+  $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));
+  for (const name of found.linked) {
+    if (!/^[xyz] /.test(name)) continue;
+    for (const mark of svg.querySelectorAll(`[data-of="${name}"]`)) {
+      if (mark.tagName !== "circle") continue;
+      const ring = mark.cloneNode();
+      for (const attribute of ["data-of", "data-mark", "fill", "stroke", "stroke-width"])
+        ring.removeAttribute(attribute);
+      ring.setAttribute("class", "ring");
+      ring.setAttribute("r", Number(mark.getAttribute("r")) + 5);
+      ring.dataset.lit = name;
+      svg.append(ring);
+    }
+  }
+}

@@ -1,0 +1,78 @@
+"use strict";
+
+// Buttons, keys and events get what they do, and the program starts.
+
+function connect() {
+  const clicks = {
+    back: () => step(-1), step: () => step(1), iteration: () => iteration(1),
+    "iteration-back": () => iteration(-1), play, predict,
+    undo: () => act({ do: "undo" }), redo: () => act({ do: "redo" }),
+    reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy,
+    share: async () => offer("Share", "This link holds the lesson, the step and what was changed.", await address()),
+    embed: async () => offer("Embed", "This line shows the figure in another page.",
+      `<iframe src="${(await address("&embed")).replaceAll('"', "%22")}" width="960" height="720" title="${document.title.replaceAll('"', "&quot;")}"></iframe>`),
+  };
+  for (const [id, does] of Object.entries(clicks)) $(id).onclick = does;
+  $("scrub").oninput = () => go(Number($("scrub").value) - 1, false);
+  $("theme").onchange = () => {
+    try {
+      localStorage.setItem("gjkscope-theme", $("theme").value);
+    } catch {
+      // A page without storage forgets the theme.
+    }
+    layout();
+  };
+  $("hex").onchange = () => showAsHex($("hex").checked);
+  $("numbers-part").ontoggle = showNumbers;
+  $("vertices-part").ontoggle = showVertices;
+  for (const id of ["panel", "timeline"]) $(id).onclick = (event) => clickOn(event.target, event);
+  const stage = $("stage");
+  stage.onpointerdown = onDown;
+  stage.onpointermove = onMove;
+  stage.onpointerup = stage.onpointercancel = onUp;
+  // Only this keeps a page from scrolling under a finger that drags.
+  stage.addEventListener("touchstart", (event) => held?.drags && event.preventDefault(), { passive: false });
+  document.addEventListener("keydown", onKey);
+  document.querySelector(".transcript").onclick = (event) => {
+    const link = event.target.closest("a");
+    if (!link) return;
+    event.preventDefault();
+    act({ do: "reset" });
+    go([...document.querySelectorAll(".transcript a")].indexOf(link));
+    stage.scrollIntoView({ block: "nearest" });
+  };
+  addEventListener("hashchange", () => follow(location.hash));
+  let wide = innerWidth;
+  addEventListener("resize", () => {
+    // The bars of a phone come and go while one scrolls.
+    if (innerWidth === wide && innerWidth < 700) return;
+    wide = innerWidth;
+    layout();
+  });
+  for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"])
+    matchMedia(query).onchange = () => layout();
+  addEventListener("beforeprint", () => layout("print"));
+  addEventListener("afterprint", () => layout());
+  if (data.kind === "playground") startKit();
+}
+
+async function start() {
+  $("theme").value = chosenTheme();
+  const wasm = await through(new DecompressionStream("gzip"), bytesOf($("wasm").textContent));
+  ask = await startPlayerWith(wasm, $("fonts").textContent, data.themes);
+  const { lesson, name, files } = data;
+  const depth = data.kind === "playground" ? true : undefined;
+  const opened = ask({ do: "open", lesson, name, files, depth });
+  if (opened.problem !== undefined) throw new Error(opened.problem);
+  state = opened;
+  root.classList.add("js");
+  connect();
+  layout();
+  await document.fonts.ready;
+  // Two shapes are asked for their distance first; how it was found comes after.
+  if (data.kind === "playground") act({ do: "go", to: state.count - 1 });
+  await follow(location.hash);
+  root.dataset.ready = Math.round(performance.now());
+}
+
+start().catch((error) => say(`The figure cannot be made live here: ${error.message}. The first frame and all words are below.`));

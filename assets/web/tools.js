@@ -1,0 +1,155 @@
+"use strict";
+
+// What stands below the figure: tools, questions, numbers, vertices, options, the transcript.
+
+let hex = false;
+
+function showTools(next, last) {
+  $("undo").disabled = !state.undo;
+  $("undo").title = state.undo ? `Undo: ${state.undo} (U)` : "Undo (U)";
+  $("redo").disabled = !state.redo;
+  $("reset").disabled = !state.changed;
+  $("predict").setAttribute("aria-pressed", state.predicting);
+  const asks = next.question;
+  $("question").hidden = !asks;
+  if (asks) {
+    setText("question-text", state.caption);
+    $("choices").replaceChildren(
+      ...asks.choices.map((choice) =>
+        element("button", { type: "button", textContent: choice, onclick: () => choose(choice) })));
+  }
+  const graded = next.answers && (!last?.answers || last.answers.asked !== next.answers.asked);
+  $("verdict").hidden = !graded;
+  if (graded) {
+    const { chosen, answer, right, asked } = next.answers;
+    const isRight = chosen === answer;
+    $("verdict").className = isRight ? "right" : "wrong";
+    const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
+    setText("verdict", `${said} ${right} of ${asked} so far.`);
+  }
+}
+
+function rows(list) {
+  return list.map(([name, decimal, hexadecimal]) =>
+    element("tr", {},
+      element("th", { scope: "row", textContent: name }),
+      element("td", { textContent: hex ? hexadecimal : decimal })));
+}
+
+function tableOf(caption, list) {
+  return element("table", {}, element("caption", { textContent: caption }),
+    element("tbody", {}, ...rows(list)));
+}
+
+function showNumbers() {
+  if ($("answer")) $("answer").replaceChildren(tableOf("Answer", state.outcome));
+  if (!$("numbers-part").open) return;
+  $("numbers").className = "tables";
+  $("numbers").replaceChildren(tableOf("This step", state.numbers),
+    tableOf("What the run comes to", state.outcome));
+}
+
+function vertexTable(key, shape) {
+  const name = (text, index) =>
+    element("button", {
+      type: "button",
+      textContent: text,
+      title: "Arrow keys move it",
+      onkeydown: (event) => nudge(event, key, index),
+    });
+  const cell = (text, index, axis) => {
+    const input = element("input", { type: "text", value: text, spellcheck: false });
+    input.setAttribute("aria-label", `${"xy"[axis]} of ${shape.names[index]}`);
+    input.id = `${key}-${index}-${axis}`;
+    input.onchange = () => {
+      const [x, y] = [0, 1].map((i) =>
+        i === axis ? input.value.trim() : shape.vertices[index][hex ? 2 + i : i]);
+      act({ do: "vertex", shape: key, index, x, y }) || (input.value = text);
+    };
+    return element("td", {}, input);
+  };
+  const body = shape.vertices.map((vertex, i) =>
+    element("tr", {}, element("th", { scope: "row" }, name(shape.names[i], i)),
+      cell(vertex[hex ? 2 : 0], i, 0), cell(vertex[hex ? 3 : 1], i, 1)));
+  const whole = element("tr", {}, element("th", { scope: "row" }, name(`all of ${shape.name}`, -1)),
+    element("td", { colSpan: 2 }));
+  return element("table", {}, element("caption", { textContent: `Shape ${shape.name}` }),
+    element("thead", {}, element("tr", {}, element("th", { scope: "col", textContent: "vertex" }),
+      element("th", { scope: "col", textContent: "x" }),
+      element("th", { scope: "col", textContent: "y" }))),
+    element("tbody", {}, ...body, whole));
+}
+
+function showVertices() {
+  if (!$("vertices-part").open) return;
+  const focused = [...$("vertices").querySelectorAll("button, input")].indexOf(document.activeElement);
+  if (!state.shapes) {
+    $("vertices").textContent = "There are too many to list.";
+    return;
+  }
+  $("vertices").replaceChildren(vertexTable("x", state.shapes.x), vertexTable("y", state.shapes.y));
+  $("vertices").classList.toggle("hex", hex);
+  if (focused >= 0)
+    $("vertices").querySelectorAll("button, input")[focused]?.focus({ preventScroll: true });
+}
+
+function showAsHex(on) {
+  hex = on;
+  showNumbers();
+  showVertices();
+}
+
+function nudge(event, shape, index) {
+  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const way = ways[event.key];
+  if (!way) return;
+  event.preventDefault();
+  event.stopPropagation();
+  const far = event.shiftKey ? 40 : 8;
+  act({ do: "nudge", shape, index, right: far * way[0], up: far * way[1] });
+}
+
+const NUMERICS = {
+  scalar: "Arithmetic",
+  direction: "Direction",
+  regions: "Order of the region tests",
+  repeated: "Stop when a support point repeats",
+  progress: "Stop without progress",
+};
+
+function showNumerics() {
+  const form = $("numerics");
+  if (!form.children.length) {
+    for (const [key, label] of Object.entries(NUMERICS)) {
+      const choices = state.choices[key];
+      const input = choices
+        ? element("select", {}, ...choices.map((name) => element("option", { textContent: name })))
+        : element("input", { type: "checkbox" });
+      input.id = `numerics-${key}`;
+      input.onchange = setNumerics;
+      form.append(choices ? element("label", { textContent: `${label} ` }, input)
+        : element("label", {}, input, label));
+    }
+  }
+  for (const key of Object.keys(NUMERICS)) {
+    const input = $(`numerics-${key}`);
+    if (state.choices[key]) input.value = state.numerics[key];
+    else input.checked = state.numerics[key];
+  }
+}
+
+function setNumerics() {
+  const request = { do: "numerics" };
+  for (const key of Object.keys(NUMERICS)) {
+    const input = $(`numerics-${key}`);
+    request[key] = state.choices[key] ? input.value : input.checked;
+  }
+  if (!act(request)) showNumerics();
+}
+
+/** The transcript tells the lesson as it was written. */
+function markTranscript() {
+  document.querySelector(".transcript [aria-current]")?.removeAttribute("aria-current");
+  if (state.changed || state.predicting) return;
+  document.querySelectorAll(".transcript li")[state.index]?.setAttribute("aria-current", "step");
+}

@@ -1,0 +1,259 @@
+// What a player has to show: pictures, words and numbers of a frame.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "effects/penetration.hpp"
+#include "lesson/names.hpp"
+#include "paint/svg.hpp"
+#include "picture/panel.hpp"
+#include "picture/text_box.hpp"
+#include "picture/timeline.hpp"
+#include "session/edit.hpp"
+#include "web/json.hpp"
+#include "web/player.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSmallestType = 14.0;  // on a phone; a frame's smallest is 12
+constexpr double kTimelineHeight = 66.0;
+
+/// Texts that grow past the left or right edge move in.
+void enlarge_small_type(Picture& picture, const Fonts& fonts) {
+  constexpr double kEdge = 6.0;
+  for (Mark& mark : picture.marks) {
+    Text* text = std::get_if<Text>(&mark.shape);
+    if (!text || text->style.size >= kSmallestType) continue;
+    text->style.size = kSmallestType;
+    const Rect box = box_of(fonts, *text);
+    text->at.x() += std::max(0.0, kEdge - box.min.x());
+    text->at.x() -= std::max(0.0, box.max.x() - (picture.width - kEdge));
+  }
+}
+
+/// Whether all texts of a panel are within it and apart.
+bool fits(const Picture& picture, const Fonts& fonts) {
+  constexpr double kEdge = 6.0;
+  constexpr double kGap = 2.0;
+  std::vector<Rect> boxes;
+  for (const Mark& mark : picture.marks) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (!text) continue;
+    const Rect box = box_of(fonts, *text);
+    if (box.max.x() > picture.width - kEdge) return false;
+    for (const Rect& other : boxes) {
+      const bool beside = box.min.x() > other.max.x() + kGap || other.min.x() > box.max.x() + kGap;
+      const bool apart = box.min.y() > other.max.y() || other.min.y() > box.max.y();
+      if (!beside && !apart) return false;
+    }
+    boxes.push_back(box);
+  }
+  return true;
+}
+
+/// The lowest pixel of a mark.
+double bottom_of(const Mark& mark) {
+  const auto lowest = [](const std::vector<Point>& points) {
+    double y = 0.0;
+    for (const Point& p : points) y = std::max(y, p.y());
+    return y;
+  };
+  struct Visitor {
+    decltype(lowest) of;
+    double operator()(const Polygon& polygon) const { return of(polygon.points); }
+    double operator()(const Polyline& line) const { return of(line.points); }
+    double operator()(const Arrow& arrow) const { return of({arrow.from, arrow.to}); }
+    double operator()(const Disk& disk) const { return disk.center.y() + disk.radius; }
+    double operator()(const Cross& cross) const { return cross.center.y() + cross.radius; }
+    double operator()(const Box& box) const { return box.rect.max.y(); }
+    double operator()(const Text& text) const { return text.at.y() + 0.3 * text.style.size; }
+  };
+  return std::visit(Visitor{lowest}, mark.shape);
+}
+
+Json number(const std::string& name, double value) {
+  return {name, fmt::format("{}", value), fmt::format("{:a}", value)};
+}
+
+void add_point(Json& list, const std::string& name, const Vector2d& point) {
+  list.push_back(number(name + ".x", point.x()));
+  list.push_back(number(name + ".y", point.y()));
+}
+
+/// Names and values, as decimals and as hex floats.
+Json numbers(const LessonRun& run, const Frame& frame) {
+  const gjk::State<double, 2>& state = run.state(frame);
+  Json list = Json::array();
+  for (int i = 0; i < state.simplex.count; ++i) {
+    const std::string name = run.pair_name(state.simplex.vertices[i].pair);
+    add_point(list, name, state.simplex.vertices[i].w);
+    if (frame.step >= 0) list.push_back(number("weight of " + name, state.simplex.weights[i]));
+  }
+  if (frame.step >= 0) {
+    add_point(list, "P", state.p);
+    add_point(list, "d", state.d);
+    list.push_back(number("lower bound", run.bounds(frame).lower));
+    list.push_back(number("upper bound", run.bounds(frame).upper));
+  }
+  return list;
+}
+
+/// What the run comes to.
+Json outcome(Session& session) {
+  const LessonRun& run = session.run();
+  const Frame& frame = session.frame();
+  const gjk::Result<double, 2>& result = run.run(frame).trace.result;
+  Json list = Json::array();
+  list.push_back(number("distance", result.distance));
+  list.push_back(number("lower bound", result.lower));
+  list.push_back(number("upper bound", result.upper));
+  add_point(list, "closest point of " + run.lesson.x().name, result.x);
+  add_point(list, "closest point of " + run.lesson.y().name, result.y);
+  if (const depth::Result<double>* depth = depth_on_overlap(session.effects(), run, frame)) {
+    list.push_back(number("penetration depth", depth->depth));
+    list.push_back(number("its lower bound", depth->lower));
+    list.push_back(number("its upper bound", depth->upper));
+    add_point(list, "shortest way out of " + run.lesson.x().name, depth->translation);
+  }
+  for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
+                                    {"stop", std::string(name_of(result.stop))},
+                                    {"iterations", std::to_string(result.iterations)}})
+    list.push_back({name, value, value});
+  return list;
+}
+
+Json shape_json(const LessonShape& shape) {
+  Json vertices = Json::array();
+  for (const Vector2d& v : shape.vertices) {
+    vertices.push_back({fmt::format("{}", v.x()), fmt::format("{}", v.y()),
+                        fmt::format("{:a}", v.x()), fmt::format("{:a}", v.y())});
+  }
+  return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
+}
+
+Json numerics(const Lesson& lesson) {
+  const gjk::Options& options = lesson.options;
+  return {{"scalar", name_of(lesson.scalar)},
+          {"direction", name_of(options.direction_rule)},
+          {"regions", name_of(options.region_order)},
+          {"repeated", options.stop_on_repeated_support},
+          {"progress", options.stop_on_no_progress}};
+}
+
+}  // namespace
+
+Picture Player::panel(const Frame& frame, double width) {
+  Picture picture{width, panel_height_, {}, 0.0, {}};
+  const Rect card{{0.0, 0.0}, {width, panel_height_}};
+  picture.marks = panel_marks(session_.run(), session_.effects(), frame, fonts_, card);
+  picture.marks.insert(picture.marks.begin(), {"card", Box{card, 10.0}, -1, {}});
+  enlarge_small_type(picture, fonts_);
+  return picture;
+}
+
+/// One size for the panels of all frames: as wide as there is room, wider where texts would meet or
+/// stick out (a page squeezes that), and as high as the highest.
+void Player::measure_panel() {
+  if (session_.lesson().panel.empty()) return;
+  const std::vector<Frame>& frames = session_.run().frames;
+  panel_height_ = 0.0;
+  panel_width_ = panel_room_;
+  for (const double wider : {368.0, 424.0}) {
+    const bool all_fit = std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+      return fits(panel(frame, panel_width_), fonts_);
+    });
+    if (all_fit) break;
+    panel_width_ = std::max(panel_width_, wider);
+  }
+  constexpr double kPad = 14.0;
+  double lowest = 0.0;
+  for (const Frame& frame : frames) {
+    for (const Mark& mark : panel(frame, panel_width_).marks)
+      lowest = std::max(lowest, bottom_of(mark));
+  }
+  panel_height_ = std::ceil(lowest + kPad);
+}
+
+Picture Player::timeline() const {
+  Picture picture{timeline_width_, kTimelineHeight, {}, 0.0, {}};
+  picture.marks = timeline_marks(session_.run(), session_.index(), fonts_,
+                                 {{0.0, 14.0}, {timeline_width_, kTimelineHeight}});
+  enlarge_small_type(picture, fonts_);
+  return picture;
+}
+
+/// The shortest way out of the other shape, where the world is shown.
+void Player::draw_depth(Picture& picture) {
+  const LessonPictures::Stage stage = session_.views().front();
+  const LessonRun& run = session_.run();
+  if (stage.kind != ViewKind::world) return;
+  const depth::Result<double>* depth = depth_on_overlap(session_.effects(), run, session_.frame());
+  if (depth == nullptr) return;
+  const StageMap map(stage.card, stage.camera);
+  const Point from = map(depth->x);
+  const Point to = map(depth->x + depth->translation);
+  picture.marks.push_back({"direction", Arrow{from, to}, 0, {}});
+  const Text label{{stage.card.min.x() + 14.0, stage.card.max.y() - 14.0},
+                   "Arrow: the shortest way out for " + run.lesson.x().name,
+                   type::kViewTitle};
+  picture.marks.push_back({"direction.label", label, -1, {}});
+}
+
+std::string Player::shown() {
+  if (!opened_) return dumped({{"count", 0}});
+  if (!session_.is_dragging() && std::exchange(measured_, session_.version()) != session_.version())
+    measure_panel();
+  const FrameText& text = session_.text();
+  const LessonRun& run = session_.run();
+  const Lesson& lesson = session_.lesson();
+  Picture stage = session_.picture();
+  if (shows_depth_ && session_.index() + 1 == session_.frame_count()) draw_depth(stage);
+  enlarge_small_type(stage, fonts_);
+  Json out = {{"index", session_.index()},
+              {"count", session_.frame_count()},
+              {"title", lesson.title},
+              {"prose", text.prose},
+              {"position", text.position},
+              {"caption", text.caption},
+              {"detail", text.detail},
+              {"phase", text.phase},
+              {"dragging", drag_ != nullptr},
+              {"changed", *opened_ != lesson},
+              {"undo", session_.undo_name()},
+              {"redo", session_.redo_name()},
+              {"stage", to_svg(stage, fonts_, theme_, alternative_text(text))},
+              {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
+  std::string values;
+  for (const auto& [name, value] : text.values)
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", name, value);
+  if (!lesson.panel.empty())
+    out["panel"] = to_svg(panel(session_.frame(), panel_width_), fonts_, theme_,
+                          "Pseudocode and values: " + values);
+  if (const FrameQuestion* question = session_.question())
+    out["question"] = {{"ask", question->ask}, {"choices", question->choices}};
+  out["predicting"] = session_.is_predicting();
+  if (!session_.answers().empty()) {
+    const Answer& last = session_.answers().back();
+    out["answers"] = {{"asked", session_.answers().size()},
+                      {"right", session_.right_answers()},
+                      {"chosen", last.chosen},
+                      {"answer", last.right}};
+  }
+  if (session_.is_dragging()) return dumped(out);
+  out["numbers"] = numbers(run, session_.frame());
+  out["outcome"] = outcome(session_);
+  out["numerics"] = numerics(lesson);
+  out["choices"] = {{"scalar", names_of<ScalarKind>()},
+                    {"direction", names_of<gjk::DirectionRule>()},
+                    {"regions", names_of<gjk::RegionOrder>()}};
+  if (std::max(lesson.x().vertices.size(), lesson.y().vertices.size()) <= edit::kMostEditable)
+    out["shapes"] = {{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}};
+  return dumped(out);
+}
+
+}  // namespace gjkscope
