@@ -110,8 +110,8 @@ class SiteWriter {
     shared_["fonts"] = read_whole(web / "fonts.css");
     shared_["style"] = read_whole(assets_ / "web" / "style.css");
     shared_["theme-script"] = read_whole(assets_ / "web" / "theme.js");
-    for (const char* name :
-         {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js", "kit.js", "start.js"})
+    for (const char* name : {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js",
+                             "kit.js", "start.js"})
       shared_["script"] += read_whole(assets_ / "web" / name);
   }
 
