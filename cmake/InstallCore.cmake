@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/gjkscope)
 
 set_target_properties(gjkscope_gjk PROPERTIES EXPORT_NAME gjk)
-install(TARGETS gjkscope_gjk EXPORT gjkscope-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+install(TARGETS gjkscope_gjk EXPORT gjkscope-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/gjk/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gjk COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT gjkscope-targets NAMESPACE gjkscope:: DESTINATION ${package} COMPONENT dev)
 
