@@ -146,7 +146,7 @@ Lesson LessonReader::read(const toml::table& root) {
 void LessonReader::read_head(const Table& file) {
   using namespace limits;
   lesson_.title = reader_.text(file["title"], kTitleLength).value_or("");
-  lesson_.chapter = reader_.whole_number(file["chapter"], 1, kLastChapter).value_or(1);
+  lesson_.chapter = reader_.whole_number(file["chapter"], 0, kLastChapter).value_or(1);
   lesson_.order = reader_.whole_number(file["order"], 1, kLastOrder).value_or(1);
   lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
 }

@@ -23,7 +23,7 @@ std::vector<LessonKey> make_keys() {
   const std::string list_of_turns = fmt::format("list of numbers from {} to {}", -kTurn, kTurn);
   return {
       {"", "title", text_up_to(kTitleLength), required, "heading of every frame"},
-      {"", "chapter", fmt::format("whole number from 1 to {}", kLastChapter), required,
+      {"", "chapter", fmt::format("whole number from 0 to {}", kLastChapter), required,
        "chapter that the lesson belongs to"},
       {"", "order", fmt::format("whole number from 1 to {}", kLastOrder), required,
        "place within the chapter"},

@@ -110,8 +110,8 @@ class SiteWriter {
     shared_["fonts"] = read_whole(web / "fonts.css");
     shared_["style"] = read_whole(assets_ / "web" / "style.css");
     shared_["theme-script"] = read_whole(assets_ / "web" / "theme.js");
-    for (const char* name :
-         {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js", "kit.js", "start.js"})
+    for (const char* name : {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js",
+                             "kit.js", "start.js"})
       shared_["script"] += read_whole(assets_ / "web" / name);
   }
 
@@ -139,10 +139,10 @@ class SiteWriter {
     const std::map<int, std::string> chapters =
         parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
     std::string list;
-    int chapter = 0;
+    int chapter = -1;  // of the lesson before; none
     for (const Lesson& lesson : lessons) {
       if (lesson.chapter != chapter) {
-        if (chapter != 0) list += "</ul></section>\n";
+        if (chapter >= 0) list += "</ul></section>\n";
         chapter = lesson.chapter;
         const auto title = chapters.find(chapter);
         list +=
@@ -151,7 +151,7 @@ class SiteWriter {
       }
       list += card(lesson);
     }
-    if (chapter != 0) list += "</ul></section>\n";
+    if (chapter >= 0) list += "</ul></section>\n";
     write_plain("index", "GJK, step by step",
                 "The GJK distance algorithm, one decision at a time: lessons to step through, to "
                 "drag and to ask.",

@@ -7,6 +7,7 @@
 
 #include "effects/barycentric.hpp"
 #include "effects/direction_rules.hpp"
+#include "effects/every_scalar.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
 #include "effects/registry.hpp"
@@ -188,6 +189,23 @@ TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
   EffectGraph graph(run);
   EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);
   EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {0, -1, -1}), nullptr);
+}
+
+TEST(EveryScalar, RoundsTheVerticesOfTheFileAndSaysWhereRunsPart) {
+  const LessonRun run = run_lesson(shipped_lesson("far-away"));
+  EffectGraph graph(run);
+  const EveryScalar::Value& answers = graph.get<EveryScalar>(run.frames.back());
+  // B = (3001.3, 2000.2) and K = (3002.7, 2000.4), by Pythagoras; halves there are 2 and 1 apart.
+  const double distance = std::hypot(1.4, 0.2);
+  EXPECT_NEAR(answers[3].run.trace.result.distance, distance, 1e-12);
+  EXPECT_NEAR(answers[2].run.trace.result.distance, distance, 1e-12);
+  EXPECT_NEAR(answers[1].run.trace.result.distance, distance, 3e-4);
+  EXPECT_GT(std::abs(answers[1].run.trace.result.distance - distance), 1e-6);
+  EXPECT_EQ(answers[0].run.x().world[1], Vector2d(3002.0, 2000.0));
+  EXPECT_EQ(answers[0].run.y().world[0], Vector2d(3002.0, 2000.0));
+  EXPECT_EQ(answers[0].run.trace.result.distance, 0.0);
+  EXPECT_EQ(answers[0].parting, 2);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(answers[i].parting, 0);
 }
 
 TEST(ShapeHull, LeavesOutTheReflexVertexAndKeepsCollinearOnes) {

@@ -298,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Ranges, LoadRefuses,
     ::testing::Values(
-        Refused{"chapter = 4", "chapter = ¦0", "'chapter' is 0"},
+        Refused{"chapter = 4", "chapter = ¦-1", "'chapter' is -1"},
         Refused{"chapter = 4", "chapter = ¦100", "'chapter' is 100"},
         Refused{"order = 3", "order = ¦0", "'order' is 0"},
         Refused{"cap = 20", "cap = ¦0", "'cap' is 0"},

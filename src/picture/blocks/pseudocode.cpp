@@ -78,7 +78,7 @@ const Lines& triangle_lines() {
       {"if u, v > 0, wABC ≤ 0:  P on AB", {}, gjk::Face{0b011}},
       {"if u, v > 0, uABC ≤ 0:  P on BC", {}, gjk::Face{0b110}},
       {"if u, v > 0, vABC ≤ 0:  P on CA", {}, gjk::Face{0b101}},
-      {"else:  P ← Q", {}, gjk::Face{0b111}},
+      {"else: assert u, v, w > 0;  P ← Q", {}, gjk::Face{0b111}},
   };
   return lines;
 }
@@ -281,6 +281,25 @@ void minkowski_listing(PanelBuilder& panel) {
              {made > all ? State::current : State::idle, {}, {}});
 }
 
+/// Catto 2010, slides on the data structures. The vertex is the newest of the simplex.
+void structures_listing(PanelBuilder& panel) {
+  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const int newest = simplex.count - 1;
+  const gjk::SupportPoint<double, 2>& vertex = simplex.vertices[newest];
+  const Eigen::Vector2d point = vertex.w + panel.run.run(panel.frame).x().world[0];
+  const bool weighed = panel.knows.phase == Phase::closest || panel.knows.phase == Phase::cull;
+  write_line(panel, "SimplexVertex", {State::past, {}, panel.words.vertex(newest)});
+  write_line(panel, "  point: where it is", {State::idle, {}, panel.numbers.point(point)});
+  write_line(panel, "  index: which vertex, from 0",
+             {State::idle, {}, std::to_string(vertex.pair.y)});
+  write_line(panel, "  u: its weight in P",
+             {State::idle, {}, weighed ? panel.numbers.weight(simplex.weights[newest]) : "–"});
+  write_line(panel, "Simplex", {State::past, {}, "S"});
+  write_line(panel, "  vertices: 1, 2 or 3", {State::current, {}, panel.words.face(simplex.all())});
+  write_line(panel, "  count",
+             {State::current, {}, format("{}, a {}-simplex", simplex.count, simplex.count - 1)});
+}
+
 void segment_listing(PanelBuilder& panel) { region_chain(panel, segment_lines(), true); }
 void triangle_listing(PanelBuilder& panel) { region_chain(panel, triangle_lines(), false); }
 
@@ -306,6 +325,10 @@ using namespace blocks;
 const Listing kSegment{.name = "segment", .meaning = "point to segment", .write = segment_listing};
 const Listing kTriangle{
     .name = "triangle", .meaning = "point to triangle", .write = triangle_listing};
+const Listing kStructures{.name = "structures",
+                          .meaning = "what a simplex is stored as",
+                          .write = structures_listing,
+                          .act = "phase"};
 const Listing kSupport{
     .name = "support", .meaning = "support point of a polygon", .write = support_listing};
 const Listing kGjkPoint{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop};
