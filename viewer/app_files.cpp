@@ -99,7 +99,7 @@ void App::open_exported(const fs::path& file) {
   // Results of a study stand beside the shipped lessons.
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
   LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
-  if (!loaded.lesson) return say(all_of(loaded.problems), true);
+  if (!loaded.lesson) return say(to_string(loaded.problems), true);
   // The step counts the frames that ask, which the window shows only in predict mode.
   const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
   const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));

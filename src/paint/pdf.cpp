@@ -258,8 +258,9 @@ struct HandoutPage {
   [[nodiscard]] Rect slot(int index) const {
     const Point size((kWidth - 2 * kMargin - (columns - 1) * kGap) / columns,
                      (kHeight - 2 * kMargin - (rows - 1) * kGap) / rows);
+    const int row = index / columns;
     const Point min(kMargin + (index % columns) * (size.x() + kGap),
-                    kMargin + (index / columns) * (size.y() + kGap));
+                    kMargin + row * (size.y() + kGap));
     return {min, min + size};
   }
 };
