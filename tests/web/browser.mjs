@@ -79,6 +79,10 @@ async function vertex(page, of) {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
+/** To where no bar lies over it. */
+const toMiddle = (page, of) =>
+  page.locator(`#stage circle[data-of="${of}"]`).first().evaluate((mark) => mark.scrollIntoView({ block: "center" }));
+
 async function dragByMouse(page, from, by) {
   await page.mouse.move(...from);
   await page.mouse.down();
@@ -214,7 +218,7 @@ action("a finger that swipes over the empty stage steps, one that drags does not
 
 action("a difference that is pointed at lights up with its two vertices", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
-  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  await toMiddle(page, "z 2 0");
   const at = await vertex(page, "z 2 0");
   if (SIZES[size].touch) await page.touchscreen.tap(...at);
   else await page.mouse.move(...at);
@@ -225,7 +229,7 @@ action("a difference that is pointed at lights up with its two vertices", async 
 
 action("in the difference a drag moves Y", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
-  await page.locator('#stage circle[data-of="z 2 0"]').first().scrollIntoViewIfNeeded();
+  await toMiddle(page, "z 2 0");
   const drag = SIZES[size].touch ? touchPath : dragByMouse;
   const before = await state(page);
   await drag(page, await vertex(page, "z 2 0"), [30, -20]);
