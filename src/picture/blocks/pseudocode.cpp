@@ -287,7 +287,7 @@ void structures_listing(PanelBuilder& panel) {
   const int newest = simplex.count - 1;
   const gjk::SupportPoint<double, 2>& vertex = simplex.vertices[newest];
   const Eigen::Vector2d point = vertex.w + panel.run.run(panel.frame).x().world[0];
-  const bool weighed = panel.knows.phase == Phase::closest || panel.knows.phase == Phase::cull;
+  const bool weighed = panel.knows.phase && *panel.knows.phase != Phase::add;
   write_line(panel, "SimplexVertex", {State::past, {}, panel.words.vertex(newest)});
   write_line(panel, "  point: where it is", {State::idle, {}, panel.numbers.point(point)});
   write_line(panel, "  index: which vertex, from 0",

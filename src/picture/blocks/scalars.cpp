@@ -29,9 +29,9 @@ int digits_of(ScalarKind scalar) {
 }
 
 /// The power of ten that lengths are written in units of; 0 where none is needed.
-int unit_of(double longest) {
-  if (!(longest > 0.0)) return 0;
-  const int exponent = static_cast<int>(std::floor(std::log10(longest)));
+int unit_of(double length) {
+  if (!(length > 0.0)) return 0;
+  const int exponent = static_cast<int>(std::floor(std::log10(length)));
   return exponent < -4 || exponent > 6 ? exponent : 0;
 }
 
@@ -102,13 +102,15 @@ void scalars(PanelBuilder& panel) {
   const int iteration = panel.run.info(panel.frame).iteration;
   const bool ended = panel.knows.has_ended;
   const bool started = panel.frame.step >= 0;
-  double longest = 0.0;
+  // Lengths are written in a unit that suits the right one, or the first that is not 0.
+  double length = 0.0;
   if (started) {
+    length = length_at(exact, iteration, ended);
     for (const Answer& each : answers) {
-      if (each.refused.empty()) longest = std::max(longest, length_at(each, iteration, ended));
+      if (length == 0.0 && each.refused.empty()) length = length_at(each, iteration, ended);
     }
   }
-  const int unit = unit_of(longest);
+  const int unit = unit_of(length);
   const double scale = std::pow(10.0, -unit);
   std::string title = ended ? "What each scalar answers"
                             : format("Distance of P in iteration {}", std::max(iteration, 1));
