@@ -300,8 +300,9 @@ class PdfWriter {
       const Rect slot = layout.slot(static_cast<int>(i));
       const Point size = slot.size();
       const double wide = layout.beside ? kShareBeside * size.x() : size.x();
-      const std::vector<std::string> lines = wrapped(
-          figures[i].caption, layout.beside ? size.x() - wide - HandoutPage::kGap : size.x());
+      const std::vector<std::string> lines =
+          wrapped(fonts_.measures(), kCaption, figures[i].caption,
+                  layout.beside ? size.x() - wide - HandoutPage::kGap : size.x());
       const double below =
           layout.beside ? 0.0 : kLineHeight * (static_cast<double>(lines.size()) + 0.5);
       const double scale = std::min(wide / picture.width, (size.y() - below) / picture.height);
@@ -363,29 +364,6 @@ class PdfWriter {
     }
   }
 
-  /// Lines as wide as `width` at most, as far as words allow.
-  [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width) const {
-    std::vector<std::string> lines;
-    std::string line;
-    const auto end_line = [&] {
-      if (!line.empty()) lines.push_back(std::move(line));
-      line.clear();
-    };
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-      const std::string word = text.substr(at, end - at);
-      std::string longer = line.empty() ? word : line + " " + word;
-      if (!line.empty() && fonts_.measures().width(kCaption, longer) > width) {
-        end_line();
-        longer = word;
-      }
-      line = std::move(longer);
-      if (end < text.size() && text[end] == '\n') end_line();
-      at = end + 1;
-    }
-    end_line();
-    return lines;
-  }
   /// On paper, which is white.
   void write(const std::vector<std::string>& lines, Point at) {
     const Style ink{Color{0, 0, 0, 255}, {}, 1.0, {}};

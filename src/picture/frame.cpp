@@ -26,33 +26,8 @@ constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
-constexpr double kWidePanel = 440.0;    // beside one view
-constexpr double kNarrowPanel = 400.0;  // beside two
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
-
-/// Breaks a text at spaces so that no line is wider than `width`.
-std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style,
-                                 const std::string& text, double width) {
-  std::vector<std::string> lines;
-  std::string line;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    std::size_t end = text.find_first_of(" \n", begin);
-    if (end == std::string::npos) end = text.size();
-    const std::string word = text.substr(begin, end - begin);
-    const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && fonts.width(style, longer) > width) {
-      lines.push_back(line);
-      line = word;
-    } else {
-      line = longer;
-    }
-    begin = end + 1;
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
-}
 
 const Point kAround(128.0, 116.0);  // of what a camera fits: room for labels and a title
 

@@ -1,6 +1,9 @@
 #pragma once
 // The place that a text takes.
 
+#include <string>
+#include <vector>
+
 #include "picture/picture.hpp"
 #include "picture/type.hpp"
 
@@ -17,5 +20,9 @@ namespace gjkscope {
   const double left = text.at.x() - share_before(text.align) * width;
   return {{left, text.at.y() - fonts.cap_height(text.style)}, {left + width, text.at.y()}};
 }
+
+/// Breaks a text at spaces so that no line is wider than `width`, as far as words allow.
+[[nodiscard]] std::vector<std::string> wrapped(const Fonts& fonts, const TextStyle& style,
+                                               const std::string& text, double width);
 
 }  // namespace gjkscope

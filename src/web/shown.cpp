@@ -20,21 +20,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSmallestType = 14.0;  // on a phone; a frame's smallest is 12
 constexpr double kTimelineHeight = 66.0;
-
-/// Texts that grow past the left or right edge move in.
-void enlarge_small_type(Picture& picture, const Fonts& fonts) {
-  constexpr double kEdge = 6.0;
-  for (Mark& mark : picture.marks) {
-    Text* text = std::get_if<Text>(&mark.shape);
-    if (!text || text->style.size >= kSmallestType) continue;
-    text->style.size = kSmallestType;
-    const Rect box = box_of(fonts, *text);
-    text->at.x() += std::max(0.0, kEdge - box.min.x());
-    text->at.x() -= std::max(0.0, box.max.x() - (picture.width - kEdge));
-  }
-}
 
 /// Whether all texts of a panel are within it and apart.
 bool fits(const Picture& picture, const Fonts& fonts) {
@@ -152,7 +138,6 @@ Picture Player::panel(const Frame& frame, double width) {
   const Rect card{{0.0, 0.0}, {width, panel_height_}};
   picture.marks = panel_marks(session_.run(), session_.effects(), frame, fonts_, card);
   picture.marks.insert(picture.marks.begin(), {"card", Box{card, 10.0}, -1, {}});
-  enlarge_small_type(picture, fonts_);
   return picture;
 }
 
@@ -163,7 +148,7 @@ void Player::measure_panel() {
   const std::vector<Frame>& frames = session_.run().frames;
   panel_height_ = 0.0;
   panel_width_ = panel_room_;
-  for (const double wider : {368.0, 424.0}) {
+  for (const double wider : {kNarrowPanel, kWidePanel}) {
     const bool all_fit = std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
       return fits(panel(frame, panel_width_), fonts_);
     });
@@ -183,7 +168,6 @@ Picture Player::timeline() const {
   Picture picture{timeline_width_, kTimelineHeight, {}, 0.0, {}};
   picture.marks = timeline_marks(session_.run(), session_.index(), fonts_,
                                  {{0.0, 14.0}, {timeline_width_, kTimelineHeight}});
-  enlarge_small_type(picture, fonts_);
   return picture;
 }
 
@@ -213,7 +197,6 @@ std::string Player::shown() {
   const Lesson& lesson = session_.lesson();
   Picture stage = session_.picture();
   if (shows_depth_ && session_.index() + 1 == session_.frame_count()) draw_depth(stage);
-  enlarge_small_type(stage, fonts_);
   Json out = {{"index", session_.index()},
               {"count", session_.frame_count()},
               {"title", lesson.title},
