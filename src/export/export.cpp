@@ -204,6 +204,7 @@ struct LessonOnItsWay {
   std::string toml;
   Fingerprint made_from;
 
+  [[nodiscard]] bool is_up_to_date() const { return pictures.empty(); }
   [[nodiscard]] RecordedFrame recorded(int step) const {
     const auto index = static_cast<std::size_t>(step - 1);
     return {step, texts[index].caption, case_of(run.run(run.frames[index]))};
@@ -332,7 +333,7 @@ class Exporter {
       if (SignalWatch::signal() != 0) return false;
       const std::filesystem::path file = file_of(way, step);
       const std::string key = way.key(step, step);
-      if (has(file, key)) {
+      if (way.is_up_to_date() || has(file, key)) {
         ++kept_count_;
       } else {
         const Picture& picture = way.pictures[static_cast<std::size_t>(step - 1)];
@@ -370,7 +371,7 @@ class Exporter {
     const std::filesystem::path file = file_of(way, first);
     const std::string key = way.key(first, last);
     const Record record = way.record(key, first, last);
-    if (has(file, key)) {
+    if (way.is_up_to_date()) {
       kept_count_ += last - first + 1;
     } else if (is_film(options_.format)) {
       if (!add_film(way, file, record_text(record))) return false;

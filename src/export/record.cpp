@@ -144,13 +144,13 @@ bool mentions(const std::filesystem::path& file, std::string_view text) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return false;
   const std::streamoff size = stream.tellg();
-  for (const std::streamoff length : {std::min(size, kNear), std::min(size, kFar)}) {
-    std::string bytes(static_cast<std::size_t>(length), '\0');
-    stream.seekg(length > kNear || length == size ? size - length : 0);
-    stream.read(bytes.data(), length);
-    if (bytes.find(text) != std::string::npos) return true;
-  }
-  return false;
+  const auto has = [&](std::streamoff begin, std::streamoff end) {
+    std::string bytes(static_cast<std::size_t>(end - begin), '\0');
+    stream.seekg(begin);
+    stream.read(bytes.data(), end - begin);
+    return bytes.find(text) != std::string::npos;
+  };
+  return has(0, std::min(size, kNear)) || (size > kNear && has(size - std::min(size, kFar), size));
 }
 
 bool is_exported(const std::filesystem::path& file) {
