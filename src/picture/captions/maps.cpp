@@ -127,14 +127,16 @@ void orders(const Story& story, FrameText& text) {
         story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
-    text.detail = format("P′ {}: it is {} from {}, the triangle {}. Next: whole tests.",
-                         off ? "is not even on " + taken : "is on the wrong edge", distance,
-                         story.q, story.distance());
+    text.detail = format(
+        "P′ {}: it is {} from {}, the triangle {}. Next: {}.",
+        off ? "is not even on " + taken : "is on the wrong edge", distance, story.q,
+        story.distance(),
+        stage == OrderStage::vertices_first_short ? "the same tests, edges first" : "whole tests");
   } else if (stage == OrderStage::vertices_first_short) {
     text.caption =
         format("Vertices first: the first true test is that of {}, and it is right.", region);
     text.detail = format("P′ = P, at distance {}. {} Next: the same tests, edges first.", distance,
-                         is_edge ? "Once the vertices are ruled out, the short test is enough."
+                         is_edge ? "The vertices are ruled out, and here the short test is enough."
                                  : "The edges are not tested.");
   } else if (stage == OrderStage::edges_first_short) {
     text.caption = format(
