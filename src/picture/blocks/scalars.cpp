@@ -93,7 +93,7 @@ void number(PanelBuilder& panel, double value, double right, ScalarKind scalar) 
   const double from = at + panel.fonts.width(type::kCode, same);
   const double to = from + panel.fonts.width(type::kCodeBold, other);
   panel.write("fail", from, other, type::kCodeBold);
-  panel.add("dropped", Polyline{{{from, panel.y + 4.0}, {to, panel.y + 4.0}}});
+  panel.add("wrong", Polyline{{{from, panel.y + 4.0}, {to, panel.y + 4.0}}});
 }
 
 void scalars(PanelBuilder& panel) {
