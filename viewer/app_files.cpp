@@ -30,15 +30,17 @@ constexpr std::size_t kMostRecent = 10;
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
   Expectation expect;
-  expect.stop = trace.result.stop;
-  expect.distance = trace.result.distance;
+  if (run.has_gjk()) {
+    expect.stop = trace.result.stop;
+    expect.distance = trace.result.distance;
+    expect.supports.emplace();
+  }
   if (const Algorithm* algorithm = run.act->algorithm) {
     for (const std::string_view name : algorithm->answers) {
-      if (const double found = run.followed_by.back()->answer(name); found >= 0.0)
+      if (const double found = run.algorithm_traces.back()->answer(name); found >= 0.0)
         expect.answers.emplace_back(name, found);
     }
   }
-  expect.supports.emplace();
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;

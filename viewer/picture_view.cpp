@@ -356,13 +356,14 @@ void PictureView::double_click(const Point& page) {
   const LessonPictures::Stage shown = session_.views()[*view];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto of_x = edit::nearest_edge(run.x().world, at);
-  const auto of_y = edit::nearest_edge(run.y().world, at);
+  const Lesson& shapes = session_.lesson();
+  const auto of_x = edit::nearest_edge(run.x().world, shapes.x().ranges(), at);
+  const auto of_y = edit::nearest_edge(run.y().world, shapes.y().ranges(), at);
   const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
   const auto& edge = is_x ? of_x : of_y;
   if (!edge || edge->distance > reach) return session_.fit();
   const std::size_t body = is_x ? 0 : 1;
-  if (session_.lesson().bodies[body].vertices.size() >= edit::kMostEditable)
+  if (shapes.bodies[body].vertices.size() >= edit::kMostEditable)
     return app_.say(fmt::format("shapes of {} vertices and more are not edited vertex by vertex",
                                 edit::kMostEditable));
   Lesson lesson = session_.lesson();

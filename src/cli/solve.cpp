@@ -5,9 +5,9 @@
 #include <ostream>
 #include <type_traits>
 
+#include "algorithms/depth/depth.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
-#include "depth/depth.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/scalar.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "depth/lesson_trace.hpp"
+#include "algorithms/depth/lesson_trace.hpp"
 #include "effects/graph.hpp"
 
 namespace gjkscope {

@@ -1,6 +1,7 @@
 #pragma once
 // An algorithm other than GJK, as all but its own folders see it: steps with a phase and an
-// iteration, values, and what it did as JSON and as text. src/depth/lesson_trace.cpp is an example.
+// iteration, values, and what it did as JSON and as text. algorithms/depth/lesson_trace.cpp is an
+// example.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -32,13 +33,18 @@ class AlgorithmTrace {
   [[nodiscard]] virtual std::string text(const Lesson& lesson, const RunIn<2>& run) const = 0;
 };
 
-/// An act names the one that it shows; every run of GJK is followed by one of it.
+/// An act names the one that it shows; it runs wherever the shapes stand.
 struct Algorithm {
   std::string_view name;                      ///< "depth": its key in a trace.
   std::span<const std::string_view> phases;   ///< In the order of their numbers.
   std::span<const std::string_view> answers;  ///< Those that `expect.answer` can check.
   std::span<const PlaceholderInfo> values;    ///< What prose can name of it.
-  std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const RunIn<2>& run) = nullptr;
+  /// `before`: what it did in the run before, along a path; nullptr in the first.
+  std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const RunIn<2>& run,
+                                               const AlgorithmTrace* before) = nullptr;
+  /// It goes on where a run of GJK ends. Others have no such run: they ask about the outlines of
+  /// the shapes, convex or not.
+  bool follows_gjk = false;
 };
 
 }  // namespace gjkscope

@@ -75,7 +75,7 @@ struct Frame {
   std::optional<int> size =
       {};  ///< Index into LessonGrowth::vertices; as many as there are: all sizes.
   std::optional<StudyFrame> study = {};
-  std::optional<int> steps_over = {};  ///< Of the algorithm that follows GJK; one more than there
+  std::optional<int> steps_over = {};  ///< Of an algorithm that is not GJK; one more than there
                                        ///< are: the answer.
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the

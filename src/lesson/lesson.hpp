@@ -26,13 +26,29 @@ enum class ScalarKind { half, single, double_, exact };
          a.iteration_cap == b.iteration_cap && a.proof == b.proof && a.start == b.start;
 }
 
+/// Vertices of a shape that make an outline: `count` of them from `first` on.
+struct VertexRange {
+  int first = 0;
+  int count = 0;
+};
+
 /// A shape with named vertices. world = rotate(rotate_degrees) * vertex + translate.
 struct LessonShape {
   std::string name;                       ///< "X", "Y", "Q"
   std::vector<std::string> vertex_names;  ///< As many as vertices, unique over both shapes.
   std::vector<Eigen::Vector2d> vertices;  ///< In drawing order.
+  /// How many of the vertices belong to each of its outlines, one after the other; empty: all of
+  /// them are one outline. To GJK the shape is the hull of its vertices.
+  std::vector<int> outlines;
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  [[nodiscard]] std::vector<VertexRange> ranges() const {
+    if (outlines.empty()) return {{0, static_cast<int>(vertices.size())}};
+    std::vector<VertexRange> out;
+    for (const int count : outlines)
+      out.push_back({out.empty() ? 0 : out.back().first + out.back().count, count});
+    return out;
+  }
   friend bool operator==(const LessonShape&, const LessonShape&) = default;
 };
 

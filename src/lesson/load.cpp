@@ -61,6 +61,7 @@ class LessonReader {
   void read_shape(const Field& field, std::size_t body);
   void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
                          LessonShape& shape);
+  void read_outlines(const Field& outlines, LessonShape& shape);
   bool claim_vertex_name(const Field& field, const std::string& name);
   void read_beside(const Field& beside);
   void read_query(const Table& query);
@@ -96,6 +97,7 @@ class LessonReader {
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
+  std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
   Field beside_;
   std::map<std::string, int> line_of_vertex_name_;
 };
@@ -200,6 +202,8 @@ void LessonReader::read_shape(const Field& field, std::size_t body) {
     shape.vertices.push_back(vertex.value_or(Eigen::Vector2d::Zero()));
   }
   read_vertex_names((*table)["names"], vertices, key, shape);
+  read_outlines((*table)["outlines"], shape);
+  outlines_[body] = (*table)["outlines"];
   if (all_read && shape.vertex_names.size() == shape.vertices.size()) ++shapes_read_;
 }
 
@@ -232,6 +236,24 @@ void LessonReader::read_vertex_names(const Field& names, const Field& vertices,
     }
   }
   if (read.size() == count) shape.vertex_names = std::move(read);
+}
+
+void LessonReader::read_outlines(const Field& outlines, LessonShape& shape) {
+  const int vertices = static_cast<int>(shape.vertices.size());
+  int left = vertices;
+  for (const Field& entry : reader_.entries(outlines, "whole number")) {
+    const std::optional<int> count =
+        reader_.whole_number(entry, limits::kOutlineVertices, vertices);
+    if (!count) return;
+    shape.outlines.push_back(*count);
+    left -= *count;
+  }
+  if (outlines && outlines.node->is_array() && left != 0) {
+    problems_.add(outlines.place(),
+                  fmt::format("the outlines have {} vertices in all", vertices - left),
+                  fmt::format("{}, as many as there are in 'vertices'", vertices));
+    shape.outlines.clear();
+  }
 }
 
 /// False where the name is taken.
@@ -620,6 +642,13 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
     check_act(*vocabulary_.act(*chosen), granularity, file);
   }
   const Act& act = *vocabulary_.act(lesson_.act);
+  if (act.algorithm == nullptr || act.algorithm->follows_gjk) {
+    for (const Field& outlines : outlines_) {
+      if (!outlines) continue;
+      problems_.add(outlines.place(), fmt::format("'outlines' with granularity '{}'", act.name),
+                    "no 'outlines': GJK asks about the hull of the vertices");
+    }
+  }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
   const Field phases = steps["phases"];
@@ -797,6 +826,16 @@ void LessonReader::read_answers(const Field& answers) {
 }
 
 void LessonReader::read_expect(const Table& expect) {
+  const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
+  if (algorithm != nullptr && !algorithm->follows_gjk) {
+    for (const char* key : {"stop", "distance", "supports"}) {
+      if (const Field field = expect[key]) {
+        problems_.add(field.place(), fmt::format("'{}' with granularity '{}'", key, lesson_.act),
+                      "'answer': GJK is not run");
+      }
+    }
+    return read_answers(expect["answer"]);
+  }
   std::vector<std::string> outcomes = names_of<gjk::StopReason>();
   std::erase(outcomes, name_of(gjk::StopReason::running));
   std::erase(outcomes, name_of(gjk::StopReason::failed));  // a lesson needs shapes that GJK accepts

@@ -60,6 +60,22 @@ RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
   return run;
 }
 
+/// The shapes as they stand in the world, in the lesson's scalar.
+Case world_of(const Lesson& lesson, const std::vector<Placement>& placements) {
+  return with_query(lesson, placements, []<class S>(const gjk::Query<S, 2>& query) {
+    return Case{world_vertices(query.x), world_vertices(query.y)};
+  });
+}
+
+/// The shapes where they stand; GJK is not asked.
+PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
+  Case world = world_of(lesson, at.placements);
+  PositionedRun run;
+  run.bodies = {{at.placements[0], std::move(world.a)}, {at.placements[1], std::move(world.b)}};
+  run.time = at.time;
+  return run;
+}
+
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
   return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
     return run_query<S, 2>(query, options, at);
@@ -190,7 +206,7 @@ const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
 
 StepInfo LessonRun::info(const Frame& frame) const {
   if (frame.steps_over) {
-    const AlgorithmTrace& trace = *followed_by[static_cast<std::size_t>(frame.run)];
+    const AlgorithmTrace& trace = algorithm_trace(frame);
     if (*frame.steps_over == 0) return {0, "start"};
     if (*frame.steps_over <= trace.steps()) return trace.info(*frame.steps_over - 1);
     return {trace.info(trace.steps() - 1).iteration, "answer", true};
@@ -201,14 +217,15 @@ StepInfo LessonRun::info(const Frame& frame) const {
           !shown.record.dropped.empty() || shown.after.stop != gjk::StopReason::running};
 }
 
+bool LessonRun::has_gjk() const { return act->algorithm == nullptr || act->algorithm->follows_gjk; }
+
 std::string_view LessonRun::phase_name(int phase) const {
   return act->algorithm == nullptr ? name_of(static_cast<gjk::Phase>(phase))
                                    : act->algorithm->phases[static_cast<std::size_t>(phase)];
 }
 
 int LessonRun::answering_iteration(const Frame& frame) const {
-  if (act->algorithm != nullptr)
-    return followed_by[static_cast<std::size_t>(frame.run)]->info(frame.answering_step).iteration;
+  if (act->algorithm != nullptr) return algorithm_trace(frame).info(frame.answering_step).iteration;
   return run(frame).trace.steps[frame.answering_step].iteration;
 }
 
@@ -253,10 +270,13 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   for (const Scenery& scenery : sceneries_of(run.lesson)) {
     const bool is_warm = run.lesson.warm_start && !run.runs.empty();
     const gjk::Options& cold = run.lesson.options;
-    run.runs.push_back(
-        run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
-    if (act.algorithm != nullptr)
-      run.followed_by.push_back(act.algorithm->run(run.lesson, run.runs.back()));
+    run.runs.push_back(run.has_gjk() ? run_at(run.lesson, scenery,
+                                              is_warm ? warm(cold, run.runs.back().trace) : cold)
+                                     : standing_at(run.lesson, scenery));
+    if (act.algorithm == nullptr) continue;
+    const AlgorithmTrace* before =
+        run.algorithm_traces.empty() ? nullptr : run.algorithm_traces.back().get();
+    run.algorithm_traces.push_back(act.algorithm->run(run.lesson, run.runs.back(), before));
   }
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) act.add_frames(run, i);
   add_question_frames(run);
@@ -266,10 +286,7 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
 Case case_of(const PositionedRun& run) { return {run.x().world, run.y().world}; }
 
 Case case_of(const Lesson& lesson) {
-  const Scenery first = sceneries_of(lesson).front();
-  return with_query(lesson, first.placements, []<class S>(const gjk::Query<S, 2>& query) {
-    return Case{world_vertices(query.x), world_vertices(query.y)};
-  });
+  return world_of(lesson, sceneries_of(lesson).front().placements);
 }
 
 PositionedRun run_afresh(const LessonRun& run, int index) {
@@ -325,7 +342,7 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
            fmt::format("'{}'", name_of(*expect.stop)));
   }
   for (const auto& [name, wanted] : expect.answers) {
-    const double found = run.followed_by.back()->answer(name);
+    const double found = run.algorithm_traces.back()->answer(name);
     if (!(std::abs(wanted - found) <= written_precision(wanted) * 1.0001))
       differ("expect.answer." + name, fmt::format("the {} is {}", name, found),
              fmt::format("{}", wanted));

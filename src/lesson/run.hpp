@@ -1,6 +1,6 @@
 #pragma once
-// A lesson, run: one traced GJK run for each position of X, and the frames that the lesson's act
-// makes of them.
+// A lesson, run: one traced run for each position of X, and the frames that the lesson's act makes
+// of them.
 
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ struct BodyIn {
   std::vector<gjk::Vec<double, D>> world;  ///< Its vertices, as the run rounds them.
 };
 
-/// One GJK run: where the shapes stood, and what happened.
+/// One run: where the shapes stood, and what GJK did; nothing where it was not asked.
 template <int D>
 struct RunIn {
   std::vector<BodyIn<D>> bodies{2};  ///< As those of the lesson: X and Y come first.
@@ -80,8 +80,8 @@ struct LessonRun {
   Lesson lesson;
   const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
-  /// What followed each run, where the act has an algorithm of its own.
-  std::vector<std::shared_ptr<const AlgorithmTrace>> followed_by;
+  /// What the act's algorithm did in each run, where it has one of its own.
+  std::vector<std::shared_ptr<const AlgorithmTrace>> algorithm_traces;
   std::vector<Frame> frames;
 
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
@@ -91,7 +91,12 @@ struct LessonRun {
   [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
-  /// The step of a frame in the algorithm that the act shows: GJK, or what follows it.
+  /// What the act's algorithm did in the run of a frame; only where it has one.
+  [[nodiscard]] const AlgorithmTrace& algorithm_trace(const Frame& frame) const {
+    return *algorithm_traces[static_cast<std::size_t>(frame.run)];
+  }
+
+  /// The step of a frame in the algorithm that the act shows: GJK, or another.
   [[nodiscard]] StepInfo info(const Frame& frame) const;
   /// "support": the phase with this number in the algorithm that the act shows.
   [[nodiscard]] std::string_view phase_name(int phase) const;
@@ -104,6 +109,8 @@ struct LessonRun {
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".
   [[nodiscard]] std::string pair_name(gjk::VertexPair pair) const;
+  /// Whether GJK was asked.
+  [[nodiscard]] bool has_gjk() const;
   [[nodiscard]] bool point_query() const { return lesson.x().vertices.size() == 1; }
 };
 

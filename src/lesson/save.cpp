@@ -169,6 +169,9 @@ void write_shape(TomlText& out, const LessonShape& shape, std::string_view key) 
   if (shape.vertex_names != default_vertex_names(shape, key))
     out.list("names", as_texts(shape.vertex_names));
   out.list("vertices", in_brackets(shape.vertices));
+  std::vector<std::string> outlines;
+  for (const int count : shape.outlines) outlines.push_back(std::to_string(count));
+  if (!outlines.empty()) out.list("outlines", outlines);
   if (!same_bits(shape.translate.x(), 0.0) || !same_bits(shape.translate.y(), 0.0))
     out.key("translate", in_brackets(shape.translate));
   out.number("rotate", shape.rotate_degrees, 0.0);

@@ -55,6 +55,12 @@ std::vector<LessonKey> make_keys() {
        "names of the vertices, unique over both shapes"},
       {"shapes.X", "vertices", point_list, required,
        fmt::format("corners in drawing order, 1 to {} of them (a limit of drawing)", kVertices)},
+      {"shapes.X", "outlines",
+       fmt::format("list of whole numbers of at least {} that add up to the vertices",
+                   kOutlineVertices),
+       "all vertices are one outline",
+       "how many vertices each outline has, one outline after the other: counter-clockwise around "
+       "what is solid, clockwise around a hole; only with granularities of outlines"},
       {"shapes.X", "translate", "point [x, y]", "[0, 0]", "where the shape's own origin stands"},
       {"shapes.X", "rotate", fmt::format("number from {} to {}", -kTurn, kTurn), "0",
        "degrees counter-clockwise, before `translate`"},

@@ -56,6 +56,7 @@ inline constexpr int kNoteLength = 200;
 inline constexpr int kSeed = 1'000'000'000;
 inline constexpr int kCap = 100;  ///< The steps of all positions are kept in memory.
 inline constexpr int kSimplexVertices = 3;
+inline constexpr int kOutlineVertices = 3;  ///< At least, of each of several outlines.
 /// Coordinates: doubles of this size still differ by less than a frame shows of a world as large;
 /// their products stay far from overflow in single precision, too.
 inline constexpr double kLargest = 1e18;

@@ -45,7 +45,7 @@ struct Act {
   /// where there is none. Only with `asks`.
   int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
                         const LessonQuestion& question) = nullptr;
-  /// What follows GJK, and is shown in its place; none: GJK is shown.
+  /// What is shown; none: GJK.
   const Algorithm* algorithm = nullptr;
 
   /// nullptr when its frames cannot ask it.

@@ -20,7 +20,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
     act.question(story, text);
     text.phase = "question";
     text.iteration = run.answering_iteration(frame);
-  } else if (frame.step < 0) {
+  } else if (frame.step < 0 && !frame.steps_over) {
     captions::start(story, text);
   } else {
     act.words(story, text);

@@ -8,7 +8,14 @@
 #include "picture/acts/acts.hpp"
 
 namespace gjkscope {
+
 namespace {
+
+constexpr std::array kAlgorithms = {
+#define GJKSCOPE_ALGORITHM(name) &algorithms::name,
+#include "algorithms/list.def"
+#undef GJKSCOPE_ALGORITHM
+};
 
 constexpr std::array kActs = {
 #define GJKSCOPE_ACT(name) &acts::k##name,
@@ -28,15 +35,25 @@ constexpr std::array kListings = {
 #undef GJKSCOPE_LISTING
 };
 
+/// The values of a table, and those that algorithms add to it.
+template <class T, std::size_t N>
+std::vector<T> all(const std::array<T, N>& own, std::span<const T> ShownAlgorithm::*more) {
+  std::vector<T> out(own.begin(), own.end());
+  for (const ShownAlgorithm* each : kAlgorithms)
+    out.insert(out.end(), (each->*more).begin(), (each->*more).end());
+  return out;
+}
+
 Vocabulary make_vocabulary() {
   Vocabulary out;
-  for (const StagedAct* staged : kActs) {
+  for (const StagedAct* staged : registered_acts()) {
     out.acts.push_back(&staged->act);
     if (staged->plot_title != nullptr) out.plots.push_back(&staged->act);
   }
-  for (const Block* block : kBlocks)
+  for (const Block* block : registered_blocks())
     out.blocks.push_back({block->name, block->act, block->second_run, block->takes_listing});
-  for (const Listing* listing : kListings) out.listings.push_back({listing->name, listing->act});
+  for (const Listing* listing : registered_listings())
+    out.listings.push_back({listing->name, listing->act});
   for (const EffectInfo& effect : registered_effects()) {
     if (effect.used_by == "view")
       out.effects.push_back({effect.name, effect.act, effect.second_run});
@@ -46,9 +63,20 @@ Vocabulary make_vocabulary() {
 
 }  // namespace
 
-std::span<const StagedAct* const> registered_acts() { return kActs; }
-std::span<const Block* const> registered_blocks() { return kBlocks; }
-std::span<const Listing* const> registered_listings() { return kListings; }
+std::span<const StagedAct* const> registered_acts() {
+  static const auto acts = all(kActs, &ShownAlgorithm::acts);
+  return acts;
+}
+
+std::span<const Block* const> registered_blocks() {
+  static const auto blocks = all(kBlocks, &ShownAlgorithm::blocks);
+  return blocks;
+}
+
+std::span<const Listing* const> registered_listings() {
+  static const auto listings = all(kListings, &ShownAlgorithm::listings);
+  return listings;
+}
 
 const Vocabulary& vocabulary() {
   static const Vocabulary all = make_vocabulary();
@@ -56,7 +84,8 @@ const Vocabulary& vocabulary() {
 }
 
 const StagedAct& staged(const LessonRun& run) {
-  return **std::find_if(kActs.begin(), kActs.end(),
+  const std::span<const StagedAct* const> acts = registered_acts();
+  return **std::find_if(acts.begin(), acts.end(),
                         [&](const StagedAct* each) { return &each->act == run.act; });
 }
 

@@ -9,7 +9,21 @@
 
 namespace gjkscope {
 
-/// In the order in which lessons/README.md lists them.
+/// What the folder of an algorithm adds to the tables; algorithms/list.def names the folders.
+struct ShownAlgorithm {
+  std::span<const StagedAct* const> acts;
+  std::span<const Block* const> blocks;
+  std::span<const Listing* const> listings;
+};
+
+/// Each is defined in the folder of its algorithm.
+namespace algorithms {
+#define GJKSCOPE_ALGORITHM(name) extern const ShownAlgorithm name;
+#include "algorithms/list.def"
+#undef GJKSCOPE_ALGORITHM
+}  // namespace algorithms
+
+/// In the order in which lessons/README.md lists them; those of algorithms come last.
 [[nodiscard]] std::span<const StagedAct* const> registered_acts();
 [[nodiscard]] std::span<const Block* const> registered_blocks();
 [[nodiscard]] std::span<const Listing* const> registered_listings();

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "geometry/polygon.hpp"
-#include "picture/acts/acts.hpp"
+#include "lesson/schema.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope::edit {
@@ -26,6 +26,13 @@ LessonMotion* motion_of(Lesson& lesson, std::size_t body) {
   if (!lesson.path_of_shapes) return nullptr;
   LessonMotion& motion = lesson.path_of_shapes->motions[body];
   return motion.points.empty() ? nullptr : &motion;
+}
+
+/// The number of vertices of the outline that vertex `index` belongs to.
+int& outline_of(LessonShape& shape, int index) {
+  auto outline = shape.outlines.begin();
+  for (; index >= *outline; ++outline) index -= *outline;
+  return *outline;
 }
 
 std::string free_name(const Lesson& lesson, std::size_t body) {
@@ -91,6 +98,7 @@ int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& p
   const std::string name = free_name(lesson, body);
   LessonShape& shape = lesson.bodies[body];
   const int index = edge + 1;
+  if (!shape.outlines.empty()) ++outline_of(shape, edge);
   shape.vertices.insert(shape.vertices.begin() + index, to_local(placement, world));
   shape.vertex_names.insert(shape.vertex_names.begin() + index, name);
   for (gjk::VertexPair& pair : lesson.options.start.pairs) {
@@ -103,6 +111,11 @@ int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& p
 bool erase_vertex(Lesson& lesson, std::size_t body, int index) {
   LessonShape& shape = lesson.bodies[body];
   if (shape.vertices.size() < 2) return false;
+  if (!shape.outlines.empty()) {
+    int& count = outline_of(shape, index);
+    if (count <= limits::kOutlineVertices) return false;
+    --count;
+  }
   shape.vertices.erase(shape.vertices.begin() + index);
   shape.vertex_names.erase(shape.vertex_names.begin() + index);
   bool forgotten = false;
@@ -117,13 +130,16 @@ bool erase_vertex(Lesson& lesson, std::size_t body, int index) {
 }
 
 std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
+                                        const std::vector<VertexRange>& outlines,
                                         const Vector2d& world) {
   if (vertices.size() < 2) return std::nullopt;
   NearestEdge nearest{0, HUGE_VAL};
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const double distance =
-        segment_distance(world, vertices[i], vertices[(i + 1) % vertices.size()]);
-    if (distance < nearest.distance) nearest = {static_cast<int>(i), distance};
+  for (const auto& [first, count] : outlines) {
+    for (int i = 0; i < count; ++i) {
+      const auto at = [&](int k) { return vertices[static_cast<std::size_t>(first + k % count)]; };
+      const double distance = segment_distance(world, at(i), at(i + 1));
+      if (distance < nearest.distance) nearest = {first + i, distance};
+    }
   }
   return nearest;
 }
@@ -146,11 +162,19 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   return lesson;
 }
 
-Lesson told_by_depth(Lesson lesson) {
-  lesson.act = acts::kDepth.act.name;
-  lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kDepthEdges.name),
-                  std::string(blocks::kDepthBounds.name)};
-  lesson.listing = listings::kDepth.name;
+Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
+  const std::span<const StagedAct* const> acts = registered_acts();
+  const StagedAct& staged = **std::find_if(acts.begin(), acts.end(), [&](const StagedAct* each) {
+    return each->act.algorithm == &algorithm;
+  });
+  lesson.act = staged.act.name;
+  lesson.panel = {std::string(blocks::kPseudocode.name)};
+  for (const Block* block : registered_blocks()) {
+    if (block->act == lesson.act) lesson.panel.emplace_back(block->name);
+  }
+  for (const Listing* listing : registered_listings()) {
+    if (listing->act == lesson.act) lesson.listing = listing->name;
+  }
   lesson.until.reset();
   lesson.phases.clear();
   lesson.questions.clear();

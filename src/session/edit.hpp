@@ -39,15 +39,17 @@ bool erase_vertex(Lesson& lesson, std::size_t body, int index);
 /// where the differences are more than can be drawn one by one.
 [[nodiscard]] Lesson told_of(Lesson lesson, const Case& shapes);
 
-/// The same shapes, told by the expanding polygon that finds their penetration depth.
-[[nodiscard]] Lesson told_by_depth(Lesson lesson);
+/// The same shapes, told by the act of an algorithm that follows GJK.
+[[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);
 
-/// The edge of a polygon nearest to `world`: the index of its first vertex, and the distance.
+/// The edge of a shape's outlines (LessonShape::ranges) nearest to `world`: the index of its first
+/// vertex, and the distance.
 struct NearestEdge {
   int edge = 0;
   double distance = 0.0;
 };
 [[nodiscard]] std::optional<NearestEdge> nearest_edge(const std::vector<Eigen::Vector2d>& vertices,
+                                                      const std::vector<VertexRange>& outlines,
                                                       const Eigen::Vector2d& world);
 
 }  // namespace gjkscope::edit

@@ -72,6 +72,7 @@ class TraceWriter {
     out["name"] = value.name;
     out["vertex_names"] = value.vertex_names;
     out["vertices"] = points(value.vertices);
+    if (!value.outlines.empty()) out["outlines"] = value.outlines;
     out["translate"] = point<D>(value.placement.translate);
     out["rotate_degrees"] = number(value.placement.rotate_degrees);
     return out;
@@ -87,6 +88,7 @@ class TraceWriter {
     out["y_turn"] = number(value.y().placement.rotate_degrees);
     out["x_world"] = points(value.x().world);
     out["y_world"] = points(value.y().world);
+    if (!traced_.has_gjk()) return out;
     out["exponent"] = value.trace.prepared.exponent;
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();
@@ -243,9 +245,9 @@ class TraceWriter {
 
   void add_algorithm(Json& out, std::size_t index) const {
     const LessonRun* lesson = traced_.lesson_run;
-    if (lesson == nullptr || lesson->followed_by.empty()) return;
+    if (lesson == nullptr || lesson->algorithm_traces.empty()) return;
     out[std::string(lesson->act->algorithm->name)] =
-        lesson->followed_by[index]->json(lesson->lesson, lesson->runs[index]);
+        lesson->algorithm_traces[index]->json(lesson->lesson, lesson->runs[index]);
   }
 
   const Traced<D>& traced_;

@@ -27,11 +27,11 @@ class TraceText {
                                              : std::string()));
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
-      one_run(traced_.runs[i]);
+      if (traced_.has_gjk()) one_run(traced_.runs[i]);
       if constexpr (D == 2) {
         const LessonRun* lesson = traced_.lesson_run;
-        if (lesson != nullptr && !lesson->followed_by.empty())
-          out_ += lesson->followed_by[i]->text(lesson->lesson, lesson->runs[i]);
+        if (lesson != nullptr && !lesson->algorithm_traces.empty())
+          out_ += lesson->algorithm_traces[i]->text(lesson->lesson, lesson->runs[i]);
       }
     }
     return std::move(out_);

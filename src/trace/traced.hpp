@@ -15,6 +15,7 @@ struct TracedShape {
   std::vector<std::string> vertex_names;
   std::vector<gjk::Vec<double, D>> vertices;  ///< Before they are turned and moved.
   PlacementIn<D> placement;                   ///< Of the first run.
+  std::vector<int> outlines = {};             ///< As in LessonShape.
 };
 
 template <int D>
@@ -28,6 +29,9 @@ struct Traced {
   std::vector<RunIn<D>> runs;
   std::vector<std::string> headings;      ///< One for each run, where there are several.
   const LessonRun* lesson_run = nullptr;  ///< What it was made of; none of a case.
+
+  /// Whether GJK was asked.
+  [[nodiscard]] bool has_gjk() const { return lesson_run == nullptr || lesson_run->has_gjk(); }
 };
 
 /// Of a run that outlives it.

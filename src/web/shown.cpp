@@ -93,6 +93,12 @@ Json numbers(const LessonRun& run, const Frame& frame) {
 Json outcome(Session& session) {
   const LessonRun& run = session.run();
   const Frame& frame = session.frame();
+  if (!run.has_gjk()) {
+    Json list = Json::array();
+    for (const std::string_view name : run.act->algorithm->answers)
+      list.push_back(number(std::string(name), run.algorithm_trace(frame).answer(name)));
+    return list;
+  }
   const gjk::Result<double, 2>& result = run.run(frame).trace.result;
   Json list = Json::array();
   list.push_back(number("distance", result.distance));

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "depth/depth.hpp"
+#include "algorithms/depth/depth.hpp"
 #include "grid_pairs.hpp"
 
 namespace {

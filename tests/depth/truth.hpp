@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "depth/depth.hpp"
+#include "algorithms/depth/depth.hpp"
 #include "study/families.hpp"
 
 namespace test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "depth/lesson_trace.hpp"
+#include "algorithms/depth/lesson_trace.hpp"
 #include "lesson/case.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "algorithms/depth/lesson_trace.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
@@ -100,22 +101,22 @@ TEST(Edit, TheLastVertexStays) {
 
 TEST(Edit, TheNearestEdgeIsFoundByDistance) {
   const std::vector<Vector2d> square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  const auto right = edit::nearest_edge(square, {2.5, 1.0});
+  const auto right = edit::nearest_edge(square, {{0, 4}}, {2.5, 1.0});
   ASSERT_TRUE(right);
   EXPECT_EQ(1, right->edge);
   EXPECT_DOUBLE_EQ(0.5, right->distance);
-  EXPECT_EQ(3, edit::nearest_edge(square, {0.25, 1.0})->edge);
-  EXPECT_FALSE(edit::nearest_edge({{0, 0}}, {1, 1}));
+  EXPECT_EQ(3, edit::nearest_edge(square, {{0, 4}}, {0.25, 1.0})->edge);
+  EXPECT_FALSE(edit::nearest_edge({{0, 0}}, {{0, 1}}, {1, 1}));
 }
 
 TEST(Edit, EveryLessonCanBeToldByTheExpandingPolygon) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
-    const Lesson told = edit::told_by_depth(lesson);
+    const Lesson told = edit::told_by(lesson, kDepthAlgorithm);
     const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     const LessonRun run = run_lesson(told);
-    EXPECT_EQ(run.followed_by.size(), run.runs.size());
+    EXPECT_EQ(run.algorithm_traces.size(), run.runs.size());
     EXPECT_FALSE(run.frames.empty());
   }
 }

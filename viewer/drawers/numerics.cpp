@@ -154,6 +154,7 @@ void draw_numerics(App& app, Beside& beside) {
   ImGui::PopID();
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
 
+  if (!run.has_gjk()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const PositionedRun& here = run.run(session.frame());
   const Beside::From from{session.version(), session.frame().run, beside.scalar,
                           beside.options_for(run.lesson.options)};

@@ -33,6 +33,12 @@ void draw_values(App& app) {
     value("lower bound", run.bounds(frame).lower);
     value("upper bound", run.bounds(frame).upper);
   }
+  if (run.act->algorithm != nullptr) {
+    for (const auto& [name, text] : app.session().text().values) table_row(name, {text});
+    for (const std::string_view name : run.act->algorithm->answers)
+      value(std::string(name) + " in the end", run.algorithm_trace(frame).answer(name));
+  }
+  if (!run.has_gjk()) return ImGui::EndTable();
   const gjk::Result<double, 2>& result = run.run(frame).trace.result;
   value("distance in the end", result.distance);
   table_row("stop in the end", {std::string(name_of(result.stop))});
@@ -48,7 +54,7 @@ void draw_values(App& app) {
   }
   ImGui::EndTable();
   if (deep != nullptr && run.act->algorithm == nullptr && ImGui::Button("Show how it is found")) {
-    app.session().edit("penetration depth", edit::told_by_depth(run.lesson));
+    app.session().edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
   }
 }
 

@@ -22,6 +22,26 @@ std::vector<Point> told_apart(const std::vector<Point>& points) {
   return out;
 }
 
+/// A shape of several outlines: what is solid, then its holes.
+void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
+              const std::string& role, const Subject& whole) {
+  for (const bool holes : {false, true}) {
+    for (const auto& [first, count] : shape.ranges()) {
+      const std::vector<Vector2d> corners(world.begin() + first, world.begin() + first + count);
+      if ((signed_area(corners) < 0.0) != holes) continue;
+      for (const auto& [a, b, c] : triangles(corners)) {
+        const auto at = [&](int i) { return scene.at(corners[static_cast<std::size_t>(i)]); };
+        scene.area(holes ? "hole" : role + ".fill", {at(a), at(b), at(c)},
+                   holes ? Subject{} : whole);
+      }
+      std::vector<Point> line;
+      for (const Vector2d& corner : corners) line.push_back(scene.at(corner));
+      scene.add(role, Polyline{line, true}, whole);
+      scene.outline(line);
+    }
+  }
+}
+
 void shape(SceneBuilder& scene, std::size_t body) {
   using Kind = Subject::Kind;
   const Lesson& lesson = scene.run.lesson;
@@ -35,7 +55,9 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const bool named = world.size() <= kMostNamed;
   if (!named) points = told_apart(points);
   const Point middle = centroid(points);
-  if (points.size() == 2) {
+  if (!shape.outlines.empty()) {
+    outlines(scene, shape, world, role, whole);
+  } else if (points.size() == 2) {
     scene.line(role, points[0], points[1], whole);
   } else if (points.size() > 2) {
     if (is_convex(world)) {

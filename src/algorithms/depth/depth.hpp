@@ -5,7 +5,7 @@
 // To understand the algorithm, read state.hpp and loop.hpp. result.hpp says what is answered, and
 // certificate.hpp keeps rounding in check.
 
-#include "depth/certificate.hpp"
+#include "algorithms/depth/certificate.hpp"
 #include "gjk/gjk.hpp"
 
 namespace depth {

@@ -2,7 +2,7 @@
 // Penetration depth as the algorithm of a lesson: run in the lesson's scalar, widened to double,
 // and told as JSON and as text.
 
-#include "depth/depth.hpp"
+#include "algorithms/depth/depth.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
 

@@ -1,4 +1,4 @@
-#include "depth/lesson_trace.hpp"
+#include "algorithms/depth/lesson_trace.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "depth/names.hpp"
-#include "depth/widen.hpp"
+#include "algorithms/depth/names.hpp"
+#include "algorithms/depth/widen.hpp"
 #include "lesson/query.hpp"
 #include "lesson/vocabulary.hpp"
 #include "trace/fields.hpp"
@@ -224,7 +224,8 @@ class Told : public AlgorithmTrace {
   DepthTrace trace_;
 };
 
-std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const PositionedRun& run) {
+std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const PositionedRun& run,
+                                                const AlgorithmTrace*) {
   return with_query(lesson, placements_of(run), [&]<class S>(const gjk::Query<S, 2>& query) {
     return std::make_shared<const Told>(widened(depth::trace<S>(query, lesson.options)));
   });
@@ -240,12 +241,16 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
 
 }  // namespace
 
-const Algorithm kDepthAlgorithm{
-    .name = "depth", .phases = kPhases, .answers = kAnswers, .values = kValues, .run = run_depth};
+const Algorithm kDepthAlgorithm{.name = "depth",
+                                .phases = kPhases,
+                                .answers = kAnswers,
+                                .values = kValues,
+                                .run = run_depth,
+                                .follows_gjk = true};
 
 const DepthTrace* depth_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
-  return &static_cast<const Told&>(*run.followed_by[static_cast<std::size_t>(index)]).trace();
+  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).trace();
 }
 
 DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {

@@ -2,9 +2,10 @@
 // Penetration depth in pictures: what a frame shows of the expanding polygon (src/depth), and what
 // its act draws and says.
 
-#include "depth/lesson_trace.hpp"
-#include "depth/names.hpp"
+#include "algorithms/depth/lesson_trace.hpp"
+#include "algorithms/depth/names.hpp"
 #include "picture/act.hpp"
+#include "picture/blocks/blocks.hpp"
 
 namespace gjkscope::depths {
 
@@ -38,6 +39,11 @@ struct Shown {
 /// "K−C to L−D"
 [[nodiscard]] std::string ends(const LessonRun& run, const depth::State<double>& state,
                                const depth::Edge<double>& edge);
+
+// blocks.cpp
+extern const Block kEdges;
+extern const Block kBounds;
+extern const Listing kListing;
 
 // layers.cpp
 void stage(SceneBuilder& scene);

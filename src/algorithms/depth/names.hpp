@@ -1,7 +1,7 @@
 #pragma once
 // The names of phases and stop reasons of penetration depth.
 
-#include "depth/state.hpp"
+#include "algorithms/depth/state.hpp"
 #include "lesson/names.hpp"
 
 namespace gjkscope {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/depth/pictures/shown.hpp"
 #include "lesson/names.hpp"
-#include "picture/depth/depth.hpp"
 
 namespace gjkscope::depths {
 namespace {

@@ -7,8 +7,8 @@
 // Where this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
-#include "depth/loop.hpp"
-#include "depth/result.hpp"
+#include "algorithms/depth/loop.hpp"
+#include "algorithms/depth/result.hpp"
 #include "gjk/careful.hpp"
 #include "gjk/certificate.hpp"
 #include "gjk/settle.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "picture/acts/acts.hpp"
-#include "picture/depth/depth.hpp"
+#include "algorithms/depth/pictures/shown.hpp"
+#include "picture/registry.hpp"
 
 namespace gjkscope::depths {
 
@@ -104,12 +104,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
           .phase = std::string(at.phase)};
 }
 
-}  // namespace
-}  // namespace gjkscope::depths
-
-namespace gjkscope::acts {
-
-const StagedAct kDepth{
+const StagedAct kAct{
     .act = {.name = "depth",
             .meaning = "phase of the polygon that expands where GJK has found the shapes to "
                        "overlap; then the shortest way out",
@@ -127,4 +122,15 @@ const StagedAct kDepth{
     .values = depths::values,
 };
 
-}  // namespace gjkscope::acts
+constexpr std::array kActs = {&kAct};
+constexpr std::array kBlocks = {&kEdges, &kBounds};
+constexpr std::array kListings = {&kListing};
+
+}  // namespace
+}  // namespace gjkscope::depths
+
+namespace gjkscope::algorithms {
+
+const ShownAlgorithm depth{depths::kActs, depths::kBlocks, depths::kListings};
+
+}  // namespace gjkscope::algorithms

@@ -1,7 +1,7 @@
 #pragma once
 // Traces of penetration depth in any scalar, widened to double for pictures and files.
 
-#include "depth/depth.hpp"
+#include "algorithms/depth/depth.hpp"
 #include "lesson/widen.hpp"
 
 namespace gjkscope {

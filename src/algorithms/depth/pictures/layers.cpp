@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "picture/depth/depth.hpp"
+#include "algorithms/depth/pictures/shown.hpp"
 
 namespace gjkscope::depths {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "picture/depth/depth.hpp"
+#include "algorithms/depth/pictures/shown.hpp"
 
 namespace gjkscope::depths {
 namespace {
@@ -130,27 +130,20 @@ void bounds(PanelBuilder& panel) {
 }
 
 }  // namespace
+
+const Block kEdges{.name = "depth-edges",
+                   .meaning = "the edges of the expanding polygon and their distances from O",
+                   .write = depths::edges,
+                   .act = "depth"};
+
+const Block kBounds{.name = "depth-bounds",
+                    .meaning = "lower and upper bound of the penetration depth",
+                    .write = depths::bounds,
+                    .act = "depth"};
+
+const Listing kListing{.name = "depth",
+                       .meaning = "penetration depth, by an expanding polygon",
+                       .write = depths::depth_listing,
+                       .act = "depth"};
+
 }  // namespace gjkscope::depths
-
-namespace gjkscope::blocks {
-
-const Block kDepthEdges{.name = "depth-edges",
-                        .meaning = "the edges of the expanding polygon and their distances from O",
-                        .write = depths::edges,
-                        .act = "depth"};
-
-const Block kDepthBounds{.name = "depth-bounds",
-                         .meaning = "lower and upper bound of the penetration depth",
-                         .write = depths::bounds,
-                         .act = "depth"};
-
-}  // namespace gjkscope::blocks
-
-namespace gjkscope::listings {
-
-const Listing kDepth{.name = "depth",
-                     .meaning = "penetration depth, by an expanding polygon",
-                     .write = depths::depth_listing,
-                     .act = "depth"};
-
-}  // namespace gjkscope::listings

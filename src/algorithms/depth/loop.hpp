@@ -15,7 +15,7 @@
 //
 // A step costs what a support point does, and O(log n) for the heap of n edges.
 
-#include "depth/state.hpp"
+#include "algorithms/depth/state.hpp"
 #include "gjk/result.hpp"
 
 namespace depth {

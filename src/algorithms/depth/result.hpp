@@ -1,7 +1,7 @@
 #pragma once
 // The answer: how far X must move, and where the shapes touch then.
 
-#include "depth/state.hpp"
+#include "algorithms/depth/state.hpp"
 #include "gjk/result.hpp"
 
 namespace depth {

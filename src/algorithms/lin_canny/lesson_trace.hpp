@@ -1,0 +1,34 @@
+#pragma once
+// The walk on features (models/lin_canny.hpp) as the algorithm of a lesson: on the vertices of two
+// polygons as a run places them, told as JSON and as text.
+
+#include <optional>
+
+#include "lesson/algorithm.hpp"
+#include "lesson/run.hpp"
+#include "models/lin_canny.hpp"
+
+namespace gjkscope {
+
+/// What the walk did with the polygons of one run.
+struct WalkTold {
+  models::Flaw flaw;                       ///< Of `refused`: why; then there is nothing else.
+  bool flaw_is_of_y = false;               ///< Whose flaw.
+  std::optional<models::WalkQuery> query;  ///< A is X, B is Y.
+  models::WalkTrace trace;
+  models::WalkResult result;
+};
+
+extern const Algorithm kLinCannyAlgorithm;
+
+/// The walk of run `index`; nullptr where the lesson shows another algorithm.
+[[nodiscard]] const WalkTold* walk_told(const LessonRun& run, int index);
+
+/// "vertex C of X", "edge KL of Y"
+[[nodiscard]] std::string feature_name(const Lesson& lesson, const models::WalkQuery& query,
+                                       bool of_x, const models::RingFeature& feature);
+/// "closest": "regions": "swap"
+[[nodiscard]] std::string_view name_of(models::WalkPhase phase);
+[[nodiscard]] std::string_view name_of(models::WalkStop stop);
+
+}  // namespace gjkscope

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "algorithms/lin_canny/pictures/shown.hpp"
+#include "picture/registry.hpp"
+
+namespace gjkscope::walks {
+namespace {
+
+using models::WalkPhase;
+
+const models::WalkStep* last_step_of(const WalkTold& walk, int steps_over) {
+  const int over = std::min(steps_over, static_cast<int>(walk.trace.steps.size()));
+  return over == 0 ? nullptr : &walk.trace.steps[static_cast<std::size_t>(over - 1)];
+}
+
+}  // namespace
+
+Shown::Shown(const LessonRun& run, const Frame& frame)
+    : lesson(run.lesson),
+      walk(*walk_told(run, frame.run)),
+      step(last_step_of(walk, *frame.steps_over)),
+      state(step == nullptr ? walk.trace.start : step->after),
+      is_answer(*frame.steps_over > static_cast<int>(walk.trace.steps.size())) {}
+
+namespace {
+
+constexpr std::array kAsks = {kAskFeature};
+
+void frames(LessonRun& run, int index) {
+  const int steps = static_cast<int>(walk_told(run, index)->trace.steps.size());
+  // Outlines that are refused have no walk: one frame says so.
+  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
+    run.frames.push_back({.run = index, .steps_over = i});
+}
+
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, frame);
+  if (question.ask != kAskFeature.name || !shown.is(WalkPhase::regions)) return -1;
+  if (question.at && *question.at != run.info(frame).iteration) return -1;
+  return shown.state.found.behind ? -1 : *frame.steps_over - 1;
+}
+
+std::string position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Shown shown(run, frame);
+  if (shown.step == nullptr) return "start";
+  if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
+  const StepInfo at = run.info(frame);
+  if (asks_later(run, index)) return fmt::format("pair {} · {}", at.iteration, at.phase);
+  return fmt::format("pair {} of {} · {}", at.iteration, shown.walk.result.steps, at.phase);
+}
+
+Tick tick(const LessonRun& run, const Frame& frame) {
+  const Shown shown(run, frame);
+  const StepInfo at = run.info(frame);
+  if (shown.step == nullptr)
+    return {.group = group_of_position(run, frame, "start"), .label = "S"};
+  if (shown.is_answer) return {.group = "answer", .label = "answer", .short_label = "A", .event = true};
+  return {.group = fmt::format("pair {}", at.iteration),
+          .label = std::string(at.phase),
+          .event = at.is_event,
+          .phase = std::string(at.phase)};
+}
+
+const StagedAct kAct{
+    .act = {.name = "lin-canny",
+            .meaning = "phase of the walk on the features of two polygons, then its answer",
+            .needs = {.why_no_until = "frames show how the walk ends"},
+            .add_frames = frames,
+            .follows_run = true,
+            .asks = kAsks,
+            .answering_step = answering_step,
+            .algorithm = &kLinCannyAlgorithm},
+    .position = position,
+    .tick = tick,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+};
+
+constexpr std::array kActs = {&kAct};
+constexpr std::array kBlocks = {&kFeatures};
+constexpr std::array kListings = {&kListing};
+
+}  // namespace
+}  // namespace gjkscope::walks
+
+namespace gjkscope::algorithms {
+
+const ShownAlgorithm lin_canny{walks::kActs, walks::kBlocks, walks::kListings};
+
+}  // namespace gjkscope::algorithms

@@ -1,0 +1,99 @@
+#include "picture/layers/layers.hpp"
+
+#include "algorithms/lin_canny/pictures/shown.hpp"
+#include "geometry/polygon.hpp"
+
+namespace gjkscope::walks {
+namespace {
+
+using Eigen::Vector2d;
+using models::RingFeature;
+using models::WalkPhase;
+using namespace sizes;
+
+const Vector2d& corner(const models::Ring& ring, int i) {
+  return ring.points[static_cast<std::size_t>(i)];
+}
+
+/// A half-plane each for the borders of a feature's external Voronoi region (Larsen 1998,
+/// "Lin-Canny"), and beyond each the neighbour.
+std::vector<std::pair<HalfPlane, RingFeature>> borders(const models::Ring& ring,
+                                                       const RingFeature& feature) {
+  const int i = feature.index;
+  const Vector2d& a = corner(ring, i);
+  const Vector2d& after = corner(ring, ring.next(i));
+  if (feature.is_vertex) {
+    const int before = ring.previous(i);
+    return {{{a, after - a}, {false, i}}, {{a, corner(ring, before) - a}, {false, before}}};
+  }
+  const Vector2d way = after - a;
+  return {{{a, -way}, {true, i}},
+          {{after, way}, {true, ring.next(i)}},
+          {{a, Vector2d(-way.y(), way.x())}, feature}};
+}
+
+bool same(const RingFeature& a, const RingFeature& b) {
+  return a.is_vertex == b.is_vertex && a.index == b.index;
+}
+
+/// The region of the feature, as far as the view reaches; the border that was crossed stands out.
+void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
+  const models::Ring& ring = shown.ring(of_x);
+  const bool looked = shown.is(WalkPhase::regions);
+  const models::RegionTest& found = shown.state.found;
+  const bool left = looked && found.crossed && found.of_a == of_x;
+  std::vector<Vector2d> seen = scene.map.visible();
+  const auto all = borders(ring, shown.feature(of_x));
+  for (const auto& [border, neighbour] : all) seen = clip(seen, border);
+  std::vector<Point> area;
+  for (const Vector2d& point : seen) area.push_back(scene.at(point));
+  if (area.size() > 2) {
+    if (left) scene.hatched("region.hatch", area);
+    scene.area(left ? "region.hidden" : "walk.region", area);
+  }
+  const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
+  for (const auto& [border, neighbour] : all) {
+    if (same(neighbour, shown.feature(of_x))) continue;  // the edge itself
+    Vector2d out(border.normal.y(), -border.normal.x());
+    const bool inside = std::any_of(all.begin(), all.end(), [&](const auto& other) {
+      return other.first.normal.dot(out) > 1e-9 * other.first.normal.norm() * out.norm();
+    });
+    if (inside) out = -out;
+    const bool is_crossed = left && same(neighbour, found.neighbour);
+    scene.line(is_crossed ? "sign.border" : "region.border", scene.at(border.point),
+               scene.at(border.point + reach * out.normalized()));
+  }
+}
+
+void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
+  const models::Ring& ring = shown.ring(of_x);
+  const RingFeature& at = shown.feature(of_x);
+  const Point a = scene.at(corner(ring, at.index));
+  if (at.is_vertex) return scene.disk("simplex.vertex", a, kSimplexRadius);
+  scene.line("simplex.feature", a, scene.at(corner(ring, ring.next(at.index))));
+}
+
+}  // namespace
+
+void stage(SceneBuilder& scene) {
+  const Shown shown(scene.run, scene.frame);
+  if (!shown.walk.query) return;
+  const bool shows_regions = !shown.is_answer && shown.state.stop != models::WalkStop::overlap;
+  for (const bool of_x : {true, false}) {
+    if (shows_regions) region(scene, shown, of_x);
+  }
+  for (const bool of_x : {true, false}) feature(scene, shown, of_x);
+  if (!shown.knows_pair()) return;
+  const models::Answer closest = shown.closest();
+  const Point x = scene.at(closest.a);
+  const Point y = scene.at(closest.b);
+  scene.line("closest.line", x, y);
+  for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
+  const Point along = y - x;
+  if (along.norm() < 4.0 * kPointRadius) return;
+  scene.out.moving_labels.push_back(scene.label("distance", Numbers(scene.run.lesson)(closest.distance),
+                                                "distance.label", type::kVertex, 0.5 * (x + y), 4.0,
+                                                {along.y(), -along.x()}));
+}
+
+}  // namespace gjkscope::walks
