@@ -49,8 +49,8 @@ inline constexpr double kLeast = 0x1p-450;
 
 /// With sides along the axes.
 struct Box {
-  Point low;
-  Point high;
+  Point low = Point::Zero();
+  Point high = Point::Zero();
   /// For choosing which of two to take apart.
   [[nodiscard]] double size() const { return (high - low).sum(); }
 };
@@ -67,7 +67,7 @@ struct Box {
 }
 
 struct Circle {
-  Point centre;
+  Point centre = Point::Zero();
   double radius = 0.0;
   [[nodiscard]] double size() const { return radius; }
 };
