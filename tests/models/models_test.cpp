@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "models/brute.hpp"
-#include "models/search.hpp"
+#include "models/lin_canny.hpp"
+#include "models/sphere_tree.hpp"
 #include "scenes.hpp"
 #include "truth.hpp"
 
@@ -114,6 +115,78 @@ TEST(Models, FlawsAreNamedAndLocated) {
   EXPECT_EQ(Fault::not_convex, check({bow}, Needs::convex).fault);
   const Outline pentagram{{{0, 10}, {-6, -8}, {10, 3}, {-10, 3}, {6, -8}}};
   EXPECT_EQ(Fault::not_convex, check({pentagram}, Needs::convex).fault);
+}
+
+TEST(SphereTree, AnswersWithinTheErrorThatIsAllowed) {
+  test::Scenes scenes(7);
+  long hits = 0;
+  for (int i = 0; i < 600; ++i) {
+    const std::string_view family = test::kSceneFamilies[i % test::kSceneFamilies.size()];
+    const test::Scene scene = scenes.scene(family, 30);
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const Answer truth = brute(a, b).answer;
+    const double radius = scenes.real(0.02, 2.0);
+    const auto tree_a = sphere_tree(a, radius);
+    const auto tree_b = sphere_tree(b, radius);
+    const std::string what = std::string(family) + " " + std::to_string(i);
+    const SearchResult exact = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options());
+    expect_same(truth, exact.answer, what);
+    hits += exact.hits;
+    const double e = scenes.real(0.0, 1.0);
+    const SearchResult rough = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options(e));
+    EXPECT_EQ(truth.overlap, rough.answer.overlap) << what;
+    EXPECT_LE(rough.answer.distance, (1.0 + e) * truth.distance * (1.0 + 0x1p-50)) << what;
+  }
+  EXPECT_LE(1000, hits);
+}
+
+TEST(LinCanny, FallsToTheClosestFeaturesFromAnyPair) {
+  test::Scenes scenes(11);
+  int overlaps = 0;
+  int closest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const test::Scene scene = scenes.scene(i % 4 == 0 ? "needles" : "convex", 40);
+    if (check(scene.a, Needs::convex).fault != Fault::none) continue;
+    if (check(scene.b, Needs::convex).fault != Fault::none) continue;
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const WalkQuery query = walk_query(a, b);
+    const RingFeature from_a{scenes.chance(0.5), scenes.among(0, query.a.size() - 1)};
+    const RingFeature from_b{scenes.chance(0.5), scenes.among(0, query.b.size() - 1)};
+    const Answer truth = brute(a, b).answer;
+    const WalkResult walked = lin_canny(query, from_a, from_b);
+    ASSERT_EQ(truth.overlap ? WalkStop::overlap : WalkStop::closest, walked.stop) << i;
+    EXPECT_EQ(truth.distance, walked.answer.distance) << i;
+    (truth.overlap ? overlaps : closest) += 1;
+    std::optional<Nearest> last;
+    for (const WalkStep& step : trace_walk(query, from_a, from_b).steps) {
+      if (step.phase != WalkPhase::closest) continue;
+      if (last) {
+        EXPECT_TRUE(compare_distances(step.after.pair, *last) < 0) << i;
+      }
+      last = step.after.pair;
+    }
+  }
+  EXPECT_LE(500, overlaps);
+  EXPECT_LE(500, closest);
+}
+
+TEST(LinCanny, StopsAtALocalMinimumOfAnOutlineThatIsNotConvex) {
+  const Outline u{{{0, 0}, {6, 0}, {6, 6}, {5, 6}, {5, 1}, {1, 1}, {1, 6}, {0, 6}}};
+  const Outline small{{{2.5, 3}, {3, 2.8}, {3, 3.2}}};
+  const WalkQuery query = walk_query(model_of({u}), model_of({small}));
+  EXPECT_FALSE(query.convex);
+  int minima = 0;
+  int found = 0;
+  for (int i = 0; i < 8; ++i) {
+    const WalkResult walked = lin_canny(query, {true, i}, {});
+    minima += walked.stop == WalkStop::local_minimum;
+    found += walked.stop == WalkStop::closest;
+  }
+  EXPECT_LT(0, minima);
+  EXPECT_LT(0, found);
+  EXPECT_EQ(WalkStop::refused, lin_canny(query.model_a, query.model_b).stop);
 }
 
 }  // namespace
