@@ -1,0 +1,192 @@
+// Outlines, closest segments, hierarchies.
+
+#include <gtest/gtest.h>
+
+#include "models/brute.hpp"
+#include "models/lin_canny.hpp"
+#include "models/sphere_tree.hpp"
+#include "scenes.hpp"
+#include "truth.hpp"
+
+namespace {
+
+using namespace models;
+
+template <class Volume>
+SearchResult searched(const Model& a, const Model& b, const SearchOptions& options = {}) {
+  const auto tree_a = build_hierarchy<Volume>(items_of(a));
+  const auto tree_b = build_hierarchy<Volume>(items_of(b));
+  return search<Volume>({a, b, tree_a, tree_b}, options);
+}
+
+void expect_same(const Answer& expected, const Answer& actual, const std::string& what) {
+  EXPECT_EQ(expected.overlap, actual.overlap) << what;
+  EXPECT_EQ(expected.distance, actual.distance) << what;
+  if (expected.overlap) return;
+  EXPECT_EQ(expected.a, actual.a) << what;
+  EXPECT_EQ(expected.b, actual.b) << what;
+  EXPECT_EQ(expected.on_a, actual.on_a) << what;
+  EXPECT_EQ(expected.on_b, actual.on_b) << what;
+}
+
+TEST(Models, BruteForceIsExactAndHierarchiesAnswerTheSame) {
+  test::Scenes scenes(2026);
+  int overlaps = 0;
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::string_view family = test::kSceneFamilies[i % test::kSceneFamilies.size()];
+    const test::Scene scene = scenes.scene(family, 60);
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const std::string what = std::string(family) + " " + std::to_string(i);
+    const test::Truth truth = test::truth_of(a, b);
+    const Answer answer = brute(a, b).answer;
+    ASSERT_EQ(truth.overlap, answer.overlap) << what;
+    const double error = std::abs(answer.distance - std::sqrt(truth.distance_sq.get_d()));
+    EXPECT_LE(error, 4 * 0x1p-53 * truth.scale) << what;
+    (truth.overlap ? overlaps : apart) += 1;
+    for (const bool nearer : {false, true}) {
+      SearchOptions options;
+      options.nearer_first = nearer;
+      expect_same(answer, searched<Box>(a, b, options).answer, what + " boxes");
+      expect_same(answer, searched<Circle>(a, b, options).answer, what + " circles");
+      options.goal = Goal::collide;
+      EXPECT_EQ(answer.overlap, searched<Box>(a, b, options).answer.overlap) << what;
+    }
+  }
+  EXPECT_LE(500, overlaps);
+  EXPECT_LE(500, apart);
+}
+
+TEST(Models, ARememberedPairSavesVisits) {
+  test::Scenes scenes(1);
+  const Model a = model_of({scenes.comb(200)});
+  std::vector<Outline> moved = {scenes.comb(200)};
+  for (Point& p : moved[0].points) p += Point(0.3, 5.0);
+  const Model b = model_of(moved);
+  const SearchResult cold = searched<Box>(a, b);
+  SearchOptions options;
+  options.remembered = cold.segments;
+  const SearchResult warm = searched<Box>(a, b, options);
+  expect_same(cold.answer, warm.answer, "warm");
+  EXPECT_LT(warm.visits, cold.visits);
+}
+
+TEST(Models, ATraceEndsAsTheSearchDoes) {
+  test::Scenes scenes(3);
+  const test::Scene scene = scenes.scene("spirals", 24);
+  const Model a = model_of(scene.a);
+  const Model b = model_of(scene.b);
+  const auto tree_a = build_hierarchy<Box>(items_of(a));
+  const auto tree_b = build_hierarchy<Box>(items_of(b));
+  const SearchQuery<Box> query{a, b, tree_a, tree_b};
+  const SearchTrace trace = trace_search(query);
+  expect_same(search(query).answer, trace.result.answer, "trace");
+  EXPECT_EQ(SearchPhase::visit, trace.steps.front().phase);
+  EXPECT_EQ(trace.result.stop, trace.steps.back().after.stop);
+}
+
+TEST(Models, AModelInAHoleIsApart) {
+  const Outline outer{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
+  const Outline hole{{{2, 2}, {2, 8}, {8, 8}, {8, 2}}};
+  const Outline small{{{4, 4}, {5, 4}, {5, 5}}};
+  EXPECT_EQ(2.0, brute(model_of({outer, hole}), model_of({small})).answer.distance);
+  EXPECT_TRUE(brute(model_of({outer}), model_of({small})).answer.overlap);
+  EXPECT_TRUE(brute(model_of({small}), model_of({outer})).answer.overlap);
+}
+
+TEST(Models, FlawsAreNamedAndLocated) {
+  const Outline square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+  const Outline bow{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}};
+  const Outline chain{{{0, 0}, {1, 0}}, false};
+  const Outline inner{{{1, 1}, {2, 1}, {4, 2}}};
+  EXPECT_EQ(Fault::no_outline, check({}, Needs::segments).fault);
+  EXPECT_EQ(Fault::too_few_points, check({square, {{{1, 1}}}}, Needs::segments).fault);
+  EXPECT_EQ(1, check({square, {{{1, 1}}}}, Needs::segments).outline);
+  EXPECT_EQ(Fault::not_finite, check({{{{0, 0}, {NAN, 1}}}}, Needs::segments).fault);
+  EXPECT_EQ(Fault::none, check({bow, chain}, Needs::segments).fault);
+  EXPECT_EQ(Fault::open_chain, check({square, chain}, Needs::simple).fault);
+  const Flaw crossing = check({bow}, Needs::simple);
+  EXPECT_EQ(Fault::not_simple, crossing.fault);
+  EXPECT_EQ(0, crossing.index);
+  EXPECT_EQ(2, crossing.other_index);
+  EXPECT_EQ(Fault::outlines_meet, check({square, inner}, Needs::simple).fault);
+  EXPECT_EQ(Fault::none, check({square}, Needs::convex).fault);
+  EXPECT_EQ(Fault::not_convex, check({bow}, Needs::convex).fault);
+  const Outline pentagram{{{0, 10}, {-6, -8}, {10, 3}, {-10, 3}, {6, -8}}};
+  EXPECT_EQ(Fault::not_convex, check({pentagram}, Needs::convex).fault);
+}
+
+TEST(SphereTree, AnswersWithinTheErrorThatIsAllowed) {
+  test::Scenes scenes(7);
+  long hits = 0;
+  for (int i = 0; i < 600; ++i) {
+    const std::string_view family = test::kSceneFamilies[i % test::kSceneFamilies.size()];
+    const test::Scene scene = scenes.scene(family, 30);
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const Answer truth = brute(a, b).answer;
+    const double radius = scenes.real(0.02, 2.0);
+    const auto tree_a = sphere_tree(a, radius);
+    const auto tree_b = sphere_tree(b, radius);
+    const std::string what = std::string(family) + " " + std::to_string(i);
+    const SearchResult exact = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options());
+    expect_same(truth, exact.answer, what);
+    hits += exact.hits;
+    const double e = scenes.real(0.0, 1.0);
+    const SearchResult rough = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options(e));
+    EXPECT_EQ(truth.overlap, rough.answer.overlap) << what;
+    EXPECT_LE(rough.answer.distance, (1.0 + e) * truth.distance * (1.0 + 0x1p-50)) << what;
+  }
+  EXPECT_LE(1000, hits);
+}
+
+TEST(LinCanny, FallsToTheClosestFeaturesFromAnyPair) {
+  test::Scenes scenes(11);
+  int overlaps = 0;
+  int closest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const test::Scene scene = scenes.scene(i % 4 == 0 ? "needles" : "convex", 40);
+    if (check(scene.a, Needs::convex).fault != Fault::none) continue;
+    if (check(scene.b, Needs::convex).fault != Fault::none) continue;
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const WalkQuery query = walk_query(a, b);
+    const RingFeature from_a{scenes.chance(0.5), scenes.among(0, query.a.size() - 1)};
+    const RingFeature from_b{scenes.chance(0.5), scenes.among(0, query.b.size() - 1)};
+    const Answer truth = brute(a, b).answer;
+    const WalkResult walked = lin_canny(query, from_a, from_b);
+    ASSERT_EQ(truth.overlap ? WalkStop::overlap : WalkStop::closest, walked.stop) << i;
+    EXPECT_EQ(truth.distance, walked.answer.distance) << i;
+    (truth.overlap ? overlaps : closest) += 1;
+    std::optional<Nearest> last;
+    for (const WalkStep& step : trace_walk(query, from_a, from_b).steps) {
+      if (step.phase != WalkPhase::closest) continue;
+      if (last) {
+        EXPECT_TRUE(compare_distances(step.after.pair, *last) < 0) << i;
+      }
+      last = step.after.pair;
+    }
+  }
+  EXPECT_LE(500, overlaps);
+  EXPECT_LE(500, closest);
+}
+
+TEST(LinCanny, StopsAtALocalMinimumOfAnOutlineThatIsNotConvex) {
+  const Outline u{{{0, 0}, {6, 0}, {6, 6}, {5, 6}, {5, 1}, {1, 1}, {1, 6}, {0, 6}}};
+  const Outline small{{{2.5, 3}, {3, 2.8}, {3, 3.2}}};
+  const WalkQuery query = walk_query(model_of({u}), model_of({small}));
+  EXPECT_FALSE(query.convex);
+  int minima = 0;
+  int found = 0;
+  for (int i = 0; i < 8; ++i) {
+    const WalkResult walked = lin_canny(query, {true, i}, {});
+    minima += walked.stop == WalkStop::local_minimum;
+    found += walked.stop == WalkStop::closest;
+  }
+  EXPECT_LT(0, minima);
+  EXPECT_LT(0, found);
+  EXPECT_EQ(WalkStop::refused, lin_canny(query.model_a, query.model_b).stop);
+}
+
+}  // namespace
