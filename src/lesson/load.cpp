@@ -81,7 +81,7 @@ class LessonReader {
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
   void read_answers(const Field& answers);
-  void read_expect(const Table& expect);
+  void read_expect(const Table& expect, Place place);
 
   std::optional<gjk::VertexPair> simplex_vertex(const Field& field);
   std::optional<int> vertex_index(const Field& field, const LessonShape& shape,
@@ -141,7 +141,9 @@ Lesson LessonReader::read(const toml::table& root) {
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
   read_questions(file["questions"]);
-  if (const auto expect = reader_.table(file["expect"], "expect")) read_expect(*expect);
+  const Field expect_field = file["expect"];
+  if (const auto expect = reader_.table(expect_field, "expect"))
+    read_expect(*expect, expect_field.place());
   return lesson_;
 }
 
@@ -825,7 +827,7 @@ void LessonReader::read_answers(const Field& answers) {
   }
 }
 
-void LessonReader::read_expect(const Table& expect) {
+void LessonReader::read_expect(const Table& expect, Place place) {
   const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
   if (algorithm != nullptr && !algorithm->follows_gjk) {
     for (const char* key : {"stop", "distance", "supports"}) {
@@ -839,7 +841,9 @@ void LessonReader::read_expect(const Table& expect) {
   std::vector<std::string> outcomes = names_of<gjk::StopReason>();
   std::erase(outcomes, name_of(gjk::StopReason::running));
   std::erase(outcomes, name_of(gjk::StopReason::failed));  // a lesson needs shapes that GJK accepts
-  if (const auto stop = reader_.name(expect["stop"], "stop reason", outcomes)) {
+  const Field ends = expect["stop"];
+  if (!ends) problems_.add(place, "missing key 'stop'", ends.expected);
+  if (const auto stop = reader_.name(ends, "stop reason", outcomes)) {
     lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
   }
   lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);

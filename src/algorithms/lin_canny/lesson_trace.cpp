@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "lesson/vocabulary.hpp"
+#include "models/brute.hpp"
 #include "trace/fields.hpp"
 
 namespace gjkscope {
@@ -108,10 +109,10 @@ class Told : public AlgorithmTrace {
     switch (step.phase) {
       case WalkPhase::closest:
         out = fmt::format("\nlin-canny, iteration {}\n", info(index).iteration);
-        return out + line("closest", fmt::format("{} and {}, distance = {}",
-                                                 name(true, step.after.a), name(false, step.after.b),
-                                                 fields::number_text(lesson.scalar,
-                                                                     step.after.pair.high)));
+        return out + line("closest",
+                          fmt::format("{} and {}, distance = {}", name(true, step.after.a),
+                                      name(false, step.after.b),
+                                      fields::number_text(lesson.scalar, step.after.pair.high)));
       case WalkPhase::regions:
         for (const models::RegionTest& test : step.tests)
           out += line("region?", fmt::format("{}{}: {}", test.behind ? "behind " : "towards ",
@@ -119,8 +120,8 @@ class Told : public AlgorithmTrace {
                                              test.crossed ? "crossed" : "no"));
         return out;
       case WalkPhase::swap:
-        return line("swap", fmt::format("{} and {}", name(true, step.after.a),
-                                        name(false, step.after.b)));
+        return line("swap",
+                    fmt::format("{} and {}", name(true, step.after.a), name(false, step.after.b)));
     }
     return out;
   }
@@ -164,6 +165,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
   }
   told.trace = models::trace_walk(*told.query, a, b);
   told.result = models::lin_canny(*told.query, a, b);
+  if (told.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
   return std::make_shared<const Told>(std::move(told));
 }
 

@@ -17,6 +17,7 @@ struct WalkTold {
   std::optional<models::WalkQuery> query;  ///< A is X, B is Y.
   models::WalkTrace trace;
   models::WalkResult result;
+  std::optional<models::Answer> truth;  ///< Of a walk that is stuck in a local minimum.
 };
 
 extern const Algorithm kLinCannyAlgorithm;

@@ -57,9 +57,9 @@ std::string position(const LessonRun& run, int index) {
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   const StepInfo at = run.info(frame);
-  if (shown.step == nullptr)
-    return {.group = group_of_position(run, frame, "start"), .label = "S"};
-  if (shown.is_answer) return {.group = "answer", .label = "answer", .short_label = "A", .event = true};
+  if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
+  if (shown.is_answer)
+    return {.group = "answer", .label = "answer", .short_label = "A", .event = true};
   return {.group = fmt::format("pair {}", at.iteration),
           .label = std::string(at.phase),
           .event = at.is_event,

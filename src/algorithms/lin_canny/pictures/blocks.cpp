@@ -52,7 +52,8 @@ void features(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   panel.write("heading", panel.left, "Features", type::kHeading);
   panel.y += kRow + 2.0;
-  if (!shown.walk.query) return row(panel, "refused", std::string(models::name_of(shown.walk.flaw.fault)));
+  if (!shown.walk.query)
+    return row(panel, "refused", std::string(models::name_of(shown.walk.flaw.fault)));
   row(panel, "fx", shown.name(true));
   row(panel, "fy", shown.name(false));
   row(panel, "distance", shown.knows_pair() ? panel.numbers(shown.closest().distance) : "–");
@@ -63,10 +64,11 @@ void features(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kFeatures{.name = "features",
-                      .meaning = "the pair of features that the walk is at, their distance, and swaps",
-                      .write = features,
-                      .act = "lin-canny"};
+const Block kFeatures{
+    .name = "features",
+    .meaning = "the pair of features that the walk is at, their distance, and swaps",
+    .write = features,
+    .act = "lin-canny"};
 
 const Listing kListing{.name = "lin-canny",
                        .meaning = "the walk on features (Lin and Canny 1991)",

@@ -49,7 +49,7 @@ void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
   for (const Vector2d& point : seen) area.push_back(scene.at(point));
   if (area.size() > 2) {
     if (left) scene.hatched("region.hatch", area);
-    scene.area(left ? "region.hidden" : "walk.region", area);
+    scene.area(left ? "region.hidden" : of_x ? "walk.region.x" : "walk.region.y", area);
   }
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (const auto& [border, neighbour] : all) {
@@ -84,6 +84,12 @@ void stage(SceneBuilder& scene) {
   }
   for (const bool of_x : {true, false}) feature(scene, shown, of_x);
   if (!shown.knows_pair()) return;
+  if (shown.is_answer && shown.walk.truth) {
+    const Point of_x = scene.at(shown.walk.truth->a);
+    const Point of_y = scene.at(shown.walk.truth->b);
+    scene.line("gap.exact", of_x, of_y);
+    for (const Point& point : {of_x, of_y}) scene.disk("closest", point, kClosestRadius);
+  }
   const models::Answer closest = shown.closest();
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
@@ -91,9 +97,9 @@ void stage(SceneBuilder& scene) {
   for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
   const Point along = y - x;
   if (along.norm() < 4.0 * kPointRadius) return;
-  scene.out.moving_labels.push_back(scene.label("distance", Numbers(scene.run.lesson)(closest.distance),
-                                                "distance.label", type::kVertex, 0.5 * (x + y), 4.0,
-                                                {along.y(), -along.x()}));
+  scene.out.moving_labels.push_back(
+      scene.label("distance", Numbers(scene.run.lesson)(closest.distance), "distance.label",
+                  type::kVertex, 0.5 * (x + y), 4.0, {along.y(), -along.x()}));
 }
 
 }  // namespace gjkscope::walks

@@ -46,8 +46,8 @@ class Telling {
   }
 
   void refused() {
-    text_.caption = format("The walk does not take {}: {}.",
-                           shown_.walk.flaw_is_of_y ? y() : x(), models::name_of(shown_.walk.flaw.fault));
+    text_.caption = format("The walk does not take {}: {}.", shown_.walk.flaw_is_of_y ? y() : x(),
+                           models::name_of(shown_.walk.flaw.fault));
     text_.detail = "It needs one closed outline of each shape, which does not meet itself.";
   }
 
@@ -86,18 +86,20 @@ class Telling {
       return;
     }
     if (found.crossed) {
-      text_.caption =
-          format("The closest point on {} lies outside the region of {}.", point_of(!found.of_a),
-                 shown_.name(found.of_a));
-      text_.detail = format("It lies beyond the border to {}, which is closer to it. Next: go there.",
-                            shown_.name(found.of_a, found.neighbour));
+      text_.caption = format("The closest point on {} lies outside the region of {}.",
+                             point_of(!found.of_a), shown_.name(found.of_a));
+      text_.detail =
+          format("It lies beyond the border to {}, which is closer to it. Next: go there.",
+                 shown_.name(found.of_a, found.neighbour));
       return;
     }
     text_.caption = "Each closest point lies in the Voronoi region of the other feature.";
     if (shown_.state.stop == WalkStop::local_minimum) {
-      text_.detail = "No neighbour is closer. But another pair is: the walk has stopped in a local minimum.";
+      text_.detail =
+          "No neighbour is closer. But another pair is: the walk has stopped in a local minimum.";
     } else if (shown_.state.stop == WalkStop::overlap) {
-      text_.detail = "No neighbour is closer. But the shapes overlap elsewhere, and the walk cannot see it.";
+      text_.detail =
+          "No neighbour is closer. But the shapes overlap elsewhere, and the walk cannot see it.";
     } else {
       text_.detail = "So no point of either shape is closer to the other: stop.";
     }
@@ -128,12 +130,17 @@ class Telling {
     if (result.stop == WalkStop::overlap) {
       text_.caption = format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {
-      text_.caption = format("The walk says {}. That is wrong: it is stuck in a local minimum.",
-                             story_.numbers(result.answer.distance));
+      text_.caption = format("The walk says {}, but {} and {} are only {} apart.",
+                             story_.numbers(result.answer.distance), x(), y(),
+                             story_.numbers(shown_.walk.truth->distance));
+      text_.detail +=
+          " It compares neighbours only, so it is stuck: all pairs, or pieces that are convex, "
+          "give the "
+          "true distance.";
     } else {
-      text_.caption = format("The distance is {}, between {} and {}.",
-                             story_.numbers(result.answer.distance), shown_.name(true),
-                             shown_.name(false));
+      text_.caption =
+          format("The distance is {}, between {} and {}.", story_.numbers(result.answer.distance),
+                 shown_.name(true), shown_.name(false));
     }
   }
 
@@ -150,19 +157,19 @@ void question(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   const models::WalkStep& step =
       shown.walk.trace.steps[static_cast<std::size_t>(story.frame.answering_step)];
-  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskFeature.name), {}, {}});
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(kAskFeature.name), {}, {}});
   for (const bool of_x : {true, false}) {
     const models::Ring& ring = shown.ring(of_x);
     const models::RingFeature& at = of_x ? step.after.a : step.after.b;
-    const std::array<int, 2> beside = at.is_vertex
-                                          ? std::array{at.index, ring.previous(at.index)}
-                                          : std::array{at.index, ring.next(at.index)};
-    for (const int index : beside) asked.choices.push_back(shown.name(of_x, {!at.is_vertex, index}));
+    const std::array<int, 2> beside = at.is_vertex ? std::array{at.index, ring.previous(at.index)}
+                                                   : std::array{at.index, ring.next(at.index)};
+    for (const int index : beside)
+      asked.choices.push_back(shown.name(of_x, {!at.is_vertex, index}));
   }
   asked.choices.emplace_back("none: stop");
   const models::RegionTest& found = step.after.found;
-  asked.answer =
-      found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
+  asked.answer = found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
   text.caption = "Question: where does the walk go now?";
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
