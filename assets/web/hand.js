@@ -57,14 +57,13 @@ function light(place) {
   $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));
   for (const name of found.linked) {
     if (!/^[xyz] /.test(name)) continue;
-    // A disc, or the diamond of a support point without one.
-    for (const mark of svg.querySelectorAll(`circle[data-of="${name}"], [data-mark="support"][data-of="${name}"]`)) {
-      const box = mark.getBBox();
-      const ring = document.createElementNS(svg.namespaceURI, "circle");
+    for (const mark of svg.querySelectorAll(`[data-of="${name}"]`)) {
+      if (mark.tagName !== "circle") continue;
+      const ring = mark.cloneNode();
+      for (const attribute of ["data-of", "data-mark", "fill", "stroke", "stroke-width"])
+        ring.removeAttribute(attribute);
       ring.setAttribute("class", "ring");
-      ring.setAttribute("cx", box.x + box.width / 2);
-      ring.setAttribute("cy", box.y + box.height / 2);
-      ring.setAttribute("r", box.width / 2 + 5);
+      ring.setAttribute("r", Number(mark.getAttribute("r")) + 5);
       ring.dataset.lit = name;
       svg.append(ring);
     }

@@ -227,20 +227,6 @@ action("a difference that is pointed at lights up with its two vertices", async 
   await close(page);
 });
 
-claim("a support point without a disc lights up, too", async () => {
-  const page = await open(url("polygons-gjk"));
-  const diamond = page.locator('#stage [data-mark="support"][data-of^="z "]').first();
-  while (!(await diamond.count()) || (await page.locator(`#stage circle[data-of="${await diamond.getAttribute("data-of")}"]`).count()))
-    assert.ok((await count(page))[0] < (await count(page))[1], "some step has one") ?? (await page.click("#step"), await settle(page));
-  const of = await diamond.getAttribute("data-of");
-  const box = await diamond.boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  const lit = await page.locator("#stage .ring").evaluateAll((rings) => rings.map((ring) => ring.dataset.lit));
-  const [, x, y] = of.split(" ");
-  for (const name of [of, `x ${x}`, `y ${y}`]) assert.ok(lit.includes(name), `${name} is not among ${lit}`);
-  await close(page);
-});
-
 action("in the difference a drag moves Y", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
   await toMiddle(page, "z 2 0");
