@@ -100,10 +100,6 @@ function setText(id, text) {
 function putPanel() {
   const focused = document.activeElement?.dataset?.of;
   put($("panel"), state.panel, "group", false);
-  // A panel too wide for its place is squeezed, so that type keeps its height.
-  const svg = $("panel").querySelector("svg");
-  svg.setAttribute("preserveAspectRatio", "none");
-  svg.style.height = `${svg.viewBox.baseVal.height * zoom}px`;
   const seen = new Set();
   for (const mark of $("panel").querySelectorAll('text[data-of^="phase"]')) {
     if (seen.has(mark.dataset.of)) continue;

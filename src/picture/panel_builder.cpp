@@ -43,9 +43,9 @@ void PanelBuilder::rule() {
   y += kBlockGap + 9.0;
 }
 
-void PanelBuilder::highlight(const std::string& role) {
+void PanelBuilder::highlight(const std::string& role, double below) {
   const double rise = fonts.cap_height(type::kCode);
-  add(role, Box{{{left - 8.0, y - rise - 4.5}, {right + 8.0, y + 4.5}}, 5.0});
+  add(role, Box{{{left - 8.0, y - rise - 4.5}, {right + 8.0, y + 4.5 + below}}, 5.0});
 }
 
 void PanelBuilder::bar(double x0, double x1, double low, double high, double value,

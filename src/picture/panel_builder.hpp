@@ -34,8 +34,8 @@ struct PanelBuilder {
   void heading(std::string text);
   /// Between two blocks.
   void rule();
-  /// A box behind the current row.
-  void highlight(const std::string& role = "highlight");
+  /// A box behind the current row, and `below` pixels more.
+  void highlight(const std::string& role = "highlight", double below = 0.0);
   /// A bar from zero, on a track from `low` to `high`.
   void bar(double x0, double x1, double low, double high, double value, const std::string& role);
 

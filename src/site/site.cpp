@@ -231,7 +231,7 @@ class SiteWriter {
     const Json first = ask({{"do", "layout"},
                             {"width", 960},
                             {"height", two ? 480 : 560},
-                            {"panel", two ? 384 : 424},
+                            {"panel", two ? 400 : 440},
                             {"timeline", 960},
                             {"theme", "light"}});
     parts["title"] = escape_html(lesson.title);

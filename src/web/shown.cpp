@@ -26,6 +26,7 @@ constexpr double kTimelineHeight = 66.0;
 bool fits(const Picture& picture, const Fonts& fonts) {
   constexpr double kEdge = 6.0;
   constexpr double kGap = 2.0;
+  constexpr double kTouching = 0.01;
   std::vector<Rect> boxes;
   for (const Mark& mark : picture.marks) {
     const Text* text = std::get_if<Text>(&mark.shape);
@@ -34,8 +35,9 @@ bool fits(const Picture& picture, const Fonts& fonts) {
     if (box.max.x() > picture.width - kEdge) return false;
     for (const Rect& other : boxes) {
       const bool beside = box.min.x() > other.max.x() + kGap || other.min.x() > box.max.x() + kGap;
+      const bool goes_on = std::abs(box.min.x() - other.max.x()) < kTouching;  // in another style
       const bool apart = box.min.y() > other.max.y() || other.min.y() > box.max.y();
-      if (!beside && !apart) return false;
+      if (!beside && !goes_on && !apart) return false;
     }
     boxes.push_back(box);
   }
@@ -148,18 +150,16 @@ Picture Player::panel(const Frame& frame, double width) {
 }
 
 /// One size for the panels of all frames: as wide as there is room, wider where texts would meet or
-/// stick out (a page squeezes that), and as high as the highest.
+/// stick out (a page shows that smaller), and as high as the highest.
 void Player::measure_panel() {
   if (session_.lesson().panel.empty()) return;
   const std::vector<Frame>& frames = session_.run().frames;
   panel_height_ = 0.0;
   panel_width_ = panel_room_;
-  for (const double wider : {kNarrowPanel, kWidePanel}) {
-    const bool all_fit = std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-      return fits(panel(frame, panel_width_), fonts_);
-    });
-    if (all_fit) break;
-    panel_width_ = std::max(panel_width_, wider);
+  constexpr double kFiner = 2.0;
+  for (const Frame& frame : frames) {
+    while (panel_width_ < kWidePanel && !fits(panel(frame, panel_width_), fonts_))
+      panel_width_ += kFiner;
   }
   constexpr double kPad = 14.0;
   double lowest = 0.0;

@@ -464,10 +464,10 @@ const measure = (page) => page.evaluate(() => {
     if (![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
     if (element.getBoundingClientRect().width === 0 || ["SCRIPT", "STYLE", "OPTION"].includes(element.tagName)) continue;
     const svg = element.ownerSVGElement;
-    // A panel that is wider than a phone is squeezed; its type keeps its height.
-    const scale = svg ? svg.getBoundingClientRect().height / svg.viewBox.baseVal.height : 1;
+    const box = svg?.getBoundingClientRect();
+    const scale = svg ? Math.min(box.width / svg.viewBox.baseVal.width, box.height / svg.viewBox.baseVal.height) : 1;
     const pixels = parseFloat(getComputedStyle(element).fontSize) * scale;
-    if (pixels < 13.9) small.push(`${pixels.toFixed(1)}: ${element.textContent.slice(0, 30)}`);
+    if (pixels < 14) small.push(`${pixels.toFixed(1)}: ${element.textContent.slice(0, 30)}`);
   }
   return { wide: document.documentElement.scrollWidth - innerWidth, small };
 });

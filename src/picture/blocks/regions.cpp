@@ -59,13 +59,19 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
               const std::string& condition, const std::string& values) {
   const bool tried = mark != TestMark::untried;
   const bool holds = mark == TestMark::holds;
-  if (current) panel.highlight(holds ? "highlight.pass" : "highlight");
+  // In a narrow panel the values stand below a condition that leaves them no room.
+  constexpr double kApart = 3.0;
+  const double width = panel.fonts.width(type::kCodeBold, condition + values);
+  const bool is_narrow = tried && kCondition + width + kApart > panel.right - panel.left;
+  const double below = is_narrow ? kTightRow : 0.0;
+  if (current) panel.highlight(holds ? "highlight.pass" : "highlight", below);
   const TextStyle name_style = current ? type::kStrong : type::kBody;
   const TextStyle code = current ? type::kCodeBold : type::kCode;
   const std::string role = !tried ? "untried" : current ? "code.current" : "code";
   test_mark(panel, mark);
   panel.write(!tried ? "untried" : "body", panel.left + 24.0, region, name_style);
   panel.write(role, panel.left + kCondition, condition, code);
+  panel.y += below;
   if (tried) panel.write(role, panel.right, values, code, Align::right);
   panel.y += kRow + 2.0;
 }

@@ -208,7 +208,7 @@ void areas(PanelBuilder& panel) {
   const auto row = [&](const std::string& from, const std::string& to, const std::string& third,
                        double area, const std::string& weight) {
     panel.write("strong", panel.left, from + to + third, type::kStrong);
-    panel.write("code", panel.left + 42.0, format("½ cross({1} − {0}, {2} − {0})", from, to, third),
+    panel.write("code", panel.left + 42.0, format("½ cross({1}−{0}, {2}−{0})", from, to, third),
                 type::kCode);
     panel.write("code", panel.right - 96.0, fixed(area, 3), type::kCode, Align::right);
     panel.write("code.current", panel.right, weight, type::kCodeBold, Align::right);
