@@ -44,6 +44,11 @@ struct LabelRequest {
   bool steps_aside = false;
 };
 
+/// From a label to what it names, where no other mark says that they belong together: they are more
+/// than `kLeaderFrom` pixels apart.
+inline constexpr double kLeaderFrom = 20.0;
+[[nodiscard]] std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label);
+
 /// A label somewhere inside a convex polygon.
 struct AreaLabelRequest {
   std::string id;
@@ -79,6 +84,8 @@ class LabelPlacer {
   };
 
   [[nodiscard]] double cost_of(const Rect& box) const;
+  /// Of a box that is nearer to another mark than to the one that it names.
+  [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
   [[nodiscard]] double cost_of_passing(const Rect& box, bool in_frame) const;
   [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role,
                              const TextStyle& style) const;
