@@ -194,7 +194,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
-    const double cost = extra + cost_of(box) + cost_of_neighbours(box, request) +
+    const double cost = extra + cost_of(box) + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
                         (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {

@@ -44,9 +44,9 @@ struct LabelRequest {
   bool steps_aside = false;
 };
 
-/// From a label to what it names, where no other mark says that they belong together: they are more
-/// than `kLeaderFrom` pixels apart.
-inline constexpr double kLeaderFrom = 20.0;
+/// A label farther than this from what it names has a line that leads there, in pixels.
+inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
+/// That line; none where the label is near.
 [[nodiscard]] std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label);
 
 /// A label somewhere inside a convex polygon.
