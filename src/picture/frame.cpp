@@ -372,15 +372,22 @@ Picture LessonPictures::picture(int index) {
     view.placer.begin_frame(of_frame.obstacles);
     view.placer.reserve(view.title_box);
     const std::size_t first_label = picture.marks.size();
+    const auto place = [&](const LabelRequest& label, bool fixed) {
+      const Mark placed = view.placer.place(label, fixed);
+      if (auto leader = leader_line(label, box_of(fonts_, std::get<Text>(placed.shape)))) {
+        leader->clip = clip;
+        picture.marks.push_back(*leader);
+      }
+      picture.marks.push_back(placed);
+    };
     std::set<std::string> drawn;
     for (const LabelRequest& label : of_frame.fixed_labels) {
-      if (shows(card, label) && drawn.insert(label.id).second)
-        picture.marks.push_back(view.placer.place(label, true));
+      if (shows(card, label) && drawn.insert(label.id).second) place(label, true);
     }
     for (const AreaLabelRequest& label : of_frame.area_labels)
       page.append(view.placer.place_inside(label));
     for (const LabelRequest& label : of_frame.moving_labels) {
-      if (shows(card, label)) picture.marks.push_back(view.placer.place(label, false));
+      if (shows(card, label)) place(label, false);
     }
     std::vector<Rect> words = {view.title_box};
     for (std::size_t k = first_label; k < picture.marks.size(); ++k) {

@@ -28,8 +28,9 @@ constexpr double kMove = 40.0;
 constexpr double kOverPassingNow = 60.0;  // more, in the one frame that the line is in
 constexpr double kAcross = 30.0;          // a line between a label and what it names
 constexpr double kNear = 30.0;
-constexpr double kClearance = 4.0;       // pixels between a label and what it must not touch
-constexpr double kLabelClearance = 6.0;  // and between two labels, which would read as one
+constexpr double kNearerToAnother = 30.0;  // a mark that the label does not name
+constexpr double kClearance = 4.0;         // pixels between a label and what it must not touch
+constexpr double kLabelClearance = 6.0;    // and between two labels, which would read as one
 constexpr double kAreaClearance = 18.0;  // and between the name of an area and a mark with its own
 constexpr double kLineClearance = 9.0;   // and a line, which it has room to keep away from
 constexpr double kSideKept = 8.0;        // times kWrongSide, for labels that keep their side
@@ -69,9 +70,14 @@ bool hits(const Rect& box, const Obstacles::Segment& segment) {
   return enter <= leave;
 }
 
+Point nearest_in(const Rect& box, const Point& to) {
+  return to.cwiseMax(box.min).cwiseMin(box.max);
+}
+
+double distance(const Rect& box, const Point& to) { return (nearest_in(box, to) - to).norm(); }
+
 bool hits(const Rect& box, const Obstacles::Circle& circle) {
-  const Point nearest = circle.center.cwiseMax(box.min).cwiseMin(box.max);
-  return (nearest - circle.center).norm() < circle.radius;
+  return distance(box, circle.center) < circle.radius;
 }
 
 /// True if the segments have a point in common that is no end of either.
@@ -101,6 +107,18 @@ bool inside(std::span<const Point> polygon, const Rect& box) {
 
 }  // namespace
 
+std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label) {
+  Point anchor = request.anchor;
+  for (const Point& other : request.other_anchors)
+    if (distance(label, other) < distance(label, anchor)) anchor = other;
+  const Point from = nearest_in(label, anchor);
+  const double length = (anchor - from).norm();
+  if (length <= request.gap + kLeaderFrom) return std::nullopt;
+  const Point along = (anchor - from) / length;
+  const Point to = anchor - 0.6 * request.gap * along;
+  return Mark{"leader", Polyline{{from + 2.0 * along, to}}};
+}
+
 void LabelPlacer::begin_frame(Obstacles obstacles) {
   obstacles_ = std::move(obstacles);
   taken_.clear();
@@ -120,6 +138,17 @@ double LabelPlacer::cost_of(const Rect& box) const {
   for (const Obstacles::Segment& segment : obstacles_.segments)
     cost += hits(clear, segment) ? kOverSegment : 0.0;
   return cost;
+}
+
+double LabelPlacer::cost_of_neighbours(const Rect& box, const LabelRequest& request) const {
+  // Gaps hold what is drawn at the anchor and a little more; so a tie goes to what is named.
+  const double own = distance(box, request.anchor) - request.gap;
+  const bool is_ambiguous = std::any_of(
+      obstacles_.circles.begin(), obstacles_.circles.end(), [&](const Obstacles::Circle& circle) {
+        return (circle.center - request.anchor).norm() > request.gap &&
+               distance(box, circle.center) - circle.radius < own + 2.0;
+      });
+  return is_ambiguous ? kNearerToAnother : 0.0;
 }
 
 double LabelPlacer::cost_of_passing(const Rect& box, bool in_frame) const {
@@ -165,7 +194,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
-    const double cost = extra + cost_of(box) +
+    const double cost = extra + cost_of(box) + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
                         (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {

@@ -44,6 +44,11 @@ struct LabelRequest {
   bool steps_aside = false;
 };
 
+/// A label farther than this from what it names has a line that leads there, in pixels.
+inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
+/// That line; none where the label is near.
+[[nodiscard]] std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label);
+
 /// A label somewhere inside a convex polygon.
 struct AreaLabelRequest {
   std::string id;
@@ -79,6 +84,8 @@ class LabelPlacer {
   };
 
   [[nodiscard]] double cost_of(const Rect& box) const;
+  /// Of a box that is nearer to another mark than to the one that it names.
+  [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
   [[nodiscard]] double cost_of_passing(const Rect& box, bool in_frame) const;
   [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role,
                              const TextStyle& style) const;

@@ -77,6 +77,37 @@ TEST_F(Labels, WithAPlaceForAllFramesStepAsideForALineOnlyWhereTheyMay) {
   }
 }
 
+TEST_F(Labels, RatherTakeAnotherSideThanStandNearerToAnotherMark) {
+  const Point anchor(150.0, 150.0);
+  const double width = fonts.width(type::kVertex, "label");
+  Obstacles obstacles;
+  obstacles.circles.push_back({anchor, 30.0});  // the label has to be that far away
+  placer.begin_frame(obstacles);
+  const double right = center(placer.place(request("a", anchor, {1.0, 0.0}), false)).x();
+  EXPECT_GT(right, anchor.x() + 30.0);
+  const Point other(right + 0.5 * width + 20.0, 150.0);
+  obstacles.circles.push_back({other, 5.0});
+  placer.begin_frame(obstacles);
+  const Point moved = center(placer.place(request("b", anchor, {1.0, 0.0}), false));
+  EXPECT_LT(moved.x(), right);
+}
+
+TEST_F(Labels, FarFromWhatTheyNameHaveALineThatLeadsThere) {
+  const LabelRequest label = request("a", {200.0, 150.0}, {1.0, 0.0});
+  const double limit = label.gap + kLeaderFrom;
+  const auto leader = [&](double x) {
+    return leader_line(label, Rect{{x, 140.0}, {x + 40.0, 160.0}});
+  };
+  EXPECT_FALSE(leader(200.0 + limit - 0.5));
+  const auto line = leader(200.0 + limit + 0.5);
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->role, "leader");
+  for (const Point& end : std::get<Polyline>(line->shape).points) {
+    EXPECT_GT(end.x(), 200.0);
+    EXPECT_LT(end.x(), 200.0 + limit + 0.5);
+  }
+}
+
 TEST_F(Labels, KeepTheirDistanceWhenTheirTextGetsShorter) {
   LabelRequest label = request("a", {200.0, 150.0}, {1.0, 0.0});
   const auto gap = [&](const std::string& text) {

@@ -129,10 +129,23 @@ void simplex(SceneBuilder& scene) {
   }
 }
 
+namespace {
+
+/// From a closest point to the other; where the run has ended, the length is the answer.
+void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
+  scene.line("closest.line", from, to);
+  const double distance = scene.positioned.trace.result.distance;
+  if (!scene.knows.has_ended || !(distance > 0.0) || (to - from).norm() < 1.0) return;
+  scene.out.moving_labels.push_back(scene.label(
+      "distance", Numbers(scene.run.lesson)(distance), "distance.label", type::kSmallVertex,
+      0.5 * (from + to), 2.0, Point(from.y() - to.y(), to.x() - from.x())));
+}
+
+}  // namespace
+
 void closest_line(SceneBuilder& scene) {
   if (scene.shows_closest_point() && !scene.reaches_query()) {
-    scene.line("closest.line", scene.at_difference(scene.state.p),
-               scene.at_difference(Vector2d::Zero()));
+    shortest_way(scene, scene.at_difference(scene.state.p), scene.at_difference(Vector2d::Zero()));
   }
 }
 
@@ -158,20 +171,28 @@ void witness_points(SceneBuilder& scene) {
     x += scene.state.simplex.weights[i] * scene.vertex_of_x(scene.state.simplex.vertices[i]);
     y += scene.state.simplex.weights[i] * scene.vertex_of_y(scene.state.simplex.vertices[i]);
   }
-  scene.line("closest.line", scene.at(x), scene.at(y));
-  scene.disk("closest", scene.at(x), kClosestRadius);
-  scene.disk("closest", scene.at(y), kClosestRadius);
+  shortest_way(scene, scene.at(x), scene.at(y));
+  const auto name = [&](const char* text, const Point& point, const Point& other) {
+    scene.disk("closest", point, kClosestRadius);
+    scene.out.moving_labels.push_back(scene.label(std::string("witness:") + text, text,
+                                                  "closest.label", type::kVertex, point,
+                                                  kPointRadius, point - other));
+  };
+  if (scene.reaches_query()) return name("x = y", scene.at(y), scene.at(y));
+  name("x", scene.at(x), scene.at(y));
+  name("y", scene.at(y), scene.at(x));
 }
 
 void search(SceneBuilder& scene) {
   if (scene.knows.support)
     support_line(scene, scene.at_difference(scene.state.support.w), scene.state.d);
-  if (scene.knows.direction) search_direction(scene);
+  // A search that is over points nowhere.
+  if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
   if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
 }
 
 void search_between_shapes(SceneBuilder& scene) {
-  if (!scene.knows.support) return;
+  if (!scene.knows.support || scene.knows.has_ended) return;
   search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
                "d");
   search_arrow(scene, scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
