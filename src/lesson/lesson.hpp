@@ -37,11 +37,11 @@ struct LessonShape {
   std::string name;                       ///< "X", "Y", "Q"
   std::vector<std::string> vertex_names;  ///< As many as vertices, unique over both shapes.
   std::vector<Eigen::Vector2d> vertices;  ///< In drawing order.
-  /// How many of the vertices belong to each of its outlines, one after the other; empty: all of
-  /// them are one outline. To GJK the shape is the hull of its vertices.
-  std::vector<int> outlines;
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  /// How many of the vertices belong to each of its outlines, one after the other; empty: all of
+  /// them are one outline. To GJK the shape is the hull of its vertices.
+  std::vector<int> outlines = {};
   [[nodiscard]] std::vector<VertexRange> ranges() const {
     if (outlines.empty()) return {{0, static_cast<int>(vertices.size())}};
     std::vector<VertexRange> out;
