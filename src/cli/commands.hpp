@@ -55,8 +55,18 @@ int open_command(const Environment& env, const std::string& file, bool json);
 /// `name` is a lesson or a case file; `scalar` is for cases, lessons bring their own.
 int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json);
 
+/// How the distance of general models is found.
+enum class ModelMethod : std::uint8_t { brute, pieces, boxes, circles, lin_canny };
+[[nodiscard]] std::string_view name_of(ModelMethod method);
+[[nodiscard]] std::optional<ModelMethod> model_method_of(std::string_view name);
+
+struct SolveOptions {
+  ScalarKind scalar = ScalarKind::double_;  ///< Of point sets.
+  ModelMethod method = ModelMethod::boxes;  ///< Of outlines.
+};
 /// One JSON object for each case and line. "-" is standard input.
-int solve_command(const Environment& env, const std::vector<std::string>& files, ScalarKind scalar);
+int solve_command(const Environment& env, const std::vector<std::string>& files,
+                  const SolveOptions& options);
 
 /// Problems of lesson files on `out`, each with its place; also runs them and checks what they
 /// expect.

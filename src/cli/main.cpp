@@ -57,6 +57,7 @@ struct Arguments {
   bool json = false;
   bool markdown = false;
   ScalarKind scalar = ScalarKind::double_;
+  ModelMethod method = ModelMethod::boxes;
   ExportOptions export_options;
   std::filesystem::path out;
   std::string format;
@@ -183,6 +184,9 @@ void add_commands(CLI::App& app, Arguments& args) {
   CLI::App* solve = app.add_subcommand("solve", "Answer cases, one JSON object each");
   solve->add_option("case", args.files, "Files of cases; - is standard input")->required();
   add_scalar(solve, "Arithmetic");
+  parsed(solve, "--method", args.method, model_method_of,
+         "one of brute, pieces, boxes, circles, lin-canny", "How outlines are asked; boxes without")
+      ->type_name("brute|pieces|boxes|circles|lin-canny");
   add_json(solve);
   solve->footer(
       "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two point sets, whose "
@@ -195,6 +199,17 @@ void add_commands(CLI::App& app, Arguments& args) {
       "depth_upper:\n"
       "how far 'a' must move along direction, which is of length 1, until they just touch;\n"
       "translation is depth times direction.\n\n"
+      "Outlines, which need not be convex, are {\"outlines_a\":[[[x,y],...],...], "
+      "\"outlines_b\":...}.\n"
+      "An outline is closed; one that turns clockwise within another is a hole; {\"open\":[...]} "
+      "is "
+      "an\n"
+      "open chain. Answers: distance and overlap, which are exact, the closest points a and b, "
+      "the\n"
+      "features they lie on (vertex or segment, with outline and index), and visits: pairs that "
+      "the\n"
+      "method looked at. pieces needs outlines that do not meet, lin-canny one convex outline a "
+      "side.\n\n"
       "Examples:\n  gjkscope solve case.json --scalar exact\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 
@@ -306,7 +321,8 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
   if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
   if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
-  if (app.got_subcommand("solve")) return solve_command(env, args.files, args.scalar);
+  if (app.got_subcommand("solve"))
+    return solve_command(env, args.files, {args.scalar, args.method});
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
   if (app.got_subcommand("study")) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -12,6 +13,10 @@
 #include "lesson/names.hpp"
 #include "lesson/scalar.hpp"
 #include "lesson/widen.hpp"
+#include "models/brute.hpp"
+#include "models/lin_canny.hpp"
+#include "models/pieces.hpp"
+#include "models/search.hpp"
 
 namespace gjkscope {
 namespace {
@@ -88,9 +93,85 @@ Json solve(const CaseIn<D>& value, Json answer) {
   return answer;
 }
 
-Json solve(const ReadCase& read, ScalarKind scalar) {
+Json json_of(const models::Feature& feature) {
+  if (feature.index < 0) return nullptr;
+  return {{"kind", feature.is_vertex ? "vertex" : "segment"},
+          {"outline", feature.outline},
+          {"index", feature.index}};
+}
+
+struct ModelsAnswer {
+  models::Answer answer;
+  long visits = 0;
+};
+
+template <class Volume>
+ModelsAnswer search(const models::Model& a, const models::Model& b) {
+  const auto tree_a = models::build_hierarchy<Volume>(models::items_of(a));
+  const auto tree_b = models::build_hierarchy<Volume>(models::items_of(b));
+  const models::SearchResult found = models::search<Volume>({a, b, tree_a, tree_b});
+  return {found.answer, found.visits};
+}
+
+ModelsAnswer answer_of(const models::Model& a, const models::Model& b, ModelMethod method) {
+  switch (method) {
+    case ModelMethod::brute: {
+      const models::BruteAnswer found = models::brute(a, b);
+      return {found.answer, found.visits};
+    }
+    case ModelMethod::pieces: {
+      const models::PiecesAnswer found =
+          models::pieces_distance(a, b, models::pieces_of(a), models::pieces_of(b));
+      return {found.answer, found.visits};
+    }
+    case ModelMethod::boxes:
+      return search<models::Box>(a, b);
+    case ModelMethod::circles:
+      return search<models::Circle>(a, b);
+    case ModelMethod::lin_canny: {
+      const models::WalkResult found = models::lin_canny(models::walk_query(a, b));
+      return {found.answer, found.steps};
+    }
+  }
+  return {};
+}
+
+Json solve(const OutlineCase& value, ModelMethod method, Json answer) {
+  const auto [found, visits] =
+      answer_of(models::model_of(value.a), models::model_of(value.b), method);
+  if (!std::isfinite(found.distance)) {
+    answer["error"] =
+        fmt::format("{}: {}", name_of(gjk::Error::overflow), explained(gjk::Error::overflow));
+    return answer;
+  }
+  answer["distance"] = found.distance;
+  answer["overlap"] = found.overlap;
+  answer["a"] = json_of<double, 2>(found.a);
+  answer["b"] = json_of<double, 2>(found.b);
+  answer["features"] = {{"a", json_of(found.on_a)}, {"b", json_of(found.on_b)}};
+  answer["visits"] = visits;
+  return answer;
+}
+
+models::Needs needs_of(ModelMethod method) {
+  switch (method) {
+    case ModelMethod::pieces:
+      return models::Needs::simple;
+    case ModelMethod::lin_canny:
+      return models::Needs::convex;
+    default:
+      return models::Needs::segments;
+  }
+}
+
+Json solve(const ReadCase& read, const SolveOptions& options) {
+  const ScalarKind scalar = options.scalar;
   Json answer;
   answer["case"] = read.name;
+  if (read.outlines) {
+    answer["method"] = name_of(options.method);
+    return solve(*read.outlines, options.method, std::move(answer));
+  }
   answer["scalar"] = name_of(scalar);
   if (!read.problems.empty()) {
     answer["error"] = to_string(read.problems.front());
@@ -104,8 +185,22 @@ Json solve(const ReadCase& read, ScalarKind scalar) {
 
 }  // namespace
 
+std::optional<ModelMethod> model_method_of(std::string_view name) {
+  for (const ModelMethod method : {ModelMethod::brute, ModelMethod::pieces, ModelMethod::boxes,
+                                   ModelMethod::circles, ModelMethod::lin_canny}) {
+    if (name_of(method) == name) return method;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(ModelMethod method) {
+  constexpr std::array<std::string_view, 5> kNames = {"brute", "pieces", "boxes", "circles",
+                                                      "lin-canny"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
 int solve_command(const Environment& env, const std::vector<std::string>& files,
-                  ScalarKind scalar) {
+                  const SolveOptions& options) {
   int exit_code = kDone;
   for (const std::string& file : files) {
     const std::optional<std::string> text = read_text(env, file);
@@ -114,9 +209,10 @@ int solve_command(const Environment& env, const std::vector<std::string>& files,
       continue;
     }
     const std::string name = file == "-" ? "<stdin>" : file;
-    for (const ReadCase& read : parse_cases(*text, name, gjk::kMaxDimension)) {
+    for (const ReadCase& read :
+         parse_cases(*text, name, gjk::kMaxDimension, needs_of(options.method))) {
       for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
-      const Json answer = solve(read, scalar);
+      const Json answer = solve(read, options);
       if (read.problems.empty() && answer.contains("error")) {
         env.err << fmt::format("{}: {}\n", read.name, answer["error"].get<std::string>());
       }

@@ -83,10 +83,14 @@ constexpr int kMostBroken = 100;
   return at;
 }
 
+/// Keys and indices.
+using Path = std::vector<std::string>;
+
 class CaseReader {
  public:
-  CaseReader(std::string_view text, std::string_view file, int most_dimension)
-      : text_(text), file_(file), most_dimension_(most_dimension) {
+  CaseReader(std::string_view text, std::string_view file, int most_dimension,
+             std::optional<models::Needs> outlines)
+      : text_(text), file_(file), most_dimension_(most_dimension), outlines_(outlines) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') line_starts_.push_back(i + 1);
     }
@@ -191,7 +195,10 @@ class CaseReader {
     }
     const auto told = value.find("dimension");
     const json dimension = told == value.end() ? json(2) : *told;
-    if (dimension == 2) {
+    const bool has_outlines = value.contains("outlines_a") || value.contains("outlines_b");
+    if (outlines_ && has_outlines && dimension == 2) {
+      read_models(value, at, out);
+    } else if (dimension == 2) {
       out.value = read_shapes<2>(value, at, out);
     } else if (dimension == 3 && most_dimension_ == 3) {
       out.in_space = read_shapes<3>(value, at, out);
@@ -214,25 +221,34 @@ class CaseReader {
   template <int D>
   std::vector<gjk::Vec<double, D>> read_points(const json& value, const char* key, std::size_t at,
                                                ReadCase& out) const {
-    std::vector<gjk::Vec<double, D>> points;
     const auto list = value.find(key);
     if (list == value.end()) {
       report(out, at, fmt::format("/{} is missing", key), kShape);
-      return points;
+      return {};
     }
-    if (!list->is_array() || list->empty()) {
-      report(out, find_value(text_, at, {key}),
-             fmt::format("/{} is {}", key, list->is_array() ? "empty" : article(*list)),
+    return read_list<D>(*list, {key}, at, out);
+  }
+
+  /// The points of the array at `path`.
+  template <int D>
+  std::vector<gjk::Vec<double, D>> read_list(const json& list, const Path& path, std::size_t at,
+                                             ReadCase& out) const {
+    std::vector<gjk::Vec<double, D>> points;
+    if (!list.is_array() || list.empty()) {
+      report(out, find_value(text_, at, path),
+             fmt::format("{} is {}", shown(path), list.is_array() ? "empty" : article(list)),
              D == 2 ? "an array of at least one point, [[x, y], ...]"
                     : "an array of at least one point, [[x, y, z], ...]");
       return points;
     }
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      const json& point = (*list)[i];
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const json& point = list[i];
+      const Path to_point = below(path, std::to_string(i));
       if (!point.is_array() || point.size() != D) {
-        report(out, find_value(text_, at, {key, std::to_string(i)}),
-               point.is_array() ? fmt::format("/{}/{} has {} coordinates", key, i, point.size())
-                                : fmt::format("/{}/{} is {}", key, i, article(point)),
+        report(out, find_value(text_, at, to_point),
+               point.is_array()
+                   ? fmt::format("{} has {} coordinates", shown(to_point), point.size())
+                   : fmt::format("{} is {}", shown(to_point), article(point)),
                D == 3                 ? "three coordinates, [x, y, z]"
                : most_dimension_ == 2 ? "two coordinates, [x, y]"
                                       : "two coordinates, [x, y], or \"dimension\": 3");
@@ -240,19 +256,97 @@ class CaseReader {
       }
       gjk::Vec<double, D> read = gjk::Vec<double, D>::Zero();
       for (int k = 0; k < D; ++k) {
-        const std::optional<double> number = coordinate(point[static_cast<std::size_t>(k)]);
+        const json& given = point[static_cast<std::size_t>(k)];
+        const std::optional<double> number = coordinate(given);
         if (number && std::isfinite(*number)) {
           read[k] = *number;
         } else {
-          report(
-              out, find_value(text_, at, {key, std::to_string(i), std::to_string(k)}),
-              fmt::format("/{}/{}/{} is {}", key, i, k, shown(point[static_cast<std::size_t>(k)])),
-              "a finite number, or a string that holds one");
+          const Path to_number = below(to_point, std::to_string(k));
+          report(out, find_value(text_, at, to_number),
+                 fmt::format("{} is {}", shown(to_number), shown(given)),
+                 "a finite number, or a string that holds one");
         }
       }
       points.push_back(read);
     }
     return points;
+  }
+
+  void read_models(const json& value, std::size_t at, ReadCase& out) const {
+    OutlineCase read;
+    read.a = read_outlines(value, "outlines_a", at, out);
+    read.b = read_outlines(value, "outlines_b", at, out);
+    if (out.problems.empty()) out.outlines = std::move(read);
+  }
+
+  std::vector<models::Outline> read_outlines(const json& value, const char* key, std::size_t at,
+                                             ReadCase& out) const {
+    static constexpr std::string_view kExpected =
+        R"(an array of outlines, [[[x, y], ...], ...]; {"open": [[x, y], ...]} is an open chain)";
+    const auto list = value.find(key);
+    if (list == value.end() || !list->is_array()) {
+      const bool missing = list == value.end();
+      report(out, missing ? at : find_value(text_, at, {key}),
+             missing ? fmt::format("/{} is missing", key)
+                     : fmt::format("/{} is {}", key, article(*list)),
+             kExpected);
+      return {};
+    }
+    const std::size_t before = out.problems.size();
+    std::vector<models::Outline> outlines;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const json& given = (*list)[i];
+      const Path path = {key, std::to_string(i)};
+      const auto open = given.is_object() ? given.find("open") : given.end();
+      models::Outline outline;
+      outline.closed = !given.is_object();
+      if (given.is_object() && open == given.end()) {
+        report(out, find_value(text_, at, path), fmt::format("{} has no 'open'", shown(path)),
+               kExpected);
+        continue;
+      }
+      outline.points = outline.closed ? read_list<2>(given, path, at, out)
+                                      : read_list<2>(*open, below(path, "open"), at, out);
+      if (outline.closed && outline.points.size() > 2 &&
+          outline.points.front() == outline.points.back()) {
+        outline.points.pop_back();
+      }
+      outlines.push_back(std::move(outline));
+    }
+    if (out.problems.size() == before) report_flaw(outlines, key, at, out);
+    return outlines;
+  }
+
+  void report_flaw(const std::vector<models::Outline>& outlines, const char* key, std::size_t at,
+                   ReadCase& out) const {
+    const models::Flaw flaw = models::check(outlines, *outlines_);
+    if (flaw.fault == models::Fault::none) return;
+    Path path = {key};
+    std::string what;
+    if (flaw.fault != models::Fault::no_outline) {
+      path.push_back(std::to_string(flaw.outline));
+      const bool is_open = !outlines[static_cast<std::size_t>(flaw.outline)].closed;
+      if (is_open) path.emplace_back("open");
+      if (flaw.other_index >= 0) {
+        path.push_back(std::to_string(flaw.index));
+        what = fmt::format("; its segment meets segment {} of outline {}", flaw.other_index,
+                           flaw.other_outline);
+      }
+    }
+    report(out, find_value(text_, at, path),
+           fmt::format("{}: {}{}", shown(path), models::name_of(flaw.fault), what),
+           *outlines_ == models::Needs::convex   ? "one convex outline"
+           : *outlines_ == models::Needs::simple ? "closed outlines that meet neither themselves "
+                                                   "nor each other, for this method"
+                                                 : "outlines of at least two finite points");
+  }
+
+  [[nodiscard]] static Path below(Path path, std::string key) {
+    path.push_back(std::move(key));
+    return path;
+  }
+  [[nodiscard]] static std::string shown(const Path& path) {
+    return fmt::format("/{}", fmt::join(path, "/"));
   }
 
   /// A number, or a string that holds a decimal or hexadecimal one and nothing else.
@@ -291,6 +385,7 @@ class CaseReader {
   std::string_view text_;
   std::string file_;
   int most_dimension_;
+  std::optional<models::Needs> outlines_;
   std::vector<std::size_t> line_starts_ = {0};
   std::vector<ReadCase> cases_;
   int broken_ = 0;
@@ -315,9 +410,9 @@ LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char
 
 }  // namespace
 
-std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file,
-                                  int most_dimension) {
-  return CaseReader(text, file, most_dimension).read();
+std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file, int most_dimension,
+                                  std::optional<models::Needs> outlines) {
+  return CaseReader(text, file, most_dimension, outlines).read();
 }
 
 std::string case_json(const Case& value, std::string_view name) {

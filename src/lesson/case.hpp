@@ -4,10 +4,14 @@
 //   {"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]}
 //   {"dimension": 3, "a": [[x, y, z], ...], "b": [[x, y, z], ...]}
 //
+//   {"dimension": 2, "outlines_a": [[[x, y], ...], ...], "outlines_b": [[[x, y], ...], ...]}
+//
 // The dimension is 2 where it is left out. `a` is X, `b` is Y: point sets whose convex hulls count,
 // in any order. A coordinate is a number, or a string that holds one ("0.1",
 // "0x1.999999999999ap-4"); it means the nearest double. `name` is optional; other keys are ignored.
-// A text holds any number of cases, one after the other (one a line, for example), or in arrays.
+// Outlines are closed, and a first point that is repeated at the end counts once;
+// {"open": [[x, y], ...]} is an open chain. A text holds any number of cases, one after the other
+// (one a line, for example), or in arrays.
 
 #include <Eigen/Core>
 #include <optional>
@@ -17,6 +21,7 @@
 
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
+#include "models/outline.hpp"
 
 namespace gjkscope {
 
@@ -27,20 +32,28 @@ struct CaseIn {
 };
 using Case = CaseIn<2>;
 
+/// General models: `outlines_a` and `outlines_b`.
+struct OutlineCase {
+  std::vector<models::Outline> a;
+  std::vector<models::Outline> b;
+};
+
 /// One case of a text, as far as it could be read.
 struct ReadCase {
   std::string name;  ///< Its `name`, or the file's; the second of a file has "#2" added, and so on.
   Place place;       ///< Where it begins.
   std::optional<Case> value;
   std::optional<CaseIn<3>> in_space;
-  std::vector<Problem> problems;  ///< Empty exactly when one of the two is there.
+  std::optional<OutlineCase> outlines;
+  std::vector<Problem> problems;  ///< Empty exactly when one of the three is there.
 };
 
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
 /// that cannot be read does not keep the others from being read. What only knows the plane asks for
-/// dimensions up to 2, and others are problems.
-[[nodiscard]] std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file,
-                                                int most_dimension = 2);
+/// dimensions up to 2, and others are problems. What takes outlines says what it needs of them.
+[[nodiscard]] std::vector<ReadCase> parse_cases(
+    std::string_view text, std::string_view file, int most_dimension = 2,
+    std::optional<models::Needs> outlines = std::nullopt);
 
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
 /// They must be finite. An empty name is left out.

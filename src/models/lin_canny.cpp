@@ -33,7 +33,8 @@ int toward(const Point& a, const Point& b, const Ring& other, const RingFeature&
   const Point& q = at(other, feature.index);
   if (feature.is_vertex) return along(a, b, q);
   const Point& r = at(other, other.next(feature.index));
-  // dot(b - a, left normal of qr) = cross(qr, b - a); where a lies right of qr, the foot is to the left.
+  // dot(b - a, left normal of qr) = cross(qr, b - a); where a lies right of qr, the foot is to the
+  // left.
   const int side = turn(q, r, a);
   const int left = alike({-r.y(), r.x()}, {-q.y(), q.x()}, b, a);
   return side < 0 ? left : -left;

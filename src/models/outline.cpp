@@ -12,10 +12,6 @@ Point at(const Outline& outline, std::size_t i) {
   return outline.points[i % outline.points.size()];
 }
 
-bool before(const Point& a, const Point& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
 /// The outline without points that repeat the one before, as it turns.
 Ring distinct_points(const Outline& outline) {
   Ring ring;

@@ -15,6 +15,11 @@ namespace models {
 
 using Point = Eigen::Vector2d;
 
+/// From left to right; of points one above the other, upward.
+[[nodiscard]] inline bool before(const Point& a, const Point& b) {
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
 struct Outline {
   std::vector<Point> points;
   bool closed = true;  ///< The last point is joined to the first.

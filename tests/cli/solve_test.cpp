@@ -27,7 +27,7 @@ Solved solve(const std::string& text, ScalarKind scalar = ScalarKind::double_) {
   std::ostringstream err;
   const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
   Solved solved;
-  solved.exit_code = solve_command(env, {"-"}, scalar);
+  solved.exit_code = solve_command(env, {"-"}, {scalar});
   for (const std::string& line : test::lines_of(out.str()))
     solved.answers.push_back(json::parse(line));
   solved.err = err.str();
@@ -262,7 +262,7 @@ TEST(Solve, FilesAreReadAndMissingOnesNamed) {
   std::ostringstream err;
   const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
   EXPECT_EQ(kCannot, solve_command(env, {file, file + ".missing", folder.path().string()},
-                                   ScalarKind::double_));
+                                   {}));
   EXPECT_EQ(1u, test::lines_of(out.str()).size());
   EXPECT_NE(std::string::npos, err.str().find(".missing"));
   EXPECT_NE(std::string::npos, err.str().find("Is a directory"));

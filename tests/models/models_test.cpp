@@ -4,6 +4,7 @@
 
 #include "models/brute.hpp"
 #include "models/lin_canny.hpp"
+#include "models/pieces.hpp"
 #include "models/sphere_tree.hpp"
 #include "scenes.hpp"
 #include "truth.hpp"
@@ -187,6 +188,56 @@ TEST(LinCanny, StopsAtALocalMinimumOfAnOutlineThatIsNotConvex) {
   EXPECT_LT(0, minima);
   EXPECT_LT(0, found);
   EXPECT_EQ(WalkStop::refused, lin_canny(query.model_a, query.model_b).stop);
+}
+
+/// Twice the area within corners, exactly.
+mpq_class double_area(const std::vector<Point>& points) {
+  mpq_class sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum +=
+        test::cross(test::ExactPoint(points[i]), test::ExactPoint(points[(i + 1) % points.size()]));
+  }
+  return sum;
+}
+
+TEST(Pieces, AreConvexFillTheMatterAndAnswerAsBruteForceDoes) {
+  test::Scenes scenes(5);
+  int used = 0;
+  int overlaps = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const std::string_view family = test::kSceneFamilies[i % test::kSceneFamilies.size()];
+    const test::Scene scene = scenes.scene(family, 40);
+    if (check(scene.a, Needs::simple).fault != Fault::none) continue;
+    if (check(scene.b, Needs::simple).fault != Fault::none) continue;
+    ++used;
+    const std::string what = std::string(family) + " " + std::to_string(i);
+    const Model a = model_of(scene.a);
+    const Model b = model_of(scene.b);
+    const Pieces pieces_a = pieces_of(a);
+    const Pieces pieces_b = pieces_of(b);
+    mpq_class whole = 0;
+    for (const Outline& outline : a.outlines) whole += double_area(outline.points);
+    mpq_class sum = 0;
+    for (const std::vector<int>& piece : pieces_a.pieces) {
+      Outline outline;
+      for (const int corner : piece) outline.points.push_back(pieces_a.points[corner]);
+      EXPECT_TRUE(is_convex(outline)) << what;
+      sum += double_area(outline.points);
+    }
+    EXPECT_EQ(abs(whole), sum) << what;
+    const Answer truth = brute(a, b).answer;
+    const Answer answer = pieces_distance(a, b, pieces_a, pieces_b).answer;
+    EXPECT_EQ(truth.overlap, answer.overlap) << what;
+    EXPECT_EQ(truth.distance, answer.distance) << what;
+    overlaps += truth.overlap;
+  }
+  EXPECT_LE(800, used);
+  EXPECT_LE(200, overlaps);
+}
+
+TEST(Pieces, AUIsThree) {
+  const Outline u{{{0, 0}, {6, 0}, {6, 6}, {5, 6}, {5, 1}, {1, 1}, {1, 6}, {0, 6}}};
+  EXPECT_EQ(3u, pieces_of(model_of({u})).pieces.size());
 }
 
 }  // namespace
