@@ -120,6 +120,12 @@ class TomlText {
     text_ += fmt::format("{} = {}\n", name, value);
   }
 
+  /// The table that was begun, though it has no keys.
+  void write_empty() {
+    if (!header_.empty()) text_ += fmt::format("\n{}\n", header_);
+    header_.clear();
+  }
+
   /// On one line where it fits.
   void list(std::string_view name, const std::vector<std::string>& entries) {
     const std::string one_line = fmt::format("[{}]", fmt::join(entries, ", "));
@@ -282,6 +288,7 @@ void write_expect(TomlText& out, const Expectation& expect) {
       answers.push_back(fmt::format("{} = {}", name, decimal(value)));
     out.key("answer", fmt::format("{{ {} }}", fmt::join(answers, ", ")));
   }
+  out.write_empty();
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Solved solve(const std::string& text, ScalarKind scalar) {
   std::ostringstream out;
   std::ostringstream err;
   Solved solved;
-  solved.exit_code = solve_command({GJKSCOPE_SOURCE_DIR, in, out, err}, {"-"}, scalar);
+  solved.exit_code = solve_command({GJKSCOPE_SOURCE_DIR, in, out, err}, {"-"}, {.scalar = scalar});
   std::istringstream lines(out.str());
   for (std::string line; std::getline(lines, line);) {
     solved.answers.push_back(json::parse(line, nullptr, false));

@@ -219,7 +219,7 @@ TEST(SavedLesson, OfACaseSaysWhatItLacks) {
   Lesson saved = lesson_of(value, "pasted", ScalarKind::half);
   std::string missing;
   for (const Problem& problem : parse(lesson_toml(saved)).problems) missing += problem.what + "\n";
-  EXPECT_EQ(missing, "missing key 'prose'\nmissing key 'views'\nmissing key 'expect'\n");
+  EXPECT_EQ(missing, "missing key 'prose'\nmissing key 'views'\nmissing key 'stop'\n");
 
   saved.id = "saved";
   saved.path = "saved.toml";

@@ -1,0 +1,94 @@
+// Lessons of an algorithm that does not follow GJK: outlines, what a file may expect, no run of
+// GJK.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
+#include "lessons.hpp"
+#include "picture/registry.hpp"
+#include "trace/trace_json.hpp"
+#include "trace/trace_text.hpp"
+
+namespace gjkscope {
+namespace {
+
+const std::string kSquareWithHole =
+    "vertices = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [1, 3], [3, 3], [3, 1]]\n";
+
+std::string lesson_text(const std::string& x, const std::string& granularity = "lin-canny",
+                        const std::string& expect = "answer = { distance = 1.0 }") {
+  return "title = \"T\"\nchapter = 1\norder = 1\nprose = \"P\"\n[shapes.X]\n" + x +
+         "[shapes.Y]\nvertices = [[5, 0], [6, 0], [6, 1]]\n[steps]\ngranularity = \"" +
+         granularity + "\"\n[[views]]\nshow = \"world\"\n[expect]\n" + expect + "\n";
+}
+
+LoadedLesson load(const std::string& text) { return parse_lesson(text, "x.toml", vocabulary()); }
+
+/// The one problem of a text.
+std::string problem(const std::string& text) {
+  const LoadedLesson loaded = load(text);
+  EXPECT_EQ(loaded.problems.size(), 1u) << text;
+  return loaded.problems.empty() ? "" : to_string(loaded.problems.front());
+}
+
+TEST(Outlines, AreVerticesOneAfterTheOther) {
+  const LoadedLesson loaded = load(lesson_text(kSquareWithHole + "outlines = [4, 4]\n"));
+  ASSERT_TRUE(loaded.lesson);
+  const std::vector<VertexRange> ranges = loaded.lesson->x().ranges();
+  ASSERT_EQ(ranges.size(), 2u);
+  EXPECT_EQ(ranges[1].first, 4);
+  EXPECT_EQ(ranges[1].count, 4);
+  EXPECT_EQ(loaded.lesson->y().ranges().size(), 1u);
+  const LoadedLesson again = load(lesson_toml(*loaded.lesson));
+  ASSERT_TRUE(again.lesson);
+  EXPECT_EQ(again.lesson->x(), loaded.lesson->x());
+}
+
+TEST(Outlines, AreRefusedWhereTheyDoNotAddUpOrGjkRuns) {
+  EXPECT_EQ(problem(lesson_text(kSquareWithHole + "outlines = [4, 3]\n")),
+            "x.toml:7:12: the outlines have 7 vertices in all; expected 8, as many as there are in "
+            "'vertices'");
+  EXPECT_EQ(problem(lesson_text(kSquareWithHole + "outlines = [4, 4]\n", "phase",
+                                "stop = \"repeated-support\"")),
+            "x.toml:7:12: 'outlines' with granularity 'phase'; expected no 'outlines': GJK asks "
+            "about the hull of the vertices");
+}
+
+TEST(Outlines, AFileExpectsWhatItsAlgorithmComesTo) {
+  const std::string x = "vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
+  EXPECT_TRUE(load(lesson_text(x)).lesson);
+  EXPECT_EQ(
+      problem(lesson_text(x, "lin-canny", "distance = 1.0")),
+      "x.toml:14:12: 'distance' with granularity 'lin-canny'; expected 'answer': GJK is not run");
+  EXPECT_EQ(problem(lesson_text(x, "phase", "distance = 1.0")).substr(0, 33),
+            "x.toml:13:1: missing key 'stop'; ");
+}
+
+TEST(Outlines, NoRunOfGjkIsMadeForAnAlgorithmThatDoesNotFollowIt) {
+  const LessonRun run =
+      run_lesson(*load(lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n")).lesson);
+  EXPECT_FALSE(run.has_gjk());
+  EXPECT_TRUE(run.runs.front().trace.steps.empty());
+  EXPECT_EQ(run.runs.front().x().world.size(), 4u);
+  EXPECT_TRUE(check_expectation(run).empty());
+  const std::string json = trace_json(traced(run));
+  EXPECT_NE(json.find("\"lin-canny\""), std::string::npos);
+  EXPECT_EQ(json.find("\"result\""), std::string::npos);
+  EXPECT_EQ(trace_text(traced(run)).find("no result"), std::string::npos);
+}
+
+TEST(Outlines, TheWalkSaysWhyItDoesNotTakeAHole) {
+  const LessonRun run =
+      run_lesson(*load(lesson_text(kSquareWithHole + "outlines = [4, 4]\n")).lesson);
+  ASSERT_EQ(run.frames.size(), 1u);
+  EffectGraph effects(run);
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  EXPECT_EQ(texts.front().caption, "The walk does not take X: not convex.");
+  EXPECT_EQ(check_expectation(run).size(), 1u);
+}
+
+}  // namespace
+}  // namespace gjkscope

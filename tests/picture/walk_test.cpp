@@ -1,0 +1,72 @@
+// Frames of the walk on features: what they say is what the trace found.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "algorithms/lin_canny/lesson_trace.hpp"
+#include "lessons.hpp"
+#include "picture/frame.hpp"
+#include "picture/words.hpp"
+
+namespace gjkscope {
+namespace {
+
+const std::vector<std::string> kLessons = {"lin-canny", "lin-canny-overlap", "local-minima"};
+
+TEST(WalkFrames, GoThroughEveryStepAndEndWithTheAnswer) {
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    Lesson lesson = testing::shipped_lesson(id);
+    lesson.questions.clear();
+    const LessonRun run = run_lesson(lesson);
+    const models::WalkTrace& trace = walk_told(run, 0)->trace;
+    ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    EXPECT_EQ(texts.front().phase, "start");
+    for (std::size_t i = 0; i < trace.steps.size(); ++i)
+      EXPECT_EQ(texts[i + 1].phase, name_of(trace.steps[i].phase));
+    EXPECT_EQ(texts.back().phase, "answer");
+  }
+}
+
+TEST(WalkFrames, AskOnlyWhatAStepAnswers) {
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    EffectGraph effects(run);
+    for (const FrameText& text : lesson_texts(run, effects)) {
+      if (!text.question) continue;
+      EXPECT_EQ(std::count(text.question->choices.begin(), text.question->choices.end(),
+                           text.question->answer),
+                1)
+          << text.question->answer;
+    }
+  }
+}
+
+TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-motion"));
+  ASSERT_GT(run.runs.size(), 2u);
+  for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
+    EXPECT_EQ(walk_told(run, i)->trace.start.a, walk_told(run, i - 1)->result.a);
+    EXPECT_EQ(walk_told(run, i)->trace.start.b, walk_told(run, i - 1)->result.b);
+    EXPECT_LE(walk_told(run, i)->result.steps, 3);
+  }
+}
+
+TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("local-minima"));
+  const WalkTold& walk = *walk_told(run, 0);
+  ASSERT_EQ(walk.result.stop, models::WalkStop::local_minimum);
+  ASSERT_TRUE(walk.truth);
+  EXPECT_LT(walk.truth->distance, walk.result.answer.distance);
+  EffectGraph effects(run);
+  const std::string caption = lesson_texts(run, effects).back().caption;
+  EXPECT_NE(caption.find(Numbers(run.lesson)(walk.truth->distance)), std::string::npos) << caption;
+}
+
+}  // namespace
+}  // namespace gjkscope
