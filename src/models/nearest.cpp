@@ -244,7 +244,11 @@ std::strong_ordering operator<=>(const Nearest& p, const Nearest& q) {
   const auto place = [](const Nearest& pair) {
     return std::array{pair.a.outline, pair.a.index, pair.b.outline, pair.b.index};
   };
-  return place(p) <=> place(q);
+  // Not every library compares arrays three ways.
+  const auto at_p = place(p);
+  const auto at_q = place(q);
+  if (at_p == at_q) return std::strong_ordering::equal;
+  return at_p < at_q ? std::strong_ordering::less : std::strong_ordering::greater;
 }
 
 Rational distance_sq(const Nearest& pair) {

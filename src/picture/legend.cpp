@@ -8,8 +8,10 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 13> kEntries = {
+constexpr std::array<LegendEntry, 15> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
+     {"feature.vertex", "current feature"},
+     {"feature.edge", "current feature"},
      {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
      {"closest", "closest point"},

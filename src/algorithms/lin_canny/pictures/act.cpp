@@ -50,8 +50,9 @@ std::string position(const LessonRun& run, int index) {
   if (shown.step == nullptr) return "start";
   if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
   const StepInfo at = run.info(frame);
-  if (asks_later(run, index)) return fmt::format("pair {} · {}", at.iteration, at.phase);
-  return fmt::format("pair {} of {} · {}", at.iteration, shown.walk.result.steps, at.phase);
+  if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at.phase);
+  if (asks_later(run, index)) return fmt::format("iteration {} · {}", at.iteration, at.phase);
+  return fmt::format("iteration {} of {} · {}", at.iteration, shown.walk.result.steps, at.phase);
 }
 
 Tick tick(const LessonRun& run, const Frame& frame) {
@@ -59,8 +60,11 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   const StepInfo at = run.info(frame);
   if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
   if (shown.is_answer)
-    return {.group = "answer", .label = "answer", .short_label = "A", .event = true};
-  return {.group = fmt::format("pair {}", at.iteration),
+    return {.group = group_of_position(run, frame, "answer"),
+            .label = "answer",
+            .short_label = "A",
+            .event = true};
+  return {.group = group_of_position(run, frame, fmt::format("iteration {}", at.iteration)),
           .label = std::string(at.phase),
           .event = at.is_event,
           .phase = std::string(at.phase)};

@@ -25,7 +25,8 @@ void listing(PanelBuilder& panel) {
     panel.y += kTightRow - kRow;
   };
   const bool looked = shown.is(WalkPhase::regions);
-  const bool met = shown.is(WalkPhase::closest) && shown.state.stop == WalkStop::overlap;
+  const bool met =
+      shown.state.stop == WalkStop::overlap && (shown.is_answer || shown.is(WalkPhase::closest));
   const bool crossed = looked && shown.state.found.crossed;
   const bool ended = looked && !crossed;
   write("fx, fy ← any feature of X, of Y", shown.step == nullptr && shown.walk.query);
@@ -39,7 +40,7 @@ void listing(PanelBuilder& panel) {
   write("  else if x not in that of fy", crossed && !shown.state.found.of_a);
   write("    fy ← neighbour beyond the border",
         shown.is(WalkPhase::swap) && !shown.state.found.of_a);
-  write("  else stop: x, y are closest", ended || shown.is_answer);
+  write("  else stop: x, y are closest", ended || (shown.is_answer && !met));
 }
 
 void row(PanelBuilder& panel, const std::string& what, const std::string& value) {

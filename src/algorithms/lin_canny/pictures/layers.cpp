@@ -69,8 +69,18 @@ void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const models::Ring& ring = shown.ring(of_x);
   const RingFeature& at = shown.feature(of_x);
   const Point a = scene.at(corner(ring, at.index));
-  if (at.is_vertex) return scene.disk("simplex.vertex", a, kSimplexRadius);
-  scene.line("simplex.feature", a, scene.at(corner(ring, ring.next(at.index))));
+  if (at.is_vertex) return scene.disk("feature.vertex", a, kSimplexRadius);
+  scene.line("feature.edge", a, scene.at(corner(ring, ring.next(at.index))));
+}
+
+/// Beside the line between two points; none where it is short.
+void label_distance(SceneBuilder& scene, const std::string& id, double distance, const Point& x,
+                    const Point& y) {
+  const Point along = y - x;
+  if (along.norm() < 4.0 * kPointRadius) return;
+  scene.out.moving_labels.push_back(scene.label(id, Numbers(scene.run.lesson)(distance),
+                                                "distance.label", type::kVertex, 0.5 * (x + y), 4.0,
+                                                {along.y(), -along.x()}));
 }
 
 }  // namespace
@@ -89,17 +99,14 @@ void stage(SceneBuilder& scene) {
     const Point of_y = scene.at(shown.walk.truth->b);
     scene.line("gap.exact", of_x, of_y);
     for (const Point& point : {of_x, of_y}) scene.disk("closest", point, kClosestRadius);
+    label_distance(scene, "truth", shown.walk.truth->distance, of_x, of_y);
   }
   const models::Answer closest = shown.closest();
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
   scene.line("closest.line", x, y);
   for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
-  const Point along = y - x;
-  if (along.norm() < 4.0 * kPointRadius) return;
-  scene.out.moving_labels.push_back(
-      scene.label("distance", Numbers(scene.run.lesson)(closest.distance), "distance.label",
-                  type::kVertex, 0.5 * (x + y), 4.0, {along.y(), -along.x()}));
+  label_distance(scene, "distance", closest.distance, x, y);
 }
 
 }  // namespace gjkscope::walks
