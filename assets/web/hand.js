@@ -21,6 +21,7 @@ function onDown(event) {
   const drags = ask({ do: "press", ...place }).dragging;
   held = { id: event.pointerId, drags, from: place, touch: event.pointerType !== "mouse" };
   if (!held.drags) return;
+  $("hint").hidden = true;
   $("stage").classList.add("drags");
   $("stage").setPointerCapture(event.pointerId);
   event.preventDefault();
@@ -48,6 +49,14 @@ function onUp(event) {
     step(swiped < 0 ? 1 : -1);
 }
 
+/** The circle around a disc or a diamond; null for words and lines. */
+function circleAround(mark) {
+  if (mark.tagName === "circle") return ["cx", "cy", "r"].map((name) => Number(mark.getAttribute(name)));
+  if (mark.tagName !== "path") return null;
+  const box = mark.getBBox();
+  return [box.x + box.width / 2, box.y + box.height / 2, Math.max(box.width, box.height) / 2];
+}
+
 /** What is pointed at lights up, and what belongs to it. */
 function light(place) {
   const found = ask({ do: "point", ...place });
@@ -58,12 +67,13 @@ function light(place) {
   for (const name of found.linked) {
     if (!/^[xyz] /.test(name)) continue;
     for (const mark of svg.querySelectorAll(`[data-of="${name}"]`)) {
-      if (mark.tagName !== "circle") continue;
-      const ring = mark.cloneNode();
-      for (const attribute of ["data-of", "data-mark", "fill", "stroke", "stroke-width"])
-        ring.removeAttribute(attribute);
+      const circle = circleAround(mark);
+      if (!circle) continue;
+      const ring = document.createElementNS(svg.namespaceURI, "circle");
       ring.setAttribute("class", "ring");
-      ring.setAttribute("r", Number(mark.getAttribute("r")) + 5);
+      ring.setAttribute("cx", circle[0]);
+      ring.setAttribute("cy", circle[1]);
+      ring.setAttribute("r", circle[2] + 5);
       ring.dataset.lit = name;
       svg.append(ring);
     }

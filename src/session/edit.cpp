@@ -134,11 +134,13 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
                                         const Vector2d& world) {
   if (vertices.size() < 2) return std::nullopt;
   NearestEdge nearest{0, HUGE_VAL};
-  for (const auto& [first, count] : outlines) {
-    for (int i = 0; i < count; ++i) {
-      const auto at = [&](int k) { return vertices[static_cast<std::size_t>(first + k % count)]; };
+  for (const VertexRange& outline : outlines) {
+    const auto at = [&](int i) {
+      return vertices[static_cast<std::size_t>(outline.first + i % outline.count)];
+    };
+    for (int i = 0; i < outline.count; ++i) {
       const double distance = segment_distance(world, at(i), at(i + 1));
-      if (distance < nearest.distance) nearest = {first + i, distance};
+      if (distance < nearest.distance) nearest = {outline.first + i, distance};
     }
   }
   return nearest;

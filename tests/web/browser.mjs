@@ -227,6 +227,39 @@ action("a difference that is pointed at lights up with its two vertices", async 
   await close(page);
 });
 
+action("a support point, drawn as a diamond alone, lights up", async (visit, size) => {
+  const page = await visit(url("penetration-depth"));
+  const diamond = () => page.evaluate(() => {
+    const marks = [...document.querySelectorAll('#stage path[data-of^="z "]')];
+    const alone = marks.find((mark) => !document.querySelector(`#stage circle[data-of="${mark.dataset.of}"]`));
+    if (!alone) return null;
+    alone.scrollIntoView({ block: "center" });
+    const box = alone.getBoundingClientRect();
+    return { of: alone.dataset.of, at: [box.x + box.width / 2, box.y + box.height / 2] };
+  });
+  let found = null;
+  for (let i = 0; i < 20 && !found; ++i) {
+    await page.click("#step");
+    found = await diamond();
+  }
+  assert.ok(found, "no step has such a diamond");
+  if (SIZES[size].touch) await page.touchscreen.tap(...found.at);
+  else await page.mouse.move(...found.at);
+  const lit = await page.locator("#stage .ring").evaluateAll((rings) => rings.map((ring) => ring.dataset.lit));
+  assert.ok(lit.includes(found.of), `lit: ${lit}`);
+  await close(page);
+});
+
+action("the hint to drag goes when something is dragged", async (visit, size) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  assert.ok(await page.locator("#hint").isVisible());
+  await toMiddle(page, "z 2 0");
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
+  await drag(page, await vertex(page, "z 2 0"), [30, -20]);
+  assert.ok(!(await page.locator("#hint").isVisible()));
+  await close(page);
+});
+
 action("in the difference a drag moves Y", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
   await toMiddle(page, "z 2 0");
