@@ -173,6 +173,25 @@ TEST(LinCanny, FallsToTheClosestFeaturesFromAnyPair) {
   EXPECT_LE(500, closest);
 }
 
+TEST(LinCanny, LeavesTheBackOfAVertexAtWhichTheOutlineGoesStraightOn) {
+  const Model a =
+      model_of({{{{-6, 14}, {-14, -1}, {-13, -9}, {-1, -8}, {11, -7}, {11, 5}, {-1, 15}}}});
+  std::vector<Outline> moved = a.outlines;
+  for (Point& p : moved[0].points) p += Point(3, -46);
+  const Model b = model_of(moved);
+  const WalkQuery query = walk_query(a, b);
+  const double distance = brute(a, b).answer.distance;
+  for (int i = 0; i < query.a.size(); ++i) {
+    for (int j = 0; j < query.b.size(); ++j) {
+      for (const bool vertex : {false, true}) {
+        const WalkResult walked = lin_canny(query, {false, i}, {vertex, j});
+        EXPECT_EQ(WalkStop::closest, walked.stop) << i << " " << j;
+        EXPECT_EQ(distance, walked.answer.distance) << i << " " << j;
+      }
+    }
+  }
+}
+
 TEST(LinCanny, StopsAtALocalMinimumOfAnOutlineThatIsNotConvex) {
   const Outline u{{{0, 0}, {6, 0}, {6, 6}, {5, 6}, {5, 1}, {1, 1}, {1, 6}, {0, 6}}};
   const Outline small{{{2.5, 3}, {3, 2.8}, {3, 3.2}}};
