@@ -261,8 +261,7 @@ TEST(Solve, FilesAreReadAndMissingOnesNamed) {
   std::ostringstream out;
   std::ostringstream err;
   const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
-  EXPECT_EQ(kCannot, solve_command(env, {file, file + ".missing", folder.path().string()},
-                                   {}));
+  EXPECT_EQ(kCannot, solve_command(env, {file, file + ".missing", folder.path().string()}, {}));
   EXPECT_EQ(1u, test::lines_of(out.str()).size());
   EXPECT_NE(std::string::npos, err.str().find(".missing"));
   EXPECT_NE(std::string::npos, err.str().find("Is a directory"));

@@ -126,8 +126,7 @@ TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
     } else {
       EXPECT_FALSE(expect.answers.empty()) << lesson.path << ": [expect] needs 'answer'";
     }
-    for (const Problem& problem : check_expectation(run))
-      ADD_FAILURE() << to_string(problem);
+    for (const Problem& problem : check_expectation(run)) ADD_FAILURE() << to_string(problem);
   }
 }
 
