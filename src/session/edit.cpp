@@ -136,7 +136,8 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
   NearestEdge nearest{0, HUGE_VAL};
   for (const VertexRange& outline : outlines) {
     const auto at = [&](int i) {
-      return vertices[static_cast<std::size_t>(outline.first + i % outline.count)];
+      const int index = outline.first + i % outline.count;
+      return vertices[static_cast<std::size_t>(index)];
     };
     for (int i = 0; i < outline.count; ++i) {
       const double distance = segment_distance(world, at(i), at(i + 1));

@@ -69,7 +69,9 @@ class Scenes {
     models::Outline out;
     out.points = {{2.0 * teeth, -1.0}};
     for (int i = teeth - 1; i >= 0; --i) {
-      out.points.emplace_back(2.0 * i + real(1.2, 1.9), real(0.5, 6.0));
+      // One after the other: in a call compilers are free to draw the second one first.
+      const double at = 2.0 * i + real(1.2, 1.9);
+      out.points.emplace_back(at, real(0.5, 6.0));
       out.points.emplace_back(2.0 * i + 1.0, 0.0);
     }
     out.points.emplace_back(0.0, 0.0);

@@ -1,14 +1,11 @@
 #include "picture/blocks/blocks.hpp"
 
-#include <fmt/format.h>
-
 #include "algorithms/lin_canny/pictures/shown.hpp"
 
 namespace gjkscope::walks {
 namespace {
 
 using blocks::LineView;
-using fmt::format;
 using models::WalkPhase;
 using models::WalkStop;
 using namespace rows;
