@@ -2,6 +2,7 @@
 // The commands of `gjkscope`, one function each: arguments in, text on streams, exit code out.
 // main.cpp only parses the command line.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -13,6 +14,7 @@
 
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
+#include "lesson/names.hpp"
 #include "site/site.hpp"
 
 namespace gjkscope {
@@ -57,8 +59,15 @@ int trace_command(const Environment& env, const std::string& name, ScalarKind sc
 
 /// How the distance of general models is found.
 enum class ModelMethod : std::uint8_t { brute, pieces, boxes, circles, lin_canny };
-[[nodiscard]] std::string_view name_of(ModelMethod method);
-[[nodiscard]] std::optional<ModelMethod> model_method_of(std::string_view name);
+template <>
+struct Named<ModelMethod> {
+  static constexpr std::array<std::pair<std::string_view, ModelMethod>, 5> kTable = {
+      {{"brute", ModelMethod::brute},
+       {"pieces", ModelMethod::pieces},
+       {"boxes", ModelMethod::boxes},
+       {"circles", ModelMethod::circles},
+       {"lin-canny", ModelMethod::lin_canny}}};
+};
 
 struct SolveOptions {
   ScalarKind scalar = ScalarKind::double_;  ///< Of point sets.

@@ -184,7 +184,7 @@ void add_commands(CLI::App& app, Arguments& args) {
   CLI::App* solve = app.add_subcommand("solve", "Answer cases, one JSON object each");
   solve->add_option("case", args.files, "Files of cases; - is standard input")->required();
   add_scalar(solve, "Arithmetic");
-  parsed(solve, "--method", args.method, model_method_of,
+  parsed(solve, "--method", args.method, value_of<ModelMethod>,
          "one of brute, pieces, boxes, circles, lin-canny", "How outlines are asked; boxes without")
       ->type_name("brute|pieces|boxes|circles|lin-canny");
   add_json(solve);
@@ -199,17 +199,15 @@ void add_commands(CLI::App& app, Arguments& args) {
       "depth_upper:\n"
       "how far 'a' must move along direction, which is of length 1, until they just touch;\n"
       "translation is depth times direction.\n\n"
-      "Outlines, which need not be convex, are {\"outlines_a\":[[[x,y],...],...], "
-      "\"outlines_b\":...}.\n"
-      "An outline is closed; one that turns clockwise within another is a hole; {\"open\":[...]} "
-      "is "
-      "an\n"
-      "open chain. Answers: distance and overlap, which are exact, the closest points a and b, "
-      "the\n"
-      "features they lie on (vertex or segment, with outline and index), and visits: pairs that "
-      "the\n"
-      "method looked at. pieces needs outlines that do not meet, lin-canny one convex outline a "
-      "side.\n\n"
+      "Outlines, which need not be convex, are\n"
+      "{\"outlines_a\":[[[x,y],...],...], \"outlines_b\":...}. An outline is closed; one that "
+      "turns\n"
+      "clockwise within another is a hole; {\"open\":[...]} is an open chain. Answers: distance "
+      "and\n"
+      "overlap, which are exact, the closest points a and b, the features they lie on (vertex or\n"
+      "segment, with outline and index), and visits: pairs that the method looked at. pieces "
+      "needs\n"
+      "closed outlines that do not meet, lin-canny one convex outline a side.\n\n"
       "Examples:\n  gjkscope solve case.json --scalar exact\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 

@@ -185,20 +185,6 @@ Json solve(const ReadCase& read, const SolveOptions& options) {
 
 }  // namespace
 
-std::optional<ModelMethod> model_method_of(std::string_view name) {
-  for (const ModelMethod method : {ModelMethod::brute, ModelMethod::pieces, ModelMethod::boxes,
-                                   ModelMethod::circles, ModelMethod::lin_canny}) {
-    if (name_of(method) == name) return method;
-  }
-  return std::nullopt;
-}
-
-std::string_view name_of(ModelMethod method) {
-  constexpr std::array<std::string_view, 5> kNames = {"brute", "pieces", "boxes", "circles",
-                                                      "lin-canny"};
-  return kNames[static_cast<std::size_t>(method)];
-}
-
 int solve_command(const Environment& env, const std::vector<std::string>& files,
                   const SolveOptions& options) {
   int exit_code = kDone;

@@ -71,10 +71,9 @@ void look_at_regions(WalkState& state, const WalkQuery& query, WalkStep& note) {
   state.found = {};
   look(state, query, true, note);
   look(state, query, false, note);
-  const int pairs = 4 * query.a.size() * query.b.size();
   if (state.found.crossed) {
     state.phase = WalkPhase::swap;
-    if (state.swaps >= pairs) state.stop = WalkStop::pair_cap;
+    if (state.swaps >= query.pairs()) state.stop = WalkStop::pair_cap;
     return;
   }
   state.stop = WalkStop::closest;
@@ -191,14 +190,17 @@ WalkResult lin_canny(const Model& a, const Model& b) {
 
 WalkTrace trace_walk(const WalkQuery& query, RingFeature a, RingFeature b) {
   WalkState state{WalkPhase::closest, a, b, {}, {}, 0, WalkStop::running};
-  WalkTrace trace{state, {}};
+  WalkTrace trace{state, {}, {}};
+  int steps = 0;
   while (state.stop == WalkStop::running) {
     WalkStep next;
     next.phase = state.phase;
+    if (state.phase == WalkPhase::closest) ++steps;
     step(state, query, next);
     next.after = state;
     trace.steps.push_back(std::move(next));
   }
+  trace.result = result_of(state, query, steps);
   return trace;
 }
 

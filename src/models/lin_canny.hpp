@@ -64,11 +64,6 @@ struct WalkStep {
   int asked = 0;                  ///< swap: edges that were looked at behind an edge.
   WalkState after;
 };
-struct WalkTrace {
-  WalkState start;
-  std::vector<WalkStep> steps;
-};
-
 /// Two outlines, as rings; `convex` says whether both are.
 struct WalkQuery {
   Ring a;
@@ -76,6 +71,8 @@ struct WalkQuery {
   Model model_a;
   Model model_b;
   bool convex = true;
+  /// Pairs of features that there are: vertices and edges of the one with those of the other.
+  [[nodiscard]] int pairs() const { return 4 * a.size() * b.size(); }
 };
 /// Of models of one closed outline each that does not meet itself.
 [[nodiscard]] WalkQuery walk_query(const Model& a, const Model& b);
@@ -92,6 +89,12 @@ struct WalkResult {
   RingFeature a;  ///< Where to start the next time.
   RingFeature b;
   int steps = 0;  ///< Pairs of features that were looked at.
+};
+
+struct WalkTrace {
+  WalkState start;
+  std::vector<WalkStep> steps;
+  WalkResult result;
 };
 
 /// Lin-Canny on two convex outlines, from any features. O(1) steps where these are near the end.

@@ -69,6 +69,13 @@ void add_step_frames(LessonRun& run, int index,
   }
 }
 
+void add_algorithm_frames(LessonRun& run, int index) {
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
+  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
+    run.frames.push_back({.run = index, .step = last, .steps_over = i});
+}
+
 int answering_step_of_run(const LessonRun& run, const Frame& before, const Frame& frame,
                           const LessonQuestion& question) {
   const WideTrace& trace = run.run(frame).trace;

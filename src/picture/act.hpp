@@ -2,7 +2,9 @@
 // An act as pictures know it: how its frames are placed in the lesson, told and drawn. Each is a
 // value in a file of acts/, listed in acts/list.def.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "lesson/vocabulary.hpp"
 #include "picture/captions/story.hpp"
@@ -58,6 +60,16 @@ struct StagedAct {
 /// A frame for the start and each step that `shows` holds for.
 void add_step_frames(LessonRun& run, int index,
                      bool (*shows)(const LessonRun&, int index, int step));
+/// Of an act that shows an algorithm: a frame for the start, one for each of its steps, and one for
+/// the answer; where it has no steps a single one, which says why. GJK, where it was asked, has
+/// ended.
+void add_algorithm_frames(LessonRun& run, int index);
+/// The last step of an algorithm that is over when a frame ends; none at the start.
+template <class Step>
+[[nodiscard]] const Step* last_step_over(const std::vector<Step>& steps, const Frame& frame) {
+  const std::size_t over = std::min(static_cast<std::size_t>(*frame.steps_over), steps.size());
+  return over == 0 ? nullptr : &steps[over - 1];
+}
 /// The first step up to that of `frame` that tells what is asked for.
 [[nodiscard]] int answering_step_of_run(const LessonRun& run, const Frame& before,
                                         const Frame& frame, const LessonQuestion& question);

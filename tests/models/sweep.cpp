@@ -127,7 +127,7 @@ class Checker {
     claim(walked.stop == (truth_.overlap ? WalkStop::overlap : WalkStop::closest),
           "stop of the walk");
     claim(walked.answer.distance == truth_.distance, "distance of the walk");
-    claim(walked.steps <= 4 * query.a.size() * query.b.size(), "length of the walk");
+    claim(walked.steps <= query.pairs(), "length of the walk");
     std::optional<Nearest> last;
     for (const WalkStep& step : trace_walk(query, from_a, from_b).steps) {
       if (step.phase != WalkPhase::closest) continue;

@@ -51,18 +51,18 @@ TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {
   const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-motion"));
   ASSERT_GT(run.runs.size(), 2u);
   for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
-    EXPECT_EQ(walk_told(run, i)->trace.start.a, walk_told(run, i - 1)->result.a);
-    EXPECT_EQ(walk_told(run, i)->trace.start.b, walk_told(run, i - 1)->result.b);
-    EXPECT_LE(walk_told(run, i)->result.steps, 3);
+    EXPECT_EQ(walk_told(run, i)->trace.start.a, walk_told(run, i - 1)->trace.result.a);
+    EXPECT_EQ(walk_told(run, i)->trace.start.b, walk_told(run, i - 1)->trace.result.b);
+    EXPECT_LE(walk_told(run, i)->trace.result.steps, 3);
   }
 }
 
 TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
   const LessonRun run = run_lesson(testing::shipped_lesson("local-minima"));
   const WalkTold& walk = *walk_told(run, 0);
-  ASSERT_EQ(walk.result.stop, models::WalkStop::local_minimum);
+  ASSERT_EQ(walk.trace.result.stop, models::WalkStop::local_minimum);
   ASSERT_TRUE(walk.truth);
-  EXPECT_LT(walk.truth->distance, walk.result.answer.distance);
+  EXPECT_LT(walk.truth->distance, walk.trace.result.answer.distance);
   EffectGraph effects(run);
   const std::string caption = lesson_texts(run, effects).back().caption;
   EXPECT_NE(caption.find(Numbers(run.lesson)(walk.truth->distance)), std::string::npos) << caption;

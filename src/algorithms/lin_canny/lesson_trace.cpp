@@ -45,19 +45,20 @@ class Told : public AlgorithmTrace {
             is_swap || step.after.stop != WalkStop::running};
   }
   [[nodiscard]] double answer(std::string_view name) const override {
-    if (walk_.result.stop == WalkStop::refused) return std::numeric_limits<double>::quiet_NaN();
-    return name == "swaps" ? walk_.result.steps - 1 : walk_.result.answer.distance;
+    if (walk_.trace.result.stop == WalkStop::refused)
+      return std::numeric_limits<double>::quiet_NaN();
+    return name == "swaps" ? walk_.trace.result.steps - 1 : walk_.trace.result.answer.distance;
   }
   [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
     Json out;
-    out["stop"] = name_of(walk_.result.stop);
+    out["stop"] = name_of(walk_.trace.result.stop);
     if (!walk_.query) {
-      out["flaw"] = models::name_of(walk_.flaw.fault);
+      out["flaw"] = models::name_of(walk_.trace.result.flaw.fault);
       return out;
     }
     out["steps"] = Json::array();
     for (int i = 0; i < steps(); ++i) out["steps"].push_back(step_json(lesson, i));
-    const models::Answer& answer = walk_.result.answer;
+    const models::Answer& answer = walk_.trace.result.answer;
     out["distance"] = fields::number(answer.distance);
     out["overlap"] = answer.overlap;
     out["closest_x"] = fields::point<2>(answer.a);
@@ -67,11 +68,11 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
     std::string out = "\nlin-canny\n";
     if (!walk_.query)
-      return out + line("stop", fmt::format("{}: {}", name_of(walk_.result.stop),
-                                            models::name_of(walk_.flaw.fault)));
+      return out + line("stop", fmt::format("{}: {}", name_of(walk_.trace.result.stop),
+                                            models::name_of(walk_.trace.result.flaw.fault)));
     for (int i = 0; i < steps(); ++i) out += step_text(lesson, i);
-    const models::Answer& answer = walk_.result.answer;
-    out += "\nlin-canny, result\n" + line("stop", name_of(walk_.result.stop));
+    const models::Answer& answer = walk_.trace.result.answer;
+    out += "\nlin-canny, result\n" + line("stop", name_of(walk_.trace.result.stop));
     out += line("distance", fields::number_text(lesson.scalar, answer.distance));
     out += line("on " + lesson.x().name, fields::point_text<2>(lesson.scalar, answer.a));
     return out + line("on " + lesson.y().name, fields::point_text<2>(lesson.scalar, answer.b));
@@ -150,9 +151,9 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)
       flaw.fault = models::Fault::not_convex;
     if (flaw.fault == models::Fault::none) continue;
-    told.flaw = flaw;
-    told.flaw_is_of_y = model == &y;
-    told.result.stop = WalkStop::refused;
+    told.trace.result.stop = WalkStop::refused;
+    told.trace.result.flaw = flaw;
+    told.trace.result.flaw_in_b = model == &y;
     return std::make_shared<const Told>(std::move(told));
   }
   told.query = models::walk_query(x, y);
@@ -160,12 +161,11 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
   models::RingFeature a = vertex_of(told.query->a, start.x);
   models::RingFeature b = vertex_of(told.query->b, start.y);
   if (lesson.warm_start && before != nullptr && walk_of(*before).query) {
-    a = walk_of(*before).result.a;
-    b = walk_of(*before).result.b;
+    a = walk_of(*before).trace.result.a;
+    b = walk_of(*before).trace.result.b;
   }
   told.trace = models::trace_walk(*told.query, a, b);
-  told.result = models::lin_canny(*told.query, a, b);
-  if (told.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
+  if (told.trace.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
   return std::make_shared<const Told>(std::move(told));
 }
 

@@ -12,11 +12,8 @@ namespace gjkscope {
 
 /// What the walk did with the polygons of one run.
 struct WalkTold {
-  models::Flaw flaw;                       ///< Of `refused`: why; then there is nothing else.
-  bool flaw_is_of_y = false;               ///< Whose flaw.
-  std::optional<models::WalkQuery> query;  ///< A is X, B is Y.
+  std::optional<models::WalkQuery> query;  ///< A is X, B is Y; none where they are refused.
   models::WalkTrace trace;
-  models::WalkResult result;
   std::optional<models::Answer> truth;  ///< Of a walk that is stuck in a local minimum.
 };
 
@@ -28,8 +25,9 @@ extern const Algorithm kLinCannyAlgorithm;
 /// "vertex C of X", "edge KL of Y"
 [[nodiscard]] std::string feature_name(const Lesson& lesson, const models::WalkQuery& query,
                                        bool of_x, const models::RingFeature& feature);
-/// "closest": "regions": "swap"
+/// "regions"
 [[nodiscard]] std::string_view name_of(models::WalkPhase phase);
+/// "local-minimum"
 [[nodiscard]] std::string_view name_of(models::WalkStop stop);
 
 }  // namespace gjkscope

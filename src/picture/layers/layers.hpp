@@ -36,6 +36,9 @@ void best_support_line(SceneBuilder& scene);
 void history(SceneBuilder& scene);
 void simplex(SceneBuilder& scene);
 void closest_line(SceneBuilder& scene);
+/// A length beside the line that it is the length of; none within a pixel.
+void length_label(SceneBuilder& scene, const std::string& id, double length, const Point& from,
+                  const Point& to);
 void closest_point(SceneBuilder& scene);
 void witness_points(SceneBuilder& scene);
 /// An arrow along d, and its name.

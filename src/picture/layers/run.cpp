@@ -129,16 +129,21 @@ void simplex(SceneBuilder& scene) {
   }
 }
 
+void length_label(SceneBuilder& scene, const std::string& id, double length, const Point& from,
+                  const Point& to) {
+  if ((to - from).norm() < 1.0) return;
+  scene.out.moving_labels.push_back(
+      scene.label(id, Numbers(scene.run.lesson)(length), "distance.label", type::kSmallVertex,
+                  0.5 * (from + to), 2.0, Point(from.y() - to.y(), to.x() - from.x())));
+}
+
 namespace {
 
 /// From a closest point to the other; where the run has ended, the length is the answer.
 void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   const double distance = scene.positioned.trace.result.distance;
-  if (!scene.knows.has_ended || !(distance > 0.0) || (to - from).norm() < 1.0) return;
-  scene.out.moving_labels.push_back(scene.label(
-      "distance", Numbers(scene.run.lesson)(distance), "distance.label", type::kSmallVertex,
-      0.5 * (from + to), 2.0, Point(from.y() - to.y(), to.x() - from.x())));
+  if (scene.knows.has_ended && distance > 0.0) length_label(scene, "distance", distance, from, to);
 }
 
 }  // namespace

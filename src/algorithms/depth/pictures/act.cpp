@@ -9,19 +9,9 @@
 
 namespace gjkscope::depths {
 
-namespace {
-
-/// The last step that is over when a frame ends; none at the start.
-const depth::Step<double>* last_step_of(const DepthTrace& trace, int steps_over) {
-  const int over = std::min(steps_over, static_cast<int>(trace.steps.size()));
-  return over == 0 ? nullptr : &trace.steps[static_cast<std::size_t>(over - 1)];
-}
-
-}  // namespace
-
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : trace(*depth_trace(run, frame.run)),
-      step(last_step_of(trace, *frame.steps_over)),
+      step(last_step_over(trace.steps, frame)),
       state(step == nullptr ? trace.initial : step->after),
       is_answer(*frame.steps_over > static_cast<int>(trace.steps.size())) {}
 
@@ -62,14 +52,6 @@ namespace {
 
 constexpr std::array kAsks = {kAskEdge};
 
-void frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  const int steps = static_cast<int>(depth_trace(run, index)->steps.size());
-  // Shapes apart have no depth: the frame says so.
-  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
-    run.frames.push_back({.run = index, .step = last, .steps_over = i});
-}
-
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
@@ -109,7 +91,7 @@ const StagedAct kAct{
             .meaning = "phase of the polygon that expands where GJK has found the shapes to "
                        "overlap; then the shortest way out",
             .needs = {.why_no_until = "frames show how the run ends"},
-            .add_frames = depths::frames,
+            .add_frames = add_algorithm_frames,
             .follows_run = true,
             .asks = depths::kAsks,
             .answering_step = depths::answering_step,

@@ -7,34 +7,19 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope::walks {
-namespace {
 
 using models::WalkPhase;
-
-const models::WalkStep* last_step_of(const WalkTold& walk, int steps_over) {
-  const int over = std::min(steps_over, static_cast<int>(walk.trace.steps.size()));
-  return over == 0 ? nullptr : &walk.trace.steps[static_cast<std::size_t>(over - 1)];
-}
-
-}  // namespace
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
       walk(*walk_told(run, frame.run)),
-      step(last_step_of(walk, *frame.steps_over)),
+      step(last_step_over(walk.trace.steps, frame)),
       state(step == nullptr ? walk.trace.start : step->after),
       is_answer(*frame.steps_over > static_cast<int>(walk.trace.steps.size())) {}
 
 namespace {
 
 constexpr std::array kAsks = {kAskFeature};
-
-void frames(LessonRun& run, int index) {
-  const int steps = static_cast<int>(walk_told(run, index)->trace.steps.size());
-  // Outlines that are refused have no walk: one frame says so.
-  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
-    run.frames.push_back({.run = index, .steps_over = i});
-}
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
@@ -52,7 +37,8 @@ std::string position(const LessonRun& run, int index) {
   const StepInfo at = run.info(frame);
   if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at.phase);
   if (asks_later(run, index)) return fmt::format("iteration {} · {}", at.iteration, at.phase);
-  return fmt::format("iteration {} of {} · {}", at.iteration, shown.walk.result.steps, at.phase);
+  return fmt::format("iteration {} of {} · {}", at.iteration, shown.walk.trace.result.steps,
+                     at.phase);
 }
 
 Tick tick(const LessonRun& run, const Frame& frame) {
@@ -74,7 +60,7 @@ const StagedAct kAct{
     .act = {.name = "lin-canny",
             .meaning = "phase of the walk on the features of two polygons, then its answer",
             .needs = {.why_no_until = "frames show how the walk ends"},
-            .add_frames = frames,
+            .add_frames = add_algorithm_frames,
             .follows_run = true,
             .asks = kAsks,
             .answering_step = answering_step,

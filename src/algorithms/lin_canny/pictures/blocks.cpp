@@ -13,11 +13,9 @@ using namespace rows;
 /// Lin and Canny 1991; Larsen 1998, "Lin-Canny".
 void listing(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
-  const auto write = [&](const std::string& text, bool current, std::string value = {},
-                         std::optional<bool> verdict = {}) {
+  const auto write = [&](const std::string& text, bool current, std::string value = {}) {
     LineView line{current ? LineView::State::current : LineView::State::idle};
     if (current) line.value = std::move(value);
-    if (current) line.verdict = verdict;
     blocks::write_line(panel, text, line);
     panel.y += kTightRow - kRow;
   };
@@ -51,13 +49,12 @@ void features(PanelBuilder& panel) {
   panel.write("heading", panel.left, "Features", type::kHeading);
   panel.y += kRow + 2.0;
   if (!shown.walk.query)
-    return row(panel, "refused", std::string(models::name_of(shown.walk.flaw.fault)));
+    return row(panel, "refused", std::string(models::name_of(shown.walk.trace.result.flaw.fault)));
   row(panel, "fx", shown.name(true));
   row(panel, "fy", shown.name(false));
   row(panel, "distance", shown.knows_pair() ? panel.numbers(shown.closest().distance) : "–");
   row(panel, "swaps", std::to_string(shown.state.swaps));
-  const long pairs = 4L * shown.ring(true).size() * shown.ring(false).size();
-  row(panel, "pairs of features there are", std::to_string(pairs));
+  row(panel, "pairs of features there are", std::to_string(shown.walk.query->pairs()));
 }
 
 }  // namespace

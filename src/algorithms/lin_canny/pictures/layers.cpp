@@ -32,10 +32,6 @@ std::vector<std::pair<HalfPlane, RingFeature>> borders(const models::Ring& ring,
           {{a, Vector2d(-way.y(), way.x())}, feature}};
 }
 
-bool same(const RingFeature& a, const RingFeature& b) {
-  return a.is_vertex == b.is_vertex && a.index == b.index;
-}
-
 /// The region of the feature, as far as the view reaches; the border that was crossed stands out.
 void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const models::Ring& ring = shown.ring(of_x);
@@ -53,13 +49,13 @@ void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
   }
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (const auto& [border, neighbour] : all) {
-    if (same(neighbour, shown.feature(of_x))) continue;  // the edge itself
+    if (neighbour == shown.feature(of_x)) continue;  // the edge itself
     Vector2d out(border.normal.y(), -border.normal.x());
     const bool inside = std::any_of(all.begin(), all.end(), [&](const auto& other) {
       return other.first.normal.dot(out) > 1e-9 * other.first.normal.norm() * out.norm();
     });
     if (inside) out = -out;
-    const bool is_crossed = left && same(neighbour, found.neighbour);
+    const bool is_crossed = left && neighbour == found.neighbour;
     scene.line(is_crossed ? "sign.border" : "region.border", scene.at(border.point),
                scene.at(border.point + reach * out.normalized()));
   }
@@ -71,16 +67,6 @@ void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const Point a = scene.at(corner(ring, at.index));
   if (at.is_vertex) return scene.disk("feature.vertex", a, kSimplexRadius);
   scene.line("feature.edge", a, scene.at(corner(ring, ring.next(at.index))));
-}
-
-/// Beside the line between two points; none where it is short.
-void label_distance(SceneBuilder& scene, const std::string& id, double distance, const Point& x,
-                    const Point& y) {
-  const Point along = y - x;
-  if (along.norm() < 4.0 * kPointRadius) return;
-  scene.out.moving_labels.push_back(scene.label(id, Numbers(scene.run.lesson)(distance),
-                                                "distance.label", type::kVertex, 0.5 * (x + y), 4.0,
-                                                {along.y(), -along.x()}));
 }
 
 }  // namespace
@@ -99,14 +85,14 @@ void stage(SceneBuilder& scene) {
     const Point of_y = scene.at(shown.walk.truth->b);
     scene.line("gap.exact", of_x, of_y);
     for (const Point& point : {of_x, of_y}) scene.disk("closest", point, kClosestRadius);
-    label_distance(scene, "truth", shown.walk.truth->distance, of_x, of_y);
+    layers::length_label(scene, "truth", shown.walk.truth->distance, of_x, of_y);
   }
   const models::Answer closest = shown.closest();
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
   scene.line("closest.line", x, y);
   for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
-  label_distance(scene, "distance", closest.distance, x, y);
+  layers::length_label(scene, "distance", closest.distance, x, y);
 }
 
 }  // namespace gjkscope::walks

@@ -46,8 +46,9 @@ class Telling {
   }
 
   void refused() {
-    text_.caption = format("The walk does not take {}: {}.", shown_.walk.flaw_is_of_y ? y() : x(),
-                           models::name_of(shown_.walk.flaw.fault));
+    text_.caption =
+        format("The walk does not take {}: {}.", shown_.walk.trace.result.flaw_in_b ? y() : x(),
+               models::name_of(shown_.walk.trace.result.flaw.fault));
     text_.detail = "It needs one closed outline of each shape, which does not meet itself.";
   }
 
@@ -123,10 +124,10 @@ class Telling {
   }
 
   void answer() {
-    const models::WalkResult& result = shown_.walk.result;
+    const models::WalkResult& result = shown_.walk.trace.result;
     const int pairs = result.steps;
-    text_.detail = format("The walk looked at {} of {} pairs of features.", pairs,
-                          4L * shown_.ring(true).size() * shown_.ring(false).size());
+    text_.detail =
+        format("The walk looked at {} of {} pairs of features.", pairs, shown_.walk.query->pairs());
     if (result.stop == WalkStop::overlap) {
       text_.caption = format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {
@@ -186,7 +187,7 @@ void values(const Story& story, FrameText& text) {
   put("feature of x", shown.name(true));
   put("feature of y", shown.name(false));
   if (shown.knows_pair()) put("distance of features", story.numbers(shown.closest().distance));
-  if (shown.is_answer) put("distance", story.numbers(shown.walk.result.answer.distance));
+  if (shown.is_answer) put("distance", story.numbers(shown.walk.trace.result.answer.distance));
 }
 
 }  // namespace gjkscope::walks
