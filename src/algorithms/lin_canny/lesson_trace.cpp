@@ -25,13 +25,6 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the closest features, once the walk has stopped"},
      {"swaps", "features that the walk has swapped by now"}}};
 
-models::Model model_of(const LessonShape& shape, const std::vector<Eigen::Vector2d>& world) {
-  std::vector<models::Outline> outlines;
-  for (const auto& [first, count] : shape.ranges())
-    outlines.push_back({{world.begin() + first, world.begin() + first + count}});
-  return models::model_of(std::move(outlines));
-}
-
 class Told : public AlgorithmTrace {
  public:
   explicit Told(WalkTold walk) : walk_(std::move(walk)) {}
@@ -144,8 +137,8 @@ models::RingFeature vertex_of(const models::Ring& ring, int vertex) {
 std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) {
   WalkTold told;
-  const models::Model x = model_of(lesson.x(), run.x().world);
-  const models::Model y = model_of(lesson.y(), run.y().world);
+  const models::Model x = outlines_of(lesson.x(), run.x().world);
+  const models::Model y = outlines_of(lesson.y(), run.y().world);
   for (const models::Model* model : {&x, &y}) {
     models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "algorithms/hierarchy/pictures/shown.hpp"
+
+namespace gjkscope::searches {
+namespace {
+
+using fmt::format;
+using models::SearchPhase;
+using models::SearchStop;
+
+std::string counted(long count, std::string_view what) {
+  return format("{} {}{}", count == 1 ? "one" : grouped(static_cast<double>(count)), what,
+                count == 1 ? "" : "s");
+}
+
+class Telling {
+ public:
+  Telling(const Story& story, FrameText& text)
+      : story_(story), text_(text), shown_(story.run, story.frame) {}
+
+  void tell() {
+    if (shown_.is_refused()) return refused();
+    if (shown_.is_answer) return answer();
+    if (shown_.step == nullptr) return start();
+    switch (shown_.step->phase) {
+      case SearchPhase::visit:
+        return visit();
+      case SearchPhase::bound:
+        return cut();
+      case SearchPhase::leaf:
+        return leaf();
+      case SearchPhase::descend:
+        return descend();
+      case SearchPhase::contain:
+        return contain();
+    }
+  }
+
+ private:
+  [[nodiscard]] const std::string& x() const { return shown_.name(true); }
+  [[nodiscard]] const std::string& y() const { return shown_.name(false); }
+  [[nodiscard]] std::string delta() const {
+    return "δ = " + story_.numbers(shown_.state.candidate->high);
+  }
+  [[nodiscard]] std::string bound() const { return story_.numbers(shown_.state.pair.bound); }
+  [[nodiscard]] long pairs_below() const {
+    return static_cast<long>(shown_.node(true).count) * shown_.node(false).count;
+  }
+
+  void refused() {
+    text_.caption = format("The search does not take {}: {}.", shown_.search.flaw_in_y ? y() : x(),
+                           models::name_of(shown_.search.flaw.fault));
+  }
+
+  void start() {
+    text_.caption = format("Each shape has a tree of {}: the root holds all segments, a leaf one.",
+                           shown_.volumes());
+    text_.detail = format("{} · {} = {} pairs of segments. The pair of the two roots waits. ",
+                          shown_.search.x.segments.size(), shown_.search.y.segments.size(),
+                          grouped(static_cast<double>(shown_.search.pairs())));
+    if (shown_.search.options.remembered)
+      text_.detail += format("The last pair gives a candidate at once: {}.", delta());
+    else
+      text_.detail += "Next: visit it.";
+  }
+
+  void visit() {
+    const auto holds = [&](bool of_x) {
+      return format("{} of {}", counted(shown_.node(of_x).count, "segment"), shown_.name(of_x));
+    };
+    text_.caption = format("Visit {}: {} a holds {}, {} b holds {}.", shown_.state.visits,
+                           shown_.volume(), holds(true), shown_.volume(), holds(false));
+    if (!shown_.is_distance())
+      text_.detail = format("Next: do the {} meet?", shown_.volumes());
+    else if (!shown_.state.candidate)
+      text_.detail = "No two segments are measured yet, so nothing can be cut: descend.";
+    else
+      text_.detail =
+          format("The band holds what is nearer to a than {}. Next: does b reach it?", delta());
+  }
+
+  void cut() {
+    const long pairs = pairs_below();
+    if (!shown_.is_distance()) {
+      text_.caption = format("The {} are {} apart: cut.", shown_.volumes(), bound());
+      text_.detail = "No segment in a can meet one in b. ";
+    } else {
+      text_.caption =
+          format("The {} are {} apart, farther than {}: cut.", shown_.volumes(), bound(), delta());
+      text_.detail = "No segment in a can be nearer to one in b than the candidate. ";
+    }
+    text_.detail += pairs == 1
+                        ? "The pair is not tested."
+                        : format("{} pairs are never tested.", grouped(static_cast<double>(pairs)));
+  }
+
+  void leaf() {
+    const models::SearchRecord& record = shown_.step->record;
+    const std::string length = story_.numbers(record.measured->high);
+    if (record.measured->meet) {
+      text_.caption = "The two segments meet: the shapes overlap, stop.";
+      text_.detail = shown_.state.waiting.empty()
+                         ? "Nothing else waited."
+                         : format("{} that still waited do not matter.",
+                                  counted(static_cast<long>(shown_.state.waiting.size()), "pair"));
+      return;
+    }
+    if (!shown_.is_distance()) {
+      text_.caption = "Both are leaves: test their segments. They do not meet.";
+      text_.detail = format("The {} meet, the segments do not: a {} holds more than its segment.",
+                            shown_.volumes(), shown_.volume());
+      return;
+    }
+    if (record.better) {
+      text_.caption =
+          format("Both are leaves: their segments are {} apart. It is the candidate.", length);
+      text_.detail = "From now on what is farther apart is cut.";
+    } else {
+      text_.caption = format("Both are leaves: their segments are {} apart, no nearer than {}.",
+                             length, delta());
+      text_.detail = "The candidate stays.";
+    }
+  }
+
+  void descend() {
+    const bool takes_b = shown_.step->record.takes_b_apart;
+    if (!shown_.is_distance())
+      text_.caption = format("The {} meet, so segments may meet: descend.", shown_.volumes());
+    else if (!shown_.state.candidate)
+      text_.caption = "Nothing to compare with yet: descend.";
+    else
+      text_.caption = format("The {} are {} apart, no farther than {}: descend.", shown_.volumes(),
+                             bound(), delta());
+    text_.detail = format("{} is taken apart: each of its children waits with {}. ",
+                          takes_b ? "b" : "a", takes_b ? "a" : "b");
+    text_.detail += !shown_.is_distance() ? "The left one comes first."
+                                          : "The nearer one comes first: a small δ cuts more.";
+  }
+
+  void contain() {
+    text_.caption = shown_.is_distance() ? "Nothing waits: no pair is nearer than the candidate."
+                                         : "Nothing waits: no two segments meet.";
+    text_.detail = shown_.state.inside
+                       ? "But one shape lies inside the other, so they overlap."
+                       : "One shape could still lie inside the other: a vertex tells. None does.";
+  }
+
+  void answer() {
+    const models::SearchResult& result = shown_.search.trace.result;
+    const std::string cost =
+        format("{} and {} of {} pairs of segments", counted(result.visits, "visit"),
+               grouped(static_cast<double>(result.measured)),
+               grouped(static_cast<double>(shown_.search.pairs())));
+    if (result.stop != SearchStop::apart) {
+      text_.caption = format("{} and {} overlap: known after {}.", x(), y(), cost);
+      if (result.stop == SearchStop::contained)
+        text_.detail = "No segments meet: one shape lies inside the other.";
+      return;
+    }
+    if (!shown_.is_distance()) {
+      text_.caption = format("{} and {} do not meet: known after {}.", x(), y(), cost);
+      text_.detail = "Each cut spared all pairs of segments below it.";
+      return;
+    }
+    text_.caption = format("The distance is {}: {}.", story_.numbers(result.answer.distance), cost);
+    const models::SearchResult& other = shown_.search.left_first.result;
+    text_.detail = format("With the left child always first: {} and {}.",
+                          counted(other.visits, "visit"), counted(other.measured, "pair"));
+  }
+
+  const Story& story_;
+  FrameText& text_;
+  Shown shown_;
+};
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
+
+void question(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  const models::SearchRecord& record =
+      shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
+  const bool is_distance = shown.is_distance();
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
+  asked.choices = is_distance ? std::vector<std::string>{"yes: go on", "no: cut"}
+                              : std::vector<std::string>{"descend", "cut"};
+  asked.answer = asked.choices[record.cut ? 1 : 0];
+  text.caption = is_distance
+                     ? format("Question: can a pair of segments in a and b be nearer than δ = {}?",
+                              story.numbers(shown.state.candidate->high))
+                     : format("Question: descend into the {}, or cut?", shown.volumes());
+  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", shown.name(true));
+  put("y", shown.name(false));
+  if (shown.is_refused()) return;
+  put("pairs", grouped(static_cast<double>(shown.search.pairs())));
+  put("visits", grouped(static_cast<double>(shown.state.visits)));
+  put("tests", grouped(static_cast<double>(shown.state.measured)));
+  if (shown.is_distance() && shown.state.candidate)
+    put("candidate", story.numbers(shown.state.candidate->high));
+  if (shown.is_answer && shown.is_distance())
+    put("distance", story.numbers(shown.search.trace.result.answer.distance));
+}
+
+}  // namespace gjkscope::searches
