@@ -65,27 +65,36 @@ bool ends_visit(const SearchStep& step) {
          (step.phase == SearchPhase::bound && step.record.cut);
 }
 
-/// A frame for the start, two for each visit, and one each for what follows; of a long search those
-/// alone that find a better candidate, and some in between.
+/// Whether a question may be about this visit: then it has a frame of its own, before what comes of
+/// it. So has the first.
+bool is_introduced(const Lesson& lesson, long visit) {
+  return visit == 1 || std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                                   [&](const LessonQuestion& question) {
+                                     return question.at.value_or(visit) == visit;
+                                   });
+}
+
+/// A frame for the start, one for what comes of each visit, one for what follows them; of a long
+/// search those alone that find a better candidate, and some in between.
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   const auto add = [&](int over) {
     run.frames.push_back({.run = index, .step = -1, .steps_over = over});
   };
-  const models::SearchTrace& trace = static_cast<const SearchTold&>(*search_told(run, index)).trace;
+  const models::SearchTrace& trace = search_told(run, index)->trace;
   add(0);
   if (trace.steps.empty()) return;
   const long visits = trace.result.visits;
   const bool is_long = visits > kMostVisits;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
     const SearchStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
-    const bool shows = is_long
-                           ? step.record.better ||
-                                 (ends_visit(step) && step.after.visits % (visits / kBetween) == 0)
-                           : begins_visit || ends_visit(step);
-    if (shows || step.phase == SearchPhase::contain) add(i + 1);
+    const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better;
+    if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
+        (ends_visit(step) && !is_between))
+      add(i + 1);
   }
   add(static_cast<int>(trace.steps.size()) + 1);
 }

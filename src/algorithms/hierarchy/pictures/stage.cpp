@@ -135,7 +135,7 @@ class Stage {
   void children() {
     const bool of_x = !shown_.step->record.takes_b_apart;
     for (const int child : {shown_.node(of_x).left, shown_.node(of_x).right})
-      volume(of_x, child, of_x ? "volume.x.child" : "volume.y.child");
+      volume(of_x, child, "volume.child");
   }
 
   void segment(bool of_x, int index) {

@@ -160,7 +160,7 @@ void key(SceneBuilder& scene, const Fonts& fonts, const Rect& area) {
                                               {NodeState::ahead, "not yet"},
                                               {NodeState::visited, "visited"},
                                               {NodeState::cut, "cut"},
-                                              {NodeState::off, "never reached"}}};
+                                              {NodeState::off, "spared"}}};
   constexpr std::size_t kColumns = 3;
   constexpr double kRow = 24.0;
   const double rise = 0.5 * fonts.cap_height(type::kText);

@@ -66,77 +66,81 @@ class Telling {
       text_.detail += "Next: visit it.";
   }
 
+  /// "a holds 6 segments of X, b one segment of Y."
+  [[nodiscard]] std::string contents() const {
+    return format("a holds {} of {}, b {} of {}. ", counted(shown_.node(true).count, "segment"),
+                  x(), counted(shown_.node(false).count, "segment"), y());
+  }
+  /// "Visit 3: boxes a and b"
+  [[nodiscard]] std::string visited() const {
+    return format("Visit {}: {} a and b", shown_.state.visits, shown_.volumes());
+  }
+
   void visit() {
-    const auto holds = [&](bool of_x) {
-      return format("{} of {}", counted(shown_.node(of_x).count, "segment"), shown_.name(of_x));
-    };
-    text_.caption = format("Visit {}: {} a holds {}, {} b holds {}.", shown_.state.visits,
-                           shown_.volume(), holds(true), shown_.volume(), holds(false));
+    text_.caption = format("Visit {}: the pair of {} a of {} and b of {}.", shown_.state.visits,
+                           shown_.volumes(), x(), y());
+    text_.detail = contents();
     if (!shown_.is_distance())
-      text_.detail = format("Next: do the {} meet?", shown_.volumes());
+      text_.detail += format("Next: do the {} meet?", shown_.volumes());
     else if (!shown_.state.candidate)
-      text_.detail = "No two segments are measured yet, so nothing can be cut: descend.";
+      text_.detail += "No segments are measured yet, so nothing can be cut.";
     else
-      text_.detail =
-          format("The band holds what is nearer to a than {}. Next: does b reach it?", delta());
+      text_.detail += format("The band around a is δ wide. Next: does b reach it?");
   }
 
   void cut() {
-    const long pairs = pairs_below();
-    if (!shown_.is_distance()) {
-      text_.caption = format("The {} are {} apart: cut.", shown_.volumes(), bound());
-      text_.detail = "No segment in a can meet one in b. ";
+    const bool is_one = pairs_below() == 1;
+    const std::string spared = is_one ? "The pair of segments is not tested."
+                                      : format("{} · {} pairs of segments are spared.",
+                                               shown_.node(true).count, shown_.node(false).count);
+    if (shown_.is_distance()) {
+      text_.caption = format("{} are {} apart, farther than {}: cut.", visited(), bound(), delta());
+      text_.detail = "No segment in a is nearer to one in b than the candidate. " + spared;
     } else {
-      text_.caption =
-          format("The {} are {} apart, farther than {}: cut.", shown_.volumes(), bound(), delta());
-      text_.detail = "No segment in a can be nearer to one in b than the candidate. ";
+      text_.caption = format("{} are {} apart: cut.", visited(), bound());
+      text_.detail = "No segment in a meets one in b. " + spared;
     }
-    text_.detail += pairs == 1
-                        ? "The pair is not tested."
-                        : format("{} pairs are never tested.", grouped(static_cast<double>(pairs)));
   }
 
   void leaf() {
     const models::SearchRecord& record = shown_.step->record;
     const std::string length = story_.numbers(record.measured->high);
     if (record.measured->meet) {
-      text_.caption = "The two segments meet: the shapes overlap, stop.";
-      text_.detail = shown_.state.waiting.empty()
-                         ? "Nothing else waited."
-                         : format("{} that still waited do not matter.",
-                                  counted(static_cast<long>(shown_.state.waiting.size()), "pair"));
-      return;
-    }
-    if (!shown_.is_distance()) {
-      text_.caption = "Both are leaves: test their segments. They do not meet.";
-      text_.detail = format("The {} meet, the segments do not: a {} holds more than its segment.",
-                            shown_.volumes(), shown_.volume());
-      return;
-    }
-    if (record.better) {
       text_.caption =
-          format("Both are leaves: their segments are {} apart. It is the candidate.", length);
-      text_.detail = "From now on what is farther apart is cut.";
+          format("Visit {}: both are leaves, and their segments meet: stop.", shown_.state.visits);
+      text_.detail = "The shapes overlap. What still waits does not matter.";
+    } else if (!shown_.is_distance()) {
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments do not meet.", shown_.state.visits);
+      text_.detail = format("The {} meet, the segments do not: a {} is larger than its segment.",
+                            shown_.volumes(), shown_.volume());
+    } else if (record.better) {
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments are {} apart: that is δ now.",
+                 shown_.state.visits, length);
+      text_.detail = "They are the candidate. From now on what is farther apart is cut.";
     } else {
-      text_.caption = format("Both are leaves: their segments are {} apart, no nearer than {}.",
-                             length, delta());
-      text_.detail = "The candidate stays.";
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments are {} apart, not less than {}.",
+                 shown_.state.visits, length, delta());
+      text_.detail = format("The {} were near enough, the segments are not. The candidate stays.",
+                            shown_.volumes());
     }
   }
 
   void descend() {
     const bool takes_b = shown_.step->record.takes_b_apart;
-    if (!shown_.is_distance())
-      text_.caption = format("The {} meet, so segments may meet: descend.", shown_.volumes());
-    else if (!shown_.state.candidate)
-      text_.caption = "Nothing to compare with yet: descend.";
-    else
-      text_.caption = format("The {} are {} apart, no farther than {}: descend.", shown_.volumes(),
-                             bound(), delta());
-    text_.detail = format("{} is taken apart: each of its children waits with {}. ",
-                          takes_b ? "b" : "a", takes_b ? "a" : "b");
-    text_.detail += !shown_.is_distance() ? "The left one comes first."
-                                          : "The nearer one comes first: a small δ cuts more.";
+    if (!shown_.is_distance()) {
+      text_.caption = format("{} meet: descend.", visited());
+    } else if (!shown_.state.candidate) {
+      text_.caption = format("{} are {} apart, and δ is infinite: descend.", visited(), bound());
+    } else {
+      text_.caption =
+          format("{} are {} apart, not more than {}: descend.", visited(), bound(), delta());
+    }
+    text_.detail =
+        contents() + format("Each half of {} waits with {}, the {} one first.", takes_b ? "b" : "a",
+                            takes_b ? "a" : "b", shown_.is_distance() ? "nearer" : "left");
   }
 
   void contain() {
