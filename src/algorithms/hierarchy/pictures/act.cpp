@@ -54,16 +54,15 @@ std::vector<NodeState> Shown::node_states(bool of_x) const {
   return states;
 }
 
-namespace {
-
-constexpr std::array kCollideAsks = {kAskDescend};
-constexpr std::array kDistanceAsks = {kAskWin};
-
-/// The step that ends the visit of a pair.
 bool ends_visit(const SearchStep& step) {
   return step.phase == SearchPhase::leaf || step.phase == SearchPhase::descend ||
          (step.phase == SearchPhase::bound && step.record.cut);
 }
+
+namespace {
+
+constexpr std::array kCollideAsks = {kAskDescend};
+constexpr std::array kDistanceAsks = {kAskWin};
 
 /// Whether a question may be about this visit: then it has a frame of its own, before what comes of
 /// it. So has the first.
@@ -182,8 +181,8 @@ const StagedAct kDistance{
     .plot_title = trees_title,
 };
 
-constexpr std::array kActs = {&kCollide, &kDistance};
-constexpr std::array kBlocks = {&kCollideCounters, &kDistanceCounters};
+constexpr std::array kActs = {&kCollide, &kDistance, &kOrders};
+constexpr std::array kBlocks = {&kCollideCounters, &kDistanceCounters, &kOrderCounters};
 constexpr std::array kListings = {&kCollideListing, &kDistanceListing};
 
 }  // namespace

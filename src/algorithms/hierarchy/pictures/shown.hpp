@@ -59,19 +59,43 @@ struct Shown {
   [[nodiscard]] std::vector<NodeState> node_states(bool of_x) const;
 };
 
+/// The step that ends the visit of a pair.
+[[nodiscard]] bool ends_visit(const models::SearchStep& step);
+
 // blocks.cpp
 extern const Block kCollideCounters;
 extern const Block kDistanceCounters;
 extern const Listing kCollideListing;
 extern const Listing kDistanceListing;
 
+// orders.cpp
+extern const StagedAct kOrders;
+extern const Block kOrderCounters;
+
 // stage.cpp
 void stage(SceneBuilder& scene);
+/// The closest points of two segments, a line between them, and its length after `before`.
+void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+                  const std::string& role, const std::string& id, const std::string& before);
 
 // tree.cpp
 /// A view of both trees.
 bool trees(SceneBuilder& scene, const Fonts& fonts);
 std::string trees_title(const LessonRun& run);
+/// How a node looks; `radius` is that of a disk.
+[[nodiscard]] Mark node_mark(NodeState state, const Point& at, double radius);
+/// The node that is visited.
+[[nodiscard]] Mark current_mark(const Point& at, bool is_cut = false);
+inline constexpr double kNodeRadius = 6.0;  ///< The largest.
+/// What a mark means, and a mark like it in a given place.
+struct KeyEntry {
+  Mark (*mark)(const Point& at) = nullptr;
+  std::string_view text;
+};
+/// Of a view, at the foot of its card, in rows of three; two rows at most.
+void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries);
+/// Where trees stand: two of them, one above the other, between a view's title and its key.
+[[nodiscard]] std::array<Rect, 2> tree_areas(const Rect& card);
 
 // words.cpp
 void words(const Story& story, FrameText& text);

@@ -66,6 +66,7 @@ class Stage {
     if (shown_.is_refused()) return;
     if (shown_.is_distance() && shown_.has_pair() && shown_.state.candidate) below_ = band();
     quiet_volumes();
+    if (shown_.is_cut()) hatch();
     // All of it lies below the shapes, which can be taken hold of wherever they are.
     scene_.out.marks.insert(scene_.out.marks.begin(), below_.begin(), below_.end());
     if (shown_.has_pair()) pair();
@@ -103,6 +104,16 @@ class Stage {
     }
   }
 
+  void hatch() {
+    for (const bool of_x : {true, false}) {
+      const std::size_t before = scene_.out.marks.size();
+      scene_.hatched("region.hatch", mapped(outline_of(shown_.node(of_x).volume)));
+      const auto first = scene_.out.marks.begin() + static_cast<std::ptrdiff_t>(before);
+      below_.insert(below_.end(), first, scene_.out.marks.end());
+      scene_.out.marks.erase(first, scene_.out.marks.end());
+    }
+  }
+
   void volume(bool of_x, int node, const std::string& role) {
     const std::vector<Point> corners =
         mapped(outline_of(shown_.search.tree(of_x)[static_cast<std::size_t>(node)].volume));
@@ -114,7 +125,6 @@ class Stage {
   void pair() {
     for (const bool of_x : {true, false}) {
       const std::vector<Point> corners = mapped(outline_of(shown_.node(of_x).volume));
-      if (shown_.is_cut()) scene_.hatched("region.hatch", corners);
       volume(of_x, shown_.node_index(of_x), of_x ? "volume.x" : "volume.y");
       const Point middle = 0.5 * (corners[0] + corners[corners.size() / 2]);
       LabelRequest label =
@@ -149,23 +159,11 @@ class Stage {
       way(*shown_.step->record.measured, "gap.answer", "measured", "");
   }
 
-  void way(const models::Nearest& pair, const std::string& role, const std::string& id,
-           const std::string& before) {
-    const models::Answer closest = models::answer_of(pair, shown_.search.x, shown_.search.y);
-    const Point x = scene_.at(closest.a);
-    const Point y = scene_.at(closest.b);
-    scene_.line(role, x, y);
-    for (const Point& point : {x, y}) scene_.disk("closest", point, kClosestRadius);
-    if ((y - x).norm() < 1.0) return;
-    scene_.out.moving_labels.push_back(
-        scene_.label(id, before + Numbers(shown_.lesson)(closest.distance), "distance.label",
-                     type::kSmallVertex, 0.5 * (x + y), 2.0, Point(x.y() - y.y(), y.x() - x.x())));
-  }
-
   void candidate() {
     const bool ends = shown_.state.stop == models::SearchStop::meet;
     if (!shown_.state.candidate || (!shown_.is_distance() && !ends)) return;
-    way(*shown_.state.candidate, "closest.line", "candidate", shown_.is_answer ? "" : "δ = ");
+    shortest_way(scene_, shown_.search, *shown_.state.candidate, "closest.line", "candidate",
+                 shown_.is_answer ? "" : "δ = ");
   }
 
   SceneBuilder& scene_;
@@ -174,6 +172,19 @@ class Stage {
 };
 
 }  // namespace
+
+void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+                  const std::string& role, const std::string& id, const std::string& before) {
+  const models::Answer closest = models::answer_of(pair, search.x, search.y);
+  const Point x = scene.at(closest.a);
+  const Point y = scene.at(closest.b);
+  scene.line(role, x, y);
+  for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
+  if ((y - x).norm() < 1.0) return;
+  scene.out.moving_labels.push_back(
+      scene.label(id, before + Numbers(scene.run.lesson)(closest.distance), "distance.label",
+                  type::kSmallVertex, 0.5 * (x + y), 2.0, Point(x.y() - y.y(), y.x() - x.x())));
+}
 
 void stage(SceneBuilder& scene) { Stage(scene).draw(); }
 

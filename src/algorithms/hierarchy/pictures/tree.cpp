@@ -14,32 +14,16 @@ using models::SearchPhase;
 /// Levels below the root that are drawn node by node; what lies deeper is one mark each.
 constexpr int kMostDepth = 5;
 
-constexpr double kLargest = 6.0;  // radius of a node
-constexpr double kLeast = 2.2;
+constexpr double kLeast = 2.2;  // radius of a node
 constexpr double kCurrent = 9.0;
+constexpr double kSide = 16.0;  // edge of the card to a tree
+constexpr double kKey = 56.0;   // height
 
 /// A square that lies on its side.
 Polygon square(const Point& center, double radius) {
   const double r = 0.9 * radius;
   return {
       {center + Point(-r, -r), center + Point(r, -r), center + Point(r, r), center + Point(-r, r)}};
-}
-
-/// How a node looks; `radius` is that of a disk.
-Mark symbol(NodeState state, const Point& at, double radius) {
-  switch (state) {
-    case NodeState::ahead:
-      return {"tree.ahead", Disk{at, radius}};
-    case NodeState::waiting:
-      return {"tree.waiting", diamond(at, 1.25 * radius)};
-    case NodeState::visited:
-      return {"tree.visited", Disk{at, radius}};
-    case NodeState::cut:
-      return {"tree.cut", square(at, radius)};
-    case NodeState::off:
-      return {"tree.off", Disk{at, 0.45 * radius}};
-  }
-  return {};
 }
 
 /// One tree, its root above.
@@ -60,7 +44,7 @@ class TreePicture {
     has_more_ = depth_ > kMostDepth;
     depth_ = std::min(depth_, kMostDepth);
     const double across = std::min<double>(tree_[0].count, std::exp2(depth_));
-    radius_ = std::clamp(0.42 * area_.size().x() / across, kLeast, kLargest);
+    radius_ = std::clamp(0.42 * area_.size().x() / across, kLeast, kNodeRadius);
   }
 
   void draw() {
@@ -123,18 +107,26 @@ class TreePicture {
           {states_[i] == NodeState::off ? "tree.heap.off" : "tree.heap",
            Polygon{{at, at + Point(radius_, below), at + Point(-radius_, below)}}, -1, subject});
     }
-    Mark mark = symbol(state(i), at, radius_);
+    Mark mark = node_mark(state(i), at, radius_);
     if (is_current(i)) {
-      mark = shown_.is_cut() ? Mark{"tree.current", square(at, kCurrent)}
-                             : Mark{"tree.current", Disk{at, kCurrent}};
-      const bool is_left = at.x() < area_.center().x();
-      scene_.out.marks.push_back(
-          {of_x_ ? "shape.x.label" : "shape.y.label",
-           Text{at + Point(is_left ? kCurrent + 5.0 : -kCurrent - 5.0, 5.0), of_x_ ? "a" : "b",
-                type::kVertex, is_left ? Align::left : Align::right}});
+      mark = current_mark(at, shown_.is_cut());
+      name(i, at);
     }
     mark.subject = subject;
     scene_.out.marks.push_back(std::move(mark));
+  }
+
+  /// The letter of the node that is visited: below a leaf, else beside it.
+  void name(std::size_t i, const Point& at) {
+    const bool is_leaf = tree_[i].is_leaf();
+    const bool is_left = at.x() < area_.center().x();
+    const Point beside(is_left ? kCurrent + 5.0 : -kCurrent - 5.0, 5.0);
+    scene_.out.marks.push_back({of_x_ ? "shape.x.label" : "shape.y.label",
+                                Text{at + (is_leaf ? Point(0.0, kCurrent + 15.0) : beside),
+                                     of_x_ ? "a" : "b", type::kVertex,
+                                     is_leaf   ? Align::center
+                                     : is_left ? Align::left
+                                               : Align::right}});
   }
 
   SceneBuilder& scene_;
@@ -146,57 +138,75 @@ class TreePicture {
   std::vector<int> depths_;
   int depth_ = 0;
   bool has_more_ = false;
-  double radius_ = kLargest;
+  double radius_ = kNodeRadius;
 };
 
-/// What the symbols mean, in two rows at the foot of the view.
-void key(SceneBuilder& scene, const Fonts& fonts, const Rect& area) {
-  struct Entry {
-    std::optional<NodeState> state;  ///< None: the node that is visited.
-    std::string_view text;
-  };
-  constexpr std::array<Entry, 6> kEntries = {{{std::nullopt, "now"},
-                                              {NodeState::waiting, "waits"},
-                                              {NodeState::ahead, "not yet"},
-                                              {NodeState::visited, "visited"},
-                                              {NodeState::cut, "cut"},
-                                              {NodeState::off, "spared"}}};
+}  // namespace
+
+Mark node_mark(NodeState state, const Point& at, double radius) {
+  switch (state) {
+    case NodeState::ahead:
+      return {"tree.ahead", Disk{at, radius}};
+    case NodeState::waiting:
+      return {"tree.waiting", diamond(at, 1.25 * radius)};
+    case NodeState::visited:
+      return {"tree.visited", Disk{at, radius}};
+    case NodeState::cut:
+      return {"tree.cut", square(at, radius)};
+    case NodeState::off:
+      return {"tree.off", Disk{at, 0.45 * radius}};
+  }
+  return {};
+}
+
+Mark current_mark(const Point& at, bool is_cut) {
+  if (is_cut) return {"tree.current", square(at, kCurrent)};
+  return {"tree.current", Disk{at, kCurrent}};
+}
+
+void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries) {
   constexpr std::size_t kColumns = 3;
   constexpr double kRow = 24.0;
+  const Rect& card = scene.map.area();
+  const Point start(card.min.x() + kSide + 10.0, card.max.y() - kKey);
+  const double width = (card.size().x() - 2.0 * kSide) / kColumns;
   const double rise = 0.5 * fonts.cap_height(type::kText);
-  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
     const auto row = static_cast<double>(i / kColumns);
-    const Point at =
-        area.min + Point(10.0 + column * area.size().x() / kColumns, kRow * (row + 0.5));
-    const auto& [state, text] = kEntries[i];
-    scene.out.marks.push_back(state ? symbol(*state, at, kLargest)
-                                    : Mark{"tree.current", Disk{at, kCurrent}});
+    const Point at = start + Point(column * width, kRow * (row + 0.5));
+    scene.out.marks.push_back(entries[i].mark(at));
     scene.out.marks.push_back(
-        {"legend", Text{at + Point(16.0, rise), std::string(text), type::kText}});
+        {"legend", Text{at + Point(16.0, rise), std::string(entries[i].text), type::kText}});
   }
 }
 
-}  // namespace
+std::array<Rect, 2> tree_areas(const Rect& card) {
+  constexpr double kTitle = 62.0;
+  constexpr double kBetween = 46.0;
+  constexpr double kBelow = 22.0;  // a letter under the lowest leaves
+  const double height = 0.5 * (card.size().y() - kTitle - kBetween - kBelow - kKey);
+  const Point corner = card.min + Point(kSide, kTitle);
+  const Point size(card.size().x() - 2.0 * kSide, height);
+  const Point down(0.0, height + kBetween);
+  return {Rect{corner, corner + size}, Rect{corner + down, corner + down + size}};
+}
 
 bool trees(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
   const Shown shown(scene.run, scene.frame);
   if (shown.is_refused()) return true;
-  constexpr double kTitle = 62.0;
-  constexpr double kKey = 56.0;
-  constexpr double kSide = 16.0;
-  constexpr double kBetween = 46.0;
-  const Rect& card = scene.map.area();
-  const double height = 0.5 * (card.size().y() - kTitle - kKey - kBetween) - 8.0;
-  double top = card.min.y() + kTitle;
-  for (const bool of_x : {true, false}) {
-    TreePicture(scene, shown, of_x,
-                {{card.min.x() + kSide, top}, {card.max.x() - kSide, top + height}})
-        .draw();
-    top += height + kBetween;
-  }
-  key(scene, fonts, {{card.min.x() + kSide, card.max.y() - kKey}, card.max - Point(kSide, 0.0)});
+  const auto [above, below] = tree_areas(scene.map.area());
+  TreePicture(scene, shown, true, above).draw();
+  TreePicture(scene, shown, false, below).draw();
+  constexpr std::array<KeyEntry, 6> kEntries = {
+      {{[](const Point& at) { return current_mark(at); }, "now"},
+       {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
+       {[](const Point& at) { return node_mark(NodeState::ahead, at, kNodeRadius); }, "not yet"},
+       {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
+       {[](const Point& at) { return node_mark(NodeState::cut, at, kNodeRadius); }, "cut"},
+       {[](const Point& at) { return node_mark(NodeState::off, at, kNodeRadius); }, "spared"}}};
+  key(scene, fonts, kEntries);
   return true;
 }
 

@@ -114,6 +114,11 @@ class Telling {
           format("Visit {}: both are leaves. Their segments do not meet.", shown_.state.visits);
       text_.detail = format("The {} meet, the segments do not: a {} is larger than its segment.",
                             shown_.volumes(), shown_.volume());
+    } else if (record.better && is_tie()) {
+      text_.caption = format("Visit {}: both are leaves. Their segments are {} apart, too.",
+                             shown_.state.visits, length);
+      text_.detail =
+          "They share the closest vertex. Of equal pairs the first in the outlines counts.";
     } else if (record.better) {
       text_.caption =
           format("Visit {}: both are leaves. Their segments are {} apart: that is δ now.",
@@ -126,6 +131,12 @@ class Telling {
       text_.detail = format("The {} were near enough, the segments are not. The candidate stays.",
                             shown_.volumes());
     }
+  }
+
+  /// The candidate before was as near.
+  [[nodiscard]] bool is_tie() const {
+    const auto& before = (shown_.step - 1)->after.candidate;
+    return before && models::compare_distances(*before, *shown_.state.candidate) == 0;
   }
 
   void descend() {
@@ -190,11 +201,11 @@ void question(const Story& story, FrameText& text) {
   const bool is_distance = shown.is_distance();
   FrameQuestion& asked = text.question.emplace();
   asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
-  asked.choices = is_distance ? std::vector<std::string>{"yes: go on", "no: cut"}
+  asked.choices = is_distance ? std::vector<std::string>{"yes", "no: cut"}
                               : std::vector<std::string>{"descend", "cut"};
   asked.answer = asked.choices[record.cut ? 1 : 0];
   text.caption = is_distance
-                     ? format("Question: can a pair of segments in a and b be nearer than δ = {}?",
+                     ? format("Question: can a and b hold segments that are nearer than δ = {}?",
                               story.numbers(shown.state.candidate->high))
                      : format("Question: descend into the {}, or cut?", shown.volumes());
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
