@@ -83,16 +83,17 @@ std::string delta(const Order& order, const Numbers& numbers) {
   return order.candidate() != nullptr ? numbers(order.candidate()->high) : "∞";
 }
 
-Mark better_mark(const Point& at) { return {"tree.better", Disk{at, kNodeRadius}}; }
+Mark better_mark(const Point& at, double radius) { return {"tree.better", Disk{at, radius}}; }
 
-void tree(SceneBuilder& scene, const Order& order, bool nearer_first, const Rect& area,
-          double leaves, int depth) {
+void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, const Rect& area,
+                double leaves, int depth) {
   const std::vector<Visit> visits = visits_of(order.trace);
   const auto place = [&](const Visit& visit) {
     const double along = (visit.first + 0.5 * visit.count) / leaves;
     return Point(area.min + Point(along * area.size().x(),
                                   area.size().y() * visit.depth / std::max(depth, 1)));
   };
+  const double radius = std::clamp(0.45 * area.size().x() / leaves, 2.0, kNodeRadius);
   const auto visited = static_cast<std::size_t>(order.visited);
   const auto is_there = [&](std::size_t i) {
     return i < visited || static_cast<std::size_t>(visits[i].parent) < visited;
@@ -106,23 +107,22 @@ void tree(SceneBuilder& scene, const Order& order, bool nearer_first, const Rect
     if (i > 0 && !is_there(i)) continue;
     const Point at = place(visits[i]);
     const bool is_current = i + 1 == visited && !order.has_ended();
-    scene.out.marks.push_back(is_current         ? current_mark(at, visits[i].is_cut)
-                              : i >= visited     ? node_mark(NodeState::waiting, at, kNodeRadius)
-                              : visits[i].is_cut ? node_mark(NodeState::cut, at, kNodeRadius)
-                              : visits[i].is_better
-                                  ? better_mark(at)
-                                  : node_mark(NodeState::visited, at, kNodeRadius));
+    scene.out.marks.push_back(is_current            ? current_mark(at, visits[i].is_cut)
+                              : i >= visited        ? node_mark(NodeState::waiting, at, radius)
+                              : visits[i].is_cut    ? node_mark(NodeState::cut, at, radius)
+                              : visits[i].is_better ? better_mark(at, radius)
+                                                    : node_mark(NodeState::visited, at, radius));
   }
-  scene.out.marks.push_back({"strong", Text{{area.min.x(), area.min.y() - 16.0},
+  scene.out.marks.push_back({"strong", Text{{area.min.x(), area.min.y() - 13.0},
                                             std::string(order_name(nearer_first)),
                                             type::kStrong}});
-  scene.out.marks.push_back({"body.muted", Text{{area.max.x(), area.min.y() - 16.0},
+  scene.out.marks.push_back({"body.muted", Text{{area.max.x(), area.min.y() - 13.0},
                                                 format("{} visits", order.visited),
                                                 type::kBody,
                                                 Align::right}});
 }
 
-bool fill(SceneBuilder& scene, const Fonts& fonts) {
+bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
   const Shown shown(scene.run, scene.frame);
   if (shown.is_refused()) return true;
@@ -135,21 +135,19 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
     for (const Visit& visit : visits) depth = std::max(depth, visit.depth);
   }
   const std::array<Rect, 2> areas = tree_areas(scene.map.area());
-  tree(scene, orders[0], true, areas[0], leaves, depth);
-  tree(scene, orders[1], false, areas[1], leaves, depth);
+  draw_order(scene, orders[0], true, areas[0], leaves, depth);
+  draw_order(scene, orders[1], false, areas[1], leaves, depth);
   constexpr std::array<KeyEntry, 5> kEntries = {
       {{[](const Point& at) { return current_mark(at); }, "now"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
-       {better_mark, "new δ"},
+       {[](const Point& at) { return better_mark(at, kNodeRadius); }, "new δ"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
        {[](const Point& at) { return node_mark(NodeState::cut, at, kNodeRadius); }, "cut"}}};
   key(scene, fonts, kEntries);
   return true;
 }
 
-std::string title(const LessonRun&) {
-  return "Pairs that were visited, below the pair they are in";
-}
+std::string orders_title(const LessonRun&) { return "Pairs of boxes, as visited"; }
 
 /// The candidates of both searches; once they are the same one of them is enough.
 void candidates(SceneBuilder& scene) {
@@ -166,7 +164,7 @@ void candidates(SceneBuilder& scene) {
                  shown.is_answer ? "" : "nearer: ");
 }
 
-void add_frames(LessonRun& run, int index) {
+void add_order_frames(LessonRun& run, int index) {
   constexpr long kMostFrames = 12;
   const auto add = [&](int over) {
     run.frames.push_back({.run = index, .step = -1, .steps_over = over});
@@ -181,13 +179,13 @@ void add_frames(LessonRun& run, int index) {
   if (!trace.steps.empty()) add(static_cast<int>(trace.steps.size()) + 1);
 }
 
-std::string position(const LessonRun& run, int index) {
+std::string order_position(const LessonRun& run, int index) {
   const Shown shown(run, run.frames[static_cast<std::size_t>(index)]);
   if (shown.step == nullptr) return "start";
   return shown.is_answer ? "answer" : format("after {} visits", shown.state.visits);
 }
 
-Tick tick(const LessonRun& run, const Frame& frame) {
+Tick order_tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
   if (shown.is_answer)
@@ -196,7 +194,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
           .label = std::to_string(shown.state.visits)};
 }
 
-void tell(const Story& story, FrameText& text) {
+void tell_orders(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   if (shown.is_refused()) return words(story, text);
   const Order nearer(shown, true);
@@ -221,7 +219,7 @@ void tell(const Story& story, FrameText& text) {
   }
 }
 
-void counters(PanelBuilder& panel) {
+void order_counters(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   if (shown.is_refused()) return panel.heading("Refused");
   const std::array<Order, 2> orders = {Order(shown, true), Order(shown, false)};
@@ -256,7 +254,7 @@ void counters(PanelBuilder& panel) {
 
 const Block kOrderCounters{.name = "order-counters",
                            .meaning = "visits, cuts and candidates of both orders of children",
-                           .write = counters,
+                           .write = order_counters,
                            .act = "hierarchy-orders"};
 
 const StagedAct kOrders{
@@ -264,15 +262,15 @@ const StagedAct kOrders{
             .meaning = "number of visits of two searches for the distance, of which one takes the "
                        "nearer child first and one the left one; then the answer",
             .needs = {.why_no_until = "frames show how both searches end"},
-            .add_frames = add_frames,
+            .add_frames = add_order_frames,
             .algorithm = &kHierarchyDistance},
-    .position = position,
-    .tick = tick,
-    .words = tell,
+    .position = order_position,
+    .tick = order_tick,
+    .words = tell_orders,
     .stage = candidates,
     .values = values,
-    .fill = fill,
-    .plot_title = title,
+    .fill = fill_orders,
+    .plot_title = orders_title,
 };
 
 }  // namespace gjkscope::searches

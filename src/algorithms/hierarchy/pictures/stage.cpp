@@ -156,7 +156,8 @@ class Stage {
     segment(true, shown_.step->record.segments.first);
     segment(false, shown_.step->record.segments.second);
     if (!shown_.step->record.better)
-      way(*shown_.step->record.measured, "gap.answer", "measured", "");
+      shortest_way(scene_, shown_.search, *shown_.step->record.measured, "gap.answer", "measured",
+                   "");
   }
 
   void candidate() {

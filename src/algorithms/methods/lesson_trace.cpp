@@ -1,0 +1,160 @@
+#include "algorithms/methods/lesson_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "lesson/vocabulary.hpp"
+#include "models/search.hpp"
+#include "trace/fields.hpp"
+
+namespace gjkscope {
+namespace {
+
+using fields::Json;
+using fields::line;
+
+constexpr std::array<std::string_view, 1> kPhases = {"position"};
+constexpr std::array<std::string_view, 1> kAnswers = {"distance"};
+constexpr std::array<PlaceholderInfo, 1> kValues = {
+    {{"distance", "distance of the shapes at this position"}}};
+
+class Told : public AlgorithmTrace {
+ public:
+  explicit Told(const MethodsTold& told) : told_(told) {}
+
+  [[nodiscard]] const MethodsTold& told() const { return told_; }
+  [[nodiscard]] int steps() const override { return told_.is_refused() ? 0 : 1; }
+  [[nodiscard]] StepInfo info(int) const override { return {1, kPhases[0]}; }
+  [[nodiscard]] double answer(std::string_view) const override {
+    return told_.is_refused() ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
+  }
+  [[nodiscard]] Json json(const Lesson&, const PositionedRun&) const override {
+    Json out;
+    if (told_.is_refused()) {
+      out["flaw"] = models::name_of(told_.flaw.fault);
+      return out;
+    }
+    out["methods"] = Json::array();
+    for (const Method method : kMethods) {
+      const auto i = static_cast<std::size_t>(method);
+      out["methods"].push_back({{"method", name_of(method)},
+                                {"unit", unit_of(method)},
+                                {"steps", told_.steps[i]},
+                                {"distance", fields::number(told_.distances[i])}});
+    }
+    out["overlap"] = told_.answer.overlap;
+    return out;
+  }
+  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
+    std::string out = "\nmethods\n";
+    if (told_.is_refused())
+      return out + line("stop", fmt::format("refused: {}", models::name_of(told_.flaw.fault)));
+    for (const Method method : kMethods) {
+      const auto i = static_cast<std::size_t>(method);
+      out += line("method", fmt::format("{}: {} {}, distance = {}", name_of(method), told_.steps[i],
+                                        unit_of(method),
+                                        fields::number_text(lesson.scalar, told_.distances[i])));
+    }
+    return out;
+  }
+
+ private:
+  MethodsTold told_;
+};
+
+/// Takes notes of one method after the other.
+class Asking {
+ public:
+  Asking(MethodsTold& told, const MethodsTold* before) : told_(told), before_(before) {}
+
+  void gjk(const PositionedRun& run, const Lesson& lesson) {
+    const ::gjk::Query<double, 2> query{{run.x().world}, {run.y().world}};
+    ::gjk::Options options;
+    options.start = lesson.options.start;
+    const auto cold = ::gjk::distance(query, options);
+    note(Method::gjk_cold, cold.iterations, cold.distance);
+    if (before_ != nullptr) options.start = before_->simplex;
+    const auto warm = before_ == nullptr ? cold : ::gjk::distance(query, options);
+    note(Method::gjk_warm, warm.iterations, warm.distance);
+    told_.simplex = warm.warm();
+  }
+
+  void walk(const models::Model& x, const models::Model& y) {
+    const models::WalkQuery query = models::walk_query(x, y);
+    const models::RingFeature any;
+    const models::WalkResult result = models::lin_canny(
+        query, before_ != nullptr ? before_->on_x : any, before_ != nullptr ? before_->on_y : any);
+    note(Method::lin_canny, result.steps, result.answer.distance);
+    told_.on_x = result.a;
+    told_.on_y = result.b;
+  }
+
+  void trees(const models::Model& x, const models::Model& y) {
+    const auto tree_x = models::build_hierarchy<models::Box>(models::items_of(x));
+    const auto tree_y = models::build_hierarchy<models::Box>(models::items_of(y));
+    const models::SearchQuery<models::Box> query{x, y, tree_x, tree_y};
+    models::SearchOptions options;
+    const models::SearchResult cold = models::search(query, options);
+    note(Method::tree_cold, cold.visits, cold.answer.distance);
+    if (before_ != nullptr && before_->segments.first >= 0) options.remembered = before_->segments;
+    const models::SearchResult warm = models::search(query, options);
+    note(Method::tree_warm, warm.visits, warm.answer.distance);
+    told_.answer = warm.answer;
+    told_.segments = warm.segments;
+  }
+
+ private:
+  void note(Method method, long steps, double distance) {
+    told_.steps[static_cast<std::size_t>(method)] = steps;
+    told_.distances[static_cast<std::size_t>(method)] = distance;
+  }
+
+  MethodsTold& told_;
+  const MethodsTold* before_;
+};
+
+std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const PositionedRun& run,
+                                                  const AlgorithmTrace* before) {
+  MethodsTold told;
+  const models::Model x = outlines_of(lesson.x(), run.x().world);
+  const models::Model y = outlines_of(lesson.y(), run.y().world);
+  for (const models::Model* model : {&x, &y}) {
+    told.flaw = models::check(model->outlines, models::Needs::convex);
+    told.flaw_in_y = model == &y;
+    if (told.is_refused()) return std::make_shared<const Told>(told);
+  }
+  const MethodsTold* last = before == nullptr ? nullptr : &static_cast<const Told&>(*before).told();
+  Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
+  asking.gjk(run, lesson);
+  asking.walk(x, y);
+  asking.trees(x, y);
+  return std::make_shared<const Told>(told);
+}
+
+}  // namespace
+
+std::string_view name_of(Method method) {
+  constexpr std::array<std::string_view, kMethods.size()> kNames = {
+      "GJK", "GJK, last simplex", "Lin-Canny, last features", "trees", "trees, last pair"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
+std::string_view unit_of(Method method) {
+  constexpr std::array<std::string_view, kMethods.size()> kUnits = {
+      "iterations", "iterations", "pairs of features", "pairs of boxes", "pairs of boxes"};
+  return kUnits[static_cast<std::size_t>(method)];
+}
+
+const Algorithm kMethodsAlgorithm{.name = "methods",
+                                  .phases = kPhases,
+                                  .answers = kAnswers,
+                                  .values = kValues,
+                                  .run = run_methods};
+
+const MethodsTold* methods_told(const LessonRun& run, int index) {
+  if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;
+  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).told();
+}
+
+}  // namespace gjkscope
