@@ -142,7 +142,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
   for (const models::Model* model : {&x, &y}) {
     models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)
-      flaw.fault = models::Fault::not_convex;
+      flaw = {models::Fault::several_outlines, 1};
     if (flaw.fault == models::Fault::none) continue;
     told.trace.result.stop = WalkStop::refused;
     told.trace.result.flaw = flaw;

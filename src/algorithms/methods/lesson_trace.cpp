@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "lesson/vocabulary.hpp"
-#include "models/search.hpp"
 #include "trace/fields.hpp"
 
 namespace gjkscope {
@@ -21,7 +21,7 @@ constexpr std::array<PlaceholderInfo, 1> kValues = {
 
 class Told : public AlgorithmTrace {
  public:
-  explicit Told(const MethodsTold& told) : told_(told) {}
+  explicit Told(MethodsTold told) : told_(std::move(told)) {}
 
   [[nodiscard]] const MethodsTold& told() const { return told_; }
   [[nodiscard]] int steps() const override { return told_.is_refused() ? 0 : 1; }
@@ -93,18 +93,46 @@ class Asking {
   void trees(const models::Model& x, const models::Model& y) {
     const auto tree_x = models::build_hierarchy<models::Box>(models::items_of(x));
     const auto tree_y = models::build_hierarchy<models::Box>(models::items_of(y));
-    const models::SearchQuery<models::Box> query{x, y, tree_x, tree_y};
+    const Query query{x, y, tree_x, tree_y};
     models::SearchOptions options;
     const models::SearchResult cold = models::search(query, options);
     note(Method::tree_cold, cold.visits, cold.answer.distance);
     if (before_ != nullptr && before_->segments.first >= 0) options.remembered = before_->segments;
-    const models::SearchResult warm = models::search(query, options);
-    note(Method::tree_warm, warm.visits, warm.answer.distance);
-    told_.answer = warm.answer;
-    told_.segments = warm.segments;
+    const models::SearchResult pair = models::search(query, options);
+    note(Method::tree_pair, pair.visits, pair.answer.distance);
+    const models::SearchResult front = search_from_front(query, options);
+    note(Method::tree_front, front.visits, front.answer.distance);
+    told_.answer = front.answer;
+    told_.segments = front.segments;
   }
 
  private:
+  using Query = models::SearchQuery<models::Box>;
+
+  /// Starts with the pairs at which the last search ended, the nearest on top (Li and Chen 1998,
+  /// "Incremental 3D collision detection with hierarchical data structures"). Trees of as many
+  /// segments have the same nodes, so below these pairs lie all pairs of leaves, as below the
+  /// roots.
+  models::SearchResult search_from_front(const Query& query, const models::SearchOptions& options) {
+    models::SearchState state = models::start(query, options);
+    if (before_ != nullptr && !before_->front.empty()) {
+      state.waiting.clear();
+      for (const models::NodePair& pair : before_->front)
+        state.waiting.push_back(models::detail::node_pair(query, pair.a, pair.b, -1));
+      std::stable_sort(state.waiting.begin(), state.waiting.end(),
+                       [](const auto& p, const auto& q) { return p.bound > q.bound; });
+    }
+    while (state.stop == models::SearchStop::running) {
+      const models::SearchPhase phase = state.phase;
+      models::SearchRecord record;
+      models::step(state, query, options, record);
+      if (record.cut || phase == models::SearchPhase::leaf) told_.front.push_back(state.pair);
+    }
+    // A search that found segments that meet leaves pairs behind.
+    if (state.stop == models::SearchStop::meet) told_.front.clear();
+    return models::result_of(state, query, options);
+  }
+
   void note(Method method, long steps, double distance) {
     told_.steps[static_cast<std::size_t>(method)] = steps;
     told_.distances[static_cast<std::size_t>(method)] = distance;
@@ -122,27 +150,29 @@ std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const Po
   for (const models::Model* model : {&x, &y}) {
     told.flaw = models::check(model->outlines, models::Needs::convex);
     told.flaw_in_y = model == &y;
-    if (told.is_refused()) return std::make_shared<const Told>(told);
+    if (told.is_refused()) return std::make_shared<const Told>(std::move(told));
   }
   const MethodsTold* last = before == nullptr ? nullptr : &static_cast<const Told&>(*before).told();
   Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
   asking.gjk(run, lesson);
   asking.walk(x, y);
   asking.trees(x, y);
-  return std::make_shared<const Told>(told);
+  return std::make_shared<const Told>(std::move(told));
 }
 
 }  // namespace
 
 std::string_view name_of(Method method) {
   constexpr std::array<std::string_view, kMethods.size()> kNames = {
-      "GJK", "GJK, last simplex", "Lin-Canny, last features", "trees", "trees, last pair"};
+      "GJK",   "GJK, last simplex", "Lin-Canny, last features",
+      "trees", "trees, last pair",  "trees, last front"};
   return kNames[static_cast<std::size_t>(method)];
 }
 
 std::string_view unit_of(Method method) {
   constexpr std::array<std::string_view, kMethods.size()> kUnits = {
-      "iterations", "iterations", "pairs of features", "pairs of boxes", "pairs of boxes"};
+      "iterations",     "iterations",     "pairs of features",
+      "pairs of boxes", "pairs of boxes", "pairs of boxes"};
   return kUnits[static_cast<std::size_t>(method)];
 }
 

@@ -8,12 +8,21 @@
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
 #include "models/lin_canny.hpp"
+#include "models/search.hpp"
 
 namespace gjkscope {
 
-enum class Method : std::uint8_t { gjk_cold, gjk_warm, lin_canny, tree_cold, tree_warm };
-inline constexpr std::array<Method, 5> kMethods = {
-    Method::gjk_cold, Method::gjk_warm, Method::lin_canny, Method::tree_cold, Method::tree_warm};
+enum class Method : std::uint8_t {
+  gjk_cold,
+  gjk_warm,   ///< Starts from the last simplex.
+  lin_canny,  ///< Starts from the last pair of features.
+  tree_cold,
+  tree_pair,   ///< The last pair of segments is the first candidate.
+  tree_front,  ///< Starts where the last search ended, and from its pair.
+};
+inline constexpr std::array<Method, 6> kMethods = {Method::gjk_cold,  Method::gjk_warm,
+                                                   Method::lin_canny, Method::tree_cold,
+                                                   Method::tree_pair, Method::tree_front};
 /// "GJK, last simplex"
 [[nodiscard]] std::string_view name_of(Method method);
 /// What it is counted in: "iterations"
@@ -32,6 +41,8 @@ struct MethodsTold {
   models::RingFeature on_x;
   models::RingFeature on_y;
   std::pair<int, int> segments = {-1, -1};
+  /// Pairs of nodes that were cut or measured. Below them lie all pairs of leaves.
+  std::vector<models::NodePair> front;
 
   [[nodiscard]] bool is_refused() const { return flaw.fault != models::Fault::none; }
   [[nodiscard]] long at(Method method) const { return steps[static_cast<std::size_t>(method)]; }

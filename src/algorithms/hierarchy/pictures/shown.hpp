@@ -82,6 +82,9 @@ void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::N
 /// A view of both trees.
 bool trees(SceneBuilder& scene, const Fonts& fonts);
 std::string trees_title(const LessonRun& run);
+/// Of a tree that is too deep to be drawn node by node: segments in one of its lowest marks, at
+/// most; 0 where both are drawn as they are.
+[[nodiscard]] int most_in_heap(const Shown& shown);
 /// How a node looks; `radius` is that of a disk.
 [[nodiscard]] Mark node_mark(NodeState state, const Point& at, double radius);
 /// The node that is visited.

@@ -210,6 +210,17 @@ bool trees(SceneBuilder& scene, const Fonts& fonts) {
   return true;
 }
 
+int most_in_heap(const Shown& shown) {
+  int most = 0;
+  for (const bool of_x : {true, false}) {
+    // Halves are rounded up.
+    int count = shown.search.tree(of_x)[0].count;
+    for (int depth = 0; depth < kMostDepth; ++depth) count = (count + 1) / 2;
+    if (count > 1) most = std::max(most, count);
+  }
+  return most;
+}
+
 std::string trees_title(const LessonRun& run) {
   return run.lesson.volumes == VolumeKind::boxes ? "The trees of boxes" : "The trees of circles";
 }

@@ -64,6 +64,8 @@ class Telling {
       text_.detail += format("The last pair gives a candidate at once: {}.", delta());
     else
       text_.detail += "Next: visit it.";
+    const int most = most_in_heap(shown_);
+    if (most > 0) text_.detail += format(" A triangle stands for up to {} segments.", most);
   }
 
   /// "a holds 6 segments of X, b one segment of Y."
