@@ -14,7 +14,6 @@
 #include "lessons.hpp"
 #include "models/brute.hpp"
 #include "picture/frame.hpp"
-#include "session/edit.hpp"
 
 namespace gjkscope {
 namespace {
@@ -46,7 +45,7 @@ TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
     SCOPED_TRACE(id);
     Lesson lesson = testing::shipped_lesson(id);
     const LessonRun before = run_lesson(lesson);
-    edit::put_vertex(lesson, 1, 4, before.runs[0].y().placement, {-2.0, 0.1});
+    lesson.y().vertices[4] = {-2.0, 0.1};
     const LessonRun after = run_lesson(lesson);
     const SearchTold& search = *search_told(after, 0);
     expect_truth(search);
