@@ -36,7 +36,7 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] StepInfo info(int index) const override {
     const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
     return {static_cast<int>(step.after.visits), name_of(step.phase),
-            step.record.better || step.after.stop != SearchStop::running};
+            is_candidate(step) || step.after.stop != SearchStop::running};
   }
   [[nodiscard]] double answer(std::string_view name) const override {
     const models::SearchResult& result = search_.trace.result;
@@ -85,6 +85,10 @@ class Told : public AlgorithmTrace {
   }
 
  private:
+  /// Where only collision is asked, no pair is a candidate.
+  [[nodiscard]] bool is_candidate(const models::SearchStep& step) const {
+    return search_.options.goal == Goal::distance && step.record.better;
+  }
   [[nodiscard]] static Json node_json(const TreeNode& node) {
     Json out = {{"parent", node.parent},
                 {"left", node.left},
@@ -118,7 +122,7 @@ class Told : public AlgorithmTrace {
       case SearchPhase::leaf:
         out["segments"] = {step.record.segments.first, step.record.segments.second};
         out["distance"] = fields::number(step.record.measured->high);
-        out["better"] = step.record.better;
+        out["better"] = is_candidate(step);
         break;
       case SearchPhase::descend:
         out["children"] = Json::array();
@@ -150,7 +154,7 @@ class Told : public AlgorithmTrace {
         return line("leaf",
                     fmt::format("segments {} and {}, distance {}{}", step.record.segments.first,
                                 step.record.segments.second, number(step.record.measured->high),
-                                step.record.better ? ": candidate" : ""));
+                                is_candidate(step) ? ": candidate" : ""));
       case SearchPhase::descend:
         return line("descend",
                     fmt::format("into {}, {} wait",

@@ -150,7 +150,7 @@ class Stage {
 
   void segment(bool of_x, int index) {
     const models::Segment& s = shown_.search.model(of_x).segments[static_cast<std::size_t>(index)];
-    scene_.line("feature.edge", scene_.at(s.a), scene_.at(s.b));
+    scene_.line("volume.segment", scene_.at(s.a), scene_.at(s.b));
   }
   void segments() {
     segment(true, shown_.step->record.segments.first);
