@@ -129,9 +129,10 @@ Lesson LessonReader::read(const toml::table& root) {
   if (const auto growth = reader_.table(file["growth"], "growth")) read_growth(*growth);
   if (const auto study = reader_.table(file["study"], "study")) read_study(*study);
   if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
+  const Act* own = vocabulary_.act(lesson_.act);
   for (const Act* act : vocabulary_.acts) {
-    if (act->needs.table != act->name || act->name == kPathTable || lesson_.act == act->name)
-      continue;
+    if (act->needs.table != act->name || act->name == kPathTable) continue;
+    if (own != nullptr && own->needs.table == act->needs.table) continue;
     if (const Field field = file[act->name]) {
       problems_.add(field.place(),
                     fmt::format("a table [{0}] without granularity '{0}'", act->name),
