@@ -283,13 +283,6 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   return run;
 }
 
-models::Model outlines_of(const LessonShape& shape, const std::vector<Vector2d>& world) {
-  std::vector<models::Outline> outlines;
-  for (const auto& [first, count] : shape.ranges())
-    outlines.push_back({{world.begin() + first, world.begin() + first + count}});
-  return models::model_of(std::move(outlines));
-}
-
 Case case_of(const PositionedRun& run) { return {run.x().world, run.y().world}; }
 
 Case case_of(const Lesson& lesson) {

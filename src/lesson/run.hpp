@@ -11,7 +11,6 @@
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
-#include "models/outline.hpp"
 
 namespace gjkscope {
 
@@ -129,10 +128,6 @@ template <int D>
 /// "K−C"; with a single vertex in X (a point query) the name of Y's vertex: "K".
 [[nodiscard]] std::string pair_name(const std::vector<std::string>& x_names,
                                     const std::vector<std::string>& y_names, gjk::VertexPair pair);
-
-/// The outlines of a shape, whose vertices stand at `world`.
-[[nodiscard]] models::Model outlines_of(const LessonShape& shape,
-                                        const std::vector<Eigen::Vector2d>& world);
 
 /// The shapes as they stand in the world, rounded as the run rounds them; of a lesson: as they
 /// stand in its first run. Finite where they can be drawn (why_not_drawn).

@@ -153,10 +153,8 @@ TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
   std::array<long, kMethods.size()> sums = {};
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
     const MethodsTold& told = *methods_told(run, i);
-    const auto& bodies = run.runs[static_cast<std::size_t>(i)];
-    const double truth = models::brute(outlines_of(run.lesson.x(), bodies.x().world),
-                                       outlines_of(run.lesson.y(), bodies.y().world))
-                             .answer.distance;
+    const OutlinesOfRun outlines = outlines_of(run.lesson, run.runs[static_cast<std::size_t>(i)]);
+    const double truth = models::brute(outlines.x, outlines.y).answer.distance;
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
       EXPECT_NEAR(told.distances[m], truth, 1e-14 * 8.0) << name_of(kMethods[m]);
       sums[m] += told.steps[m];

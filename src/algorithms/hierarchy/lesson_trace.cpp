@@ -47,8 +47,7 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
     Json out;
     if (steps() == 0) {
-      out["stop"] = "refused";
-      out["flaw"] = models::name_of(search_.flaw.fault);
+      out["refused"] = words_of(*search_.refusal, lesson);
       return out;
     }
     const models::SearchResult& result = search_.trace.result;
@@ -70,8 +69,7 @@ class Told : public AlgorithmTrace {
   }
   [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
     std::string out = "\nhierarchy\n";
-    if (steps() == 0)
-      return out + line("stop", fmt::format("refused: {}", models::name_of(search_.flaw.fault)));
+    if (steps() == 0) return out + line("refused", words_of(*search_.refusal, lesson));
     for (int i = 0; i < steps(); ++i) out += step_text(lesson, i);
     const models::SearchResult& result = search_.trace.result;
     out += "\nhierarchy, result\n" + line("stop", name_of(result.stop));
@@ -195,14 +193,11 @@ void run_search(SearchTold& told) {
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
                                                     const AlgorithmTrace* before, Goal goal) {
   SearchTold told;
-  told.x = outlines_of(lesson.x(), run.x().world);
-  told.y = outlines_of(lesson.y(), run.y().world);
-  for (const bool of_x : {true, false}) {
-    told.flaw = models::check(told.model(of_x).outlines, models::Needs::segments);
-    told.flaw_in_y = !of_x;
-    if (told.flaw.fault != models::Fault::none)
-      return std::make_shared<const Told>(std::move(told));
-  }
+  OutlinesOfRun outlines = outlines_of(lesson, run);
+  told.refusal = refusal_of(outlines, models::Needs::segments);
+  told.x = std::move(outlines.x);
+  told.y = std::move(outlines.y);
+  if (told.refusal) return std::make_shared<const Told>(std::move(told));
   told.options.goal = goal;
   // Larsen's listing descends into A first, left child first.
   told.options.nearer_first = goal == Goal::distance;

@@ -5,6 +5,7 @@
 #include <array>
 #include <variant>
 
+#include "algorithms/outline_trace.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
 #include "models/search.hpp"
@@ -24,8 +25,7 @@ struct SearchTold {
   models::SearchOptions options;
   models::SearchTrace trace;       ///< Without steps where shapes are refused.
   models::SearchTrace left_first;  ///< Of a distance: the same search, the left child always first.
-  models::Flaw flaw;               ///< Of shapes that are refused: why.
-  bool flaw_in_y = false;
+  std::optional<Refusal> refusal;
 
   [[nodiscard]] const models::Model& model(bool of_x) const { return of_x ? x : y; }
   [[nodiscard]] const std::vector<TreeNode>& tree(bool of_x) const {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/outline_trace.hpp"
 #include "lesson/vocabulary.hpp"
 #include "models/brute.hpp"
 #include "trace/fields.hpp"
@@ -137,8 +138,7 @@ models::RingFeature vertex_of(const models::Ring& ring, int vertex) {
 std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) {
   WalkTold told;
-  const models::Model x = outlines_of(lesson.x(), run.x().world);
-  const models::Model y = outlines_of(lesson.y(), run.y().world);
+  const auto [x, y] = outlines_of(lesson, run);
   for (const models::Model* model : {&x, &y}) {
     models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)

@@ -29,10 +29,10 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] double answer(std::string_view) const override {
     return told_.is_refused() ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
   }
-  [[nodiscard]] Json json(const Lesson&, const PositionedRun&) const override {
+  [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
     Json out;
     if (told_.is_refused()) {
-      out["flaw"] = models::name_of(told_.flaw.fault);
+      out["refused"] = words_of(*told_.refusal, lesson);
       return out;
     }
     out["methods"] = Json::array();
@@ -48,8 +48,7 @@ class Told : public AlgorithmTrace {
   }
   [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
     std::string out = "\nmethods\n";
-    if (told_.is_refused())
-      return out + line("stop", fmt::format("refused: {}", models::name_of(told_.flaw.fault)));
+    if (told_.is_refused()) return out + line("refused", words_of(*told_.refusal, lesson));
     for (const Method method : kMethods) {
       const auto i = static_cast<std::size_t>(method);
       out += line("method", fmt::format("{}: {} {}, distance = {}", name_of(method), told_.steps[i],
@@ -145,18 +144,14 @@ class Asking {
 std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const PositionedRun& run,
                                                   const AlgorithmTrace* before) {
   MethodsTold told;
-  const models::Model x = outlines_of(lesson.x(), run.x().world);
-  const models::Model y = outlines_of(lesson.y(), run.y().world);
-  for (const models::Model* model : {&x, &y}) {
-    told.flaw = models::check(model->outlines, models::Needs::convex);
-    told.flaw_in_y = model == &y;
-    if (told.is_refused()) return std::make_shared<const Told>(std::move(told));
-  }
+  const OutlinesOfRun outlines = outlines_of(lesson, run);
+  told.refusal = refusal_of(outlines, models::Needs::convex);
+  if (told.refusal) return std::make_shared<const Told>(std::move(told));
   const MethodsTold* last = before == nullptr ? nullptr : &static_cast<const Told&>(*before).told();
   Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
   asking.gjk(run, lesson);
-  asking.walk(x, y);
-  asking.trees(x, y);
+  asking.walk(outlines.x, outlines.y);
+  asking.trees(outlines.x, outlines.y);
   return std::make_shared<const Told>(std::move(told));
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "algorithms/outline_trace.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
 #include "models/lin_canny.hpp"
@@ -33,8 +34,7 @@ struct MethodsTold {
   std::array<long, kMethods.size()> steps = {};  ///< In the unit of each method.
   std::array<double, kMethods.size()> distances = {};
   models::Answer answer;  ///< That of the tree.
-  models::Flaw flaw;      ///< Of shapes that are refused: why.
-  bool flaw_in_y = false;
+  std::optional<Refusal> refusal;
 
   // What the next position starts from.
   gjk::WarmStart simplex;
@@ -44,7 +44,7 @@ struct MethodsTold {
   /// Pairs of nodes that were cut or measured. Below them lie all pairs of leaves.
   std::vector<models::NodePair> front;
 
-  [[nodiscard]] bool is_refused() const { return flaw.fault != models::Fault::none; }
+  [[nodiscard]] bool is_refused() const { return refusal.has_value(); }
   [[nodiscard]] long at(Method method) const { return steps[static_cast<std::size_t>(method)]; }
 };
 

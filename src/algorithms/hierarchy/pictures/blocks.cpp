@@ -63,7 +63,7 @@ void row(PanelBuilder& panel, const std::string& what, const std::string& value)
 void counters(PanelBuilder& panel, const Shown& shown) {
   panel.heading("Search");
   if (shown.is_refused())
-    return row(panel, "refused", std::string(models::name_of(shown.search.flaw.fault)));
+    return row(panel, "refused", words_of(*shown.search.refusal, shown.lesson));
   const auto count = [](long value) { return grouped(static_cast<double>(value)); };
   row(panel, fmt::format("pairs of {} visited", shown.volumes()), count(shown.state.visits));
   row(panel, "pairs that wait", count(static_cast<long>(shown.state.waiting.size())));

@@ -50,8 +50,8 @@ class Telling {
   }
 
   void refused() {
-    text_.caption = format("The search does not take {}: {}.", shown_.search.flaw_in_y ? y() : x(),
-                           models::name_of(shown_.search.flaw.fault));
+    text_.caption =
+        format("The search does not take {}.", words_of(*shown_.search.refusal, shown_.lesson));
   }
 
   void start() {

@@ -52,9 +52,7 @@ void words(const Story& story, FrameText& text) {
   const MethodsTold& at = told(story.run, story.frame);
   const Lesson& lesson = story.run.lesson;
   if (at.is_refused()) {
-    text.caption =
-        format("Not all methods take {}: {}.", at.flaw_in_y ? lesson.y().name : lesson.x().name,
-               models::name_of(at.flaw.fault));
+    text.caption = format("Not all methods take {}.", words_of(*at.refusal, lesson));
     text.detail = "Lin-Canny needs convex outlines, and GJK takes hulls.";
     return;
   }
