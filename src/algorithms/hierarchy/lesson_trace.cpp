@@ -1,8 +1,5 @@
 #include "algorithms/hierarchy/lesson_trace.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <limits>
 
 #include "lesson/names.hpp"
@@ -13,7 +10,6 @@ namespace gjkscope {
 namespace {
 
 using fields::Json;
-using fields::line;
 using models::Goal;
 using models::SearchPhase;
 using models::SearchStop;
@@ -27,9 +23,10 @@ constexpr std::array<PlaceholderInfo, 3> kValues = {
      {"tests", "pairs of segments that were tested by now"},
      {"pairs", "pairs of segments that there are"}}};
 
-class Told : public AlgorithmTrace {
+class Told : public OutlineTrace {
  public:
-  explicit Told(SearchTold search) : search_(std::move(search)) {}
+  Told(std::string_view name, std::optional<Refusal> refused, SearchTold search)
+      : OutlineTrace(name, std::move(refused)), search_(std::move(search)) {}
 
   [[nodiscard]] const SearchTold& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }
@@ -40,46 +37,45 @@ class Told : public AlgorithmTrace {
   }
   [[nodiscard]] double answer(std::string_view name) const override {
     const models::SearchResult& result = search_.trace.result;
-    if (steps() == 0) return std::numeric_limits<double>::quiet_NaN();
+    if (refusal) return std::numeric_limits<double>::quiet_NaN();
     if (name == "visits") return static_cast<double>(result.visits);
     return name == "tests" ? static_cast<double>(result.measured) : result.answer.distance;
   }
-  [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
-    Json out;
-    if (steps() == 0) {
-      out["refused"] = words_of(*search_.refusal, lesson);
-      return out;
+
+ protected:
+  [[nodiscard]] Json step_json(const Lesson&, int index) const override {
+    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
+    const models::SearchState& after = step.after;
+    switch (step.phase) {
+      case SearchPhase::visit:
+        if (after.phase == SearchPhase::contain) break;
+        return {{"x", node_json(true, after.pair.a)}, {"y", node_json(false, after.pair.b)}};
+      case SearchPhase::bound:
+        return {{"bound", fields::number(after.pair.bound)},
+                {"limit", fields::number(step.record.limit)},
+                {"cut", step.record.cut}};
+      case SearchPhase::leaf:
+        return {{"segments", {step.record.segments.first, step.record.segments.second}},
+                {"distance", fields::number(step.record.measured->high)},
+                {"candidate", is_candidate(step)}};
+      case SearchPhase::descend:
+        return {{"into", step.record.takes_b_apart ? "y" : "x"}, {"waiting", after.waiting.size()}};
+      case SearchPhase::contain:
+        return {{"inside", after.inside.has_value()}};
     }
-    const models::SearchResult& result = search_.trace.result;
-    out["stop"] = name_of(result.stop);
-    out["volumes"] = name_of(lesson.volumes);
-    out["visits"] = result.visits;
-    out["tests"] = result.measured;
-    for (const bool of_x : {true, false}) {
-      Json& tree = out[of_x ? "tree_x" : "tree_y"] = Json::array();
-      for (const TreeNode& node : search_.tree(of_x)) tree.push_back(node_json(node));
-    }
-    out["steps"] = Json::array();
-    for (int i = 0; i < steps(); ++i) out["steps"].push_back(step_json(i));
-    out["distance"] = fields::number(result.answer.distance);
-    out["overlap"] = result.answer.overlap;
-    out["closest_x"] = fields::point<2>(result.answer.a);
-    out["closest_y"] = fields::point<2>(result.answer.b);
-    return out;
+    return {{"waiting", 0}};
   }
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
-    std::string out = "\nhierarchy\n";
-    if (steps() == 0) return out + line("refused", words_of(*search_.refusal, lesson));
-    for (int i = 0; i < steps(); ++i) out += step_text(lesson, i);
+  [[nodiscard]] Json result_json(const Lesson& lesson) const override {
     const models::SearchResult& result = search_.trace.result;
-    out += "\nhierarchy, result\n" + line("stop", name_of(result.stop));
-    out += line("visits", std::to_string(result.visits));
-    out += line("tests", fmt::format("{} of {}", result.measured, search_.pairs()));
-    if (std::isnan(result.answer.distance)) return out;
-    out += line("distance", fields::number_text(lesson.scalar, result.answer.distance));
-    out += line("on " + lesson.x().name, fields::point_text<2>(lesson.scalar, result.answer.a));
-    return out +
-           line("on " + lesson.y().name, fields::point_text<2>(lesson.scalar, result.answer.b));
+    return {{"stop", name_of(result.stop)},
+            {"volumes", name_of(lesson.volumes)},
+            {"visits", result.visits},
+            {"tests", result.measured},
+            {"pairs", search_.pairs()},
+            {"distance", fields::number(result.answer.distance)},
+            {"overlap", result.answer.overlap},
+            {"closest_x", fields::point<2>(result.answer.a)},
+            {"closest_y", fields::point<2>(result.answer.b)}};
   }
 
  private:
@@ -87,81 +83,9 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] bool is_candidate(const models::SearchStep& step) const {
     return search_.options.goal == Goal::distance && step.record.better;
   }
-  [[nodiscard]] static Json node_json(const TreeNode& node) {
-    Json out = {{"parent", node.parent},
-                {"left", node.left},
-                {"right", node.right},
-                {"segments", node.count}};
-    if (const auto* box = std::get_if<models::Box>(&node.volume)) {
-      out["low"] = fields::point<2>(box->low);
-      out["high"] = fields::point<2>(box->high);
-    } else {
-      const auto& circle = std::get<models::Circle>(node.volume);
-      out["centre"] = fields::point<2>(circle.centre);
-      out["radius"] = fields::number(circle.radius);
-    }
-    return out;
-  }
-  [[nodiscard]] Json step_json(int index) const {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
-    const models::SearchState& after = step.after;
-    Json out = {{"phase", name_of(step.phase)}, {"iteration", after.visits}};
-    switch (step.phase) {
-      case SearchPhase::visit:
-        if (after.phase == SearchPhase::contain) break;
-        out["x"] = after.pair.a;
-        out["y"] = after.pair.b;
-        break;
-      case SearchPhase::bound:
-        out["bound"] = fields::number(after.pair.bound);
-        out["limit"] = fields::number(step.record.limit);
-        out["cut"] = step.record.cut;
-        break;
-      case SearchPhase::leaf:
-        out["segments"] = {step.record.segments.first, step.record.segments.second};
-        out["distance"] = fields::number(step.record.measured->high);
-        out["better"] = is_candidate(step);
-        break;
-      case SearchPhase::descend:
-        out["children"] = Json::array();
-        for (const models::NodePair& child : step.record.children)
-          out["children"].push_back({child.a, child.b});
-        break;
-      case SearchPhase::contain:
-        break;
-    }
-    out["waiting"] = after.waiting.size();
-    out["stop"] = name_of(after.stop);
-    return out;
-  }
-  [[nodiscard]] std::string step_text(const Lesson& lesson, int index) const {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
-    const models::SearchState& after = step.after;
-    const auto number = [&](double value) { return fields::number_text(lesson.scalar, value); };
-    switch (step.phase) {
-      case SearchPhase::visit:
-        if (after.phase == SearchPhase::contain) return "";
-        return fmt::format("\nhierarchy, visit {}\n", after.visits) +
-               line("pair", fmt::format("{} {} and {} {}", lesson.x().name, after.pair.a,
-                                        lesson.y().name, after.pair.b));
-      case SearchPhase::bound:
-        return line("bound",
-                    fmt::format("{}, limit {}: {}", number(after.pair.bound),
-                                number(step.record.limit), step.record.cut ? "cut" : "no"));
-      case SearchPhase::leaf:
-        return line("leaf",
-                    fmt::format("segments {} and {}, distance {}{}", step.record.segments.first,
-                                step.record.segments.second, number(step.record.measured->high),
-                                is_candidate(step) ? ": candidate" : ""));
-      case SearchPhase::descend:
-        return line("descend",
-                    fmt::format("into {}, {} wait",
-                                step.record.takes_b_apart ? lesson.y().name : lesson.x().name,
-                                after.waiting.size()));
-      case SearchPhase::contain:
-        return line("contain", after.inside ? "yes" : "no");
-    }
-    return "";
+  [[nodiscard]] Json node_json(bool of_x, int index) const {
+    const TreeNode& node = search_.tree(of_x)[static_cast<std::size_t>(index)];
+    return {{"node", index}, {"segments", node.count}};
   }
 
   SearchTold search_;
@@ -192,12 +116,15 @@ void run_search(SearchTold& told) {
 
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
                                                     const AlgorithmTrace* before, Goal goal) {
+  const std::string_view name =
+      (goal == Goal::collide ? kHierarchyCollide : kHierarchyDistance).name;
   SearchTold told;
   OutlinesOfRun outlines = outlines_of(lesson, run);
-  told.refusal = refusal_of(outlines, models::Needs::segments);
+  const std::optional<Refusal> refused = refusal_of(outlines, models::Needs::segments);
   told.x = std::move(outlines.x);
   told.y = std::move(outlines.y);
-  if (told.refusal) return std::make_shared<const Told>(std::move(told));
+  told.refusal = refused;
+  if (refused) return std::make_shared<const Told>(name, refused, std::move(told));
   told.options.goal = goal;
   // Larsen's listing descends into A first, left child first.
   told.options.nearer_first = goal == Goal::distance;
@@ -211,7 +138,7 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
   } else {
     run_search<models::Box>(told);
   }
-  return std::make_shared<const Told>(std::move(told));
+  return std::make_shared<const Told>(name, std::nullopt, std::move(told));
 }
 
 template <Goal goal>

@@ -1,7 +1,5 @@
 #include "algorithms/methods/lesson_trace.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -12,50 +10,37 @@ namespace gjkscope {
 namespace {
 
 using fields::Json;
-using fields::line;
 
 constexpr std::array<std::string_view, 1> kPhases = {"position"};
 constexpr std::array<std::string_view, 1> kAnswers = {"distance"};
 constexpr std::array<PlaceholderInfo, 1> kValues = {
     {{"distance", "distance of the shapes at this position"}}};
 
-class Told : public AlgorithmTrace {
+class Told : public OutlineTrace {
  public:
-  explicit Told(MethodsTold told) : told_(std::move(told)) {}
+  explicit Told(MethodsTold told)
+      : OutlineTrace(kMethodsAlgorithm.name, told.refusal), told_(std::move(told)) {}
 
   [[nodiscard]] const MethodsTold& told() const { return told_; }
-  [[nodiscard]] int steps() const override { return told_.is_refused() ? 0 : 1; }
+  [[nodiscard]] int steps() const override { return refusal ? 0 : 1; }
   [[nodiscard]] StepInfo info(int) const override { return {1, kPhases[0]}; }
   [[nodiscard]] double answer(std::string_view) const override {
-    return told_.is_refused() ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
+    return refusal ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
   }
-  [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
+
+ protected:
+  [[nodiscard]] Json step_json(const Lesson&, int) const override {
     Json out;
-    if (told_.is_refused()) {
-      out["refused"] = words_of(*told_.refusal, lesson);
-      return out;
-    }
-    out["methods"] = Json::array();
     for (const Method method : kMethods) {
       const auto i = static_cast<std::size_t>(method);
-      out["methods"].push_back({{"method", name_of(method)},
-                                {"unit", unit_of(method)},
-                                {"steps", told_.steps[i]},
-                                {"distance", fields::number(told_.distances[i])}});
+      out[std::string(name_of(method))] = {{"steps", told_.steps[i]},
+                                           {"unit", unit_of(method)},
+                                           {"distance", fields::number(told_.distances[i])}};
     }
-    out["overlap"] = told_.answer.overlap;
     return out;
   }
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
-    std::string out = "\nmethods\n";
-    if (told_.is_refused()) return out + line("refused", words_of(*told_.refusal, lesson));
-    for (const Method method : kMethods) {
-      const auto i = static_cast<std::size_t>(method);
-      out += line("method", fmt::format("{}: {} {}, distance = {}", name_of(method), told_.steps[i],
-                                        unit_of(method),
-                                        fields::number_text(lesson.scalar, told_.distances[i])));
-    }
-    return out;
+  [[nodiscard]] Json result_json(const Lesson&) const override {
+    return {{"distance", fields::number(told_.answer.distance)}, {"overlap", told_.answer.overlap}};
   }
 
  private:
