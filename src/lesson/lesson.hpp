@@ -19,7 +19,7 @@ namespace gjkscope {
 enum class ScalarKind { half, single, double_, exact };
 
 /// What bounds segments in trees.
-enum class VolumeKind { boxes, circles };
+enum class VolumeKind { boxes, circles, tiles };
 
 /// Of `start` the pairs that count.
 [[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
@@ -193,6 +193,7 @@ struct Lesson {
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
   VolumeKind volumes = VolumeKind::boxes;
+  double tile = 0.5;  ///< Largest radius of the circles that tile segments.
 
   std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.

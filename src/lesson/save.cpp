@@ -219,6 +219,7 @@ void write_query(TomlText& out, const Lesson& lesson) {
   write_start(out, lesson);
   if (lesson.warm_start) out.key("warm", "true");
   out.choice("volumes", lesson.volumes, defaults.volumes);
+  out.number("tile", lesson.tile, defaults.tile);
 }
 
 void write_steps(TomlText& out, const Lesson& lesson) {

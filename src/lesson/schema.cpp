@@ -86,7 +86,11 @@ std::vector<LessonKey> make_keys() {
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
       {"query", "volumes", one_of<VolumeKind>(), "boxes",
-       "what bounds segments, with granularities of trees"},
+       "what bounds segments, with granularities of trees; tiles: circles over small circles that "
+       "cover the segments, "
+       "and `tolerance` is the relative error that is allowed"},
+      {"query", "tile", fmt::format("number from {} to {}", kLeastTile, kLargest), "0.5",
+       "largest radius of these small circles, with volumes = \"tiles\""},
 
       {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
