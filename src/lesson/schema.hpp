@@ -62,6 +62,7 @@ inline constexpr int kOutlineVertices = 3;  ///< At least, of each of several ou
 inline constexpr double kLargest = 1e18;
 inline constexpr double kLargestHalf = 65504.0;  ///< The largest finite half.
 inline constexpr double kSmallestCameraHeight = 1e-18;
+inline constexpr double kMostStretch = 1e9;
 }  // namespace limits
 
 }  // namespace gjkscope

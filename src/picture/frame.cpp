@@ -29,7 +29,7 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(128.0, 116.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
@@ -325,6 +325,9 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
     for (const LegendEntry& entry : legend_entries()) {
+      // Where no run is followed, words do not speak of S.
+      const bool of_s = entry.role == "simplex.vertex";
+      if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
         if (!has_mark(scene(at % views_.size(), at / views_.size()), entry.role)) continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
@@ -372,12 +375,15 @@ Picture LessonPictures::picture(int index) {
     view.placer.begin_frame(of_frame.obstacles);
     view.placer.reserve(view.title_box);
     const std::size_t first_label = picture.marks.size();
+    const auto lead = [&](const LabelRequest& label, const Rect& box) {
+      const auto line = leader_line(label, box);
+      if (!line) return;
+      view.placer.avoid(*line);
+      picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, clip});
+    };
     const auto place = [&](const LabelRequest& label, bool fixed) {
       const Mark placed = view.placer.place(label, fixed);
-      if (auto leader = leader_line(label, box_of(fonts_, std::get<Text>(placed.shape)))) {
-        leader->clip = clip;
-        picture.marks.push_back(*leader);
-      }
+      lead(label, box_of(fonts_, std::get<Text>(placed.shape)));
       picture.marks.push_back(placed);
     };
     std::set<std::string> drawn;

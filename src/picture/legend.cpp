@@ -8,7 +8,7 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 15> kEntries = {
+constexpr std::array<LegendEntry, 17> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
      {"feature.vertex", "current feature"},
      {"feature.edge", "current feature"},
@@ -19,10 +19,12 @@ constexpr std::array<LegendEntry, 15> kEntries = {
      {"support.plane", "support line, normal to d"},
      {"support.axis.foot", "foot: how far along"},
      {"closest.circle", "as far away as P"},
+     {"condition", "a condition holds on the side of the ticks"},
      {"region.rejected", "ruled out"},
      {"hull.ghost", "outline of Z, not known to GJK"},
      {"cloud.point", "a difference y − x"},
      {"cloud.touched", "a difference that was computed"},
+     {"pair.link", "a difference: from x to y"},
      {"history.closest", "P of an earlier iteration"}}};
 
 const Mark* mark_of(const Scene& scene, std::string_view role) {

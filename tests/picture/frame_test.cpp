@@ -13,6 +13,7 @@
 
 #include "lessons.hpp"
 #include "picture/registry.hpp"
+#include "picture/scene.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
 #include "picture/words.hpp"
@@ -150,6 +151,14 @@ TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
 INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
                          ::testing::Values(page_of(1280, 720), page_of(1024, 768),
                                            page_of(2560, 1080), page_of(720, 1280)));
+
+TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
+  const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0}, 2.0, 10.0});
+  EXPECT_EQ(map({5.0, 1.0}), Point(100.0, 50.0));
+  EXPECT_EQ(map({5.0, 2.0}), Point(100.0, 0.0));
+  EXPECT_EQ(map({15.0, 1.0}), Point(150.0, 50.0));
+  EXPECT_EQ(map.direction({10.0, 1.0}), Point(1.0, -1.0).normalized());
+}
 
 TEST(Page, KeepsTheProportionsOfTheImageAndTheSizeOfType) {
   const Page large = page_of(3840, 2160);

@@ -98,9 +98,8 @@ void second_run(const Story& story, FrameText& text) {
         }
         return;
       }
-      text.detail =
-          format("So {}, rounded. In {} P = {}: the rounded P is {} away from it.", story.p_is(),
-                 other, point(beside.p + story.positioned.x().world[0]), numbers(away));
+      text.detail = format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(), other,
+                           point(beside.p + story.positioned.x().world[0]), numbers(away));
       return;
     }
     case gjk::Phase::direction:
