@@ -170,7 +170,7 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->required();
   open->add_flag("--json", args.json, "Print what the file says of itself instead");
   open->footer(
-      "Examples:\n  gjkscope open out/polygons-gjk-0017.png\n"
+      "Examples:\n  gjkscope open out/polygons-gjk-0015.png\n"
       "  gjkscope open figure.svg --json\n");
 
   CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
