@@ -338,6 +338,26 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   return explained_[index * views_.size() + view];
 }
 
+namespace {
+
+/// What a panel's marks leave free at its lower end.
+Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
+  constexpr double kGap = 8.0;
+  constexpr double kDescent = 0.3;  // of a letter's size
+  double low = panel.min.y();
+  for (const Mark& mark : marks) {
+    if (const Text* text = std::get_if<Text>(&mark.shape))
+      low = std::max(low, text->at.y() + kDescent * text->style.size);
+    if (const Box* box = std::get_if<Box>(&mark.shape)) low = std::max(low, box->rect.max.y());
+    if (const Polyline* line = std::get_if<Polyline>(&mark.shape)) {
+      for (const Point& point : line->points) low = std::max(low, point.y());
+    }
+  }
+  return {{panel.min.x() + kGap, low + kGap}, panel.max - Point(kGap, kGap)};
+}
+
+}  // namespace
+
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
   const FrameText& text = texts_[at];
@@ -360,6 +380,12 @@ Picture LessonPictures::picture(int index) {
                      kProseLine);
   }
 
+  std::vector<Mark> panel;
+  Rect spare{Point::Zero(), Point::Zero()};
+  if (panel_) {
+    panel = panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_);
+    spare = spare_part(*panel_, panel);
+  }
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
     View& view = views_[i];
@@ -400,7 +426,11 @@ Picture LessonPictures::picture(int index) {
       if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
         words.push_back(box_of(fonts_, *label));
     }
-    page.append(legend(marks_to_explain(i, at), of_frame, card, words, fonts_));
+    const Point free = spare.min;
+    std::vector<Mark> explained =
+        legend(marks_to_explain(i, at), of_frame, card, words, fonts_, spare);
+    std::vector<Mark>& into = spare.min == free ? picture.marks : panel;
+    std::move(explained.begin(), explained.end(), std::back_inserter(into));
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",
@@ -410,7 +440,7 @@ Picture LessonPictures::picture(int index) {
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});
-    page.append(panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_));
+    page.append(std::move(panel));
   }
 
   if (page_.bare) return picture;

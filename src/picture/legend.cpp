@@ -107,7 +107,8 @@ std::span<const LegendEntry> legend_entries() { return kEntries; }
 bool has_mark(const Scene& scene, std::string_view role) { return mark_of(scene, role) != nullptr; }
 
 std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
-                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts) {
+                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts,
+                         Rect& spare) {
   constexpr double kGlyph = 28.0;
   constexpr double kPad = 12.0;
   constexpr double kRow = 24.0;
@@ -119,7 +120,13 @@ std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& s
   const Point frame(1.0, 1.0);
   const Rect inside{card.min + frame, card.max - frame};
   if ((size.array() > inside.size().array()).any()) return {};
-  const std::optional<Rect> box = place_for(size, scene, inside, words);
+  std::optional<Rect> box;
+  if ((size.array() <= spare.size().array()).all()) {
+    box = Rect{spare.min, spare.min + size};
+    spare.min.y() += size.y();
+  } else {
+    box = place_for(size, scene, inside, words);
+  }
   if (!box) return {};
   std::vector<Mark> marks = {{"legend.box", Box{*box, 9.0}}};
   const double x = box->min.x() + kPad;
