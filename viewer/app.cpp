@@ -143,9 +143,9 @@ void App::nudge(const Vector2d& pixels) {
   const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
   const LessonPictures::Stage view = session_.views().front();
-  const double unit = view.camera.height / view.card.size().y();
+  const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
-                                  : Vector2d(2.0 * unit * pixels);
+                                  : Vector2d(2.0 * units.cwiseProduct(pixels));
   const std::size_t body = of_x ? 0 : 1;
   session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());

@@ -77,8 +77,8 @@ std::optional<std::size_t> PictureView::view_at(const Point& page) const {
 Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
   const LessonPictures::Stage shown = session_.views()[view];
   const Point off = page - shown.card.center();
-  return shown.camera.center +
-         Vector2d(off.x(), -off.y()) * (shown.camera.height / shown.card.size().y());
+  return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
+                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 /// Above the selected shape, in the first view of the world; an empty rectangle where there is

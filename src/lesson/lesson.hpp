@@ -68,6 +68,11 @@ enum class ViewKind { world, difference, plot };
 struct Camera {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double height = 1.0;
+  double stretch = 1.0;  ///< y is drawn so many times larger than x; angles are true with 1 alone.
+  /// World units along x and along y, in a view that is `pixels` high.
+  [[nodiscard]] Eigen::Vector2d units_per_pixel(double pixels) const {
+    return height / pixels * Eigen::Vector2d(stretch, 1.0);
+  }
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 

@@ -702,6 +702,9 @@ void LessonReader::read_views(const Field& views) {
       read.height =
           reader_.number((*camera)["height"], limits::kSmallestCameraHeight, limits::kLargest)
               .value_or(read.height);
+      read.stretch =
+          reader_.number((*camera)["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
+              .value_or(read.stretch);
       view.camera = read;
     }
     read_effects((*table)["effects"], view);

@@ -273,8 +273,12 @@ void write_view(TomlText& out, const LessonView& view, const std::string& act) {
   out.key("show", as_text(view.kind == ViewKind::plot ? act : name_of(view.kind)));
   out.text("title", view.title, "");
   if (view.camera) {
-    out.key("camera", fmt::format("{{ center = {}, height = {} }}",
-                                  in_brackets(view.camera->center), decimal(view.camera->height)));
+    const std::string stretch = view.camera->stretch == 1.0
+                                    ? std::string()
+                                    : ", stretch = " + decimal(view.camera->stretch);
+    out.key("camera",
+            fmt::format("{{ center = {}, height = {}{} }}", in_brackets(view.camera->center),
+                        decimal(view.camera->height), stretch));
   }
   if (!view.effects.empty()) out.list("effects", as_texts(view.effects));
 }

@@ -153,8 +153,8 @@ std::vector<LessonKey> make_keys() {
        "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
        "what [study] shows: one pair, then error against time"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
-      {"views", "camera", "table { center = [x, y], height = h }", "fits what is drawn",
-       "the part of the world that is seen"},
+      {"views", "camera", "table { center = [x, y], height = h, stretch = s }",
+       "fits what is drawn", "the part of the world that is seen"},
       {"views", "effects", "list of effects", "none",
        "what is drawn beyond the shapes and the run"},
 
@@ -162,6 +162,9 @@ std::vector<LessonKey> make_keys() {
       {"views.camera", "height",
        fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
        "height of the view in world units"},
+      {"views.camera", "stretch",
+       fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch), "1",
+       "y is drawn so many times larger than x; with another number than 1, angles are not true"},
 
       {"panel", "blocks", "list of panel blocks", "none", "blocks from top to bottom"},
       {"panel", "listing", "name of a listing", "none",

@@ -63,6 +63,7 @@ inline constexpr double kLargest = 1e18;
 inline constexpr double kLargestHalf = 65504.0;  ///< The largest finite half.
 inline constexpr double kLeastTile = 1e-3;       // radius of the circles that tile segments
 inline constexpr double kSmallestCameraHeight = 1e-18;
+inline constexpr double kMostStretch = 1e9;
 }  // namespace limits
 
 }  // namespace gjkscope

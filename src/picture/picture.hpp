@@ -59,11 +59,17 @@ struct Box {
 };
 enum class Align { left, center, right };
 /// One line of text; `at` is on the base line.
+/// Part of a text with a role of its own.
+struct Tone {
+  std::string text;
+  std::string role;
+};
 struct Text {
   Point at;
   std::string text;  ///< UTF-8
   TextStyle style;
   Align align = Align::left;
+  std::vector<Tone> tones = {};  ///< Where parts differ in colour: they make up the text.
 };
 
 /// What a mark stands for, where a reader may point at it.

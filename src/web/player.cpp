@@ -269,8 +269,8 @@ std::optional<std::size_t> stage_at(const Session& session, const Point& p) {
 
 Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
   const Point off = p - stage.card.center();
-  return stage.camera.center +
-         Vector2d(off.x(), -off.y()) * (stage.camera.height / stage.card.size().y());
+  return stage.camera.center + stage.camera.units_per_pixel(stage.card.size().y())
+                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 }  // namespace
@@ -353,8 +353,8 @@ void Player::nudge(const Asked& asked) {
   const int index = asked.whole("index");
   const std::vector<LessonPictures::Stage> stages = session_.views();
   const LessonPictures::Stage& stage = stages.front();
-  const double unit = stage.camera.height / stage.card.size().y();
-  const Vector2d by = unit * Vector2d(asked.real("right"), asked.real("up"));
+  const Vector2d by = stage.camera.units_per_pixel(stage.card.size().y())
+                          .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
   if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");
