@@ -93,13 +93,23 @@ class Asking {
  private:
   using Query = models::SearchQuery<models::Box>;
 
+  /// The front only moves down, and trees that are built anew have other segments in their nodes:
+  /// it is left when it costs three quarters of a search from the roots. That search itself is no
+  /// reason.
+  [[nodiscard]] static bool is_cheap(const MethodsTold& told) {
+    const long visits = told.at(Method::tree_front);
+    return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
+  }
+
   /// Starts with the pairs at which the last search ended, the nearest on top (Li and Chen 1998,
   /// "Incremental 3D collision detection with hierarchical data structures"). Trees of as many
   /// segments have the same nodes, so below these pairs lie all pairs of leaves, as below the
   /// roots.
   models::SearchResult search_from_front(const Query& query, const models::SearchOptions& options) {
     models::SearchState state = models::start(query, options);
-    if (before_ != nullptr && !before_->front.empty()) {
+    const bool starts_at_front =
+        before_ != nullptr && !before_->front.empty() && is_cheap(*before_);
+    if (starts_at_front) {
       state.waiting.clear();
       for (const models::NodePair& pair : before_->front)
         state.waiting.push_back(models::detail::node_pair(query, pair.a, pair.b, -1));
@@ -112,6 +122,7 @@ class Asking {
       models::step(state, query, options, record);
       if (record.cut || phase == models::SearchPhase::leaf) told_.front.push_back(state.pair);
     }
+    told_.from_roots = starts_at_front ? before_->from_roots : state.visits;
     // A search that found segments that meet leaves pairs behind.
     if (state.stop == models::SearchStop::meet) told_.front.clear();
     return models::result_of(state, query, options);

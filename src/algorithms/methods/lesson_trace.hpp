@@ -43,6 +43,7 @@ struct MethodsTold {
   std::pair<int, int> segments = {-1, -1};
   /// Pairs of nodes that were cut or measured. Below them lie all pairs of leaves.
   std::vector<models::NodePair> front;
+  long from_roots = 0;  ///< Visits of the last search from the roots.
 
   [[nodiscard]] bool is_refused() const { return refusal.has_value(); }
   [[nodiscard]] long at(Method method) const { return steps[static_cast<std::size_t>(method)]; }

@@ -63,8 +63,9 @@ void words(const Story& story, FrameText& text) {
                sum(Method::gjk_cold) - sum(Method::gjk_warm), sum(Method::gjk_cold),
                sum(Method::tree_cold) - sum(Method::tree_front), sum(Method::tree_cold));
     text.detail = format(
-        "The last pair alone saves {}: nearer first finds a small δ at once. To start where the "
-        "last search ended (Li and Chen 1998) saves the way down to there.",
+        "The last pair alone saves {}: nearer first finds a small δ at once. What helps is to "
+        "start "
+        "where the last search ended (Li and Chen 1998).",
         sum(Method::tree_cold) - sum(Method::tree_pair));
     return;
   }
