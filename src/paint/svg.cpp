@@ -200,7 +200,7 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
     more += fmt::format(" data-mark=\"{}\"", mark.role);
     if (const std::string name = subject_name(mark.subject); !name.empty())
       more += fmt::format(" data-of=\"{}\"", name);
-    out += std::visit(MarkWriter(theme.style(mark.role), fonts, more), mark.shape);
+    out += std::visit(MarkWriter(theme.style(mark), fonts, more), mark.shape);
   }
   return out + "</svg>\n";
 }
