@@ -33,7 +33,8 @@ std::vector<std::pair<Identity, std::size_t>> identified(const Picture& picture)
     const int view = view_of(picture, mark);
     if (view < 0) continue;
     const Text* const text = std::get_if<Text>(&mark.shape);
-    Identity identity(view, mark.shape.index(), mark.role, text ? text->text : "",
+    const std::string_view words = text ? std::string_view(text->text) : std::string_view();
+    Identity identity(view, mark.shape.index(), mark.role, words,
                       static_cast<int>(mark.subject.kind), mark.subject.x, mark.subject.y, 0);
     std::get<7>(identity) = counts[identity]++;
     out.emplace_back(identity, i);

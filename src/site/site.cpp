@@ -155,7 +155,8 @@ class SiteWriter {
     write_plain("index", "GJK, step by step",
                 "The GJK distance algorithm, one decision at a time: lessons to step through, to "
                 "drag and to ask.",
-                {{"lessons", list}});
+                {{"lessons", list},
+                 {"first", lessons.empty() ? "playground" : escape_html(lessons.front().id)}});
   }
 
   void write_about() {
@@ -241,6 +242,10 @@ class SiteWriter {
     parts["panel"] = first.value("panel", "");
     parts["views"] = two ? "two" : "one";
     parts["nav"] = nav(lesson.id + ".html", next);
+    if (next) {
+      parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n",
+                                  link(next->id + ".html", "Next lesson: " + next->title));
+    }
     parts["transcript"] = transcript_items(lesson);
     parts["data"] = script_text(data);
     write(lesson.id, filled(page_, parts));
