@@ -8,12 +8,12 @@ function animate() {
   let frame = 0;
   const end = () => {
     cancelAnimationFrame(frame);
-    put($("stage"), state.stage, "img");
+    putStage(state.stage);
   };
   const go = (now) => {
     const share = Math.max(0, now - start) / MOTION_MS;
     if (share >= 1) return end();
-    put($("stage"), ask({ do: "tween", share }).stage, "img");
+    putStage(ask({ do: "tween", share }).stage);
     frame = requestAnimationFrame(go);
   };
   go(start);

@@ -56,13 +56,19 @@ function put(host, markup, role) {
   host.replaceChildren(svg);
 }
 
+/** What the mouse points at stays lit. */
+function putStage(markup) {
+  put($("stage"), markup, "img");
+  if (pointed) light(pointed);
+}
+
 function show(next, moves) {
   const last = state;
   state = { ...last, ...next, question: next.question };
   endMotion();
   endMotion = () => {};
   if (moves && !matchMedia("(prefers-reduced-motion: reduce)").matches) endMotion = animate();
-  else put($("stage"), state.stage, "img");
+  else putStage(state.stage);
   $("panel").hidden = !state.panel;
   if (state.panel) putPanel();
   put($("timeline"), state.timeline, "img");

@@ -97,6 +97,7 @@ Picture tween(const Picture& from, const Picture& to, double t) {
   for (const auto& [identity, index] : identified(from)) {
     const Mark& was = from.marks[index];
     const auto found = stays.find(identity);
+    const std::size_t before = found == stays.end() ? next : found->second;
     if (found != stays.end()) {
       next = found->second + 1;
       if (move_back(between.marks[found->second].shape, was.shape, t)) {
@@ -105,7 +106,7 @@ Picture tween(const Picture& from, const Picture& to, double t) {
       }
     }
     if (std::holds_alternative<Text>(was.shape)) continue;
-    Mark& going = gone.emplace(next, was)->second;
+    Mark& going = gone.emplace(before, was)->second;
     going.opacity *= 1.0 - t;
     going.subject = {};  // nothing to point at any more
   }

@@ -240,6 +240,7 @@ action("a support point, drawn as a diamond alone, lights up", async (visit, siz
   let found = null;
   for (let i = 0; i < 20 && !found; ++i) {
     await page.click("#step");
+    await settle(page);
     found = await diamond();
   }
   assert.ok(found, "no step has such a diamond");
@@ -521,7 +522,7 @@ claim("10 MB that are pasted or linked are refused at once, and the page goes on
     assert.equal(await page.locator("#problem").isVisible(), false);
   }
   await page.evaluate((json) => { location.hash = `case=${encodeURIComponent(json)}`; }, text10);
-  await page.locator("#problem", { hasText: /^link: 1\d{7} characters are too many; expected at most 6291456$/ }).waitFor();
+  await page.locator("#problem", { hasText: /^link: \d{8} characters are too many; expected at most 6291456$/ }).waitFor();
   assert.deepEqual((await state(page)).shapes, before);
   await page.evaluate((json) => navigator.clipboard.writeText(json), '{"a": [[0, 0]], "b": [[3, 4]]}');
   await page.locator("#case").focus();
