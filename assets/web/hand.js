@@ -66,6 +66,15 @@ function circleAround(mark) {
   return [box.x + box.width / 2, box.y + box.height / 2, Math.max(box.width, box.height) / 2];
 }
 
+/** A mark's own outline as a ring: of a volume, which no circle fits. */
+function outlineOf(mark, name) {
+  const ring = document.createElementNS(mark.namespaceURI, "path");
+  ring.setAttribute("class", "ring");
+  ring.setAttribute("d", mark.getAttribute("d"));
+  ring.dataset.lit = name;
+  return ring;
+}
+
 /** What is pointed at lights up, and what belongs to it. */
 function light(place) {
   const found = ask({ do: "point", ...place });
@@ -74,8 +83,12 @@ function light(place) {
   svg.querySelectorAll(".ring").forEach((ring) => ring.remove());
   $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));
   for (const name of found.linked) {
-    if (!/^[xyz] /.test(name)) continue;
+    if (!/^(node )?[xyz] /.test(name)) continue;
     for (const mark of svg.querySelectorAll(`[data-of="${name}"]`)) {
+      if (name.startsWith("node ") && mark.tagName === "path") {
+        svg.append(outlineOf(mark, name));
+        continue;
+      }
       const circle = circleAround(mark);
       if (!circle) continue;
       const ring = document.createElementNS(svg.namespaceURI, "circle");

@@ -32,7 +32,7 @@ template <class R, class N, int D>
 
 /// The simplex with its vertices of Z computed anew from the given ones, in the run's unit.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline, gnu::flatten]] Simplex<DoubleWord<R>, D> careful_simplex(
+[[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
     const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
   using Word = DoubleWord<R>;
   const auto in_unit = [&](const Vec<S, D>& a) {

@@ -162,7 +162,7 @@ class OutsideBounds {
   }
 
   /// As `measure`, with about twice the digits; replaces weights that may be too inexact.
-  [[gnu::noinline, gnu::flatten]] void measure_anew(Simplex<R, D>& simplex) {
+  [[gnu::noinline]] void measure_anew(Simplex<R, D>& simplex) {
     const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
     foot_ = foot_of<R>(face);
     if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place

@@ -39,7 +39,8 @@ template <class R, class S, int D>
   run(state, query, options, prepared);
   return result(state, query, options, prepared);
 }
-/// `distance_in` with all phases inlined. Not for exact scalars: compilers would take minutes.
+/// `distance_in` with all phases inlined. Only for numbers that processors have: with others,
+/// compilers would take minutes.
 template <class R, class S, int D>
 [[nodiscard, gnu::flatten]] Result<R, D> distance_in_one(const Query<S, D>& query,
                                                          const Options& options) {
@@ -52,10 +53,10 @@ template <class R, class S, int D>
 template <class R = Default, class S, int D>
 [[nodiscard]] Result<RunScalar<R, S>, D> distance(const Query<S, D>& query,
                                                   const Options& options = {}) {
-  if constexpr (ScalarTraits<RunScalar<R, S>>::kExact)
-    return detail::distance_in<RunScalar<R, S>>(query, options);
-  else
+  if constexpr (std::is_floating_point_v<RunScalar<R, S>>)
     return detail::distance_in_one<RunScalar<R, S>>(query, options);
+  else
+    return detail::distance_in<RunScalar<R, S>>(query, options);
 }
 
 /// The distance between two shapes, each a range of points, a Shape or a MeasuredShape.

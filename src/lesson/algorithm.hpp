@@ -45,6 +45,8 @@ struct Algorithm {
   /// It goes on where a run of GJK ends. Others have no such run: they ask about the outlines of
   /// the shapes, convex or not.
   bool follows_gjk = false;
+  /// It builds trees of the volumes that a lesson chooses (`query.volumes`).
+  bool has_volumes = false;
 };
 
 }  // namespace gjkscope

@@ -18,6 +18,9 @@ namespace gjkscope {
 
 enum class ScalarKind { half, single, double_, exact };
 
+/// What bounds segments in trees.
+enum class VolumeKind { boxes, circles };
+
 /// Of `start` the pairs that count.
 [[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
   return a.direction_rule == b.direction_rule && a.region_order == b.region_order &&
@@ -189,6 +192,7 @@ struct Lesson {
   /// Start at the first vertices, unless told otherwise.
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
+  VolumeKind volumes = VolumeKind::boxes;
 
   std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.

@@ -96,6 +96,7 @@ class LessonReader {
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
+  Field volumes_;
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
   Field beside_;
@@ -128,9 +129,10 @@ Lesson LessonReader::read(const toml::table& root) {
   if (const auto growth = reader_.table(file["growth"], "growth")) read_growth(*growth);
   if (const auto study = reader_.table(file["study"], "study")) read_study(*study);
   if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
+  const Act* own = vocabulary_.act(lesson_.act);
   for (const Act* act : vocabulary_.acts) {
-    if (act->needs.table != act->name || act->name == kPathTable || lesson_.act == act->name)
-      continue;
+    if (act->needs.table != act->name || act->name == kPathTable) continue;
+    if (own != nullptr && own->needs.table == act->needs.table) continue;
     if (const Field field = file[act->name]) {
       problems_.add(field.place(),
                     fmt::format("a table [{0}] without granularity '{0}'", act->name),
@@ -348,6 +350,8 @@ void LessonReader::read_query(const Table& query) {
   read_start(query["start"]);
   warm_ = query["warm"];
   lesson_.warm_start = reader_.yes_or_no(warm_).value_or(false);
+  volumes_ = query["volumes"];
+  lesson_.volumes = reader_.choice<VolumeKind>(volumes_, "volume").value_or(lesson_.volumes);
 }
 
 void LessonReader::read_start(const Field& start) {
@@ -650,6 +654,10 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
       problems_.add(outlines.place(), fmt::format("'outlines' with granularity '{}'", act.name),
                     "no 'outlines': GJK asks about the hull of the vertices");
     }
+  }
+  if (volumes_ && (act.algorithm == nullptr || !act.algorithm->has_volumes)) {
+    problems_.add(volumes_.place(), fmt::format("'volumes' with granularity '{}'", act.name),
+                  "no 'volumes': it builds no trees");
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");

@@ -25,6 +25,11 @@ struct Named<ScalarKind> {
        {"exact", ScalarKind::exact}}};
 };
 template <>
+struct Named<VolumeKind> {
+  static constexpr std::array<std::pair<std::string_view, VolumeKind>, 2> kTable = {
+      {{"boxes", VolumeKind::boxes}, {"circles", VolumeKind::circles}}};
+};
+template <>
 struct Named<ViewKind> {
   static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
       {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};

@@ -218,6 +218,7 @@ void write_query(TomlText& out, const Lesson& lesson) {
   out.whole_number("cap", options.iteration_cap, defaults.options.iteration_cap);
   write_start(out, lesson);
   if (lesson.warm_start) out.key("warm", "true");
+  out.choice("volumes", lesson.volumes, defaults.volumes);
 }
 
 void write_steps(TomlText& out, const Lesson& lesson) {

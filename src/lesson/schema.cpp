@@ -85,6 +85,8 @@ std::vector<LessonKey> make_keys() {
        "vertex first"},
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
+      {"query", "volumes", one_of<VolumeKind>(), "boxes",
+       "what bounds segments, with granularities of trees"},
 
       {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",

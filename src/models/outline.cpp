@@ -116,6 +116,8 @@ std::string_view name_of(Fault fault) {
       return "not simple";
     case Fault::outlines_meet:
       return "outlines meet";
+    case Fault::several_outlines:
+      return "more than one outline";
     case Fault::not_convex:
       return "not convex";
   }
@@ -129,7 +131,7 @@ Flaw check(const std::vector<Outline>& outlines, Needs needs) {
     if (!outlines[i].closed) return {Fault::open_chain, i};
   }
   if (needs == Needs::simple) return check_meetings(model_of(outlines));
-  if (outlines.size() > 1) return {Fault::not_convex, 1};
+  if (outlines.size() > 1) return {Fault::several_outlines, 1};
   return is_convex(outlines.front()) ? Flaw{} : Flaw{Fault::not_convex};
 }
 

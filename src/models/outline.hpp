@@ -42,13 +42,14 @@ struct Model {
 /// What keeps outlines from being a model, or a method from taking it.
 enum class Fault : std::uint8_t {
   none,
-  no_outline,      ///< There is none.
-  too_few_points,  ///< An outline has fewer than two points.
-  not_finite,      ///< A coordinate is infinite or no number.
-  open_chain,      ///< The method needs closed outlines.
-  not_simple,      ///< An outline meets itself; the method needs simple ones.
-  outlines_meet,   ///< Two outlines of a model meet; the method needs them apart.
-  not_convex,      ///< The method needs one convex outline.
+  no_outline,        ///< There is none.
+  too_few_points,    ///< An outline has fewer than two points.
+  not_finite,        ///< A coordinate is infinite or no number.
+  open_chain,        ///< The method needs closed outlines.
+  not_simple,        ///< An outline meets itself; the method needs simple ones.
+  outlines_meet,     ///< Two outlines of a model meet; the method needs them apart.
+  several_outlines,  ///< The method needs one outline.
+  not_convex,        ///< The method needs a convex outline.
 };
 [[nodiscard]] std::string_view name_of(Fault fault);
 

@@ -312,6 +312,8 @@ PiecesAnswer pieces_distance(const Model& a, const Model& b, const Pieces& piece
         run.lower = found.lower;
         run.upper = found.upper;
         run.iterations = found.iterations;
+        run.x = found.x;
+        run.y = found.y;
         least = std::min(least, found.upper);
         ++out.visits;
         if (found.verdict == gjk::Verdict::touching || found.verdict == gjk::Verdict::overlapping) {

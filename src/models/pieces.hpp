@@ -45,6 +45,8 @@ struct PieceRun {
   double lower = 0.0;
   double upper = 0.0;
   int iterations = 0;
+  Point x = Point::Zero();  ///< Its closest points.
+  Point y = Point::Zero();
 };
 struct PiecesAnswer {
   Answer answer;

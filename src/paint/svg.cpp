@@ -168,6 +168,9 @@ std::string subject_name(const Subject& subject) {
       return fmt::format("phase {}", subject.x);
     case Kind::study_dot:
       return fmt::format("dot {}", subject.x);
+    case Kind::tree_node:
+      return subject.x >= 0 ? fmt::format("node x {}", subject.x)
+                            : fmt::format("node y {}", subject.y);
   }
   return "";
 }

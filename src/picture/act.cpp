@@ -76,6 +76,47 @@ void add_algorithm_frames(LessonRun& run, int index) {
     run.frames.push_back({.run = index, .step = last, .steps_over = i});
 }
 
+namespace {
+
+enum class AlgorithmPart { start, step, answer };
+AlgorithmPart part_of(const LessonRun& run, const Frame& frame) {
+  if (*frame.steps_over == 0) return AlgorithmPart::start;
+  return *frame.steps_over > run.algorithm_trace(frame).steps() ? AlgorithmPart::answer
+                                                                : AlgorithmPart::step;
+}
+
+}  // namespace
+
+std::string position_in_algorithm(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const AlgorithmPart part = part_of(run, frame);
+  if (part == AlgorithmPart::start) return "start";
+  if (part == AlgorithmPart::answer)
+    return format("answer · {} of {}", index + 1, run.frames.size());
+  const StepInfo at = run.info(frame);
+  if (run.runs.size() > 1) return format("{} · {}", position_on_path(run, index), at.phase);
+  if (asks_later(run, index)) return format("iteration {} · {}", at.iteration, at.phase);
+  const AlgorithmTrace& trace = run.algorithm_trace(frame);
+  return format("iteration {} of {} · {}", at.iteration, trace.info(trace.steps() - 1).iteration,
+                at.phase);
+}
+
+Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
+  const AlgorithmPart part = part_of(run, frame);
+  if (part == AlgorithmPart::start)
+    return {.group = group_of_position(run, frame, "start"), .label = "S"};
+  if (part == AlgorithmPart::answer)
+    return {.group = group_of_position(run, frame, "answer"),
+            .label = "answer",
+            .short_label = "A",
+            .event = true};
+  const StepInfo at = run.info(frame);
+  return {.group = group_of_position(run, frame, format("iteration {}", at.iteration)),
+          .label = std::string(at.phase),
+          .event = at.is_event,
+          .phase = std::string(at.phase)};
+}
+
 int answering_step_of_run(const LessonRun& run, const Frame& before, const Frame& frame,
                           const LessonQuestion& question) {
   const WideTrace& trace = run.run(frame).trace;

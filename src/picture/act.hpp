@@ -64,6 +64,10 @@ void add_step_frames(LessonRun& run, int index,
 /// the answer; where it has no steps a single one, which says why. GJK, where it was asked, has
 /// ended.
 void add_algorithm_frames(LessonRun& run, int index);
+/// "iteration 2 of 4 · swap", "start", "answer · 9 of 9"; along a path the position before it.
+[[nodiscard]] std::string position_in_algorithm(const LessonRun& run, int index);
+/// Of the start, a step or the answer.
+[[nodiscard]] Tick tick_of_algorithm(const LessonRun& run, const Frame& frame);
 /// The last step of an algorithm that is over when a frame ends; none at the start.
 template <class Step>
 [[nodiscard]] const Step* last_step_over(const std::vector<Step>& steps, const Frame& frame) {

@@ -8,10 +8,8 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 15> kEntries = {
+constexpr std::array<LegendEntry, 13> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
-     {"feature.vertex", "current feature"},
-     {"feature.edge", "current feature"},
      {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
      {"closest", "closest point"},
@@ -100,7 +98,7 @@ std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect&
 
 }  // namespace
 
-std::span<const LegendEntry> legend_entries() { return kEntries; }
+std::span<const LegendEntry> own_legend_entries() { return kEntries; }
 
 bool has_mark(const Scene& scene, std::string_view role) { return mark_of(scene, role) != nullptr; }
 

@@ -14,8 +14,8 @@ struct LegendEntry {
   std::string_view text;
 };
 
-/// All there are, in the order in which they are said.
-[[nodiscard]] std::span<const LegendEntry> legend_entries();
+/// Those of marks that are drawn for GJK, in the order in which they are said.
+[[nodiscard]] std::span<const LegendEntry> own_legend_entries();
 
 [[nodiscard]] bool has_mark(const Scene& scene, std::string_view role);
 

@@ -87,7 +87,8 @@ struct Subject {
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
     phase,              ///< `x` is its number: LessonRun::phase_name.
-    study_dot           ///< `x` is its index in its family.
+    study_dot,          ///< `x` is its index in its family.
+    tree_node           ///< `x` is its index in the tree of X, or `y` in that of Y.
   };
   Kind kind = Kind::none;
   int x = -1;

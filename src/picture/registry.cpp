@@ -36,8 +36,8 @@ constexpr std::array kListings = {
 };
 
 /// The values of a table, and those that algorithms add to it.
-template <class T, std::size_t N>
-std::vector<T> all(const std::array<T, N>& own, std::span<const T> ShownAlgorithm::*more) {
+template <class T>
+std::vector<T> all(std::span<const T> own, std::span<const T> ShownAlgorithm::*more) {
   std::vector<T> out(own.begin(), own.end());
   for (const ShownAlgorithm* each : kAlgorithms)
     out.insert(out.end(), (each->*more).begin(), (each->*more).end());
@@ -64,18 +64,23 @@ Vocabulary make_vocabulary() {
 }  // namespace
 
 std::span<const StagedAct* const> registered_acts() {
-  static const auto acts = all(kActs, &ShownAlgorithm::acts);
+  static const auto acts = all<const StagedAct*>(kActs, &ShownAlgorithm::acts);
   return acts;
 }
 
 std::span<const Block* const> registered_blocks() {
-  static const auto blocks = all(kBlocks, &ShownAlgorithm::blocks);
+  static const auto blocks = all<const Block*>(kBlocks, &ShownAlgorithm::blocks);
   return blocks;
 }
 
 std::span<const Listing* const> registered_listings() {
-  static const auto listings = all(kListings, &ShownAlgorithm::listings);
+  static const auto listings = all<const Listing*>(kListings, &ShownAlgorithm::listings);
   return listings;
+}
+
+std::span<const LegendEntry> legend_entries() {
+  static const auto entries = all(own_legend_entries(), &ShownAlgorithm::legend);
+  return entries;
 }
 
 const Vocabulary& vocabulary() {

@@ -6,6 +6,7 @@
 #include "lesson/vocabulary.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
+#include "picture/legend.hpp"
 
 namespace gjkscope {
 
@@ -14,6 +15,7 @@ struct ShownAlgorithm {
   std::span<const StagedAct* const> acts;
   std::span<const Block* const> blocks;
   std::span<const Listing* const> listings;
+  std::span<const LegendEntry> legend = {};  ///< What its marks mean.
 };
 
 /// Each is defined in the folder of its algorithm.
@@ -27,6 +29,7 @@ namespace algorithms {
 [[nodiscard]] std::span<const StagedAct* const> registered_acts();
 [[nodiscard]] std::span<const Block* const> registered_blocks();
 [[nodiscard]] std::span<const Listing* const> registered_listings();
+[[nodiscard]] std::span<const LegendEntry> legend_entries();
 
 /// What the loader knows of them.
 [[nodiscard]] const Vocabulary& vocabulary();

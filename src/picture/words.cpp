@@ -61,6 +61,11 @@ std::string grouped(double value) {
   return digits;
 }
 
+std::string capitalized(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+  return text;
+}
+
 std::string Numbers::operator()(double value) const {
   if (scalar_ == ScalarKind::single) return float_digits(value, 8);
   if (scalar_ == ScalarKind::half) return float_digits(value, 5);

@@ -19,6 +19,9 @@ namespace gjkscope {
 /// "1,203": the whole number next to a value, its digits in groups of three.
 [[nodiscard]] std::string grouped(double value);
 
+/// With a capital letter first, of ASCII.
+[[nodiscard]] std::string capitalized(std::string text);
+
 /// Numbers of one lesson: three decimals in double and exact lessons, all digits that tell values
 /// apart in half (5) and float (9, trailing zeros dropped) ones. Very large and very small numbers
 /// in scientific notation.

@@ -86,8 +86,25 @@ TEST(Outlines, TheWalkSaysWhyItDoesNotTakeAHole) {
   ASSERT_EQ(run.frames.size(), 1u);
   EffectGraph effects(run);
   const std::vector<FrameText> texts = lesson_texts(run, effects);
-  EXPECT_EQ(texts.front().caption, "The walk does not take X: not convex.");
+  EXPECT_EQ(texts.front().caption, "The walk does not take X: more than one outline.");
   EXPECT_EQ(check_expectation(run).size(), 1u);
+}
+
+TEST(Volumes, AreChosenWhereTreesAreBuilt) {
+  const auto with_volumes = [](const std::string& volumes, const std::string& granularity) {
+    return lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n", granularity) +
+           "[query]\nvolumes = \"" + volumes + "\"\n";
+  };
+  const LoadedLesson loaded = load(with_volumes("circles", "hierarchy-distance"));
+  ASSERT_TRUE(loaded.lesson);
+  EXPECT_EQ(loaded.lesson->volumes, VolumeKind::circles);
+  EXPECT_EQ(load(lesson_toml(*loaded.lesson)).lesson->volumes, VolumeKind::circles);
+  EXPECT_EQ(problem(with_volumes("balls", "hierarchy-distance")),
+            "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles");
+  EXPECT_EQ(
+      problem(with_volumes("circles", "lin-canny")),
+      "x.toml:16:11: 'volumes' with granularity 'lin-canny'; expected no 'volumes': it builds "
+      "no trees");
 }
 
 }  // namespace

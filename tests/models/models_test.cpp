@@ -120,6 +120,7 @@ TEST(Models, FlawsAreNamedAndLocated) {
   EXPECT_EQ(2, crossing.other_index);
   EXPECT_EQ(Fault::outlines_meet, check({square, inner}, Needs::simple).fault);
   EXPECT_EQ(Fault::none, check({square}, Needs::convex).fault);
+  EXPECT_EQ(Fault::several_outlines, check({bow, bow}, Needs::convex).fault);
   EXPECT_EQ(Fault::not_convex, check({bow}, Needs::convex).fault);
   const Outline pentagram{{{0, 10}, {-6, -8}, {10, 3}, {-10, 3}, {6, -8}}};
   EXPECT_EQ(Fault::not_convex, check({pentagram}, Needs::convex).fault);

@@ -20,9 +20,10 @@ const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR)
 
 /// What marks points; their roles are what a frame is about.
 const std::set<std::string, std::less<>> kPoints = {
-    "simplex.vertex", "support.vertex", "closest",      "query",
-    "origin",         "dropped",        "shape.vertex", "shape.x.vertex",
-    "shape.y.vertex", "polygon.vertex", "cloud.touched"};
+    "simplex.vertex", "support.vertex", "closest",        "query",          "origin",
+    "dropped",        "shape.vertex",   "shape.x.vertex", "shape.y.vertex", "polygon.vertex",
+    "cloud.touched",  "tree.current",   "tree.waiting",   "tree.visited",   "tree.ahead",
+    "tree.cut",       "tree.off",       "tree.better"};
 
 using Rgb = Eigen::Vector3d;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/outline_trace.hpp"
 #include "lesson/vocabulary.hpp"
 #include "models/brute.hpp"
 #include "trace/fields.hpp"
@@ -24,13 +25,6 @@ constexpr std::array<std::string_view, 2> kAnswers = {"distance", "swaps"};
 constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the closest features, once the walk has stopped"},
      {"swaps", "features that the walk has swapped by now"}}};
-
-models::Model model_of(const LessonShape& shape, const std::vector<Eigen::Vector2d>& world) {
-  std::vector<models::Outline> outlines;
-  for (const auto& [first, count] : shape.ranges())
-    outlines.push_back({{world.begin() + first, world.begin() + first + count}});
-  return models::model_of(std::move(outlines));
-}
 
 class Told : public AlgorithmTrace {
  public:
@@ -144,12 +138,11 @@ models::RingFeature vertex_of(const models::Ring& ring, int vertex) {
 std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) {
   WalkTold told;
-  const models::Model x = model_of(lesson.x(), run.x().world);
-  const models::Model y = model_of(lesson.y(), run.y().world);
+  const auto [x, y] = outlines_of(lesson, run);
   for (const models::Model* model : {&x, &y}) {
     models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)
-      flaw.fault = models::Fault::not_convex;
+      flaw = {models::Fault::several_outlines, 1};
     if (flaw.fault == models::Fault::none) continue;
     told.trace.result.stop = WalkStop::refused;
     told.trace.result.flaw = flaw;

@@ -40,11 +40,6 @@ std::string of_pairs(const std::string& who, const StudyDot& dot) {
   return out;
 }
 
-std::string capitalized(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
-}
-
 /// What the mark number `mark`, from 1, is compared with.
 const StudyDot& compared_with(const LessonStudy& study, int mark) {
   const auto index = static_cast<std::size_t>(mark - 1);

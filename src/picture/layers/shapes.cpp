@@ -13,6 +13,11 @@ using namespace sizes;
 /// it and each other.
 constexpr std::size_t kMostNamed = 256;
 
+/// Where GJK does not name them, names of more vertices than this would only be in the way, and
+/// disks of more vertices hide the line.
+constexpr std::size_t kMostLabels = 8;
+constexpr std::size_t kMostDisks = 64;
+
 /// Without the points that are less than half a pixel from the one before.
 std::vector<Point> told_apart(const std::vector<Point>& points) {
   std::vector<Point> out;
@@ -71,10 +76,12 @@ void shape(SceneBuilder& scene, std::size_t body) {
     }
     scene.outline(points);
   }
-  for (std::size_t i = 0; named && i < points.size(); ++i) {
+  const bool has_disks = named && (scene.run.has_gjk() || points.size() <= kMostDisks);
+  for (std::size_t i = 0; has_disks && i < points.size(); ++i) {
     const int index = static_cast<int>(i);
     scene.disk(role + ".vertex", points[i], kVertexRadius,
                is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
+    if (!scene.run.has_gjk() && points.size() > kMostLabels) continue;
     Point away = points[i] - middle;
     if (points.size() == 1) away = Point::Zero();
     // Beside a vertex that moves, no place is free for good.

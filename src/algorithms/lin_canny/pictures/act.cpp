@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -29,33 +27,6 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   return shown.state.found.behind ? -1 : *frame.steps_over - 1;
 }
 
-std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  const Shown shown(run, frame);
-  if (shown.step == nullptr) return "start";
-  if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
-  const StepInfo at = run.info(frame);
-  if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at.phase);
-  if (asks_later(run, index)) return fmt::format("iteration {} · {}", at.iteration, at.phase);
-  return fmt::format("iteration {} of {} · {}", at.iteration, shown.walk.trace.result.steps,
-                     at.phase);
-}
-
-Tick tick(const LessonRun& run, const Frame& frame) {
-  const Shown shown(run, frame);
-  const StepInfo at = run.info(frame);
-  if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
-  if (shown.is_answer)
-    return {.group = group_of_position(run, frame, "answer"),
-            .label = "answer",
-            .short_label = "A",
-            .event = true};
-  return {.group = group_of_position(run, frame, fmt::format("iteration {}", at.iteration)),
-          .label = std::string(at.phase),
-          .event = at.is_event,
-          .phase = std::string(at.phase)};
-}
-
 const StagedAct kAct{
     .act = {.name = "lin-canny",
             .meaning = "phase of the walk on the features of two polygons, then its answer",
@@ -65,14 +36,16 @@ const StagedAct kAct{
             .asks = kAsks,
             .answering_step = answering_step,
             .algorithm = &kLinCannyAlgorithm},
-    .position = position,
-    .tick = tick,
+    .position = position_in_algorithm,
+    .tick = tick_of_algorithm,
     .words = words,
     .stage = stage,
     .question = question,
     .values = values,
 };
 
+constexpr std::array kLegend = {LegendEntry{"feature.vertex", "current feature"},
+                                LegendEntry{"feature.edge", "current feature"}};
 constexpr std::array kActs = {&kAct};
 constexpr std::array kBlocks = {&kFeatures};
 constexpr std::array kListings = {&kListing};
@@ -82,6 +55,6 @@ constexpr std::array kListings = {&kListing};
 
 namespace gjkscope::algorithms {
 
-const ShownAlgorithm lin_canny{walks::kActs, walks::kBlocks, walks::kListings};
+const ShownAlgorithm lin_canny{walks::kActs, walks::kBlocks, walks::kListings, walks::kLegend};
 
 }  // namespace gjkscope::algorithms

@@ -4,6 +4,7 @@
 #include "algorithms/lin_canny/lesson_trace.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
+#include "picture/legend.hpp"
 
 namespace gjkscope::walks {
 

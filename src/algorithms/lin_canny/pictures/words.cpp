@@ -10,11 +10,6 @@ using fmt::format;
 using models::WalkPhase;
 using models::WalkStop;
 
-std::string capitalised(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 class Telling {
  public:
   Telling(const Story& story, FrameText& text)
@@ -61,7 +56,7 @@ class Telling {
 
   void closest() {
     if (shown_.state.stop == WalkStop::overlap) {
-      text_.caption = format("{} and {} meet: the shapes overlap.", capitalised(shown_.name(true)),
+      text_.caption = format("{} and {} meet: the shapes overlap.", capitalized(shown_.name(true)),
                              shown_.name(false));
       text_.detail = "The walk stops here. It cannot say how deep the shapes overlap.";
       return;
@@ -109,12 +104,12 @@ class Telling {
   void swap() {
     const bool of_x = shown_.state.found.of_a;
     if (shown_.state.stop == WalkStop::overlap) {
-      text_.caption = format("{} lies in {}: the shapes overlap.", capitalised(shown_.name(!of_x)),
+      text_.caption = format("{} lies in {}: the shapes overlap.", capitalized(shown_.name(!of_x)),
                              point_of(of_x));
       text_.detail = "It lies behind each edge. The walk stops here: it cannot say how deep.";
       return;
     }
-    text_.caption = format("{} takes the place of {}.", capitalised(shown_.name(of_x)),
+    text_.caption = format("{} takes the place of {}.", capitalized(shown_.name(of_x)),
                            shown_.name(of_x, of_x ? before().a : before().b));
     text_.detail = shown_.step->asked > 0
                        ? format("Of {} edges it is the nearest. Next: the closest points again.",

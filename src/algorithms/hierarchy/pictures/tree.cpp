@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "algorithms/hierarchy/pictures/shown.hpp"
+
+namespace gjkscope::searches {
+namespace {
+
+using models::SearchPhase;
+
+/// Levels below the root that are drawn node by node; what lies deeper is one mark each.
+constexpr int kMostDepth = 5;
+
+constexpr double kLeast = 2.2;  // radius of a node
+constexpr double kCurrent = 9.0;
+constexpr double kSide = 16.0;  // edge of the card to a tree
+constexpr double kKey = 56.0;   // height
+
+/// A square that lies on its side.
+Polygon square(const Point& center, double radius) {
+  const double r = 0.9 * radius;
+  return {
+      {center + Point(-r, -r), center + Point(r, -r), center + Point(r, r), center + Point(-r, r)}};
+}
+
+/// One tree, its root above.
+class TreePicture {
+ public:
+  TreePicture(SceneBuilder& scene, const Shown& shown, bool of_x, const Rect& area)
+      : scene_(scene),
+        shown_(shown),
+        of_x_(of_x),
+        area_(area),
+        tree_(shown.search.tree(of_x)),
+        states_(shown.node_states(of_x)),
+        depths_(tree_.size()) {
+    for (std::size_t i = 1; i < tree_.size(); ++i) {
+      depths_[i] = depths_[static_cast<std::size_t>(tree_[i].parent)] + 1;
+      depth_ = std::max(depth_, depths_[i]);
+    }
+    has_more_ = depth_ > kMostDepth;
+    depth_ = std::min(depth_, kMostDepth);
+    const double across = std::min<double>(tree_[0].count, std::exp2(depth_));
+    radius_ = std::clamp(0.42 * area_.size().x() / across, kLeast, kNodeRadius);
+  }
+
+  void draw() {
+    for (std::size_t i = 1; i < tree_.size(); ++i) {
+      if (is_drawn(i)) link(i);
+    }
+    for (std::size_t i = 0; i < tree_.size(); ++i) {
+      if (is_drawn(i)) node(i);
+    }
+    scene_.out.marks.push_back(
+        {of_x_ ? "shape.x.label" : "shape.y.label",
+         Text{{area_.min.x(), area_.min.y() + 6.0}, shown_.name(of_x_), type::kVertex}});
+    const std::string count = fmt::format("{} segments", tree_[0].count);
+    scene_.out.marks.push_back(
+        {"body.muted",
+         Text{{area_.max.x(), area_.min.y() + 6.0}, count, type::kBody, Align::right}});
+  }
+
+ private:
+  [[nodiscard]] bool is_drawn(std::size_t i) const { return depths_[i] <= depth_; }
+  /// It stands for what lies below it, too.
+  [[nodiscard]] bool is_heap(std::size_t i) const {
+    return has_more_ && depths_[i] == depth_ && !tree_[i].is_leaf();
+  }
+  [[nodiscard]] Point place(std::size_t i) const {
+    const double along = (tree_[i].first + 0.5 * tree_[i].count) / tree_[0].count;
+    const double down = depth_ == 0 ? 0.0 : static_cast<double>(depths_[i]) / depth_;
+    return area_.min + Point(along * area_.size().x(), down * area_.size().y());
+  }
+  [[nodiscard]] bool is_current(std::size_t i) const {
+    return shown_.has_pair() && shown_.node_index(of_x_) == static_cast<int>(i);
+  }
+  /// Of what a mark stands for, the liveliest.
+  [[nodiscard]] NodeState state(std::size_t i) const {
+    if (!is_heap(i)) return states_[i];
+    bool waits = false;
+    bool goes_on = false;
+    for (std::size_t k = i; k < tree_.size() && !(k > i && depths_[k] <= depths_[i]); ++k) {
+      waits = waits || states_[k] == NodeState::waiting;
+      goes_on = goes_on || states_[k] == NodeState::visited;
+    }
+    return waits ? NodeState::waiting : goes_on ? NodeState::visited : states_[i];
+  }
+
+  void link(std::size_t i) {
+    const Point from = place(static_cast<std::size_t>(tree_[i].parent));
+    const bool is_off = states_[i] == NodeState::off;
+    scene_.out.marks.push_back(
+        {is_off ? "tree.link.off" : "tree.link", Polyline{{from, place(i)}}});
+  }
+
+  void node(std::size_t i) {
+    const Point at = place(i);
+    const int index = static_cast<int>(i);
+    const Subject subject = of_x_ ? Subject{Subject::Kind::tree_node, index}
+                                  : Subject{Subject::Kind::tree_node, -1, index};
+    if (is_heap(i)) {
+      const double below = 2.2 * radius_;
+      scene_.out.marks.push_back(
+          {states_[i] == NodeState::off ? "tree.heap.off" : "tree.heap",
+           Polygon{{at, at + Point(radius_, below), at + Point(-radius_, below)}}, -1, subject});
+    }
+    Mark mark = node_mark(state(i), at, radius_);
+    if (is_current(i)) {
+      mark = current_mark(at, shown_.is_cut());
+      name(i, at);
+    }
+    mark.subject = subject;
+    scene_.out.marks.push_back(std::move(mark));
+  }
+
+  /// The letter of the node that is visited: below a leaf, else beside it.
+  void name(std::size_t i, const Point& at) {
+    const bool is_leaf = tree_[i].is_leaf();
+    const bool is_left = at.x() < area_.center().x();
+    const Point beside(is_left ? kCurrent + 5.0 : -kCurrent - 5.0, 5.0);
+    scene_.out.marks.push_back({of_x_ ? "shape.x.label" : "shape.y.label",
+                                Text{at + (is_leaf ? Point(0.0, kCurrent + 15.0) : beside),
+                                     of_x_ ? "a" : "b", type::kVertex,
+                                     is_leaf   ? Align::center
+                                     : is_left ? Align::left
+                                               : Align::right}});
+  }
+
+  SceneBuilder& scene_;
+  const Shown& shown_;
+  bool of_x_;
+  Rect area_;
+  const std::vector<TreeNode>& tree_;
+  std::vector<NodeState> states_;
+  std::vector<int> depths_;
+  int depth_ = 0;
+  bool has_more_ = false;
+  double radius_ = kNodeRadius;
+};
+
+}  // namespace
+
+Mark node_mark(NodeState state, const Point& at, double radius) {
+  switch (state) {
+    case NodeState::ahead:
+      return {"tree.ahead", Disk{at, radius}};
+    case NodeState::waiting:
+      return {"tree.waiting", diamond(at, 1.25 * radius)};
+    case NodeState::visited:
+      return {"tree.visited", Disk{at, radius}};
+    case NodeState::cut:
+      return {"tree.cut", square(at, radius)};
+    case NodeState::off:
+      return {"tree.off", Disk{at, 0.45 * radius}};
+  }
+  return {};
+}
+
+Mark current_mark(const Point& at, bool is_cut) {
+  if (is_cut) return {"tree.current", square(at, kCurrent)};
+  return {"tree.current", Disk{at, kCurrent}};
+}
+
+void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries) {
+  constexpr std::size_t kColumns = 3;
+  constexpr double kRow = 24.0;
+  const Rect& card = scene.map.area();
+  const Point start(card.min.x() + kSide + 10.0, card.max.y() - kKey);
+  const double width = (card.size().x() - 2.0 * kSide) / kColumns;
+  const double rise = 0.5 * fonts.cap_height(type::kText);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto column = static_cast<double>(i % kColumns);
+    const auto row = static_cast<double>(i / kColumns);
+    const Point at = start + Point(column * width, kRow * (row + 0.5));
+    scene.out.marks.push_back(entries[i].mark(at));
+    scene.out.marks.push_back(
+        {"legend", Text{at + Point(16.0, rise), std::string(entries[i].text), type::kText}});
+  }
+}
+
+std::array<Rect, 2> tree_areas(const Rect& card) {
+  constexpr double kTitle = 62.0;
+  constexpr double kBetween = 46.0;
+  constexpr double kBelow = 22.0;  // a letter under the lowest leaves
+  const double height = 0.5 * (card.size().y() - kTitle - kBetween - kBelow - kKey);
+  const Point corner = card.min + Point(kSide, kTitle);
+  const Point size(card.size().x() - 2.0 * kSide, height);
+  const Point down(0.0, height + kBetween);
+  return {Rect{corner, corner + size}, Rect{corner + down, corner + down + size}};
+}
+
+bool trees(SceneBuilder& scene, const Fonts& fonts) {
+  if (scene.view.kind != ViewKind::plot) return false;
+  const Shown shown(scene.run, scene.frame);
+  if (shown.is_refused()) return true;
+  const auto [above, below] = tree_areas(scene.map.area());
+  TreePicture(scene, shown, true, above).draw();
+  TreePicture(scene, shown, false, below).draw();
+  constexpr std::array<KeyEntry, 6> kEntries = {
+      {{[](const Point& at) { return current_mark(at); }, "now"},
+       {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
+       {[](const Point& at) { return node_mark(NodeState::ahead, at, kNodeRadius); }, "not yet"},
+       {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
+       {[](const Point& at) { return node_mark(NodeState::cut, at, kNodeRadius); }, "cut"},
+       {[](const Point& at) { return node_mark(NodeState::off, at, kNodeRadius); }, "spared"}}};
+  key(scene, fonts, kEntries);
+  return true;
+}
+
+int most_in_heap(const Shown& shown) {
+  int most = 0;
+  for (const bool of_x : {true, false}) {
+    // Halves are rounded up.
+    int count = shown.search.tree(of_x)[0].count;
+    for (int depth = 0; depth < kMostDepth; ++depth) count = (count + 1) / 2;
+    if (count > 1) most = std::max(most, count);
+  }
+  return most;
+}
+
+std::string trees_title(const LessonRun& run) {
+  return run.lesson.volumes == VolumeKind::boxes ? "The trees of boxes" : "The trees of circles";
+}
+
+}  // namespace gjkscope::searches

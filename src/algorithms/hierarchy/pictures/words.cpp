@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "algorithms/hierarchy/pictures/shown.hpp"
+
+namespace gjkscope::searches {
+namespace {
+
+using fmt::format;
+using models::SearchPhase;
+using models::SearchStop;
+
+std::string counted(long count, std::string_view what) {
+  return format("{} {}{}", count == 1 ? "one" : grouped(static_cast<double>(count)), what,
+                count == 1 ? "" : "s");
+}
+
+class Telling {
+ public:
+  Telling(const Story& story, FrameText& text)
+      : story_(story), text_(text), shown_(story.run, story.frame) {}
+
+  void tell() {
+    if (shown_.is_refused()) return refused();
+    if (shown_.is_answer) return answer();
+    if (shown_.step == nullptr) return start();
+    switch (shown_.step->phase) {
+      case SearchPhase::visit:
+        return visit();
+      case SearchPhase::bound:
+        return cut();
+      case SearchPhase::leaf:
+        return leaf();
+      case SearchPhase::descend:
+        return descend();
+      case SearchPhase::contain:
+        return contain();
+    }
+  }
+
+ private:
+  [[nodiscard]] const std::string& x() const { return shown_.name(true); }
+  [[nodiscard]] const std::string& y() const { return shown_.name(false); }
+  [[nodiscard]] std::string delta() const {
+    return "δ = " + story_.numbers(shown_.state.candidate->high);
+  }
+  [[nodiscard]] std::string bound() const { return story_.numbers(shown_.state.pair.bound); }
+  [[nodiscard]] long pairs_below() const {
+    return static_cast<long>(shown_.node(true).count) * shown_.node(false).count;
+  }
+
+  void refused() {
+    text_.caption =
+        format("The search does not take {}.", words_of(*shown_.search.refusal, shown_.lesson));
+  }
+
+  void start() {
+    text_.caption = format("Each shape has a tree of {}: the root holds all segments, a leaf one.",
+                           shown_.volumes());
+    text_.detail = format("{} · {} = {} pairs of segments. The pair of the two roots waits. ",
+                          shown_.search.x.segments.size(), shown_.search.y.segments.size(),
+                          grouped(static_cast<double>(shown_.search.pairs())));
+    if (shown_.search.options.remembered)
+      text_.detail += format("The last pair gives a candidate at once: {}.", delta());
+    else
+      text_.detail += "Next: visit it.";
+    const int most = most_in_heap(shown_);
+    if (most > 0) text_.detail += format(" A triangle stands for up to {} segments.", most);
+  }
+
+  /// "a holds 6 segments of X, b one segment of Y."
+  [[nodiscard]] std::string contents() const {
+    return format("a holds {} of {}, b {} of {}. ", counted(shown_.node(true).count, "segment"),
+                  x(), counted(shown_.node(false).count, "segment"), y());
+  }
+  /// "Visit 3: boxes a and b"
+  [[nodiscard]] std::string visited() const {
+    return format("Visit {}: {} a and b", shown_.state.visits, shown_.volumes());
+  }
+
+  void visit() {
+    text_.caption = format("Visit {}: the pair of {} a of {} and b of {}.", shown_.state.visits,
+                           shown_.volumes(), x(), y());
+    text_.detail = contents();
+    if (!shown_.is_distance())
+      text_.detail += format("Next: do the {} meet?", shown_.volumes());
+    else if (!shown_.state.candidate)
+      text_.detail += "No segments are measured yet, so nothing can be cut.";
+    else
+      text_.detail += format("The band around a is δ wide. Next: does b reach it?");
+  }
+
+  void cut() {
+    const bool is_one = pairs_below() == 1;
+    const std::string spared = is_one ? "The pair of segments is not tested."
+                                      : format("{} · {} pairs of segments are spared.",
+                                               shown_.node(true).count, shown_.node(false).count);
+    if (shown_.is_distance()) {
+      text_.caption = format("{} are {} apart, farther than {}: cut.", visited(), bound(), delta());
+      text_.detail = "No segment in a is nearer to one in b than the candidate. " + spared;
+    } else {
+      text_.caption = format("{} are {} apart: cut.", visited(), bound());
+      text_.detail = "No segment in a meets one in b. " + spared;
+    }
+  }
+
+  void leaf() {
+    const models::SearchRecord& record = shown_.step->record;
+    const std::string length = story_.numbers(record.measured->high);
+    if (record.measured->meet) {
+      text_.caption =
+          format("Visit {}: both are leaves, and their segments meet: stop.", shown_.state.visits);
+      text_.detail = "The shapes overlap. What still waits does not matter.";
+    } else if (!shown_.is_distance()) {
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments do not meet.", shown_.state.visits);
+      text_.detail = format("The {} meet, the segments do not: a {} is larger than its segment.",
+                            shown_.volumes(), shown_.volume());
+    } else if (record.better && is_tie()) {
+      text_.caption = format("Visit {}: both are leaves. Their segments are {} apart, too.",
+                             shown_.state.visits, length);
+      text_.detail =
+          "They share the closest vertex. Of equal pairs the first in the outlines counts.";
+    } else if (record.better) {
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments are {} apart: that is δ now.",
+                 shown_.state.visits, length);
+      text_.detail = "They are the candidate. From now on what is farther apart is cut.";
+    } else {
+      text_.caption =
+          format("Visit {}: both are leaves. Their segments are {} apart, not less than {}.",
+                 shown_.state.visits, length, delta());
+      text_.detail = format("The {} were near enough, the segments are not. The candidate stays.",
+                            shown_.volumes());
+    }
+  }
+
+  /// The candidate before was as near.
+  [[nodiscard]] bool is_tie() const {
+    const auto& before = (shown_.step - 1)->after.candidate;
+    return before && models::compare_distances(*before, *shown_.state.candidate) == 0;
+  }
+
+  void descend() {
+    const bool takes_b = shown_.step->record.takes_b_apart;
+    if (!shown_.is_distance()) {
+      text_.caption = format("{} meet: descend.", visited());
+    } else if (!shown_.state.candidate) {
+      text_.caption = format("{} are {} apart, and δ is infinite: descend.", visited(), bound());
+    } else {
+      text_.caption =
+          format("{} are {} apart, not more than {}: descend.", visited(), bound(), delta());
+    }
+    text_.detail =
+        contents() + format("Each half of {} waits with {}, the {} one first.", takes_b ? "b" : "a",
+                            takes_b ? "a" : "b", shown_.is_distance() ? "nearer" : "left");
+  }
+
+  void contain() {
+    text_.caption = shown_.is_distance() ? "Nothing waits: no pair is nearer than the candidate."
+                                         : "Nothing waits: no two segments meet.";
+    text_.detail = shown_.state.inside
+                       ? "But one shape lies inside the other, so they overlap."
+                       : "One shape could still lie inside the other: a vertex tells. None does.";
+  }
+
+  void answer() {
+    const models::SearchResult& result = shown_.search.trace.result;
+    const std::string cost =
+        format("{} and {} of {} pairs of segments", counted(result.visits, "visit"),
+               grouped(static_cast<double>(result.measured)),
+               grouped(static_cast<double>(shown_.search.pairs())));
+    if (result.stop != SearchStop::apart) {
+      text_.caption = format("{} and {} overlap: known after {}.", x(), y(), cost);
+      if (result.stop == SearchStop::contained)
+        text_.detail = "No segments meet: one shape lies inside the other.";
+      return;
+    }
+    if (!shown_.is_distance()) {
+      text_.caption = format("{} and {} do not meet: known after {}.", x(), y(), cost);
+      text_.detail = "Each cut spared all pairs of segments below it.";
+      return;
+    }
+    text_.caption = format("The distance is {}: {}.", story_.numbers(result.answer.distance), cost);
+    const models::SearchResult& other = shown_.search.left_first.result;
+    text_.detail = format("With the left child always first: {} and {}.",
+                          counted(other.visits, "visit"), counted(other.measured, "pair"));
+  }
+
+  const Story& story_;
+  FrameText& text_;
+  Shown shown_;
+};
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
+
+void question(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  const models::SearchRecord& record =
+      shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
+  const bool is_distance = shown.is_distance();
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
+  asked.choices = is_distance ? std::vector<std::string>{"yes", "no: cut"}
+                              : std::vector<std::string>{"descend", "cut"};
+  asked.answer = asked.choices[record.cut ? 1 : 0];
+  text.caption = is_distance
+                     ? format("Question: can a and b hold segments that are nearer than δ = {}?",
+                              story.numbers(shown.state.candidate->high))
+                     : format("Question: descend into the {}, or cut?", shown.volumes());
+  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", shown.name(true));
+  put("y", shown.name(false));
+  if (shown.is_refused()) return;
+  put("pairs", grouped(static_cast<double>(shown.search.pairs())));
+  put("visits", grouped(static_cast<double>(shown.state.visits)));
+  put("tests", grouped(static_cast<double>(shown.state.measured)));
+  if (shown.is_distance() && shown.state.candidate)
+    put("candidate", story.numbers(shown.state.candidate->high));
+  if (shown.is_answer && shown.is_distance())
+    put("distance", story.numbers(shown.search.trace.result.answer.distance));
+}
+
+}  // namespace gjkscope::searches

@@ -1,0 +1,50 @@
+#include <array>
+
+#include "algorithms/slab_proof/pictures/shown.hpp"
+#include "picture/registry.hpp"
+
+namespace gjkscope::slabs {
+namespace {
+
+constexpr std::array kAsks = {kAskVertex};
+
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, frame);
+  if (question.ask != kAskVertex.name || !shown.is(slab_proof::Phase::slab)) return -1;
+  if (question.at && *question.at != run.info(frame).iteration) return -1;
+  return *frame.steps_over - 1;
+}
+
+const StagedAct kAct{
+    .act = {.name = "slab-proof",
+            .meaning = "slab between two points, and for each closer point, until a slab is empty",
+            .needs = {.why_no_until = "frames show how the slab becomes empty"},
+            .add_frames = add_algorithm_frames,
+            .follows_run = true,
+            .asks = kAsks,
+            .answering_step = answering_step,
+            .algorithm = &kSlabProofAlgorithm},
+    .position = position_in_algorithm,
+    .tick = tick_of_algorithm,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+};
+
+constexpr std::array kLegend = {LegendEntry{"slab", "slab(x, y)"},
+                                LegendEntry{"slab.vertex", "vertex in the slab"},
+                                LegendEntry{"slab.was", "where it was"}};
+constexpr std::array kActs = {&kAct};
+constexpr std::array kBlocks = {&kSlabBlock};
+constexpr std::array kListings = {&kListing};
+
+}  // namespace
+}  // namespace gjkscope::slabs
+
+namespace gjkscope::algorithms {
+
+const ShownAlgorithm slab_proof{slabs::kActs, slabs::kBlocks, slabs::kListings, slabs::kLegend};
+
+}  // namespace gjkscope::algorithms

@@ -1,0 +1,192 @@
+// Frames of the search over two trees, and of all methods side by side: what they say is what the
+// trace found, and the trace is right.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "algorithms/hierarchy/lesson_trace.hpp"
+#include "algorithms/hierarchy/pictures/shown.hpp"
+#include "algorithms/methods/lesson_trace.hpp"
+#include "lessons.hpp"
+#include "models/brute.hpp"
+#include "picture/frame.hpp"
+
+namespace gjkscope {
+namespace {
+
+using searches::NodeState;
+using searches::Shown;
+
+const std::vector<std::string> kLessons = {"hierarchy-collide", "hierarchy-distance",
+                                           "hierarchy-circles", "hierarchy-large",
+                                           "hierarchy-orders"};
+
+void expect_truth(const SearchTold& search) {
+  const models::Answer truth = models::brute(search.x, search.y).answer;
+  EXPECT_EQ(search.trace.result.answer.overlap, truth.overlap);
+  if (search.options.goal != models::Goal::distance) return;
+  EXPECT_EQ(search.trace.result.answer.distance, truth.distance);
+  EXPECT_EQ(search.left_first.result.answer.distance, truth.distance);
+}
+
+TEST(SearchFrames, TheAnswerIsThatOfAllPairs) {
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    expect_truth(*search_told(run_lesson(testing::shipped_lesson(id)), 0));
+  }
+}
+
+TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
+  for (const std::string& id : {"hierarchy-collide", "hierarchy-distance", "hierarchy-circles"}) {
+    SCOPED_TRACE(id);
+    Lesson lesson = testing::shipped_lesson(id);
+    const LessonRun before = run_lesson(lesson);
+    lesson.y().vertices[4] = {-2.0, 0.1};
+    const LessonRun after = run_lesson(lesson);
+    const SearchTold& search = *search_told(after, 0);
+    expect_truth(search);
+    EXPECT_TRUE(search.trace.result.answer.overlap ||
+                search.trace.result.visits != search_told(before, 0)->trace.result.visits);
+    const auto reaches = [](const Volume& volume) {
+      const models::Box* box = std::get_if<models::Box>(&volume);
+      if (box != nullptr) return box->low.x() <= -2.0 && box->high.x() >= -2.0;
+      const models::Circle& circle = std::get<models::Circle>(volume);
+      return circle.centre.x() - circle.radius <= -2.0;
+    };
+    EXPECT_FALSE(reaches(search_told(before, 0)->tree_y[0].volume));
+    EXPECT_TRUE(reaches(search.tree_y[0].volume));
+  }
+}
+
+TEST(SearchFrames, NodesAreAsTheirPairs) {
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    std::set<NodeState> seen;
+    for (const Frame& frame : run.frames) {
+      const Shown shown(run, frame);
+      for (const bool of_x : {true, false}) {
+        const std::vector<NodeState> states = shown.node_states(of_x);
+        std::set<int> waiting;
+        for (const models::NodePair& pair : shown.state.waiting)
+          waiting.insert(of_x ? pair.a : pair.b);
+        for (int i = 0; i < static_cast<int>(states.size()); ++i) {
+          seen.insert(states[static_cast<std::size_t>(i)]);
+          const bool is_current = shown.has_pair() && shown.node_index(of_x) == i;
+          if (!is_current) {
+            EXPECT_EQ(states[static_cast<std::size_t>(i)] == NodeState::waiting,
+                      waiting.contains(i));
+          }
+          // What was never reached lies below something that was cut or measured, or is to come.
+          const int parent = shown.search.tree(of_x)[static_cast<std::size_t>(i)].parent;
+          if (states[static_cast<std::size_t>(i)] == NodeState::off && parent >= 0) {
+            EXPECT_NE(states[static_cast<std::size_t>(parent)], NodeState::waiting);
+          }
+        }
+        if (shown.is_answer && shown.state.stop == models::SearchStop::apart) {
+          EXPECT_EQ(std::count(states.begin(), states.end(), NodeState::ahead), 0);
+        }
+      }
+    }
+    EXPECT_TRUE(seen.contains(NodeState::cut));
+    EXPECT_TRUE(seen.contains(NodeState::off));
+  }
+}
+
+TEST(SearchFrames, ANodeOfTheTreeIsLinkedToItsVolumeOnTheStage) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-distance"));
+  const SearchTold& search = *search_told(run, 0);
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts);
+  const Picture picture = pictures.picture(3);
+  for (const bool of_x : {true, false}) {
+    for (int i = 0; i < static_cast<int>(search.tree(of_x).size()); ++i) {
+      const Subject subject =
+          of_x ? Subject{Subject::Kind::tree_node, i} : Subject{Subject::Kind::tree_node, -1, i};
+      std::set<int> views;
+      for (const Mark& mark : picture.marks) {
+        if (mark.subject == subject) views.insert(mark.clip);
+      }
+      EXPECT_EQ(views, (std::set<int>{0, 1}));
+    }
+  }
+}
+
+TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
+  int asked = 0;
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    EXPECT_EQ(texts.front().phase, "start");
+    EXPECT_EQ(texts.back().phase, "answer");
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!texts[i].question) continue;
+      ++asked;
+      const bool is_cut = texts[i + 1].caption.ends_with("cut.");
+      EXPECT_EQ(texts[i].question->answer.ends_with("cut"), is_cut) << texts[i + 1].caption;
+    }
+  }
+  EXPECT_EQ(asked, 4);
+}
+
+TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {
+  Lesson lesson = testing::shipped_lesson("hierarchy-distance");
+  lesson.questions.clear();
+  lesson.x().vertices.resize(1);
+  lesson.x().vertex_names.resize(1);
+  const LessonRun run = run_lesson(lesson);
+  ASSERT_EQ(run.frames.size(), 1u);
+  EffectGraph effects(run);
+  EXPECT_EQ(lesson_texts(run, effects).front().caption,
+            "The search does not take U: too few points.");
+}
+
+TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("methods-motion"));
+  std::array<long, kMethods.size()> sums = {};
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
+    const MethodsTold& told = *methods_told(run, i);
+    const OutlinesOfRun outlines = outlines_of(run.lesson, run.runs[static_cast<std::size_t>(i)]);
+    const double truth = models::brute(outlines.x, outlines.y).answer.distance;
+    for (std::size_t m = 0; m < kMethods.size(); ++m) {
+      EXPECT_NEAR(told.distances[m], truth, 1e-14 * 8.0) << name_of(kMethods[m]);
+      sums[m] += told.steps[m];
+    }
+  }
+  const auto sum = [&](Method method) { return sums[static_cast<std::size_t>(method)]; };
+  EXPECT_LT(sum(Method::gjk_warm), sum(Method::gjk_cold));
+  EXPECT_LE(sum(Method::tree_pair), sum(Method::tree_cold));
+  EXPECT_LT(sum(Method::tree_front), sum(Method::tree_pair));
+}
+
+TEST(MethodsFrames, AgreeWhereShapesPassThroughEachOther) {
+  Lesson lesson = testing::shipped_lesson("methods-motion");
+  lesson.path_of_shapes->y().points = {{3.4, -2.6}, {-1.0, -0.4}, {1.2, 3.6}};
+  const LessonRun run = run_lesson(lesson);
+  int overlaps = 0;
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
+    const MethodsTold& told = *methods_told(run, i);
+    overlaps += told.answer.overlap ? 1 : 0;
+    for (const double distance : told.distances) EXPECT_NEAR(distance, told.distances[0], 1e-13);
+  }
+  EXPECT_GT(overlaps, 2);
+  EXPECT_LT(overlaps, static_cast<int>(run.runs.size()));
+}
+
+TEST(MethodsFrames, SayWhichShapeTheyDoNotTake) {
+  Lesson lesson = testing::shipped_lesson("methods-motion");
+  lesson.y().vertices[0] = {0.0, 0.0};
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  EXPECT_EQ(lesson_texts(run, effects).front().caption, "Not all methods take Y: not convex.");
+}
+
+}  // namespace
+}  // namespace gjkscope
