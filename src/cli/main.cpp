@@ -97,6 +97,12 @@ void add_export_look(CLI::App* command, Arguments& args) {
                    "gif, apng, mp4, webm: how long a frame is shown; the last twice as long")
       ->check(CLI::Range(0.04, 600.0))
       ->capture_default_str();
+  command
+      ->add_option("--fps", options.fps,
+                   "gif, apng, mp4, webm, png, svg: what changes moves from frame to frame, in so "
+                   "many images a second")
+      ->check(CLI::Range(1, 60))
+      ->type_name("N");
 }
 
 void add_export(CLI::App& app, Arguments& args) {
@@ -138,7 +144,7 @@ void add_export(CLI::App& app, Arguments& args) {
       "Examples:\n  gjkscope export --all --out out --index\n"
       "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
       "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
-      "  gjkscope export polygons-gjk --out polygons.gif --size 960x540\n"
+      "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
       "  gjkscope export --all --out site --format html --index\n");
 }

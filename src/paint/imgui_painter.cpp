@@ -493,7 +493,8 @@ std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t fi
   std::size_t i = first;
   for (; i < picture.marks.size() && list.VtxBuffer.Size < kVerticesPerList; ++i) {
     const Mark& mark = picture.marks[i];
-    painter.set_style(theme.style(mark.role));
+    const Style style = theme.style(mark);
+    painter.set_style(style);
     const bool clipped = mark.clip >= 0;
     if (clipped) {
       const Rect& rect = picture.clips.at(static_cast<std::size_t>(mark.clip));

@@ -368,7 +368,7 @@ class PdfWriter {
                              picture.clip_corner);
         cairo_clip(cairo);
       }
-      std::visit(PagePainter(cairo, fonts_, theme_, theme_.style(mark.role)), mark.shape);
+      std::visit(PagePainter(cairo, fonts_, theme_, theme_.style(mark)), mark.shape);
       if (mark.clip >= 0) cairo_restore(cairo);
     }
   }

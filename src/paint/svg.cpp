@@ -60,9 +60,8 @@ int weight(Face face) {
 class MarkWriter {
  public:
   /// `more`: attributes of each element.
-  MarkWriter(const Theme& theme, const std::string& role, const Fonts& fonts,
-             const std::string& more)
-      : theme_(theme), style_(theme.style(role)), fonts_(fonts), more_(more) {}
+  MarkWriter(const Theme& theme, const Style& style, const Fonts& fonts, const std::string& more)
+      : theme_(theme), style_(style), fonts_(fonts), more_(more) {}
 
   std::string operator()(const Polygon& polygon) const {
     return outline(polygon.points, style_.fill, style_.stroke, true);
@@ -214,7 +213,7 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
     more += fmt::format(" data-mark=\"{}\"", mark.role);
     if (const std::string name = subject_name(mark.subject); !name.empty())
       more += fmt::format(" data-of=\"{}\"", name);
-    out += std::visit(MarkWriter(theme, mark.role, fonts, more), mark.shape);
+    out += std::visit(MarkWriter(theme, theme.style(mark), fonts, more), mark.shape);
   }
   return out + "</svg>\n";
 }
