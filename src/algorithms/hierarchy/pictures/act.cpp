@@ -75,7 +75,7 @@ bool is_introduced(const Lesson& lesson, long visit) {
 }
 
 /// A frame for the start, one for what comes of each visit, one for what follows them; of a long
-/// search those alone that find a better candidate, and some in between.
+/// search those alone that find a better candidate or are looked up, and some in between.
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   const auto add = [&](int over) {
@@ -91,7 +91,8 @@ void add_frames(LessonRun& run, int index) {
     const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
-    const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better;
+    const bool is_between =
+        is_long && visit % (visits / kBetween) != 0 && !step.record.better && !step.record.hit;
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
         (ends_visit(step) && !is_between))
       add(i + 1);
