@@ -41,7 +41,7 @@ TEST(SearchFrames, TheAnswerIsThatOfAllPairs) {
 }
 
 TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
-  for (const std::string& id : {"hierarchy-collide", "hierarchy-distance", "hierarchy-circles"}) {
+  for (const char* id : {"hierarchy-collide", "hierarchy-distance", "hierarchy-circles"}) {
     SCOPED_TRACE(id);
     Lesson lesson = testing::shipped_lesson(id);
     const LessonRun before = run_lesson(lesson);
