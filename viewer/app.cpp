@@ -102,6 +102,8 @@ void App::tick(double now) {
 std::optional<double> App::wakes_at() const {
   double at = HUGE_VAL;
   if (playing_) at = next_step_;
+  constexpr double kImage = 1.0 / 60.0;
+  if (picture_.is_moving()) at = std::min(at, now_ + kImage);
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
   if (unsaved_.keeps() && session_.version() != kept_version_) at = std::min(at, next_save_);
   if (std::isinf(at)) return std::nullopt;
@@ -143,9 +145,9 @@ void App::nudge(const Vector2d& pixels) {
   const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
   const LessonPictures::Stage view = session_.views().front();
-  const double unit = view.camera.height / view.card.size().y();
+  const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
-                                  : Vector2d(2.0 * unit * pixels);
+                                  : Vector2d(2.0 * units.cwiseProduct(pixels));
   const std::size_t body = of_x ? 0 : 1;
   session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
@@ -369,6 +371,7 @@ void App::make_commands() {
     add("View", drawers_[i].name, {drawers_[i].key}, [this, i] { toggle_drawer(i); });
     for (const Command& command : drawers_[i].commands) commands_.push_back(command);
   }
+  add("View", "Motion between steps, or none", {}, [&] { moves_ = !moves_; });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
       [&] { panel_size_ = std::min(panel_size_ + 0.125, 3.0); });

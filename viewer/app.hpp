@@ -114,6 +114,9 @@ class App {
   /// A button that does a command, grey while that would do nothing. `width` as of Dear ImGui.
   void draw_button(std::string_view name, float width = 0.0f);
   void stop_playing() { playing_ = false; }
+  /// Whether what changes from step to step moves.
+  [[nodiscard]] bool moves() const { return moves_; }
+  [[nodiscard]] double now() const { return now_; }
 
   /// At the step that an exported file shows.
   void open_exported(const std::filesystem::path& file);
@@ -197,6 +200,7 @@ class App {
   bool lessons_shown_ = true;
   bool presenting_ = false;
   bool playing_ = false;
+  bool moves_ = true;
   double frames_per_second_ = 1.0;
   double now_ = 0.0;
   double next_step_ = 0.0;

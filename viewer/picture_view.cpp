@@ -11,6 +11,7 @@
 #include "geometry/polygon.hpp"
 #include "imgui_vec.hpp"
 #include "picture/text_box.hpp"
+#include "picture/tween.hpp"
 #include "session/hit.hpp"
 
 namespace gjkscope {
@@ -77,8 +78,8 @@ std::optional<std::size_t> PictureView::view_at(const Point& page) const {
 Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
   const LessonPictures::Stage shown = session_.views()[view];
   const Point off = page - shown.card.center();
-  return shown.camera.center +
-         Vector2d(off.x(), -off.y()) * (shown.camera.height / shown.card.size().y());
+  return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
+                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 /// Above the selected shape, in the first view of the world; an empty rectangle where there is
@@ -114,8 +115,25 @@ std::optional<Point> PictureView::rotation_handle_at(std::size_t body) const {
   return to_pixel(handle.center());
 }
 
-void PictureView::draw(const AtlasFonts& fonts) {
+Picture PictureView::picture_now() {
   const Picture& picture = session_.picture();
+  if (picture != shown_) {
+    const bool steps = session_.version() == shown_version_ && session_.index() != shown_index_;
+    motion_.reset();
+    if (steps && app_.moves()) motion_ = Motion{std::move(shown_), app_.now()};
+    shown_ = picture;
+    shown_version_ = session_.version();
+    shown_index_ = session_.index();
+  }
+  if (!motion_) return picture;
+  const double share = (app_.now() - motion_->start) / kTweenSeconds;
+  const Picture between = tween(motion_->from, picture, share);
+  if (share >= 1.0) motion_.reset();
+  return between;
+}
+
+void PictureView::draw(const AtlasFonts& fonts) {
+  const Picture picture = picture_now();
   constexpr ImGuiWindowFlags kBackdrop = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                          ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
                                          ImGuiWindowFlags_NoSavedSettings |
@@ -131,21 +149,21 @@ void PictureView::draw(const AtlasFonts& fonts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const DrawPlacement placement{area_.min, zoom_, ImGui::GetIO().Fonts->TexID};
     next = paint_marks(list, picture, next, app_.theme(), fonts, placement);
-    if (next >= picture.marks.size()) draw_highlights();
+    if (next >= picture.marks.size()) draw_highlights(picture);
     ImGui::End();
   }
   ImGui::PopStyleVar();
 }
 
 /// Rings around what is pointed at and what belongs to it, and around what is selected.
-void PictureView::draw_highlights() {
+void PictureView::draw_highlights(const Picture& picture) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // The colour of the words, which is no shape's.
   const Color words = *app_.theme().style("title").fill;
   const ImU32 ink = IM_COL32(words.r, words.g, words.b, 255);
   const ImU32 wash = IM_COL32(words.r, words.g, words.b, 40);
   const auto width = static_cast<float>(2.0 * zoom_);
-  for (const Mark& mark : session_.picture().marks) {
+  for (const Mark& mark : picture.marks) {
     const bool pointed = is_linked(mark.subject, hovered_);
     const bool is_selected = mark.subject.kind != Kind::none && mark.subject == selected;
     if (!pointed && !is_selected) continue;
@@ -160,7 +178,7 @@ void PictureView::draw_highlights() {
                polygon && mark.subject.kind != Kind::region) {
       std::vector<ImVec2> points;
       for (const Point& p : polygon->points) points.push_back(vec(to_pixel(p)));
-      const Rect& clip = session_.picture().clips[static_cast<std::size_t>(std::max(mark.clip, 0))];
+      const Rect& clip = picture.clips[static_cast<std::size_t>(std::max(mark.clip, 0))];
       list.PushClipRect(vec(to_pixel(clip.min)), vec(to_pixel(clip.max)), true);
       list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, ImDrawFlags_Closed,
                        width);

@@ -25,6 +25,8 @@ class PictureView {
   double lay_out(const Rect& area, double density);
   [[nodiscard]] const Rect& area() const { return area_; }
   void draw(const AtlasFonts& fonts);
+  /// On its way from one step to the next.
+  [[nodiscard]] bool is_moving() const { return motion_.has_value(); }
   /// The pointer as Dear ImGui has it, after all panels were drawn.
   void take_pointer();
   /// The button went down for the first time, or for the second within a moment.
@@ -49,6 +51,12 @@ class PictureView {
     bool moved = false;
   };
 
+  /// What was shown when a step was taken, and when that was.
+  struct Motion {
+    Picture from;
+    double start = 0.0;
+  };
+
   [[nodiscard]] Point to_page(const Point& pixel) const { return (pixel - area_.min) / zoom_; }
   [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
   [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
@@ -56,7 +64,9 @@ class PictureView {
   [[nodiscard]] Rect rotation_handle(std::size_t body) const;
   /// The frame of the timeline at this height that is nearest; nothing elsewhere.
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
-  void draw_highlights();
+  /// The session's picture, or what leads to it from the step that was shown before.
+  [[nodiscard]] Picture picture_now();
+  void draw_highlights(const Picture& picture);
   void press(const Subject& subject, const Point& page);
   void continue_drag(const Point& page);
   void double_click(const Point& page);
@@ -69,6 +79,10 @@ class PictureView {
   Subject hovered_;
   std::optional<Drag> drag_;
   int clicks_ = 0;
+  Picture shown_;  ///< The last, of this version of the lesson and this step.
+  long shown_version_ = -1;
+  int shown_index_ = 0;
+  std::optional<Motion> motion_;
 };
 
 }  // namespace gjkscope

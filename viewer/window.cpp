@@ -15,6 +15,7 @@
 
 #include "file_watch.hpp"
 #include "lesson/problem.hpp"
+#include "picture/tween.hpp"
 
 namespace gjkscope {
 namespace {
@@ -558,6 +559,7 @@ void Window::resize(int width, int height) {
 Image Window::screenshot() {
   Image image;
   settle();
+  if (impl_->app.picture().is_moving()) wait(kTweenSeconds);
   impl_->shot = &image;
   impl_->draw(after_frame);
   impl_->shot = nullptr;

@@ -3,6 +3,7 @@
 // Pointers on the stage: drags, swipes, and what lights up.
 
 let held = null;
+let pointed = null;  // the mouse, on the picture
 
 /** Where on the picture an event is, in its own pixels. */
 function placeOf(event) {
@@ -14,6 +15,7 @@ function placeOf(event) {
 
 function onDown(event) {
   if (event.button !== 0 || held) return;
+  pointed = null;
   endMotion();
   stop();
   const place = placeOf(event);
@@ -31,8 +33,15 @@ function onMove(event) {
   if (held?.drags && event.pointerId === held.id) {
     act({ do: "move", ...placeOf(event) });
   } else if (!held && event.pointerType === "mouse") {
-    light(placeOf(event));
+    pointed = placeOf(event);
+    light(pointed);
   }
+}
+
+function onLeave(event) {
+  if (event.pointerType !== "mouse") return;
+  pointed = null;
+  $("stage").querySelectorAll(".ring").forEach((ring) => ring.remove());
 }
 
 function onUp(event) {

@@ -18,6 +18,8 @@ const KIT = {
     }),
 };
 
+const MOST_LISTED = 20000;  // characters of a case
+
 /** The vertices of a shape; of one with too many to list, a box in their place. */
 function world(key) {
   const vertices = state.shapes?.[key].vertices ?? KIT.box();
@@ -51,5 +53,14 @@ function startKit() {
   for (const button of document.querySelectorAll("[data-shape]"))
     button.onclick = () => setShape(button.dataset.for, button.dataset.shape);
   $("random").onclick = setRandomPair;
-  $("paste").onclick = () => act({ do: "case", text: $("case").value, name: "pasted" });
+  const paste = (text) => act({ do: "case", text, name: "pasted" });
+  $("paste").onclick = () => paste($("case").value);
+  // A field takes minutes to set so many lines: a long case is shown, and not listed.
+  $("case").addEventListener("beforeinput", (event) => {
+    if (!(event.data?.length > MOST_LISTED)) return;
+    event.preventDefault();
+    $("case").value = "";
+    $("case").placeholder = "The case is too long to list; it is shown at once.";
+    paste(event.data);
+  });
 }

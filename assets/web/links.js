@@ -49,6 +49,8 @@ function keepLink() {
 async function follow(hash) {
   const text = hash.replace(/^#/, "");
   if (!text || text === "stage") return;  // the skip link
+  const most = 3 * MOST_LINK_BYTES;  // %20
+  if (text.length > most) return say(`link: ${text.length} characters are too many; expected at most ${most}`);
   try {
     const parts = new Map();
     for (const part of text.split("&")) {

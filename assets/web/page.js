@@ -45,7 +45,7 @@ function act(request, moves = false) {
 }
 
 /** Puts a picture into its place; what it says becomes its name. */
-function put(host, markup, role, moves) {
+function put(host, markup, role) {
   const template = document.createElement("template");
   template.innerHTML = markup;
   const svg = template.content.querySelector("svg");
@@ -53,11 +53,13 @@ function put(host, markup, role, moves) {
   svg.setAttribute("role", role);
   svg.setAttribute("aria-label", title.textContent);
   title.remove();
-  const before = host.querySelector("svg");
   host.replaceChildren(svg);
-  const same = before && before.getAttribute("viewBox") === svg.getAttribute("viewBox");
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (moves && same && !still) endMotion = animate(before, svg);
+}
+
+/** What the mouse points at stays lit. */
+function putStage(markup) {
+  put($("stage"), markup, "img");
+  if (pointed) light(pointed);
 }
 
 function show(next, moves) {
@@ -65,10 +67,11 @@ function show(next, moves) {
   state = { ...last, ...next, question: next.question };
   endMotion();
   endMotion = () => {};
-  put($("stage"), state.stage, "img", moves);
+  if (moves && !matchMedia("(prefers-reduced-motion: reduce)").matches) endMotion = animate();
+  else putStage(state.stage);
   $("panel").hidden = !state.panel;
   if (state.panel) putPanel();
-  put($("timeline"), state.timeline, "img", false);
+  put($("timeline"), state.timeline, "img");
   setText("prose", state.prose);
   setText("position", state.position);
   setText("caption", state.caption);
@@ -81,6 +84,7 @@ function show(next, moves) {
   $("back").disabled = $("iteration-back").disabled = state.index === 0;
   const atEnd = state.index + 1 === state.count;
   $("iteration").disabled = atEnd;
+  if ($("next")) $("next").hidden = !atEnd;
   $("step").disabled = atEnd || Boolean(state.question && next.question);
   if (!next.numbers) return;  // while dragging
   showTools(next, last);
@@ -99,7 +103,7 @@ function setText(id, text) {
 /** The lines of the pseudocode are buttons: to the next step that takes them. */
 function putPanel() {
   const focused = document.activeElement?.dataset?.of;
-  put($("panel"), state.panel, "group", false);
+  put($("panel"), state.panel, "group");
   const seen = new Set();
   for (const mark of $("panel").querySelectorAll('text[data-of^="phase"]')) {
     if (seen.has(mark.dataset.of)) continue;
@@ -120,7 +124,7 @@ function layout(theme = themeName($("theme").value)) {
   root.dataset.theme = theme;
   const width = $("stage").clientWidth / zoom;
   const top = ($("stage").getBoundingClientRect().top + scrollY) / zoom;
-  const below = 262;  // of controls, timeline and caption
+  const below = 252;  // of controls, timeline and words
   const fit = Math.max(330, innerHeight / zoom - top - below);
   const two = data.views > 1;
   const height = width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);

@@ -29,6 +29,7 @@ function connect() {
   const stage = $("stage");
   stage.onpointerdown = onDown;
   stage.onpointermove = onMove;
+  stage.onpointerleave = onLeave;
   stage.onpointerup = stage.onpointercancel = onUp;
   // Only this keeps a page from scrolling under a finger that drags.
   stage.addEventListener("touchstart", (event) => held?.drags && event.preventDefault(), { passive: false });

@@ -19,12 +19,12 @@ using namespace gjkscope;
 
 constexpr const char* kFooter = R"(Exit codes:
   0  done
-  1  a lesson or case has a problem, or its query was refused
+  1  a lesson or case has a problem, or GJK refuses its query
   2  the command line: an unknown command, option, lesson or value
-  3  something cannot be read, written or drawn
-  128+n  an export or a study was ended by signal n; what was done until then is kept
+  3  a file cannot be read or written, or a frame cannot be drawn
+  128+n  signal n ended an export or a study, which keeps what it has done
 
-Lessons and assets are found in $GJKSCOPE_SHARE, or where they were installed.
+gjkscope reads lessons and assets from $GJKSCOPE_SHARE, or from where they were installed.
 
 Examples:
   gjkscope export --all --out out --index
@@ -71,27 +71,25 @@ struct Arguments {
 void add_export_look(CLI::App* command, Arguments& args) {
   ExportOptions& options = args.export_options;
   parsed(command, "--size", args.size, parse_size, "a size such as 1280x720",
-         "What a frame is laid out for, in pixels")
+         "Size of the page of a frame, in pixels")
       ->type_name("WxH")
       ->default_str("1280x720");
-  command->add_option("--scale", options.scale, "Pixels of an image for each pixel of the size")
+  command->add_option("--scale", options.scale, "Image pixels for each pixel of the page")
       ->check(CLI::Range(0.1, 16.0))
       ->capture_default_str();
-  command
-      ->add_option("--dpi", options.dpi,
-                   "Pixels of the size an inch: how large a png or pdf says that it is")
+  command->add_option("--dpi", options.dpi, "Pixels per inch: the printed size of a png or pdf")
       ->check(CLI::Range(1.0, 10000.0));
-  command->add_option("--theme", options.theme, "Theme of assets/themes")->capture_default_str();
+  command->add_option("--theme", options.theme, "Colours: light, dark, print or high-contrast")
+      ->capture_default_str();
   command->add_flag("--transparent", options.transparent, "No background: png, svg, pdf, tex");
-  command->add_option("--crop", args.crop, "stage: the stages alone, for slides")
+  command->add_option("--crop", args.crop, "stage: the views alone, for slides")
       ->check(CLI::IsMember({"stage"}));
   command
       ->add_option("--caption", args.caption,
                    "below: in the frame; none: left out; file: in a text file beside each frame")
       ->check(CLI::IsMember({"below", "none", "file"}))
       ->capture_default_str();
-  command
-      ->add_option("--handout", options.handout, "pdf: so many frames a page, with their captions")
+  command->add_option("--handout", options.handout, "pdf: N frames on each page, with captions")
       ->check(CLI::Range(1, kMostOnHandout))
       ->type_name("N");
   command
@@ -99,17 +97,23 @@ void add_export_look(CLI::App* command, Arguments& args) {
                    "gif, apng, mp4, webm: how long a frame is shown; the last twice as long")
       ->check(CLI::Range(0.04, 600.0))
       ->capture_default_str();
+  command
+      ->add_option("--fps", options.fps,
+                   "gif, apng, mp4, webm, png, svg: what changes moves from frame to frame, in so "
+                   "many images a second")
+      ->check(CLI::Range(1, 60))
+      ->type_name("N");
 }
 
 void add_export(CLI::App& app, Arguments& args) {
-  CLI::App* command = app.add_subcommand("export", "Draw the frames of lessons, headless");
+  CLI::App* command =
+      app.add_subcommand("export", "Draw the frames of lessons into files, without a window");
   ExportOptions& options = args.export_options;
   command->add_option("lesson", args.lessons.names, "Ids or files of lessons");
   command->add_flag("--all", args.lessons.all, "All shipped lessons");
   command
       ->add_option("--out", args.out,
-                   "Folder for the files, made when not there; or, with an ending of a format, the "
-                   "one file")
+                   "Folder for the files; or one file, whose ending names the format")
       ->required()
       ->type_name("DIR|FILE");
   command
@@ -122,14 +126,16 @@ void add_export(CLI::App& app, Arguments& args) {
   parsed(command, "--steps", args.steps, parse_steps, "a range such as 3..7",
          "Only these frames, counted from 1")
       ->type_name("A..B");
-  command->add_option("--jobs", options.jobs, "Threads; 0: one a processor")
+  command->add_option("--jobs", options.jobs, "Threads; 0: one for each processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command->add_flag("--no-questions{false}", options.questions, "Leave out the frames that ask");
+  command->add_flag("--no-questions{false}", options.questions,
+                    "Leave out the frames that ask a question");
   command->add_flag("--index", options.index,
                     "Also write index.html: of png a contact sheet, of pages their index");
-  command->add_flag("--force", options.force,
-                    "Replace files that were not exported, and make again what is up to date");
+  command->add_flag(
+      "--force", options.force,
+      "Replace files that gjkscope did not export, and export again what is up to date");
   command->add_flag("--json", args.json, "Print JSON");
   command->footer(
       "A file that was made from the same lesson, theme, fonts, options and program is up to date "
@@ -138,7 +144,7 @@ void add_export(CLI::App& app, Arguments& args) {
       "Examples:\n  gjkscope export --all --out out --index\n"
       "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
       "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
-      "  gjkscope export polygons-gjk --out polygons.gif --size 960x540\n"
+      "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
       "  gjkscope export --all --out site --format html --index\n");
 }
@@ -155,43 +161,49 @@ void add_commands(CLI::App& app, Arguments& args) {
 
   const auto add_no_questions = [&](CLI::App* command) {
     command->add_flag("--no-questions{false}", args.export_options.questions,
-                      "Leave out the frames that ask");
+                      "Leave out the frames that ask a question");
   };
 
-  CLI::App* lessons = app.add_subcommand("lessons", "List the lessons: id, chapter, title, steps");
+  CLI::App* lessons = app.add_subcommand("lessons", "List the lessons: id, chapter, steps, title");
   add_json(lessons);
   lessons->footer("Examples:\n  gjkscope lessons\n  gjkscope lessons --json\n");
 
   add_export(app, args);
 
-  CLI::App* open = app.add_subcommand("open", "Show the step of an exported file in the window");
+  CLI::App* open =
+      app.add_subcommand("open", "Open the window at the step that an exported file shows");
   open->add_option("file", args.name, "png, apng, svg, pdf or gif from `gjkscope export`")
       ->required();
   open->add_flag("--json", args.json, "Print what the file says of itself instead");
   open->footer(
-      "Examples:\n  gjkscope open out/polygons-gjk-0017.png\n"
+      "Examples:\n  gjkscope open out/polygons-gjk-0015.png\n"
       "  gjkscope open figure.svg --json\n");
 
   CLI::App* trace = app.add_subcommand("trace", "Print a run, phase by phase");
-  trace->add_option("lesson|case", args.name, "Id or file of a lesson, a case.json, or -")
+  trace
+      ->add_option("lesson|case", args.name,
+                   "Id or file of a lesson, a case.json, or - for a case from standard input")
       ->required();
-  add_scalar(trace, "Arithmetic for a case; lessons bring their own");
+  add_scalar(trace, "Arithmetic for a case; a lesson names its own");
   add_json(trace);
   trace->footer(
       "Examples:\n  gjkscope trace polygon-evolution\n  gjkscope trace case.json --scalar exact\n"
       "  gjkscope trace polygons-gjk --json    (format: docs/trace-format.md)\n");
 
-  CLI::App* solve = app.add_subcommand("solve", "Answer cases, one JSON object each");
+  CLI::App* solve =
+      app.add_subcommand("solve", "Compute the distance of each case, as one JSON object each");
   solve->add_option("case", args.files, "Files of cases; - is standard input")->required();
   add_scalar(solve, "Arithmetic");
   parsed(solve, "--method", args.method, value_of<ModelMethod>,
-         "one of brute, pieces, boxes, circles, lin-canny", "How outlines are asked; boxes without")
+         "one of brute, pieces, boxes, circles, lin-canny",
+         "How closest segments of outlines are found; boxes if not given")
       ->type_name("brute|pieces|boxes|circles|lin-canny");
   add_json(solve);
   solve->footer(
-      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two point sets, whose "
-      "hulls\n"
-      "count. With \"dimension\":3 points are [x,y,z]. A file holds any number of cases, one after "
+      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: gjkscope takes "
+      "the\n"
+      "convex hulls of both point sets. With \"dimension\":3 points are [x,y,z]. A file holds any "
+      "number of cases, one after "
       "the\n"
       "other or in an array. Answers are JSON with and without --json: distance, and what is "
       "proved of\n"
@@ -207,7 +219,7 @@ void add_commands(CLI::App& app, Arguments& args) {
       "overlap, which are exact, the closest points a and b, the features they lie on (vertex or\n"
       "segment, with outline and index), and visits: pairs that the method looked at. pieces "
       "needs\n"
-      "closed outlines that do not meet, lin-canny one convex outline a side.\n\n"
+      "closed outlines that do not meet, lin-canny one convex outline of each shape.\n\n"
       "Examples:\n  gjkscope solve case.json --scalar exact\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 
@@ -219,19 +231,20 @@ void add_commands(CLI::App& app, Arguments& args) {
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
   told->add_flag("--all", args.lessons.all, "All shipped lessons");
-  told->add_flag("--markdown", args.markdown, "With headings and lists");
+  told->add_flag("--markdown", args.markdown, "Print headings and lists in Markdown");
   add_no_questions(told);
   told->footer(
       "A frame's words are also the alternative text of its figure.\n\n"
       "Examples:\n  gjkscope transcript polygon-evolution\n"
       "  gjkscope transcript --all --markdown > lessons.md\n");
 
-  CLI::App* explain = app.add_subcommand("explain", "Say which effects a lesson computes");
+  CLI::App* explain =
+      app.add_subcommand("explain", "List the effects that a lesson computes, and their cost");
   explain->add_option("lesson", args.name, "Id or file of a lesson")->required();
   add_json(explain);
   explain->footer("Examples:\n  gjkscope explain polygons-gjk\n");
 
-  CLI::App* study = app.add_subcommand("study", "Measure the core");
+  CLI::App* study = app.add_subcommand("study", "Measure how accurate and how fast GJK is");
   study->require_subcommand(1);
   CLI::App* accuracy = study->add_subcommand("accuracy", "What accuracy costs in time");
   accuracy->add_flag("--quick", args.study.quick, "Fewer pairs and choices: seconds, not minutes");
@@ -241,13 +254,13 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->type_name("DIR");
   accuracy
       ->add_option("--family", args.study.families,
-                   "Family of pairs to ask about, again for more; all without")
+                   "Family of pairs; repeat the option for more; all families if not given")
       ->type_name("NAME")
       ->allow_extra_args(false);
   accuracy->add_option("--seed", args.study.seed, "Seed of the pairs")->capture_default_str();
   accuracy
       ->add_option("--advice", args.study.advice,
-                   "Write what it comes to, as Markdown; its numbers go beside it, as .csv")
+                   "Write the conclusions as Markdown, and their numbers beside it as .csv")
       ->type_name("FILE");
   accuracy->footer(
       "Answers families of easy and hard pairs in many ways, judges each by exact runs, and times\n"
@@ -259,7 +272,8 @@ void add_commands(CLI::App& app, Arguments& args) {
 
   const auto of_lessons = [&](const std::string& name, const std::string& what) {
     CLI::App* command = study->add_subcommand(name, what);
-    command->add_option("lesson", args.lessons.names, "Ids or files of lessons; all without any");
+    command->add_option("lesson", args.lessons.names,
+                        "Ids or files of lessons; all lessons if not given");
     command->add_flag("--quick", args.study.quick, "Fewer repetitions");
     command->add_option("--out", args.study.out_dir, "Folder for " + name + ".csv")
         ->type_name("DIR");
@@ -267,11 +281,12 @@ void add_commands(CLI::App& app, Arguments& args) {
   };
   of_lessons("effects", "What each effect costs in a frame")
       ->footer(
-          "Builds the frames of lessons with each effect that is called for and without what calls "
-          "for\n"
-          "it, in turns. Effects that nothing calls for are never computed: the lesson against "
-          "itself\n"
-          "shows how large the noise is. Interrupted (Ctrl-C), it prints what it has and ends with "
+          "Builds the frames of each lesson with and without each of its effects, in turns. An "
+          "effect "
+          "that\n"
+          "no view or panel uses is never computed: the lesson timed against itself shows the "
+          "noise.\n"
+          "Interrupted (Ctrl-C), it prints what it has and ends with "
           "130.\n\n"
           "Examples:\n  gjkscope study effects polygons-gjk\n  gjkscope study effects --out "
           "study\n");
@@ -285,7 +300,9 @@ void add_commands(CLI::App& app, Arguments& args) {
 
   of_lessons("pictures", "What supersampling costs")
       ->footer(
-          "The last frame of each lesson with 1, 2 and 4 samples a pixel each way, against 16.\n\n"
+          "Compares the last frame of each lesson with 1, 2 and 4 samples along each side of a "
+          "pixel\n"
+          "with the same frame with 16.\n\n"
           "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 

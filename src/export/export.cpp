@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -29,6 +30,7 @@
 #include "paint/svg.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
+#include "picture/tween.hpp"
 
 namespace gjkscope {
 namespace {
@@ -38,6 +40,7 @@ constexpr int kSupersampling = 2;
 constexpr int kSmallestWidth = 160;
 constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
+constexpr int kFilmRate = 25;  // images a second of a film in which nothing moves
 
 /// Says on stderr how far the export is: a line a lesson, or on a terminal one line that changes.
 class Progress {
@@ -91,6 +94,10 @@ void check(const ExportOptions& options) {
     throw std::runtime_error(fmt::format("a {} cannot be transparent; png, svg, pdf and tex can",
                                          name_of(options.format)));
   }
+  if (options.fps > 0 && !is_film(options.format) && !has_file_per_frame(options.format)) {
+    throw std::runtime_error(fmt::format("in a {} nothing moves; in png, svg and films it can",
+                                         name_of(options.format)));
+  }
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {
     throw std::runtime_error(fmt::format("a frame of {}x{} is too small; the least is {}x{}",
                                          options.width, options.height, kSmallestWidth,
@@ -110,20 +117,27 @@ int thread_count(const ExportOptions& options) {
   return std::clamp(asked, 1, kMostThreads);
 }
 
-std::string frame_name(const std::string& id, int step, Format format) {
-  return fmt::format("{}-{:04}.{}", id, step, name_of(format));
+/// `between`: which image on the way to the step, from 1; 0 is the step itself, which comes after.
+std::string frame_name(const std::string& id, int step, Format format, int between) {
+  const std::string_view ending = name_of(format);
+  return between > 0 ? fmt::format("{}-{:04}-{:02}.{}", id, step, between, ending)
+                     : fmt::format("{}-{:04}.{}", id, step, ending);
 }
 
-/// Frames beyond `count` are of an earlier, longer lesson.
-void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, int count,
-                         Format format) {
+/// Images that are not among the `kept` are of an earlier export that had more.
+void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, Format format,
+                         const std::set<std::filesystem::path>& kept) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(id + "-")) continue;
     int step = 0;
-    std::from_chars(name.data() + id.size() + 1, name.data() + name.size(), step);
-    if (step > count && name == frame_name(id, step, format) && is_exported(entry.path())) {
+    int between = 0;
+    const char* const end = name.data() + name.size();
+    const char* const rest = std::from_chars(name.data() + id.size() + 1, end, step).ptr;
+    if (rest != end && *rest == '-') std::from_chars(rest + 1, end, between);
+    if (name == frame_name(id, step, format, between) && !kept.contains(entry.path()) &&
+        is_exported(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }
@@ -144,10 +158,10 @@ Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   for (const std::string& name : Theme::names(options.assets_dir / "themes")) {
     sum.add(read_whole(options.assets_dir / "themes" / (name + ".toml")));
   }
-  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {}", name_of(options.format), options.theme,
+  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format), options.theme,
                       options.width, options.height, options.scale, options.dpi,
                       options.transparent, options.stage_only, options.handout, options.seconds,
-                      static_cast<int>(options.caption)));
+                      options.fps, static_cast<int>(options.caption)));
   return sum;
 }
 
@@ -251,10 +265,11 @@ class Exporter {
   /// What describes the frames comes after them.
   void finish(ExportResult& result, bool complete) {
     writer_.finish();
+    const std::set<std::filesystem::path> kept(files_.begin(), files_.end());
     for (const ExportedLesson& lesson : lessons_) {
       if (options_.file_name.empty()) write(lesson.id + ".json", sidecar(lesson));
       if (!options_.first_step && !options_.last_step && options_.file_name.empty()) {
-        remove_stale_frames(options_.out_dir, lesson.id, lesson.steps, options_.format);
+        remove_stale_frames(options_.out_dir, lesson.id, options_.format, kept);
       }
     }
     if (options_.index && complete) {
@@ -284,7 +299,9 @@ class Exporter {
     way.made_from.add(text_of_results(lesson));
     EffectGraph effects(way.run);
     way.texts = lesson_texts(way.run, effects);
-    if (is_up_to_date(way)) return way;
+    // What is on the way from frame to frame is seen only in pictures.
+    const bool has_more_files = options_.fps > 0 && has_file_per_frame(options_.format);
+    if (is_up_to_date(way) && !has_more_files) return way;
     for (FramePicture& each : lesson_pictures(way.run, effects, fonts_, page_)) {
       if (options_.caption != CaptionPlace::below) {
         std::erase_if(each.picture.marks, [](const Mark& mark) {
@@ -296,11 +313,12 @@ class Exporter {
     return way;
   }
 
-  [[nodiscard]] std::filesystem::path file_of(const LessonOnItsWay& way, int step) const {
+  [[nodiscard]] std::filesystem::path file_of(const LessonOnItsWay& way, int step,
+                                              int between = 0) const {
     const std::string& id = way.run.lesson.id;
     if (!options_.file_name.empty()) return options_.out_dir / options_.file_name;
     if (has_file_per_frame(options_.format)) {
-      return options_.out_dir / frame_name(id, step, options_.format);
+      return options_.out_dir / frame_name(id, step, options_.format, between);
     }
     return options_.out_dir / fmt::format("{}.{}", id, name_of(options_.format));
   }
@@ -331,29 +349,58 @@ class Exporter {
     const auto [first, last] = way.steps;
     for (int step = first; step <= last; ++step) {
       if (SignalWatch::signal() != 0) return false;
+      const auto at = static_cast<std::size_t>(step - 1);
       const std::filesystem::path file = file_of(way, step);
-      const std::string key = way.key(step, step);
-      if (way.is_up_to_date() || has(file, key)) {
+      if (way.is_up_to_date()) {
+        files_.push_back(file);
+        ++frame_count_;
         ++kept_count_;
       } else {
-        const Picture& picture = way.pictures[static_cast<std::size_t>(step - 1)];
-        const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
-        const std::string record = record_text(way.record(key, step, step));
-        if (options_.format == Format::svg) {
-          write_bytes(file, to_svg(picture, fonts_, theme_, alternative_text(text), record,
-                                   options_.transparent));
-        } else {
-          Image image = writer_.acquire();
-          paint(picture, image);
-          writer_.submit(std::move(image), file, words(way, text, record));
-        }
+        int between = 0;
+        for (const Picture& picture : on_the_way(way, step))
+          add_image(way, step, picture, file_of(way, step, ++between));
+        add_image(way, step, way.pictures[at], file);
       }
-      files_.push_back(file);
-      ++frame_count_;
       write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     return true;
+  }
+
+  void add_image(const LessonOnItsWay& way, int step, const Picture& picture,
+                 const std::filesystem::path& file) {
+    files_.push_back(file);
+    ++frame_count_;
+    const std::string key = way.key(step, step);
+    if (has(file, key)) {
+      ++kept_count_;
+      return;
+    }
+    may_write(file);
+    const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
+    const std::string record = record_text(way.record(key, step, step));
+    if (options_.format == Format::svg) {
+      write_bytes(file, to_svg(picture, fonts_, theme_, alternative_text(text), record,
+                               options_.transparent));
+      return;
+    }
+    Image image = writer_.acquire();
+    paint(picture, image);
+    writer_.submit(std::move(image), file, words(way, text, record));
+  }
+
+  /// The pictures between a step and the one before it; none where nothing moves.
+  [[nodiscard]] std::vector<Picture> on_the_way(const LessonOnItsWay& way, int step) const {
+    std::vector<Picture> out;
+    if (step == way.steps.first) return out;
+    const Picture& from = way.pictures[static_cast<std::size_t>(step - 2)];
+    const Picture& to = way.pictures[static_cast<std::size_t>(step - 1)];
+    const auto count = std::lround(kTweenSeconds * options_.fps);
+    for (long i = 1; i < count; ++i) {
+      out.push_back(tween(from, to, static_cast<double>(i) / static_cast<double>(count)));
+      if (out.back() == to) return {};
+    }
+    return out;
   }
 
   [[nodiscard]] PngWords words(const LessonOnItsWay& way, const FrameText& text,
@@ -414,12 +461,17 @@ class Exporter {
     const auto [first, last] = way.steps;
     Image image;
     std::unique_ptr<Film> film;
-    for (int step = first; step <= last; ++step) {
-      if (SignalWatch::signal() != 0) return false;
-      paint(way.pictures[static_cast<std::size_t>(step - 1)], image);
+    const auto show = [&](const Picture& picture, double seconds) {
+      paint(picture, image);
       const Image small = shrink(image, kSupersampling);
       if (!film) film = film_of(file, small, {record, way.run.lesson.title});
-      film->add(small, step == last ? 2.0 * options_.seconds : options_.seconds);
+      film->add(small, seconds);
+    };
+    for (int step = first; step <= last; ++step) {
+      if (SignalWatch::signal() != 0) return false;
+      for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
+      show(way.pictures[static_cast<std::size_t>(step - 1)],
+           step == last ? 2.0 * options_.seconds : options_.seconds);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     film->finish();
@@ -431,7 +483,7 @@ class Exporter {
       return gif_film(file, image.width, image.height, theme_, words);
     if (options_.format == Format::apng) return apng_film(file, words);
     return ffmpeg_film(file, std::string(name_of(options_.format)), image.width, image.height,
-                       words);
+                       options_.fps > 0 ? options_.fps : kFilmRate, words);
   }
 
   /// What differs between the picture on black and on white is what shines through.

@@ -28,6 +28,7 @@ struct ExportOptions {
   bool stage_only = false;   ///< Nothing but the stages.
   int handout = 0;           ///< pdf: frames a page, with captions; 0: one page a frame.
   double seconds = 2.0;      ///< Films: how long a frame is shown; the last twice as long.
+  int fps = 0;  ///< Images a second of what moves from frame to frame; 0: frames follow at once.
   CaptionPlace caption = CaptionPlace::below;
   std::optional<int> first_step;  ///< From 1; frames A..B of each lesson, all without.
   std::optional<int> last_step;   ///< Past the last frame means: to the last.
@@ -47,13 +48,14 @@ struct ExportResult {
   [[nodiscard]] double frames_per_second() const { return seconds > 0.0 ? frames / seconds : 0.0; }
 };
 
-/// Writes `<lesson>-0001.png` and so on, or `<lesson>.pdf`, and `<lesson>.json` with the words and
-/// values of each frame. Each file appears whole or not at all, and holds a record of what it shows
-/// and was made from (export/record.hpp); the same lessons give the same bytes, whatever `jobs` is.
-/// A file whose record says that it was made from the same lesson, theme, fonts, options and
-/// program is up to date, and stays. Throws std::runtime_error, naming the path, when something
-/// cannot be written, or would replace what was not exported, and for a theme, a size or a range of
-/// steps that there is not.
+/// Writes `<lesson>-0001.png` and so on, with what leads to the second as `<lesson>-0002-01.png`,
+/// or `<lesson>.pdf`, and `<lesson>.json` with the words and values of each frame. Each file
+/// appears whole or not at all, and holds a record of what it shows and was made from
+/// (export/record.hpp); the same lessons give the same bytes, whatever `jobs` is. A file whose
+/// record says that it was made from the same lesson, theme, fonts, options and program is up to
+/// date, and stays. Throws std::runtime_error, naming the path, when something cannot be written,
+/// or would replace what was not exported, and for a theme, a size or a range of steps that there
+/// is not.
 [[nodiscard]] ExportResult export_lessons(const std::vector<Lesson>& lessons,
                                           const ExportOptions& options);
 

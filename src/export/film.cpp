@@ -280,18 +280,16 @@ class ApngFilm : public Film {
   std::vector<std::uint8_t> last_;
 };
 
-constexpr int kFilmRate = 25;  // Images a second
-
 /// ffmpeg, fed with raw images.
 class FfmpegFilm : public Film {
  public:
-  FfmpegFilm(std::filesystem::path file, const std::string& format, int width, int height,
+  FfmpegFilm(std::filesystem::path file, const std::string& format, int width, int height, int fps,
              const FilmWords& words)
-      : file_(std::move(file)), part_(temporary_name(file_)) {
+      : file_(std::move(file)), fps_(fps), part_(temporary_name(file_)) {
     std::vector<std::string> arguments = {
         "ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo",
         "-pix_fmt", "rgba", "-s", fmt::format("{}x{}", width, height), "-r",
-        fmt::format("{}", kFilmRate), "-i", "pipe:0",
+        fmt::format("{}", fps_), "-i", "pipe:0",
         // Both codecs want an even size.
         "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p"};
     const std::vector<std::string> codec =
@@ -321,7 +319,7 @@ class FfmpegFilm : public Film {
   FfmpegFilm& operator=(const FfmpegFilm&) = delete;
 
   void add(const Image& image, double seconds) override {
-    const int count = std::max(1, static_cast<int>(std::lround(kFilmRate * seconds)));
+    const int count = std::max(1, static_cast<int>(std::lround(fps_ * seconds)));
     for (int i = 0; i < count; ++i) write(image.pixels);
   }
 
@@ -379,6 +377,7 @@ class FfmpegFilm : public Film {
   }
 
   std::filesystem::path file_;
+  int fps_;
   std::filesystem::path part_;
   pid_t process_ = 0;
   int pipe_ = -1;
@@ -397,8 +396,8 @@ std::unique_ptr<Film> apng_film(const std::filesystem::path& file, const FilmWor
 }
 
 std::unique_ptr<Film> ffmpeg_film(const std::filesystem::path& file, const std::string& format,
-                                  int width, int height, const FilmWords& words) {
-  return std::make_unique<FfmpegFilm>(file, format, width, height, words);
+                                  int width, int height, int fps, const FilmWords& words) {
+  return std::make_unique<FfmpegFilm>(file, format, width, height, fps, words);
 }
 
 }  // namespace gjkscope

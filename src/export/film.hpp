@@ -36,6 +36,6 @@ class Film {
 /// what to install where it is not.
 [[nodiscard]] std::unique_ptr<Film> ffmpeg_film(const std::filesystem::path& file,
                                                 const std::string& format, int width, int height,
-                                                const FilmWords& words);
+                                                int fps, const FilmWords& words);
 
 }  // namespace gjkscope

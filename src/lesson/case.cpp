@@ -127,11 +127,23 @@ class CaseReader {
         {file_, place.line, place.column, std::move(what), std::string(expected), ""});
   }
 
+  /// Of the value at `path`, as seen from `at`; looked for only where it will be listed.
+  void report(ReadCase& to, std::size_t at, const Path& path, std::string what,
+              std::string_view expected) const {
+    if (to.problems.size() < kListedProblems)
+      report(to, find_value(text_, at, path), std::move(what), expected);
+  }
+
   [[nodiscard]] Place place_of(std::size_t at) const {
     at = std::min(at, text_.size());
     const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - 1;
-    return {1 + static_cast<int>(line - line_starts_.begin()),
-            1 + character_count(text_.substr(*line, at - *line))};
+    if (counted_to_ < *line || counted_to_ > at) {
+      counted_to_ = *line;
+      column_ = 1;
+    }
+    column_ += character_count(text_.substr(counted_to_, at - counted_to_));
+    counted_to_ = at;
+    return {1 + static_cast<int>(line - line_starts_.begin()), column_};
   }
 
   /// Reads the value in [at, end); returns where to go on.
@@ -158,8 +170,10 @@ class CaseReader {
       return end;
     }
     if (value.is_array() && (value.empty() || !value[0].is_number())) {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        read_case(value[i], find_value(text_, at, {std::to_string(i)}));
+      std::size_t next = skip_space(text_, at + 1);
+      for (const json& each : value) {
+        read_case(each, next);
+        next = skip_space(text_, skip_space(text_, skip_value(text_, next)) + 1);  // the comma
       }
       if (value.empty()) report(add(at), at, "the array holds no case", kShape);
     } else {
@@ -203,8 +217,7 @@ class CaseReader {
     } else if (dimension == 3 && most_dimension_ == 3) {
       out.in_space = read_shapes<3>(value, at, out);
     } else {
-      report(out, find_value(text_, at, {"dimension"}),
-             fmt::format("/dimension is {}", shown(dimension)),
+      report(out, at, {"dimension"}, fmt::format("/dimension is {}", shown(dimension)),
              most_dimension_ == 2 ? "2: the plane" : "2, the plane, or 3, space");
     }
   }
@@ -235,7 +248,7 @@ class CaseReader {
                                              ReadCase& out) const {
     std::vector<gjk::Vec<double, D>> points;
     if (!list.is_array() || list.empty()) {
-      report(out, find_value(text_, at, path),
+      report(out, at, path,
              fmt::format("{} is {}", shown(path), list.is_array() ? "empty" : article(list)),
              D == 2 ? "an array of at least one point, [[x, y], ...]"
                     : "an array of at least one point, [[x, y, z], ...]");
@@ -245,7 +258,7 @@ class CaseReader {
       const json& point = list[i];
       const Path to_point = below(path, std::to_string(i));
       if (!point.is_array() || point.size() != D) {
-        report(out, find_value(text_, at, to_point),
+        report(out, at, to_point,
                point.is_array()
                    ? fmt::format("{} has {} coordinates", shown(to_point), point.size())
                    : fmt::format("{} is {}", shown(to_point), article(point)),
@@ -262,8 +275,7 @@ class CaseReader {
           read[k] = *number;
         } else {
           const Path to_number = below(to_point, std::to_string(k));
-          report(out, find_value(text_, at, to_number),
-                 fmt::format("{} is {}", shown(to_number), shown(given)),
+          report(out, at, to_number, fmt::format("{} is {}", shown(to_number), shown(given)),
                  "a finite number, or a string that holds one");
         }
       }
@@ -286,7 +298,7 @@ class CaseReader {
     const auto list = value.find(key);
     if (list == value.end() || !list->is_array()) {
       const bool missing = list == value.end();
-      report(out, missing ? at : find_value(text_, at, {key}),
+      report(out, at, missing ? Path{} : Path{key},
              missing ? fmt::format("/{} is missing", key)
                      : fmt::format("/{} is {}", key, article(*list)),
              kExpected);
@@ -301,8 +313,7 @@ class CaseReader {
       models::Outline outline;
       outline.closed = !given.is_object();
       if (given.is_object() && open == given.end()) {
-        report(out, find_value(text_, at, path), fmt::format("{} has no 'open'", shown(path)),
-               kExpected);
+        report(out, at, path, fmt::format("{} has no 'open'", shown(path)), kExpected);
         continue;
       }
       outline.points = outline.closed ? read_list<2>(given, path, at, out)
@@ -333,8 +344,7 @@ class CaseReader {
                            flaw.other_outline);
       }
     }
-    report(out, find_value(text_, at, path),
-           fmt::format("{}: {}{}", shown(path), models::name_of(flaw.fault), what),
+    report(out, at, path, fmt::format("{}: {}{}", shown(path), models::name_of(flaw.fault), what),
            *outlines_ == models::Needs::convex   ? "one convex outline"
            : *outlines_ == models::Needs::simple ? "closed outlines that meet neither themselves "
                                                    "nor each other, for this method"
@@ -387,6 +397,9 @@ class CaseReader {
   int most_dimension_;
   std::optional<models::Needs> outlines_;
   std::vector<std::size_t> line_starts_ = {0};
+  // The last place asked for: a line may hold many cases, and is counted once.
+  mutable std::size_t counted_to_ = 0;
+  mutable int column_ = 1;
   std::vector<ReadCase> cases_;
   int broken_ = 0;
 };

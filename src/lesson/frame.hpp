@@ -31,6 +31,14 @@ enum class MapStage {
 /// own coordinates must be positive.
 enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
 
+/// How a Minkowski difference is built: the first difference, a copy of Y for each vertex of X, −X,
+/// and −X at each vertex of Y; the hull, where its edges come from; any difference, the shortest.
+enum class BuildPart { start, pair, copy, mirror, slide, hull, edges, any, shortest };
+struct BuildFrame {
+  BuildPart part = BuildPart::start;
+  int made = 0;  ///< So many differences, those of the first vertex of X before those of the next.
+};
+
 /// What a study shows. First X and Y themselves: from afar, then their gap enlarged, with the
 /// answer of a run in float, and of one in double, and what an error is. Then a plot: its axis of
 /// errors with two marks, its axis of times, the other marks one by one. At last the front of these
@@ -66,7 +74,7 @@ struct Frame {
 
   // Where frames take a step apart one of these says what of it is shown.
   std::optional<int> tests = {};  ///< Region tests tried so far; 0: their numbers.
-  std::optional<int> pairs = {};  ///< Differences made so far; one more than there are: their hull.
+  std::optional<BuildFrame> build = {};
   std::optional<SupportPart> support_part = {};
   std::optional<WitnessPart> witness_part = {};
   std::optional<int> moment = {};  ///< Index into the moments of the position.
@@ -86,7 +94,7 @@ struct Frame {
   /// Which of the frames of its step this is, from 0; -1 where a step has one frame.
   [[nodiscard]] int part() const {
     if (tests) return *tests;
-    if (pairs) return *pairs;
+    if (build) return 100 * static_cast<int>(build->part) + build->made;
     if (support_part) return static_cast<int>(*support_part);
     if (witness_part) return static_cast<int>(*witness_part);
     if (moment) return *moment;

@@ -19,7 +19,7 @@ namespace gjkscope {
 enum class ScalarKind { half, single, double_, exact };
 
 /// What bounds segments in trees.
-enum class VolumeKind { boxes, circles };
+enum class VolumeKind { boxes, circles, tiles };
 
 /// Of `start` the pairs that count.
 [[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
@@ -68,6 +68,11 @@ enum class ViewKind { world, difference, plot };
 struct Camera {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double height = 1.0;
+  double stretch = 1.0;  ///< y is drawn so many times larger than x; angles are true with 1 alone.
+  /// World units along x and along y, in a view that is `pixels` high.
+  [[nodiscard]] Eigen::Vector2d units_per_pixel(double pixels) const {
+    return height / pixels * Eigen::Vector2d(stretch, 1.0);
+  }
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -193,6 +198,7 @@ struct Lesson {
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
   VolumeKind volumes = VolumeKind::boxes;
+  double tile = 0.5;  ///< Largest radius of the circles that tile segments.
 
   std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.

@@ -352,6 +352,10 @@ void LessonReader::read_query(const Table& query) {
   lesson_.warm_start = reader_.yes_or_no(warm_).value_or(false);
   volumes_ = query["volumes"];
   lesson_.volumes = reader_.choice<VolumeKind>(volumes_, "volume").value_or(lesson_.volumes);
+  const Field tile = query["tile"];
+  lesson_.tile = reader_.number(tile, limits::kLeastTile, limits::kLargest).value_or(lesson_.tile);
+  if (tile && lesson_.volumes != VolumeKind::tiles)
+    problems_.add(tile.place(), "'tile' without tiles", "volumes = \"tiles\"");
 }
 
 void LessonReader::read_start(const Field& start) {
@@ -698,6 +702,9 @@ void LessonReader::read_views(const Field& views) {
       read.height =
           reader_.number((*camera)["height"], limits::kSmallestCameraHeight, limits::kLargest)
               .value_or(read.height);
+      read.stretch =
+          reader_.number((*camera)["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
+              .value_or(read.stretch);
       view.camera = read;
     }
     read_effects((*table)["effects"], view);

@@ -26,8 +26,10 @@ struct Named<ScalarKind> {
 };
 template <>
 struct Named<VolumeKind> {
-  static constexpr std::array<std::pair<std::string_view, VolumeKind>, 2> kTable = {
-      {{"boxes", VolumeKind::boxes}, {"circles", VolumeKind::circles}}};
+  static constexpr std::array<std::pair<std::string_view, VolumeKind>, 3> kTable = {
+      {{"boxes", VolumeKind::boxes},
+       {"circles", VolumeKind::circles},
+       {"tiles", VolumeKind::tiles}}};
 };
 template <>
 struct Named<ViewKind> {

@@ -219,6 +219,7 @@ void write_query(TomlText& out, const Lesson& lesson) {
   write_start(out, lesson);
   if (lesson.warm_start) out.key("warm", "true");
   out.choice("volumes", lesson.volumes, defaults.volumes);
+  out.number("tile", lesson.tile, defaults.tile);
 }
 
 void write_steps(TomlText& out, const Lesson& lesson) {
@@ -272,8 +273,12 @@ void write_view(TomlText& out, const LessonView& view, const std::string& act) {
   out.key("show", as_text(view.kind == ViewKind::plot ? act : name_of(view.kind)));
   out.text("title", view.title, "");
   if (view.camera) {
-    out.key("camera", fmt::format("{{ center = {}, height = {} }}",
-                                  in_brackets(view.camera->center), decimal(view.camera->height)));
+    const std::string stretch = view.camera->stretch == 1.0
+                                    ? std::string()
+                                    : ", stretch = " + decimal(view.camera->stretch);
+    out.key("camera",
+            fmt::format("{{ center = {}, height = {}{} }}", in_brackets(view.camera->center),
+                        decimal(view.camera->height), stretch));
   }
   if (!view.effects.empty()) out.list("effects", as_texts(view.effects));
 }

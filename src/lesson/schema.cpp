@@ -86,7 +86,11 @@ std::vector<LessonKey> make_keys() {
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
       {"query", "volumes", one_of<VolumeKind>(), "boxes",
-       "what bounds segments, with granularities of trees"},
+       "what bounds segments, with granularities of trees; tiles: circles over small circles that "
+       "cover the segments, "
+       "and `tolerance` is the relative error that is allowed"},
+      {"query", "tile", fmt::format("number from {} to {}", kLeastTile, kLargest), "0.5",
+       "largest radius of these small circles, with volumes = \"tiles\""},
 
       {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
       {"steps", "until", one_of<gjk::Phase>(), "the whole run",
@@ -149,8 +153,8 @@ std::vector<LessonKey> make_keys() {
        "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
        "what [study] shows: one pair, then error against time"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
-      {"views", "camera", "table { center = [x, y], height = h }", "fits what is drawn",
-       "the part of the world that is seen"},
+      {"views", "camera", "table { center = [x, y], height = h, stretch = s }",
+       "fits what is drawn", "the part of the world that is seen"},
       {"views", "effects", "list of effects", "none",
        "what is drawn beyond the shapes and the run"},
 
@@ -158,6 +162,9 @@ std::vector<LessonKey> make_keys() {
       {"views.camera", "height",
        fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
        "height of the view in world units"},
+      {"views.camera", "stretch",
+       fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch), "1",
+       "y is drawn so many times larger than x; with another number than 1, angles are not true"},
 
       {"panel", "blocks", "list of panel blocks", "none", "blocks from top to bottom"},
       {"panel", "listing", "name of a listing", "none",

@@ -61,7 +61,9 @@ inline constexpr int kOutlineVertices = 3;  ///< At least, of each of several ou
 /// their products stay far from overflow in single precision, too.
 inline constexpr double kLargest = 1e18;
 inline constexpr double kLargestHalf = 65504.0;  ///< The largest finite half.
+inline constexpr double kLeastTile = 1e-3;       // radius of the circles that tile segments
 inline constexpr double kSmallestCameraHeight = 1e-18;
+inline constexpr double kMostStretch = 1e9;
 }  // namespace limits
 
 }  // namespace gjkscope

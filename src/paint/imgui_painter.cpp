@@ -181,8 +181,9 @@ Points intersect(Points polygon, const Points& inside) {
 
 class MarkPainter {
  public:
-  MarkPainter(ImDrawList& list, const AtlasFonts& fonts, const DrawPlacement& placement)
-      : list_(list), fonts_(fonts), placement_(placement) {}
+  MarkPainter(ImDrawList& list, const Theme& theme, const AtlasFonts& fonts,
+              const DrawPlacement& placement)
+      : list_(list), theme_(theme), fonts_(fonts), placement_(placement) {}
 
   void operator()(const Polygon& polygon) const {
     const Points points = without_repeats(polygon.points, true);
@@ -245,19 +246,23 @@ class MarkPainter {
     const double x = std::round(placement_.origin.x() + text.at.x() * scale - share * width);
     const double y = std::round(placement_.origin.y() + std::round(text.at.y()) * scale) -
                      std::round(font.Ascent);
-    const ImU32 ink = color(*style_->fill);
 
     list_.PushTextureID(font.ContainerAtlas->TexID);
     double pen = x;
-    for (const char32_t c : characters) {
-      const ImFontGlyph& g = glyph(font, c);
-      if (g.Visible) {
-        list_.PrimReserve(6, 4);
-        list_.PrimRectUV(at(pen + g.X0, y + g.Y0), at(pen + g.X1, y + g.Y1), ImVec2(g.U0, g.V0),
-                         ImVec2(g.U1, g.V1), ink);
+    const auto write = [&](const std::u32string& part, ImU32 ink) {
+      for (const char32_t c : part) {
+        const ImFontGlyph& g = glyph(font, c);
+        if (g.Visible) {
+          list_.PrimReserve(6, 4);
+          list_.PrimRectUV(at(pen + g.X0, y + g.Y0), at(pen + g.X1, y + g.Y1), ImVec2(g.U0, g.V0),
+                           ImVec2(g.U1, g.V1), ink);
+        }
+        pen += g.AdvanceX;
       }
-      pen += g.AdvanceX;
-    }
+    };
+    if (text.tones.empty()) write(characters, color(*style_->fill));
+    for (const Tone& tone : text.tones)
+      write(code_points(tone.text), color(theme_.style(tone.role).fill.value_or(*style_->fill)));
     list_.PopTextureID();
   }
 
@@ -406,6 +411,7 @@ class MarkPainter {
   }
 
   ImDrawList& list_;
+  const Theme& theme_;
   const AtlasFonts& fonts_;
   DrawPlacement placement_;
   const Style* style_ = nullptr;
@@ -478,7 +484,7 @@ const ImFont& AtlasFonts::font(const TextStyle& style) const {
 std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t first,
                         const Theme& theme, const AtlasFonts& fonts,
                         const DrawPlacement& placement) {
-  MarkPainter painter(list, fonts, placement);
+  MarkPainter painter(list, theme, fonts, placement);
   const auto corner = [&](const Point& p) {
     const Point q = placement.origin + placement.scale * p;
     return ImVec2(static_cast<float>(std::round(q.x())), static_cast<float>(std::round(q.y())));
@@ -487,7 +493,8 @@ std::size_t paint_marks(ImDrawList& list, const Picture& picture, std::size_t fi
   std::size_t i = first;
   for (; i < picture.marks.size() && list.VtxBuffer.Size < kVerticesPerList; ++i) {
     const Mark& mark = picture.marks[i];
-    painter.set_style(theme.style(mark.role));
+    const Style style = theme.style(mark);
+    painter.set_style(style);
     const bool clipped = mark.clip >= 0;
     if (clipped) {
       const Rect& rect = picture.clips.at(static_cast<std::size_t>(mark.clip));

@@ -113,8 +113,8 @@ class PdfFonts {
 /// One mark onto the page.
 class PagePainter {
  public:
-  PagePainter(cairo_t* cairo, const PdfFonts& fonts, const Style& style)
-      : cairo_(cairo), fonts_(fonts), style_(style) {}
+  PagePainter(cairo_t* cairo, const PdfFonts& fonts, const Theme& theme, const Style& style)
+      : cairo_(cairo), fonts_(fonts), theme_(theme), style_(style) {}
 
   void operator()(const Polygon& polygon) const {
     outline(polygon.points, true);
@@ -159,10 +159,34 @@ class PagePainter {
   }
   void operator()(const Text& text) const {
     if (!style_.fill || text.text.empty()) return;
-    source(*style_.fill);
-    const double size = text.style.size;
     double pen = box_of(fonts_.measures(), text).min.x();
-    const std::u32string characters = code_points(text.text);
+    if (text.tones.empty()) write(text, code_points(text.text), *style_.fill, pen);
+    for (const Tone& tone : text.tones) {
+      write(text, code_points(tone.text), theme_.style(tone.role).fill.value_or(*style_.fill), pen);
+    }
+  }
+
+  static void rounded(cairo_t* cairo, const Rect& rect, double corner) {
+    const double r = std::min(corner, 0.5 * rect.size().minCoeff());
+    cairo_new_path(cairo);
+    if (r <= 0.0) {
+      cairo_rectangle(cairo, rect.min.x(), rect.min.y(), rect.size().x(), rect.size().y());
+      return;
+    }
+    constexpr double kRight = 0.5 * std::numbers::pi;
+    cairo_arc(cairo, rect.max.x() - r, rect.min.y() + r, r, -kRight, 0.0);
+    cairo_arc(cairo, rect.max.x() - r, rect.max.y() - r, r, 0.0, kRight);
+    cairo_arc(cairo, rect.min.x() + r, rect.max.y() - r, r, kRight, 2.0 * kRight);
+    cairo_arc(cairo, rect.min.x() + r, rect.min.y() + r, r, 2.0 * kRight, 3.0 * kRight);
+    cairo_close_path(cairo);
+  }
+
+ private:
+  /// Part of a text, from `pen` on, which moves behind it.
+  void write(const Text& text, const std::u32string& characters, const Color& color,
+             double& pen) const {
+    source(color);
+    const double size = text.style.size;
     // A stretch is what one font file draws.
     for (std::size_t i = 0; i < characters.size();) {
       const cairo_font_face_t* const face = fonts_.glyph(text.style.face, characters[i]).face;
@@ -187,22 +211,6 @@ class PagePainter {
     }
   }
 
-  static void rounded(cairo_t* cairo, const Rect& rect, double corner) {
-    const double r = std::min(corner, 0.5 * rect.size().minCoeff());
-    cairo_new_path(cairo);
-    if (r <= 0.0) {
-      cairo_rectangle(cairo, rect.min.x(), rect.min.y(), rect.size().x(), rect.size().y());
-      return;
-    }
-    constexpr double kRight = 0.5 * std::numbers::pi;
-    cairo_arc(cairo, rect.max.x() - r, rect.min.y() + r, r, -kRight, 0.0);
-    cairo_arc(cairo, rect.max.x() - r, rect.max.y() - r, r, 0.0, kRight);
-    cairo_arc(cairo, rect.min.x() + r, rect.max.y() - r, r, kRight, 2.0 * kRight);
-    cairo_arc(cairo, rect.min.x() + r, rect.min.y() + r, r, 2.0 * kRight, 3.0 * kRight);
-    cairo_close_path(cairo);
-  }
-
- private:
   void source(const Color& color) const {
     cairo_set_source_rgba(cairo_, color.r / 255.0, color.g / 255.0, color.b / 255.0,
                           color.a / 255.0);
@@ -232,6 +240,7 @@ class PagePainter {
 
   cairo_t* cairo_;
   const PdfFonts& fonts_;
+  const Theme& theme_;
   const Style& style_;
 };
 
@@ -359,7 +368,7 @@ class PdfWriter {
                              picture.clip_corner);
         cairo_clip(cairo);
       }
-      std::visit(PagePainter(cairo, fonts_, theme_.style(mark.role)), mark.shape);
+      std::visit(PagePainter(cairo, fonts_, theme_, theme_.style(mark)), mark.shape);
       if (mark.clip >= 0) cairo_restore(cairo);
     }
   }
@@ -367,7 +376,7 @@ class PdfWriter {
   /// On paper, which is white.
   void write(const std::vector<std::string>& lines, Point at) {
     const Style ink{Color{0, 0, 0, 255}, {}, 1.0, {}};
-    const PagePainter painter(cairo_.get(), fonts_, ink);
+    const PagePainter painter(cairo_.get(), fonts_, theme_, ink);
     for (const std::string& line : lines) {
       at.y() += kLineHeight;
       painter(Text{at, line, kCaption, Align::left});

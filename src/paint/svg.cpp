@@ -60,8 +60,8 @@ int weight(Face face) {
 class MarkWriter {
  public:
   /// `more`: attributes of each element.
-  MarkWriter(const Style& style, const Fonts& fonts, const std::string& more)
-      : style_(style), fonts_(fonts), more_(more) {}
+  MarkWriter(const Theme& theme, const Style& style, const Fonts& fonts, const std::string& more)
+      : theme_(theme), style_(style), fonts_(fonts), more_(more) {}
 
   std::string operator()(const Polygon& polygon) const {
     return outline(polygon.points, style_.fill, style_.stroke, true);
@@ -107,10 +107,19 @@ class MarkWriter {
         "font-weight=\"{}\"{}{}>{}</text>\n",
         number(box.min.x()), number(text.at.y()), number(box.size().x()), family(text.style.face),
         number(text.style.size), weight(text.style.face), paint("fill", style_.fill), more_,
-        escape_html(text.text));
+        text.tones.empty() ? escape_html(text.text) : toned(text.tones));
   }
 
  private:
+  [[nodiscard]] std::string toned(const std::vector<Tone>& tones) const {
+    std::string out;
+    for (const Tone& tone : tones) {
+      out += fmt::format("<tspan{}>{}</tspan>", paint("fill", theme_.style(tone.role).fill),
+                         escape_html(tone.text));
+    }
+    return out;
+  }
+
   /// What is only a line may name its colour either way.
   [[nodiscard]] std::optional<Color> line_color() const {
     return style_.stroke ? style_.stroke : style_.fill;
@@ -136,6 +145,7 @@ class MarkWriter {
                        stroke(line), more_);
   }
 
+  const Theme& theme_;
   const Style& style_;
   const Fonts& fonts_;
   const std::string& more_;
@@ -203,7 +213,7 @@ std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& them
     more += fmt::format(" data-mark=\"{}\"", mark.role);
     if (const std::string name = subject_name(mark.subject); !name.empty())
       more += fmt::format(" data-of=\"{}\"", name);
-    out += std::visit(MarkWriter(theme.style(mark.role), fonts, more), mark.shape);
+    out += std::visit(MarkWriter(theme, theme.style(mark), fonts, more), mark.shape);
   }
   return out + "</svg>\n";
 }

@@ -49,8 +49,13 @@ std::string position_in_lesson(const LessonRun& run, int index) {
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   if (frame.step < 0) return {.group = "start", .label = "S"};
   const gjk::Step<double, 2>& step = run.step(frame);
+  const std::string phase(name_of(step.phase));
+  std::string dropped;
+  for (const gjk::SupportPoint<double, 2>& vertex : step.record.dropped)
+    dropped += (dropped.empty() ? " " : ", ") + run.pair_name(vertex.pair);
   return {.group = format("iteration {}", step.iteration),
-          .label = std::string(name_of(step.phase)),
+          .label = phase + dropped,
+          .short_label = phase,
           .event = run.info(frame).is_event,
           .phase = std::string(run.info(frame).phase)};
 }
@@ -132,6 +137,7 @@ void stage_step(SceneBuilder& scene) {
   if (scene.shows_difference && !scene.shows(Slab::kName)) layers::best_support_line(scene);
   if (scene.shows(History::kName)) layers::history(scene);
   layers::simplex(scene);
+  if (scene.shows(History::kName)) layers::history_points(scene);
   if (scene.shows_difference) {
     layers::closest_line(scene);
     if (scene.shows(SecondRun::kName)) layers::second_run(scene);

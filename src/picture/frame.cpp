@@ -29,7 +29,7 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(128.0, 116.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
@@ -325,6 +325,9 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
     for (const LegendEntry& entry : legend_entries()) {
+      // Where no run is followed, words do not speak of S.
+      const bool of_s = entry.role == "simplex.vertex";
+      if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
         if (!has_mark(scene(at % views_.size(), at / views_.size()), entry.role)) continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
@@ -334,6 +337,26 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   }
   return explained_[index * views_.size() + view];
 }
+
+namespace {
+
+/// What a panel's marks leave free at its lower end.
+Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
+  constexpr double kGap = 8.0;
+  constexpr double kDescent = 0.3;  // of a letter's size
+  double low = panel.min.y();
+  for (const Mark& mark : marks) {
+    if (const Text* text = std::get_if<Text>(&mark.shape))
+      low = std::max(low, text->at.y() + kDescent * text->style.size);
+    if (const Box* box = std::get_if<Box>(&mark.shape)) low = std::max(low, box->rect.max.y());
+    if (const Polyline* line = std::get_if<Polyline>(&mark.shape)) {
+      for (const Point& point : line->points) low = std::max(low, point.y());
+    }
+  }
+  return {{panel.min.x() + kGap, low + kGap}, panel.max - Point(kGap, kGap)};
+}
+
+}  // namespace
 
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
@@ -357,6 +380,12 @@ Picture LessonPictures::picture(int index) {
                      kProseLine);
   }
 
+  std::vector<Mark> panel;
+  Rect spare{Point::Zero(), Point::Zero()};
+  if (panel_) {
+    panel = panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_);
+    spare = spare_part(*panel_, panel);
+  }
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
     View& view = views_[i];
@@ -372,12 +401,15 @@ Picture LessonPictures::picture(int index) {
     view.placer.begin_frame(of_frame.obstacles);
     view.placer.reserve(view.title_box);
     const std::size_t first_label = picture.marks.size();
+    const auto lead = [&](const LabelRequest& label, const Rect& box) {
+      const auto line = leader_line(label, box);
+      if (!line) return;
+      view.placer.avoid(*line);
+      picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, clip});
+    };
     const auto place = [&](const LabelRequest& label, bool fixed) {
       const Mark placed = view.placer.place(label, fixed);
-      if (auto leader = leader_line(label, box_of(fonts_, std::get<Text>(placed.shape)))) {
-        leader->clip = clip;
-        picture.marks.push_back(*leader);
-      }
+      lead(label, box_of(fonts_, std::get<Text>(placed.shape)));
       picture.marks.push_back(placed);
     };
     std::set<std::string> drawn;
@@ -394,7 +426,11 @@ Picture LessonPictures::picture(int index) {
       if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
         words.push_back(box_of(fonts_, *label));
     }
-    page.append(legend(marks_to_explain(i, at), of_frame, card, words, fonts_));
+    const Point free = spare.min;
+    std::vector<Mark> explained =
+        legend(marks_to_explain(i, at), of_frame, card, words, fonts_, spare);
+    std::vector<Mark>& into = spare.min == free ? picture.marks : panel;
+    std::move(explained.begin(), explained.end(), std::back_inserter(into));
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",
@@ -404,7 +440,7 @@ Picture LessonPictures::picture(int index) {
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});
-    page.append(panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_));
+    page.append(std::move(panel));
   }
 
   if (page_.bare) return picture;

@@ -107,7 +107,7 @@ bool inside(std::span<const Point> polygon, const Rect& box) {
 
 }  // namespace
 
-std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label) {
+std::optional<Obstacles::Segment> leader_line(const LabelRequest& request, const Rect& label) {
   Point anchor = request.anchor;
   for (const Point& other : request.other_anchors)
     if (distance(label, other) < distance(label, anchor)) anchor = other;
@@ -116,7 +116,7 @@ std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label) 
   if (length <= request.gap + kLeaderFrom) return std::nullopt;
   const Point along = (anchor - from) / length;
   const Point to = anchor - 0.6 * request.gap * along;
-  return Mark{"leader", Polyline{{from + 2.0 * along, to}}};
+  return Obstacles::Segment{from + 2.0 * along, to};
 }
 
 void LabelPlacer::begin_frame(Obstacles obstacles) {
@@ -151,6 +151,14 @@ double LabelPlacer::cost_of_neighbours(const Rect& box, const LabelRequest& requ
   return is_ambiguous ? kNearerToAnother : 0.0;
 }
 
+double LabelPlacer::cost_of_leader(const Rect& box, const LabelRequest& request) const {
+  const std::optional<Obstacles::Segment> leader = leader_line(request, box);
+  if (!leader) return 0.0;
+  const bool crosses = std::any_of(taken_.begin(), taken_.end(),
+                                   [&](const Rect& label) { return hits(label, *leader); });
+  return crosses ? kOverSegment : 0.0;
+}
+
 double LabelPlacer::cost_of_passing(const Rect& box, bool in_frame) const {
   const Rect clear = grown(box, kClearance);
   const auto passing = std::count_if(obstacles_.passing.begin(), obstacles_.passing.end(),
@@ -163,6 +171,12 @@ Mark LabelPlacer::mark_at(const Rect& box, const std::string& text, const std::s
                           const TextStyle& style) const {
   const double base = box.max.y() - 0.22 * style.size * 0.5;
   return {role, Text{{box.center().x(), base}, text, style, Align::center}};
+}
+
+Mark LabelPlacer::mark_of(const LabelRequest& request, const Rect& box) const {
+  Mark mark = mark_at(box, request.text, request.role, request.style);
+  std::get<Text>(mark.shape).tones = request.tones;
+  return mark;
 }
 
 Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
@@ -187,7 +201,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   if (fixed && moves && !request.steps_aside) {
     const Rect box = box_around(centre(known->second), size);
     taken_.push_back(box);
-    return mark_at(box, request.text, request.role, request.style);
+    return mark_of(request, box);
   }
   double best_cost = std::numeric_limits<double>::infinity();
   Kept best;
@@ -195,6 +209,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
     const double cost = extra + cost_of(box) + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
+                        cost_of_leader(box, request) +
                         (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {
@@ -232,7 +247,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   if (!fixed || !moves) places_[request.id] = best;
   const Rect box = box_around(centre(best), size);
   taken_.push_back(box);
-  return mark_at(box, request.text, request.role, request.style);
+  return mark_of(request, box);
 }
 
 std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, bool in_any_case) {

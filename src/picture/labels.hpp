@@ -42,12 +42,14 @@ struct LabelRequest {
   std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
   /// A fixed label may leave its place for a frame in which something else is there.
   bool steps_aside = false;
+  std::vector<Tone> tones = {};
 };
 
 /// A label farther than this from what it names has a line that leads there, in pixels.
 inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
 /// That line; none where the label is near.
-[[nodiscard]] std::optional<Mark> leader_line(const LabelRequest& request, const Rect& label);
+[[nodiscard]] std::optional<Obstacles::Segment> leader_line(const LabelRequest& request,
+                                                            const Rect& label);
 
 /// A label somewhere inside a convex polygon.
 struct AreaLabelRequest {
@@ -68,6 +70,8 @@ class LabelPlacer {
   void begin_frame(Obstacles obstacles);
   /// Reserves room that labels must not take.
   void reserve(const Rect& box) { taken_.push_back(box); }
+  /// A line that labels from here on keep off.
+  void avoid(const Obstacles::Segment& line) { obstacles_.segments.push_back(line); }
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
@@ -86,7 +90,10 @@ class LabelPlacer {
   [[nodiscard]] double cost_of(const Rect& box) const;
   /// Of a box that is nearer to another mark than to the one that it names.
   [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
+  /// Of a line from a far label to what it names, which would cross other labels.
+  [[nodiscard]] double cost_of_leader(const Rect& box, const LabelRequest& request) const;
   [[nodiscard]] double cost_of_passing(const Rect& box, bool in_frame) const;
+  [[nodiscard]] Mark mark_of(const LabelRequest& request, const Rect& box) const;
   [[nodiscard]] Mark mark_at(const Rect& box, const std::string& text, const std::string& role,
                              const TextStyle& style) const;
   [[nodiscard]] Point size_of(const std::string& text, const TextStyle& style) const;

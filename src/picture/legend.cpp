@@ -8,7 +8,7 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 13> kEntries = {
+constexpr std::array<LegendEntry, 15> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
      {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
@@ -17,10 +17,12 @@ constexpr std::array<LegendEntry, 13> kEntries = {
      {"support.plane", "support line, normal to d"},
      {"support.axis.foot", "foot: how far along"},
      {"closest.circle", "as far away as P"},
+     {"condition", "a condition holds on the side of the ticks"},
      {"region.rejected", "ruled out"},
      {"hull.ghost", "outline of Z, not known to GJK"},
      {"cloud.point", "a difference y − x"},
      {"cloud.touched", "a difference that was computed"},
+     {"pair.link", "a difference: from x to y"},
      {"history.closest", "P of an earlier iteration"}}};
 
 const Mark* mark_of(const Scene& scene, std::string_view role) {
@@ -103,7 +105,8 @@ std::span<const LegendEntry> own_legend_entries() { return kEntries; }
 bool has_mark(const Scene& scene, std::string_view role) { return mark_of(scene, role) != nullptr; }
 
 std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
-                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts) {
+                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts,
+                         Rect& spare) {
   constexpr double kGlyph = 28.0;
   constexpr double kPad = 12.0;
   constexpr double kRow = 24.0;
@@ -115,7 +118,13 @@ std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& s
   const Point frame(1.0, 1.0);
   const Rect inside{card.min + frame, card.max - frame};
   if ((size.array() > inside.size().array()).any()) return {};
-  const std::optional<Rect> box = place_for(size, scene, inside, words);
+  std::optional<Rect> box;
+  if ((size.array() <= spare.size().array()).all()) {
+    box = Rect{spare.min, spare.min + size};
+    spare.min.y() += size.y();
+  } else {
+    box = place_for(size, scene, inside, words);
+  }
   if (!box) return {};
   std::vector<Mark> marks = {{"legend.box", Box{*box, 9.0}}};
   const double x = box->min.x() + kPad;

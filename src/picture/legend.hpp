@@ -19,10 +19,11 @@ struct LegendEntry {
 
 [[nodiscard]] bool has_mark(const Scene& scene, std::string_view role);
 
-/// What explains them, at the edge of a card where it hides least, and none of the `words`. Nothing
+/// What explains them: in the `spare` part of the panel, of which it takes what it needs; where
+/// that has no room, at the edge of the card where it hides least, and none of the `words`. Nothing
 /// where there is no such place.
 [[nodiscard]] std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
                                        const Rect& card, const std::vector<Rect>& words,
-                                       const Fonts& fonts);
+                                       const Fonts& fonts, Rect& spare);
 
 }  // namespace gjkscope

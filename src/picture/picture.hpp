@@ -21,6 +21,7 @@ struct Rect {
   Point max = Point::Zero();
   [[nodiscard]] Point size() const { return max - min; }
   [[nodiscard]] Point center() const { return 0.5 * (min + max); }
+  friend bool operator==(const Rect&, const Rect&) = default;
 };
 [[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
   return (a.min.array() < b.max.array()).all() && (b.min.array() < a.max.array()).all();
@@ -29,24 +30,29 @@ struct Rect {
 /// A convex polygon, filled and outlined as its role says. Counter-clockwise or clockwise.
 struct Polygon {
   std::vector<Point> points;
+  friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 struct Polyline {
   std::vector<Point> points;
   bool closed = false;
+  friend bool operator==(const Polyline&, const Polyline&) = default;
 };
 /// The head is at `to`; its size does not depend on the length.
 struct Arrow {
   Point from;
   Point to;
+  friend bool operator==(const Arrow&, const Arrow&) = default;
 };
 struct Disk {
   Point center;
   double radius = 0.0;
+  friend bool operator==(const Disk&, const Disk&) = default;
 };
 /// An upright cross: the origin, a position.
 struct Cross {
   Point center;
   double radius = 0.0;
+  friend bool operator==(const Cross&, const Cross&) = default;
 };
 /// A square that stands on a corner: a support point.
 [[nodiscard]] inline Polygon diamond(const Point& center, double radius) {
@@ -56,14 +62,23 @@ struct Cross {
 struct Box {
   Rect rect;
   double corner = 0.0;  ///< Corner radius.
+  friend bool operator==(const Box&, const Box&) = default;
 };
 enum class Align { left, center, right };
 /// One line of text; `at` is on the base line.
+/// Part of a text with a role of its own.
+struct Tone {
+  std::string text;
+  std::string role;
+  friend bool operator==(const Tone&, const Tone&) = default;
+};
 struct Text {
   Point at;
   std::string text;  ///< UTF-8
   TextStyle style;
   Align align = Align::left;
+  std::vector<Tone> tones = {};  ///< Where parts differ in colour: they make up the text.
+  friend bool operator==(const Text&, const Text&) = default;
 };
 
 /// What a mark stands for, where a reader may point at it.
@@ -93,6 +108,8 @@ struct Mark {
   std::variant<Polygon, Polyline, Arrow, Disk, Cross, Box, Text> shape;
   int clip = -1;  ///< Index into Picture::clips, or -1.
   Subject subject = {};
+  double opacity = 1.0;  ///< Of its style: less while it appears or goes.
+  friend bool operator==(const Mark&, const Mark&) = default;
 };
 
 struct Picture {
@@ -101,6 +118,7 @@ struct Picture {
   std::vector<Rect> clips;
   double clip_corner = 0.0;  ///< Corner radius of the clips; rounds the polygons they cut off.
   std::vector<Mark> marks;   ///< Painted in this order.
+  friend bool operator==(const Picture&, const Picture&) = default;
 };
 
 }  // namespace gjkscope

@@ -12,12 +12,10 @@ using Eigen::Vector2d;
 using namespace sizes;
 
 std::vector<Vector2d> StageMap::visible() const {
-  const Vector2d half = 0.5 * area_.size() / scale();
+  const Vector2d half = 0.5 * camera_.units_per_pixel(area_.size().y()).cwiseProduct(area_.size());
   return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
           camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
 }
-
-Point direction_on_screen(const Vector2d& d) { return Point(d.x(), -d.y()) / d.norm(); }
 
 Subject subject_of(const LessonRun& run, gjk::VertexPair pair) {
   if (run.point_query()) return {Subject::Kind::vertex_of_y, -1, pair.y};
@@ -95,13 +93,23 @@ LabelRequest SceneBuilder::label(std::string id, std::string text, std::string r
 }
 
 void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role) {
-  const std::string name = run.pair_name(vertex.pair);
   const Point point = at_difference(vertex.w);
-  Point middle = map.area().center();
+  labels_of_difference().push_back(
+      pair_name(vertex.pair, role, point, kSimplexRadius, point - map.area().center()));
+}
+
+LabelRequest SceneBuilder::pair_name(gjk::VertexPair pair, const std::string& role,
+                                     const Point& anchor, double radius,
+                                     const Point& towards) const {
+  const std::string name = run.pair_name(pair);
   LabelRequest request =
-      label("cloud:" + name, name, role, type::kSmallVertex, point, kSimplexRadius, point - middle);
+      label("cloud:" + name, name, role, type::kSmallVertex, anchor, radius, towards);
   request.steps_aside = true;
-  labels_of_difference().push_back(std::move(request));
+  if (run.point_query()) return request;
+  const std::string& of_x = run.lesson.x().vertex_names[pair.x];
+  const std::string& of_y = run.lesson.y().vertex_names[pair.y];
+  request.tones = {{of_y, "shape.y.label"}, {"−", role}, {of_x, "shape.x.label"}};
+  return request;
 }
 
 void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
@@ -116,9 +124,15 @@ void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
     mark(at_difference(vertex.w), subject_of(run, vertex.pair));
     if (!run.point_query()) pair_label(vertex, role + ".label");
   } else {
+    link(vertex_of_x(vertex), vertex_of_y(vertex));
     mark(at(vertex_of_x(vertex)), {Subject::Kind::vertex_of_x, vertex.pair.x});
     mark(at(vertex_of_y(vertex)), {Subject::Kind::vertex_of_y, -1, vertex.pair.y});
   }
+}
+
+void SceneBuilder::link(const Vector2d& x, const Vector2d& y) {
+  add("pair.link", Polyline{{at(x), at(y)}});
+  out.obstacles.passing.push_back({at(x), at(y)});
 }
 
 double SceneBuilder::arrow_length(const Vector2d& p) const {

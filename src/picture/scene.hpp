@@ -15,7 +15,7 @@
 
 namespace gjkscope {
 
-/// From the coordinates of a view to the frame: uniform scale, y up becomes y down.
+/// From the coordinates of a view to the frame: y up becomes y down.
 class StageMap {
  public:
   /// Pixels from the stage's middle beyond which a point is moved in: a painter computes in single
@@ -24,17 +24,27 @@ class StageMap {
 
   /// Shows `camera.height` units over the height of `area`, centred.
   StageMap(const Rect& area, const Camera& camera) : area_(area), camera_(camera) {}
+  /// Pixels for a unit along y.
   [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
   [[nodiscard]] Point operator()(const Eigen::Vector2d& v) const {
     const Eigen::Vector2d d =
-        (scale() * (v - camera_.center)).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+        stretched(scale() * (v - camera_.center)).cwiseMax(-kFarthest).cwiseMin(kFarthest);
     return area_.center() + Point(d.x(), -d.y());
+  }
+  /// Along d, of unit length in frame pixels.
+  [[nodiscard]] Point direction(const Eigen::Vector2d& d) const {
+    const Eigen::Vector2d along = stretched(d);
+    return Point(along.x(), -along.y()) / along.norm();
   }
   [[nodiscard]] const Rect& area() const { return area_; }
   /// Corners of what `area` shows, counter-clockwise, in view coordinates.
   [[nodiscard]] std::vector<Eigen::Vector2d> visible() const;
 
  private:
+  [[nodiscard]] Eigen::Vector2d stretched(const Eigen::Vector2d& v) const {
+    return {v.x() / camera_.stretch, v.y()};
+  }
+
   Rect area_;
   Camera camera_;
 };
@@ -67,9 +77,6 @@ inline constexpr double kPairArrow =
 inline constexpr double kLabelGap = 7.0;
 inline constexpr double kLengthOffset = 13.0;  // of a fractional length from its segment
 }  // namespace sizes
-
-/// d, of unit length, in frame pixels.
-[[nodiscard]] Point direction_on_screen(const Eigen::Vector2d& d);
 
 /// A vertex of the Minkowski difference; of a point query it is a vertex of Y.
 [[nodiscard]] Subject subject_of(const LessonRun& run, gjk::VertexPair pair);
@@ -111,7 +118,13 @@ struct SceneBuilder {
                                    const Point& towards = Point::Zero()) const;
   /// A vertex of the difference; between polygons its two vertices in the world, and its name.
   void simplex_vertex(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  /// In the world, a thin line between the vertices that make a difference.
+  void link(const Eigen::Vector2d& x, const Eigen::Vector2d& y);
   void pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  /// The name of a difference, in the colours of both shapes.
+  [[nodiscard]] LabelRequest pair_name(gjk::VertexPair pair, const std::string& role,
+                                       const Point& anchor, double radius,
+                                       const Point& towards) const;
   /// Where labels of the difference go: along a path it moves.
   [[nodiscard]] std::vector<LabelRequest>& labels_of_difference() {
     return run.lesson.path_of_shapes ? out.moving_labels : out.fixed_labels;

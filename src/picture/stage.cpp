@@ -11,9 +11,9 @@ namespace gjkscope {
 using Eigen::Vector2d;
 
 Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
-  constexpr double kSide = 64.0;
-  constexpr double kTop = 64.0;
-  constexpr double kBottom = 52.0;
+  constexpr double kSide = 46.0;
+  constexpr double kTop = 58.0;
+  constexpr double kBottom = 42.0;
   const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
   const Vector2d extent = box.sizes();
   double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -225,6 +226,14 @@ std::vector<Color> Theme::colors() const {
     }
   }
   return all;
+}
+
+Style Theme::style(const Mark& mark) const {
+  Style out = style(mark.role);
+  for (std::optional<Color>* color : {&out.fill, &out.stroke}) {
+    if (*color) (*color)->a = static_cast<std::uint8_t>(std::lround((*color)->a * mark.opacity));
+  }
+  return out;
 }
 
 const Style& Theme::style(std::string_view role) const {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "picture/picture.hpp"
+
 namespace gjkscope {
 
 struct Color {
@@ -50,6 +52,8 @@ class Theme {
   /// std::out_of_range when there is none: every role that pictures use must be in every theme
   /// (tested).
   [[nodiscard]] const Style& style(std::string_view role) const;
+  /// The style of its role, as faint as the mark is.
+  [[nodiscard]] Style style(const Mark& mark) const;
 
  private:
   [[nodiscard]] static Theme resolve(const ThemeTexts& texts, std::string_view name,

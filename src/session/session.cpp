@@ -31,7 +31,7 @@ std::size_t weight(const Lesson& lesson) {
 /// The lesson's camera that makes `seen` of it in `card`: a page may widen a lesson's camera.
 Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const Camera& seen) {
   view.camera = Camera{seen.center, 1.0};
-  return {seen.center, seen.height / camera_of(run, view, card).height};
+  return {seen.center, seen.height / camera_of(run, view, card).height, seen.stretch};
 }
 
 }  // namespace
@@ -427,7 +427,8 @@ void Session::keep_difference_in_sight() {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].kind != ViewKind::difference) continue;
     const Rect& card = seen[i].card;
-    const Eigen::Vector2d half = 0.5 * seen[i].camera.height / card.size().y() * card.size();
+    const Eigen::Vector2d half =
+        0.5 * seen[i].camera.units_per_pixel(card.size().y()).cwiseProduct(card.size());
     const Eigen::Vector2d& center = seen[i].camera.center;
     const Eigen::AlignedBox2d sight(center - half, center + half);
     const Eigen::AlignedBox2d z(y.min() - x.max(), y.max() - x.min());

@@ -100,7 +100,8 @@ class SiteWriter {
       : options_(options),
         assets_(options.share / "assets"),
         fonts_(assets_ / "fonts.toml"),
-        theme_(Theme::load(assets_ / "themes", "light")) {
+        theme_(Theme::load(assets_ / "themes", "light")),
+        dark_(Theme::load(assets_ / "themes", "dark")) {
     for (const std::string& name : Theme::names(assets_ / "themes")) {
       themes_[name] = read_whole(assets_ / "themes" / (name + ".toml"));
       shared_["themes"] += theme_css(name, Theme::load(assets_ / "themes", name));
@@ -155,7 +156,8 @@ class SiteWriter {
     write_plain("index", "GJK, step by step",
                 "The GJK distance algorithm, one decision at a time: lessons to step through, to "
                 "drag and to ask.",
-                {{"lessons", list}});
+                {{"lessons", list},
+                 {"first", lessons.empty() ? "playground" : escape_html(lessons.front().id)}});
   }
 
   void write_about() {
@@ -241,6 +243,10 @@ class SiteWriter {
     parts["panel"] = first.value("panel", "");
     parts["views"] = two ? "two" : "one";
     parts["nav"] = nav(lesson.id + ".html", next);
+    if (next) {
+      parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n",
+                                  link(next->id + ".html", "Next lesson: " + next->title));
+    }
     parts["transcript"] = transcript_items(lesson);
     parts["data"] = script_text(data);
     write(lesson.id, filled(page_, parts));
@@ -269,11 +275,16 @@ class SiteWriter {
     std::erase_if(picture.marks, [](const Mark& mark) {
       return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
     });
-    return fmt::format(
-        "<li><a href=\"{}.html\"><img src=\"data:image/svg+xml;base64,{}\" width=\"640\" "
-        "height=\"360\" alt=\"\" loading=\"lazy\"><strong>{}</strong><span>{}</span></a></li>\n",
-        escape_html(lesson.id), base64(to_svg(picture, fonts_, theme_, "")),
-        escape_html(lesson.title), escape_html(pictures.texts().front().prose));
+    std::string images;
+    for (const auto& [name, theme] : {std::pair("bright", &theme_), {"dim", &dark_}}) {
+      images += fmt::format(
+          "<img class=\"{}\" src=\"data:image/svg+xml;base64,{}\" width=\"640\" height=\"360\" "
+          "alt=\"\" loading=\"lazy\">",
+          name, base64(to_svg(picture, fonts_, *theme, "")));
+    }
+    return fmt::format("<li><a href=\"{}.html\">{}<strong>{}</strong><span>{}</span></a></li>\n",
+                       escape_html(lesson.id), images, escape_html(lesson.title),
+                       escape_html(pictures.texts().front().prose));
   }
 
   void write(const std::string& name, const std::string& text) {
@@ -285,6 +296,7 @@ class SiteWriter {
   fs::path assets_;
   Fonts fonts_;
   Theme theme_;
+  Theme dark_;
   std::map<std::string, std::string> themes_;
   std::map<std::string, std::string> shared_;  ///< Parts that all pages have.
   std::string page_ = read_whole(assets_ / "web" / "page.html");

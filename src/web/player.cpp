@@ -12,6 +12,7 @@
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
 #include "picture/registry.hpp"
+#include "picture/tween.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "trace/trace_json.hpp"
@@ -119,6 +120,7 @@ std::string Player::answer(std::string_view request) {
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
       {"trace", [](Player& p, const Asked&) { return p.trace(); }},
       {"frame", [](Player& p, const Asked&) { return p.whole_frame(); }},
+      {"tween", [](Player& p, const Asked& a) { return p.on_the_way(a); }},
   };
   try {
     const Asked asked{Json::parse(request)};
@@ -153,6 +155,12 @@ std::string Player::whole_frame() const {
   const std::string svg =
       to_svg(pictures.picture(session_.index()), fonts_, theme_, alternative_text(session_.text()));
   return dumped({{"svg", svg}});
+}
+
+/// The stage on its way from what was shown before.
+std::string Player::on_the_way(const Asked& asked) const {
+  const Picture between = tween(stage_before_, stage_, asked.real("share"));
+  return dumped({{"stage", to_svg(between, fonts_, theme_, alternative_text(session_.text()))}});
 }
 
 void Player::go_to_phase(int phase) {
@@ -269,8 +277,8 @@ std::optional<std::size_t> stage_at(const Session& session, const Point& p) {
 
 Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
   const Point off = p - stage.card.center();
-  return stage.camera.center +
-         Vector2d(off.x(), -off.y()) * (stage.camera.height / stage.card.size().y());
+  return stage.camera.center + stage.camera.units_per_pixel(stage.card.size().y())
+                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 }  // namespace
@@ -353,8 +361,8 @@ void Player::nudge(const Asked& asked) {
   const int index = asked.whole("index");
   const std::vector<LessonPictures::Stage> stages = session_.views();
   const LessonPictures::Stage& stage = stages.front();
-  const double unit = stage.camera.height / stage.card.size().y();
-  const Vector2d by = unit * Vector2d(asked.real("right"), asked.real("up"));
+  const Vector2d by = stage.camera.units_per_pixel(stage.card.size().y())
+                          .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
   if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");

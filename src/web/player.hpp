@@ -49,6 +49,7 @@ class Player {
   [[nodiscard]] std::string lesson_file() const;
   [[nodiscard]] std::string trace() const;
   [[nodiscard]] std::string whole_frame() const;
+  [[nodiscard]] std::string on_the_way(const Asked& asked) const;
   [[nodiscard]] static std::string traced_cases(const Asked& asked);
 
   [[nodiscard]] static FileText held(const Files& files, const std::filesystem::path& file);
@@ -70,6 +71,8 @@ class Player {
   Session session_;
   std::optional<Lesson> opened_;  ///< What "reset" goes back to.
   Files files_;                   ///< Files that the lesson names.
+  Picture stage_;                 ///< As it is shown,
+  Picture stage_before_;          ///< and as it was before that.
   bool shows_depth_ = false;      ///< Where shapes overlap, in the last frame.
   double panel_room_ = 368.0;
   double panel_width_ = 368.0;

@@ -201,8 +201,8 @@ std::string Player::shown() {
   const FrameText& text = session_.text();
   const LessonRun& run = session_.run();
   const Lesson& lesson = session_.lesson();
-  Picture stage = session_.picture();
-  if (shows_depth_ && session_.index() + 1 == session_.frame_count()) draw_depth(stage);
+  stage_before_ = std::exchange(stage_, session_.picture());
+  if (shows_depth_ && session_.index() + 1 == session_.frame_count()) draw_depth(stage_);
   Json out = {{"index", session_.index()},
               {"count", session_.frame_count()},
               {"title", lesson.title},
@@ -215,7 +215,7 @@ std::string Player::shown() {
               {"changed", *opened_ != lesson},
               {"undo", session_.undo_name()},
               {"redo", session_.redo_name()},
-              {"stage", to_svg(stage, fonts_, theme_, alternative_text(text))},
+              {"stage", to_svg(stage_, fonts_, theme_, alternative_text(text))},
               {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
   std::string values;
   for (const auto& [name, value] : text.values)

@@ -194,6 +194,25 @@ TEST(Case, LongNonsenseIsRefusedQuickly) {
   EXPECT_LE(parse_cases(broken, "f").size(), 100u);
 }
 
+TEST(Case, MillionsOfFlawsOnOneLineAreReadOnce) {
+  // Looking for the place of each from the start would take hours.
+  constexpr std::size_t kMany = 300000;
+  std::string points;
+  std::string cases;
+  for (std::size_t i = 0; i < kMany; ++i) {
+    points += "0,";
+    cases += R"({"a":[[0,0]],"b":0},)";
+  }
+  const ReadCase read = only(R"({"a":[)" + points + R"(0],"b":[[1,1]]})");
+  EXPECT_EQ(20u, read.problems.size());
+  EXPECT_EQ(7 + 2 * 19, read.problems.back().column);
+  const std::vector<ReadCase> all = parse_cases("[" + cases + kGood + "]", "f.json");
+  ASSERT_EQ(kMany + 1, all.size());
+  EXPECT_EQ(2 + 20 * static_cast<int>(kMany), all.back().place.column);
+  EXPECT_TRUE(all.back().value);
+  EXPECT_EQ(all[kMany - 1].place.column + 17, all[kMany - 1].problems.front().column);
+}
+
 TEST(Case, BecomesALessonToTrace) {
   const Lesson lesson = lesson_of(*only(kGood).value, "n", ScalarKind::exact);
   EXPECT_EQ(ScalarKind::exact, lesson.scalar);

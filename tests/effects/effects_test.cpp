@@ -10,6 +10,7 @@
 #include "effects/every_scalar.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
+#include "effects/other_normal.hpp"
 #include "effects/registry.hpp"
 #include "effects/second_run.hpp"
 #include "effects/shape_hull.hpp"
@@ -130,6 +131,28 @@ TEST(MinkowskiHull, HoldsTheWholeCloud) {
       EXPECT_GE(edge.x() * to.y() - edge.y() * to.x(), -1e-12);
     }
   }
+}
+
+TEST(OtherNormal, IsThereWhereQLiesOnTheSegmentAndFindsTheFarthestTheOtherWay) {
+  const LessonRun run = run_lesson(shipped_lesson("stop-either-normal"));
+  EffectGraph graph(run);
+  int found = 0;
+  for (const Frame& frame : run.frames) {
+    const OtherNormal::Value& other = graph.get<OtherNormal>(frame);
+    if (!other) continue;
+    ++found;
+    EXPECT_EQ(other->d, -run.state(frame).d);
+    const std::vector<Vector2d>& y = run.run(frame).y().world;
+    for (const Vector2d& vertex : y)
+      EXPECT_LE(vertex.dot(other->d), y[other->support.y].dot(other->d));
+  }
+  EXPECT_GT(found, 4);
+}
+
+TEST(OtherNormal, IsNotThereWhereTheSideOfQIsKnown) {
+  const LessonRun run = run_lesson(shipped_lesson("polygon-evolution"));
+  EffectGraph graph(run);
+  for (const Frame& frame : run.frames) EXPECT_FALSE(graph.get<OtherNormal>(frame));
 }
 
 TEST(History, GrowsByOneEntryAnIteration) {

@@ -274,16 +274,21 @@ TEST_F(Export, WhatWasNotExportedIsReplacedOnlyByForce) {
 }
 
 TEST_F(Export, EveryFormatHasTheSameBytesEachTimeAndARecordThatLeadsBack) {
-  for (const Format format :
-       {Format::png, Format::svg, Format::pdf, Format::tex, Format::gif, Format::apng}) {
-    SCOPED_TRACE(name_of(format));
-    ExportOptions one = options(std::string(name_of(format)) + "-1");
+  const std::vector<std::pair<Format, int>> formats = {
+      {Format::png, 0},  {Format::svg, 0},  {Format::pdf, 0},  {Format::tex, 0},
+      {Format::gif, 0},  {Format::apng, 0}, {Format::png, 10}, {Format::svg, 10},
+      {Format::gif, 10}, {Format::apng, 10}};
+  for (const auto& [format, fps] : formats) {
+    const std::string name = std::string(name_of(format)) + std::to_string(fps);
+    SCOPED_TRACE(name);
+    ExportOptions one = options(name + "-1");
     one.format = format;
+    one.fps = fps;
     one.jobs = 1;
     one.width = 320;
     one.height = 180;
     ExportOptions two = one;
-    two.out_dir = folder_ / (std::string(name_of(format)) + "-2");
+    two.out_dir = folder_ / (name + "-2");
     two.jobs = 3;
     const ExportResult result = export_lessons({lesson("segment-closest")}, one);
     static_cast<void>(export_lessons({lesson("segment-closest")}, two));
@@ -302,6 +307,46 @@ TEST_F(Export, EveryFormatHasTheSameBytesEachTimeAndARecordThatLeadsBack) {
     ASSERT_TRUE(again.lesson);
     EXPECT_EQ(again.lesson->y(), lesson("segment-closest").y());
   }
+}
+
+TEST_F(Export, WhatLeadsToAFrameComesBeforeItAndNothingIsLeftOfOthers) {
+  ExportOptions moving = options();
+  moving.format = Format::svg;
+  moving.last_step = 3;
+  const auto names = [&](int fps) {
+    moving.fps = fps;
+    static_cast<void>(export_lessons({lesson("polygons-gjk")}, moving));
+    std::vector<std::string> out;
+    for (const auto& [name, bytes] : contents(moving.out_dir)) out.push_back(name);
+    return out;
+  };
+  const std::vector<std::string> still = names(0);
+  EXPECT_EQ(still.size(), 4u);
+  const std::vector<std::string> at_ten = names(10);
+  EXPECT_EQ(at_ten,
+            (std::vector<std::string>{"polygons-gjk-0001.svg", "polygons-gjk-0002-01.svg",
+                                      "polygons-gjk-0002-02.svg", "polygons-gjk-0002.svg",
+                                      "polygons-gjk-0003-01.svg", "polygons-gjk-0003-02.svg",
+                                      "polygons-gjk-0003.svg", "polygons-gjk.json"}));
+  moving.last_step.reset();
+  const std::size_t all = names(10).size();
+  EXPECT_GT(all, at_ten.size());
+  EXPECT_LT(names(7).size(), all);
+  EXPECT_LT(names(0).size(), all / 2);
+  moving.format = Format::pdf;
+  moving.fps = 10;
+  EXPECT_EQ(error_of(moving), "in a pdf nothing moves; in png, svg and films it can");
+}
+
+TEST_F(Export, AStepInWhichNothingMovesIsDrawnOnce) {
+  ExportOptions moving = options();
+  moving.format = Format::svg;
+  moving.fps = 10;
+  static_cast<void>(export_lessons({lesson("polygon-pseudocode")}, moving));
+  const auto files = contents(moving.out_dir);
+  EXPECT_TRUE(files.contains("polygon-pseudocode-0009-01.svg"));
+  EXPECT_FALSE(files.contains("polygon-pseudocode-0010-01.svg")) << "only the words change";
+  EXPECT_TRUE(files.contains("polygon-pseudocode-0010.svg"));
 }
 
 TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {

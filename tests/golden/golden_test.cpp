@@ -14,16 +14,12 @@
 #include <sstream>
 
 #include "golden/golden_text.hpp"
+#include "golden/pixels.hpp"
 #include "lessons.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
-
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
 
 namespace gjkscope {
 namespace {
@@ -151,36 +147,6 @@ TEST_F(GoldenPictures, MarksAreThoseThatWereLookedAt) {
   }
 }
 
-/// Software renderers round differently on other processors. A pixel counts as another when a
-/// channel is off by more than kNoise of 255: antialiased edges stay below, a moved line is far
-/// above. kOthers of the pixels may be: a label that moves by a pixel makes about ten times as
-/// many.
-constexpr int kNoise = 40;
-constexpr double kOthers = 2e-4;
-
-double share_of_others(const Image& a, const Image& b) {
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
-    bool same = true;
-    for (std::size_t k = i; k < i + 3; ++k)
-      same = same && std::abs(int{a.pixels[k]} - int{b.pixels[k]}) <= kNoise;
-    others += same ? 0 : 1;
-  }
-  return 4.0 * static_cast<double>(others) / static_cast<double>(a.pixels.size());
-}
-
-Image decoded(const std::string& png) {
-  Image image;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
-                            static_cast<int>(png.size()), &image.width, &image.height, &channels,
-                            4),
-      &stbi_image_free);
-  if (pixels) image.pixels.assign(pixels.get(), pixels.get() + 4 * image.width * image.height);
-  return image;
-}
-
 /// Files are called LESSON-FRAME.THEME.png.
 TEST_F(GoldenPictures, PixelsAreThoseThatWereLookedAt) {
   constexpr int kWidth = 640;
@@ -201,9 +167,9 @@ TEST_F(GoldenPictures, PixelsAreThoseThatWereLookedAt) {
       write(file, std::string(png.begin(), png.end()));
       continue;
     }
-    const Image expected = decoded(read(file));
+    const Image expected = golden::decoded(read(file));
     ASSERT_EQ(expected.pixels.size(), image.pixels.size());
-    EXPECT_LE(share_of_others(expected, image), kOthers)
+    EXPECT_LE(golden::share_of_others(expected, image), golden::kOthers)
         << "of the pixels differ. If that is meant: scripts/golden " << lesson;
   }
 }

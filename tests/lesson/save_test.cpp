@@ -336,8 +336,10 @@ Lesson any_lesson(Random& random) {
   for (LessonView& view : out.views) {
     view.kind = any_of<ViewKind>(random);
     if (one_in(random, 2)) view.title = any_text(random, 20);
-    if (one_in(random, 2))
+    if (one_in(random, 2)) {
       view.camera = {any_point(random, 1e18), std::abs(any_number(random, 1e17)) + 1e-18};
+      if (one_in(random, 2)) view.camera->stretch = std::abs(any_number(random, 1e8)) + 1e-8;
+    }
     if (one_in(random, 2)) view.effects = {any_name(random, names_of(vocabulary().effects))};
   }
   if (one_in(random, 6) && out.scalar != ScalarKind::exact) {

@@ -101,11 +101,16 @@ TEST_F(Labels, FarFromWhatTheyNameHaveALineThatLeadsThere) {
   EXPECT_FALSE(leader(200.0 + limit - 0.5));
   const auto line = leader(200.0 + limit + 0.5);
   ASSERT_TRUE(line);
-  EXPECT_EQ(line->role, "leader");
-  for (const Point& end : std::get<Polyline>(line->shape).points) {
+  for (const Point& end : {line->a, line->b}) {
     EXPECT_GT(end.x(), 200.0);
     EXPECT_LT(end.x(), 200.0 + limit + 0.5);
   }
+}
+
+TEST_F(Labels, KeepOffALineThatLeadsToAnother) {
+  placer.begin_frame({});
+  placer.avoid({{0.0, 136.0}, {400.0, 136.0}});
+  EXPECT_GT(center(placer.place(request("a", {200.0, 150.0}, {0.0, -1.0}), false)).y(), 140.0);
 }
 
 TEST_F(Labels, KeepTheirDistanceWhenTheirTextGetsShorter) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope {
 namespace {
@@ -67,6 +69,78 @@ TEST(Linked, BothViewsShowTheSameShortestWay) {
         << "they are parallel";
   }
   EXPECT_EQ(ways, 4);
+}
+
+/// The share of a card below its title that is taken by the box of what is drawn there with its
+/// labels, but for lines that leave the card.
+double share_filled(const FramePicture& frame, const Rect& card, int view, const Fonts& fonts) {
+  constexpr double kTitle = 38.0;
+  const Rect inner{card.min + Point(0.0, kTitle), card.max};
+  Eigen::AlignedBox2d drawn;
+  const auto extend = [&](const std::vector<Point>& points) {
+    const Eigen::AlignedBox2d room(card.min, card.max);
+    if (std::all_of(points.begin(), points.end(),
+                    [&](const Point& point) { return room.contains(point); }))
+      for (const Point& point : points) drawn.extend(point);
+  };
+  for (const Mark& mark : frame.picture.marks) {
+    if (mark.role.starts_with("view-title") || mark.role.starts_with("legend")) continue;
+    if (const Text* text = std::get_if<Text>(&mark.shape)) {
+      const Rect box = box_of(fonts, *text);
+      extend({box.min, box.max});
+    }
+    if (mark.clip != view) continue;
+    if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape)) extend(polygon->points);
+    if (const Polyline* line = std::get_if<Polyline>(&mark.shape)) extend(line->points);
+    if (const Disk* disk = std::get_if<Disk>(&mark.shape)) {
+      const Point radius = Point::Constant(disk->radius);
+      extend({disk->center - radius, disk->center + radius});
+    }
+  }
+  return drawn.volume() / inner.size().prod();
+}
+
+TEST(Linked, TwoViewsUseTheirRoom) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  std::vector<double> shares;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const bool fits = lesson.views.size() == 2 &&
+                      std::all_of(lesson.views.begin(), lesson.views.end(), [](const auto& view) {
+                        return shows_shapes(view.kind) && !view.camera;
+                      });
+    if (!fits || lesson.path_of_shapes) continue;  // a path needs room for all of it
+    const LessonRun run = run_lesson(lesson);
+    for (const FramePicture& frame : pictures_of(run)) {
+      int view = 0;
+      for (const Mark& mark : frame.picture.marks) {
+        if (mark.role != "card" || view == 2) continue;
+        shares.push_back(share_filled(frame, std::get<Box>(mark.shape).rect, view, fonts));
+        ++view;
+      }
+    }
+  }
+  ASSERT_GT(shares.size(), 200u);
+  const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+  std::nth_element(shares.begin(), middle, shares.end());
+  EXPECT_GE(*middle, 0.6);
+}
+
+TEST(Linked, PairsAreNamedInTheColoursOfBothShapesAndLinked) {
+  const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
+  int links = 0;
+  for (const FramePicture& frame : pictures_of(run)) {
+    links += static_cast<int>(marks<Polyline>(frame, "pair.link", 0).size());
+    for (const char* role : {"simplex.label", "support.label"}) {
+      for (const Text& text : marks<Text>(frame, role, -1)) {
+        if (text.align == Align::left) continue;  // of the panel
+        ASSERT_EQ(text.tones.size(), 3u) << text.text;
+        EXPECT_EQ(text.tones[0].role, "shape.y.label");
+        EXPECT_EQ(text.tones[2].role, "shape.x.label");
+        EXPECT_EQ(text.tones[0].text + text.tones[1].text + text.tones[2].text, text.text);
+      }
+    }
+  }
+  EXPECT_GT(links, 10);
 }
 
 TEST(Linked, EveryCornerOfTheDifferenceIsNamedByItsPair) {

@@ -65,7 +65,7 @@ TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
   const auto last = [](const std::string& id) { return asked(asking(id, {{"stop", {}}})).back(); };
   const Asked contained = last("stop-contained");
   EXPECT_EQ(contained.question.question->answer, "Q inside S");
-  EXPECT_EQ(contained.answer.phase, "drop");
+  EXPECT_EQ(contained.answer.phase, "stop");
   const Asked at_vertex = last("stop-vertex");
   EXPECT_EQ(at_vertex.question.question->answer, "d = 0");
   EXPECT_EQ(at_vertex.answer.phase, "direction");

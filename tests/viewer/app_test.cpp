@@ -69,6 +69,21 @@ TEST(App, PlaysAndStopsAtTheEnd) {
   EXPECT_FALSE(window.app().wakes_at());
 }
 
+TEST(App, AStepMovesAndComesToRest) {
+  HeadlessApp window;
+  window.key("Home");
+  for (int i = 0; i < 20; ++i) window.frame();
+  EXPECT_FALSE(window.app().picture().is_moving());
+  window.key("Right");
+  EXPECT_TRUE(window.app().picture().is_moving());
+  EXPECT_TRUE(window.app().wakes_at()) << "or the window would sleep on the way";
+  for (int i = 0; i < 20; ++i) window.frame();
+  EXPECT_FALSE(window.app().picture().is_moving());
+  EXPECT_TRUE(window.app().run_command("Motion between steps, or none"));
+  window.key("Right");
+  EXPECT_FALSE(window.app().picture().is_moving());
+}
+
 TEST(App, AVertexFollowsTheHandAndTheRunFollowsTheVertex) {
   HeadlessApp window;
   Session& session = window.session();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "golden/pixels.hpp"
 
 namespace gjkscope {
 namespace {
@@ -162,6 +163,21 @@ TEST(RealWindow, ASizeIsWrittenAsItIsSaid) {
       0, run_viewer(folder, "--size 800x600 --screenshot " + (folder.path() / "shot.png").string())
              .exit_code);
   EXPECT_EQ(2, run_viewer(folder, "--size 800x").exit_code);
+}
+
+TEST(RealWindow, IsAsReadmeShowsIt) {
+  const TemporaryFolder folder;
+  const fs::path docs = fs::path(GJKSCOPE_SOURCE_DIR) / "docs";
+  const fs::path shot = folder.path() / "shot.png";
+  const std::string arguments = "--no-state --size 1440x900 --script " +
+                                (docs / "window.script").string() + " --screenshot " +
+                                shot.string();
+  ASSERT_EQ(0, run_viewer(folder, arguments).exit_code);
+  EXPECT_LE(golden::share_of_others(golden::decoded(read_file(docs / "window.png")),
+                                    golden::decoded(read_file(shot))),
+            golden::kOthers)
+      << "of the pixels differ. If that is meant, look at the window, and take its picture anew: "
+         "docs/window.script says how";
 }
 
 TEST(RealWindow, WhatCannotBeShownIsSaidWithItsPlace) {

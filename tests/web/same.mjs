@@ -25,6 +25,9 @@ for (const file of lessons) {
     for (let step = 0; step < 45; ++step) ask({ do: "step", by: 1 });
   }
   ask({ do: "frame" });
+  ask({ do: "go", to: 1 });
+  ask({ do: "go", to: 2 });
+  ask({ do: "tween", share: 0.4 });
   ask({ do: "press", x: 300, y: 200 });
   ask({ do: "move", x: 333.3, y: 222.2 });
   ask({ do: "release" });

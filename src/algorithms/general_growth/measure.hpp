@@ -42,8 +42,8 @@ namespace detail {
 /// A coast: 1 in places, less elsewhere by bays of all sizes down to that of a segment.
 [[nodiscard]] inline std::vector<double> radii(std::mt19937_64& bits, int segments) {
   std::vector<double> out(static_cast<std::size_t>(segments), 1.0);
-  double depth = 0.25;
-  for (int bays = 4; bays <= segments; bays *= 2, depth *= 0.5) {
+  double depth = 0.2;
+  for (int bays = 8; bays <= segments; bays *= 2, depth *= 0.6) {
     std::vector<double> bay;
     for (int i = 0; i < bays; ++i) bay.push_back(real(bits, 0.0, depth));
     for (int i = 0; i < segments; ++i) {
@@ -98,8 +98,8 @@ template <class Volume>
   const double share = 1.0 / runs;
   for (int run = 0; run < runs; ++run) {
     const Model x = models::model_of({detail::star(bits, segments, Point(0.0, 0.0))});
-    const double up = detail::real(bits, 1.4, 1.6);
-    const Model before = models::model_of({detail::star(bits, segments, Point(1.5, up))});
+    const double up = detail::real(bits, 1.3, 1.5);
+    const Model before = models::model_of({detail::star(bits, segments, Point(1.4, up))});
     const Model y = detail::moved(before, {0.0, kStep});
     const auto x_boxes = detail::tree<Box>(x);
     const auto y_boxes = detail::tree<Box>(y);

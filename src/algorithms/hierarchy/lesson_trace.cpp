@@ -4,6 +4,7 @@
 
 #include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"
+#include "models/sphere_tree.hpp"
 #include "trace/fields.hpp"
 
 namespace gjkscope {
@@ -17,11 +18,16 @@ using models::SearchStop;
 constexpr std::array<std::string_view, 5> kPhases = {"visit", "bound", "leaf", "descend",
                                                      "contain"};
 constexpr std::array<std::string_view, 2> kCollideAnswers = {"visits", "tests"};
-constexpr std::array<std::string_view, 3> kDistanceAnswers = {"distance", "visits", "tests"};
-constexpr std::array<PlaceholderInfo, 3> kValues = {
+constexpr std::array<std::string_view, 4> kDistanceAnswers = {"distance", "visits", "tests",
+                                                              "looked-up"};
+constexpr std::array<PlaceholderInfo, 4> kValues = {
     {{"visits", "pairs of volumes that were visited by now"},
      {"tests", "pairs of segments that were tested by now"},
+     {"looked up", "pairs of tiles whose segments were in the table by now"},
      {"pairs", "pairs of segments that there are"}}};
+
+/// Of a segment: finer tiles would make trees that nobody can look at.
+constexpr int kMostTiles = 64;
 
 class Told : public OutlineTrace {
  public:
@@ -39,6 +45,7 @@ class Told : public OutlineTrace {
     const models::SearchResult& result = search_.trace.result;
     if (refusal) return std::numeric_limits<double>::quiet_NaN();
     if (name == "visits") return static_cast<double>(result.visits);
+    if (name == "looked-up") return static_cast<double>(result.hits);
     return name == "tests" ? static_cast<double>(result.measured) : result.answer.distance;
   }
 
@@ -55,6 +62,9 @@ class Told : public OutlineTrace {
                 {"limit", fields::number(step.record.limit)},
                 {"cut", step.record.cut}};
       case SearchPhase::leaf:
+        if (step.record.hit)
+          return {{"segments", {step.record.segments.first, step.record.segments.second}},
+                  {"looked_up", true}};
         return {{"segments", {step.record.segments.first, step.record.segments.second}},
                 {"distance", fields::number(step.record.measured->high)},
                 {"candidate", is_candidate(step)}};
@@ -71,6 +81,7 @@ class Told : public OutlineTrace {
             {"volumes", name_of(lesson.volumes)},
             {"visits", result.visits},
             {"tests", result.measured},
+            {"looked_up", result.hits},
             {"pairs", search_.pairs()},
             {"distance", fields::number(result.answer.distance)},
             {"overlap", result.answer.overlap},
@@ -101,9 +112,8 @@ std::vector<TreeNode> told_nodes(const models::Hierarchy<V>& tree) {
 }
 
 template <class V>
-void run_search(SearchTold& told) {
-  const auto tree_x = models::build_hierarchy<V>(models::items_of(told.x));
-  const auto tree_y = models::build_hierarchy<V>(models::items_of(told.y));
+void run_search(SearchTold& told, const models::Hierarchy<V>& tree_x,
+                const models::Hierarchy<V>& tree_y) {
   const models::SearchQuery<V> query{told.x, told.y, tree_x, tree_y};
   told.trace = models::trace_search(query, told.options);
   told.tree_x = told_nodes(tree_x);
@@ -133,10 +143,25 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
     const models::SearchTrace& last = static_cast<const Told&>(*before).search().trace;
     if (last.result.segments.first >= 0) told.options.remembered = last.result.segments;
   }
-  if (lesson.volumes == VolumeKind::circles) {
-    run_search<models::Circle>(told);
-  } else {
-    run_search<models::Box>(told);
+  const auto search = [&]<class V>(std::type_identity<V>, const auto& items) {
+    run_search<V>(told, models::build_hierarchy<V>(items(told.x)),
+                  models::build_hierarchy<V>(items(told.y)));
+  };
+  const auto tiles = [&](const models::Model& model) {
+    return models::tiles_of(model, lesson.tile, kMostTiles);
+  };
+  switch (lesson.volumes) {
+    case VolumeKind::boxes:
+      search(std::type_identity<models::Box>{}, models::items_of);
+      break;
+    case VolumeKind::circles:
+      search(std::type_identity<models::Circle>{}, models::items_of);
+      break;
+    case VolumeKind::tiles:
+      told.options.table = true;
+      told.options.relative_error = lesson.options.tolerance;
+      search(std::type_identity<models::Circle>{}, tiles);
+      break;
   }
   return std::make_shared<const Told>(name, std::nullopt, std::move(told));
 }

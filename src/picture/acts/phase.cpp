@@ -10,9 +10,9 @@ bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
   const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
   const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
-  // Of a single vertex there is nothing to drop, and nothing to see.
+  // Where nothing is dropped there is nothing to see.
   if (phase == gjk::Phase::cull && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
-      steps[static_cast<std::size_t>(step) - 1].after.simplex.count == 1)
+      steps[static_cast<std::size_t>(step)].record.dropped.empty())
     return false;
   return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
 }

@@ -16,12 +16,13 @@ void pairs(PanelBuilder& panel) {
   const int per_x = static_cast<int>(positioned.y().world.size());
   const int all = static_cast<int>(positioned.x().world.size()) * per_x;
   panel.heading("Z = { y − x }: every pair");
-  const int made = panel.frame.pairs.value_or(all + 1);
+  const BuildFrame build = panel.frame.build.value_or(BuildFrame{BuildPart::hull, all});
+  const int newest = build.part == BuildPart::pair ? 1 : build.part == BuildPart::copy ? per_x : 0;
   constexpr int kMost = 16;
   for (int i = 0; i < std::min(all, kMost); ++i) {
     const gjk::VertexPair pair{i / per_x, i % per_x};
-    const bool is_made = i < made;
-    const bool current = i == made - 1;
+    const bool is_made = i < build.made;
+    const bool current = is_made && i >= build.made - newest;
     if (current) panel.highlight();
     const std::string role = !is_made ? "untried" : current ? "code.current" : "code";
     const TextStyle style = current ? type::kCodeBold : type::kCode;
@@ -30,8 +31,8 @@ void pairs(PanelBuilder& panel) {
       panel.write(role, panel.right,
                   panel.numbers.point(positioned.y().world[pair.y] - positioned.x().world[pair.x]),
                   style, Align::right);
-    panel.y += kTightRow + 2.0;
-    if ((i + 1) % per_x == 0) panel.y += 8.0;
+    panel.y += kTightRow;
+    if ((i + 1) % per_x == 0) panel.y += 6.0;
   }
   if (all > kMost) {
     panel.write("body.muted", panel.left, format("and {} more", all - kMost), type::kBody);

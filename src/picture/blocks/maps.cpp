@@ -31,10 +31,12 @@ std::string condition_of(const PanelBuilder& panel, const RegionOrders::Chain& c
     if (!gjk::contains(face, i))
       test.terms.push_back({static_cast<gjk::Face>(face | gjk::face_of(i)), i});
   }
-  std::string out = size == 2 && chain.whole ? "u, v > 0, " : "";
+  std::string out;
   for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
-    if (!out.empty() && !out.ends_with(", ")) out += " and ";
-    out += panel.words.coordinate(term.face, term.vertex) + " ≤ 0";
+    const std::string name = panel.words.coordinate(term.face, term.vertex);
+    if (size == 2 && chain.whole) return "u, v > 0 ≥ " + name;
+    if (!out.empty()) out += " and ";
+    out += name + " ≤ 0";
   }
   return out;
 }

@@ -53,7 +53,7 @@ struct CodeLine {
 
 using Lines = std::vector<CodeLine>;
 
-/// Catto 2010, slides "Closest point algorithm" and "Implementation" to "Testing the interior
+/// Catto 2010, slides "Closet point algorithm" (sic) and "Implementation" to "Testing the interior
 /// region".
 const Lines& segment_lines() {
   static const Lines lines = {
@@ -259,26 +259,32 @@ void support_listing(PanelBuilder& panel) {
   write_line(panel, "return V", {state, {}, best});
 }
 
-/// Catto 2010, slide "Building the Minkowski difference". One frame a pair, then the hull.
+/// Catto 2010, slide "Building the Minkowski difference".
 void minkowski_listing(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int per_x = static_cast<int>(positioned.y().world.size());
-  const int all = static_cast<int>(positioned.x().world.size()) * per_x;
-  const int made = *panel.frame.pairs;
-  const bool building = made >= 1 && made <= all;
+  const auto [part, made] = *panel.frame.build;
+  const bool is_pair = part == BuildPart::pair;
+  const bool is_copy = part == BuildPart::copy;
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
-  const auto value = [&](const std::string& text) { return building ? text : std::string(); };
-  write_line(panel, "points ← none", {made == 0 ? State::current : State::past});
+  const Lesson& lesson = panel.run.lesson;
+  write_line(panel, "points ← none", {part == BuildPart::start ? State::current : State::past});
   write_line(panel, "for each vertex x of X",
-             {State::past, {}, value(building ? panel.run.lesson.x().vertex_names[pair.x] : "")});
+             {State::past, {}, is_pair || is_copy ? lesson.x().vertex_names[pair.x] : ""});
   write_line(panel, "  for each vertex y of Y",
-             {State::past, {}, value(building ? panel.run.lesson.y().vertex_names[pair.y] : "")});
-  write_line(panel, "    add y − x to the points",
-             {building ? State::current : State::past,
+             {State::past,
               {},
-              value(building ? panel.run.pair_name(pair) : "")});
+              is_pair   ? lesson.y().vertex_names[pair.y]
+              : is_copy ? "all"
+                        : ""});
+  write_line(panel, "    add y − x to the points",
+             {is_pair || is_copy ? State::current : State::past,
+              {},
+              is_pair ? panel.run.pair_name(pair) : ""});
   write_line(panel, "Z ← convex hull of the points",
-             {made > all ? State::current : State::idle, {}, {}});
+             {part == BuildPart::hull  ? State::current
+              : part > BuildPart::hull ? State::past
+                                       : State::idle});
 }
 
 /// Catto 2010, slides on the data structures. The vertex is the newest of the simplex.

@@ -35,11 +35,6 @@ void weights(PanelBuilder& panel) {
   constexpr double kHigh = 2.0;
   const double x0 = panel.left + 28.0;
   const double x1 = panel.right - 84.0;
-  // In the colours of the lengths, areas or masses that a view shows.
-  const bool coloured = std::any_of(
-      panel.run.lesson.views.begin(), panel.run.lesson.views.end(), [](const LessonView& view) {
-        return view.calls_for(BarycentricParts::kName) || view.calls_for(Balance::kName);
-      });
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
     const double weight = value.weights[i];
@@ -50,7 +45,7 @@ void weights(PanelBuilder& panel) {
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
                 type::kStrong);
     panel.bar(x0, x1, kLow, kHigh, weight,
-              coloured ? format("weight.bar.{}", kLetters[i]) : "weight.bar");
+              point_query ? format("weight.bar.{}", kLetters[i]) : "weight.bar");
     panel.write("code.current", panel.right,
                 panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
                                                                : panel.numbers.weight(weight),

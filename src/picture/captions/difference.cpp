@@ -4,46 +4,109 @@
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
+namespace {
 
-using Eigen::Vector2d;
 using fmt::format;
+
+void first_pair(const Story& story, FrameText& text) {
+  const Eigen::Vector2d& a = story.positioned.x().world[0];
+  const Eigen::Vector2d& b = story.positioned.y().world[0];
+  text.caption = format("{} = {} − {} = {}.", story.run.pair_name({0, 0}), story.numbers.point(b),
+                        story.numbers.point(a), story.numbers.point(b - a));
+  text.detail = format("It is the arrow from {} to {}, moved so that it starts at O = (0, 0).",
+                       story.run.lesson.x().vertex_names[0], story.run.lesson.y().vertex_names[0]);
+}
+
+void hull(const Story& story, FrameText& text, int all) {
+  const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();
+  text.caption = format("The Minkowski difference Z = {} − {} is the convex hull of the {} points.",
+                        story.run.lesson.y().name, story.run.lesson.x().name, all);
+  text.detail = format("{} of the points are its vertices; the other {} lie inside or on edges.",
+                       corners, static_cast<std::size_t>(all) - corners);
+}
+
+void edges(const Story& story, FrameText& text) {
+  const std::size_t edges = story.effects.get<MinkowskiHull>(story.frame).size();
+  const MinkowskiCloud::Value& cloud = story.effects.get<MinkowskiCloud>(story.frame);
+  const MinkowskiHull::Value& hull = story.effects.get<MinkowskiHull>(story.frame);
+  std::size_t of_y = 0;
+  std::size_t of_x = 0;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const gjk::VertexPair a = cloud[hull[i]].pair;
+    const gjk::VertexPair b = cloud[hull[(i + 1) % edges]].pair;
+    of_y += a.y != b.y ? 1 : 0;
+    of_x += a.x != b.x ? 1 : 0;
+  }
+  const std::string& x = story.run.lesson.x().name;
+  const std::string& y = story.run.lesson.y().name;
+  text.caption =
+      format("Each edge of Z is an edge of {} or of −{}, moved: {} + {}{}.", y, x, of_y, of_x,
+             of_y + of_x == edges ? format(" = {} edges", edges)
+                                  : std::string(", and parallel edges join"));
+  text.detail =
+      "So Z could be built from both lists of edges, sorted by angle. GJK does not need Z.";
+}
+
+}  // namespace
 
 void pairs(const Story& story, FrameText& text) {
   const int per_x = static_cast<int>(story.positioned.y().world.size());
   const int all = static_cast<int>(story.positioned.x().world.size()) * per_x;
   const std::string& x = story.run.lesson.x().name;
   const std::string& y = story.run.lesson.y().name;
-  if (*story.frame.pairs == 0) {
-    text.caption =
-        format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.", x,
-               y, per_x, all / per_x, all);
-    text.detail =
-        "Each difference is an arrow from a vertex of X to a vertex of Y, moved so that it starts "
-        "at "
-        "O = (0, 0).";
-  } else if (*story.frame.pairs <= all) {
-    const gjk::VertexPair pair{(*story.frame.pairs - 1) / per_x, (*story.frame.pairs - 1) % per_x};
-    const Vector2d a = story.positioned.x().world[pair.x];
-    const Vector2d b = story.positioned.y().world[pair.y];
-    text.caption = format("{} = {} − {} = {}.", story.run.pair_name(pair), story.numbers.point(b),
-                          story.numbers.point(a), story.numbers.point(b - a));
-    text.detail = format("Point {} of {}: the arrow from {} to {}, moved so that it starts at O.",
-                         *story.frame.pairs, all, story.run.lesson.x().vertex_names[pair.x],
-                         story.run.lesson.y().vertex_names[pair.y]);
-  } else {
-    const std::size_t corners = story.effects.get<MinkowskiHull>(story.frame).size();
-    text.caption = format(
-        "The convex hull of the {} points is the Minkowski difference Z = {} − {}. {} of them are "
-        "its "
-        "vertices.",
-        all, y, x, corners);
-    text.detail =
-        story.trace.result.distance > 0.0
-            ? format(
-                  "O lies {} outside Z, and {} and {} are {} apart: the two distances are equal.",
-                  story.numbers(story.trace.result.distance), x, y,
-                  story.numbers(story.trace.result.distance))
-            : format("O lies inside: {} and {} overlap.", x, y);
+  const auto [part, made] = *story.frame.build;
+  switch (part) {
+    case BuildPart::start:
+      text.caption =
+          format("Subtract every vertex of {} from every vertex of {}: {} × {} = {} differences.",
+                 x, y, per_x, all / per_x, all);
+      text.detail = format("Start with {}.", story.run.pair_name({0, 0}));
+      return;
+    case BuildPart::pair:
+      return first_pair(story, text);
+    case BuildPart::copy: {
+      const std::string& of_x = story.run.lesson.x().vertex_names[(made - 1) / per_x];
+      text.caption = format(
+          "{0} − {1}: subtract {1} from each vertex of {0}. The result is {0}, moved by −{1}.", y,
+          of_x);
+      text.detail = made < all ? format("{} of {} differences are there.", made, all)
+                               : format("Now all {} differences are there.", all);
+      return;
+    }
+    case BuildPart::mirror:
+      text.caption = format(
+          "{1} − {0} is also {1} + (−{0}). Reflect {0} in O: each vertex x becomes −x.", x, y);
+      text.detail = format("−{0} is {0}, turned by 180°.", x);
+      return;
+    case BuildPart::slide:
+      text.caption = format(
+          "Put −{0} at each vertex of {1}: its vertices are the same {2} differences.", x, y, all);
+      text.detail = format(
+          "The O of −{0} lies on the vertex of {1}. Slide it round {1}, and −{0} "
+          "sweeps over Z.",
+          x, y);
+      return;
+    case BuildPart::hull:
+      return hull(story, text, all);
+    case BuildPart::edges:
+      return edges(story, text);
+    case BuildPart::any:
+      text.caption =
+          format("Take any points x of {} and y of {}: the arrow y − x ends in Z.", x, y);
+      text.detail = format(
+          "And every point of Z is such a difference: Z holds all arrows from {} to {}.", x, y);
+      return;
+    case BuildPart::shortest:
+      if (!(story.trace.result.distance > 0.0)) {
+        text.caption = format("O lies in Z: some x equals some y, so {} and {} overlap.", x, y);
+        return;
+      }
+      text.caption = format(
+          "So the shortest arrow ends at the point of Z closest to O: both "
+          "lengths are {}.",
+          story.numbers(story.trace.result.distance));
+      text.detail = format("That is property 1: distance({}, {}) = distance(O, Z).", x, y);
+      return;
   }
 }
 

@@ -42,9 +42,12 @@ void direction_rules(const Story& story, FrameText& text) {
     text.caption =
         format("d = {0} − P should be perpendicular to {1}, but dot(d, {2}) = {3}, not 0.", story.q,
                story.edge_words(), edge, value);
-    text.detail = format(
-        "That is {}° off, too little to see. With d = cross({}, z) the dot product is exactly 0.",
-        off_by(story, towards->d), edge);
+    const bool seen = std::any_of(
+        story.run.lesson.views.begin(), story.run.lesson.views.end(),
+        [](const LessonView& view) { return view.camera && view.camera->stretch != 1.0; });
+    text.detail = format("That is {}° off, {}. With d = cross({}, z) the dot product is exactly 0.",
+                         off_by(story, towards->d),
+                         seen ? "which only the stretched view shows" : "too little to see", edge);
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
     text.detail = format(
         "The distance is {}. Being {}° off, d did no harm here. Larger errors can find a wrong "

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/barycentric.hpp"
+#include "effects/other_normal.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
@@ -238,6 +239,16 @@ void support(const Story& story, FrameText& text) {
   text.detail = known ? format("{} is already in the simplex: no point of {} lies farther along d.",
                                name, story.set_name())
                       : news(story, name);
+  if (story.shows(OtherNormal::kName)) {
+    if (const OtherNormal::Value& other = story.effects.get<OtherNormal>(story.frame)) {
+      const std::string found = story.run.pair_name(other->support);
+      text.detail = format("−d finds {}. {}", found,
+                           known && other->in_simplex ? "Both are in the simplex."
+                           : known || other->in_simplex
+                               ? format("Only {} is in the simplex.", known ? name : found)
+                               : "Neither is in the simplex.");
+    }
+  }
   if (story.run.point_query()) return;
   const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
   text.detail += also_as_far(story.run.lesson.y(), record.scan_y, pair.y);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +40,17 @@ double farthest(const gjk::Step<double, 2>& step) {
     if (entry.index == step.after.support.pair.y) value = entry.value;
   }
   return value;
+}
+
+/// True if a run's d is perpendicular to a segment of which it found one end, and another run the
+/// other.
+bool is_tie(const gjk::State<double, 2>& state, gjk::VertexPair other) {
+  const auto holds = [&](gjk::VertexPair pair) {
+    return std::any_of(state.simplex.vertices.begin(),
+                       state.simplex.vertices.begin() + state.simplex.count,
+                       [&](const auto& vertex) { return vertex.pair == pair; });
+  };
+  return state.simplex.count == 2 && holds(state.support.pair) && holds(other);
 }
 
 double degrees_between(const Vector2d& a, const Vector2d& b) {
@@ -98,9 +110,8 @@ void second_run(const Story& story, FrameText& text) {
         }
         return;
       }
-      text.detail =
-          format("So {}, rounded. In {} P = {}: the rounded P is {} away from it.", story.p_is(),
-                 other, point(beside.p + story.positioned.x().world[0]), numbers(away));
+      text.detail = format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(), other,
+                           point(beside.p + story.positioned.x().world[0]), numbers(away));
       return;
     }
     case gjk::Phase::direction:
@@ -118,6 +129,11 @@ void second_run(const Story& story, FrameText& text) {
         text.caption =
             format("{0} lies farthest along d: dot(d, {0}) = {1}, rounded to {2}; {3} has {4}.",
                    name, story.numbers(along), in_first, other, numbers(along_beside));
+        return;
+      }
+      if (is_tie(beside, mine.support.pair)) {
+        text.detail = format("In {} {} and {} lie equally far along d: either is right.", other,
+                             name_beside, name);
         return;
       }
       text.caption = format("{} finds {}, the farthest vertex along its d. {} finds {}.", first,

@@ -118,6 +118,12 @@ void answer(SceneBuilder& scene) {
     }
     return;
   }
+  if (reached >= WitnessPart::on_x && !scene.shows(GrownObstacle::kName)) {
+    for (int i = 0; i < result.simplex.count; ++i) {
+      const gjk::SupportPoint<double, 2>& vertex = result.simplex.vertices[i];
+      scene.link(scene.vertex_of_x(vertex), scene.vertex_of_y(vertex));
+    }
+  }
   if (reached >= WitnessPart::distance && !meet) way(scene, scene.at(result.x), scene.at(result.y));
   if (reached >= WitnessPart::on_y) carried_back(scene, false);
   if (reached >= WitnessPart::on_x) carried_back(scene, true);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "effects/minkowski.hpp"
+#include "geometry/polygon.hpp"
 #include "picture/layers/layers.hpp"
 
 namespace gjkscope::layers {
@@ -9,54 +10,45 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// How many differences have been made by this frame.
-int pairs_made(const SceneBuilder& scene, int all) {
-  return std::min(scene.frame.pairs.value_or(all), all);
-}
-bool hull_is_shown(const SceneBuilder& scene, int all) {
-  return !scene.frame.pairs || *scene.frame.pairs > all;
-}
-
 /// An arrow that is there for one frame.
 void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.add("difference.arrow", Arrow{from, to});
   scene.out.obstacles.passing.push_back({from, to});
 }
 
+/// Z is what GJK does without while a run is followed, and known once it is built.
+bool hull_is_ghost(const SceneBuilder& scene) {
+  return scene.run.act->follows_run || scene.frame.support_part;
+}
+
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
-  const int all =
-      static_cast<int>(scene.positioned.x().world.size() * scene.positioned.y().world.size());
-  const bool names_all = all <= 12 && scene.frame.pairs;
-  if (wants_hull && hull_is_shown(scene, all)) {
-    const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
-    const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
+  const std::optional<BuildFrame>& build = scene.frame.build;
+  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
+  if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
-    for (const int index : hull) points.push_back(scene.at(cloud[index].z));
-    // While a run is followed Z is what GJK does without.
-    const bool is_ghost = scene.run.act->follows_run || scene.frame.support_part;
-    scene.area(is_ghost ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
+    for (const int index : scene.effects.get<MinkowskiHull>(scene.frame))
+      points.push_back(scene.at(cloud[index].z));
+    scene.area(hull_is_ghost(scene) ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
-  if (wants_cloud && pairs_made(scene, all) > 0) {
-    const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
-    const int made = pairs_made(scene, all);
-    Point middle = Point::Zero();
-    for (const CloudPoint& point : cloud) middle += scene.at(point.z) / static_cast<double>(all);
-    for (int i = 0; i < made; ++i) {
-      const Point point = scene.at(cloud[i].z);
-      scene.disk("cloud.point", point, kCloudRadius,
-                 {Subject::Kind::difference_vertex, cloud[i].pair.x, cloud[i].pair.y});
-      if (names_all) {
-        const std::string name = scene.run.pair_name(cloud[i].pair);
-        LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
-                                         point, kCloudRadius, point - middle);
-        label.steps_aside = true;
-        scene.out.fixed_labels.push_back(std::move(label));
-      }
-    }
+  if (!wants_cloud) return;
+  const std::size_t made = build ? static_cast<std::size_t>(build->made) : cloud.size();
+  // More names would hide what they name; where edges have names, they are what counts.
+  const bool has_names = build && build->part <= BuildPart::hull && cloud.size() <= 12;
+  Point middle = Point::Zero();
+  for (const CloudPoint& point : cloud)
+    middle += scene.at(point.z) / static_cast<double>(cloud.size());
+  for (std::size_t i = 0; i < made; ++i) {
+    const auto& [z, pair] = cloud[i];
+    const Point point = scene.at(z);
+    scene.disk("cloud.point", point, kCloudRadius,
+               {Subject::Kind::difference_vertex, pair.x, pair.y});
+    if (has_names)
+      scene.out.fixed_labels.push_back(
+          scene.pair_name(pair, "cloud.label", point, kCloudRadius, point - middle));
   }
 }
 
@@ -64,28 +56,99 @@ void difference(SceneBuilder& scene) {
 
 const Layer kDifference{.effect = {}, .on = Layer::On::difference, .order = 70, .draw = difference};
 
-void pair_under_construction(SceneBuilder& scene) {
-  const int all =
-      static_cast<int>(scene.positioned.x().world.size() * scene.positioned.y().world.size());
-  const int made = *scene.frame.pairs;
-  if (made > all) {
-    if (scene.view.kind == ViewKind::difference) {
-      scene.line("closest.line", scene.at(Vector2d::Zero()),
-                 scene.at(scene.positioned.trace.result.y - scene.positioned.trace.result.x));
-      scene.disk("closest",
-                 scene.at(scene.positioned.trace.result.y - scene.positioned.trace.result.x),
-                 kClosestRadius);
-    } else {
-      scene.line("closest.line", scene.at(scene.positioned.trace.result.x),
-                 scene.at(scene.positioned.trace.result.y));
-      scene.disk("closest", scene.at(scene.positioned.trace.result.x), kClosestRadius);
-      scene.disk("closest", scene.at(scene.positioned.trace.result.y), kClosestRadius);
-    }
-    return;
+namespace {
+
+/// A closed outline of a shape turned and moved: sign · vertex + offset.
+void copy(SceneBuilder& scene, const std::vector<Vector2d>& vertices, double sign,
+          const Vector2d& offset, const std::string& role) {
+  std::vector<Point> points;
+  for (const Vector2d& vertex : vertices) points.push_back(scene.at(sign * vertex + offset));
+  scene.add(role, Polyline{points, true});
+  for (std::size_t i = 0; i < points.size(); ++i)
+    scene.out.obstacles.passing.push_back({points[i], points[(i + 1) % points.size()]});
+}
+
+/// −X, and how each vertex of X is reflected in O.
+void mirror_image(SceneBuilder& scene, bool with_ways) {
+  const std::vector<Vector2d>& x = scene.positioned.x().world;
+  copy(scene, x, -1.0, Vector2d::Zero(), "shape.x.copy");
+  const Point o = scene.at(Vector2d::Zero());
+  scene.cross("origin", o, kOriginRadius);
+  scene.out.moving_labels.push_back(
+      scene.label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Point at = scene.at(-x[i]);
+    scene.disk("shape.x.vertex", at, kVertexRadius);
+    if (with_ways) scene.link(x[i], -x[i]);
+    scene.out.moving_labels.push_back(scene.label("mirror:" + scene.run.lesson.x().vertex_names[i],
+                                                  "−" + scene.run.lesson.x().vertex_names[i],
+                                                  "shape.x.label", type::kSmallVertex, at,
+                                                  kVertexRadius, at - o));
   }
-  if (made < 1) return;
-  const int per_x = static_cast<int>(scene.positioned.y().world.size());
-  const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
+}
+
+/// An edge in the colour of the shape that it comes from, and its name.
+void origin_of_edge(SceneBuilder& scene, const Vector2d& from, const Vector2d& to,
+                    const Vector2d& middle, const std::string& name, bool of_x) {
+  const std::string role = of_x ? "shape.x" : "shape.y";
+  const Point a = scene.at(from);
+  const Point b = scene.at(to);
+  scene.line(role, a, b);
+  scene.out.moving_labels.push_back(scene.label("edge:" + name, name, role + ".label",
+                                                type::kSmallVertex, 0.5 * (a + b), 3.0,
+                                                0.5 * (a + b) - scene.at(middle)));
+}
+
+void origins_of_edges(SceneBuilder& scene) {
+  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
+  const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
+  const auto& x_names = scene.run.lesson.x().vertex_names;
+  const auto& y_names = scene.run.lesson.y().vertex_names;
+  Vector2d middle = Vector2d::Zero();
+  for (const int index : hull) middle += cloud[index].z / static_cast<double>(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const auto& [from, a] = cloud[hull[i]];
+    const auto& [to, b] = cloud[hull[(i + 1) % hull.size()]];
+    // Edges of both that are parallel make one.
+    if (a.y != b.y)
+      origin_of_edge(scene, from, to, middle, y_names[a.y] + y_names[b.y], false);
+    else if (a.x != b.x)
+      origin_of_edge(scene, from, to, middle, x_names[a.x] + x_names[b.x], true);
+  }
+}
+
+/// From x to y in the world; from O to y − x in the difference.
+void any_difference(SceneBuilder& scene) {
+  const Vector2d x = centroid(scene.positioned.x().world);
+  const Vector2d y = centroid(scene.positioned.y().world);
+  const auto end = [&](const Vector2d& point, const std::string& name, const Vector2d& other) {
+    scene.disk("cloud.current", scene.at(point), kSimplexRadius);
+    scene.out.moving_labels.push_back(scene.label("end:" + name, name, "closest.label",
+                                                  type::kVertex, scene.at(point), kSimplexRadius,
+                                                  scene.at(point) - scene.at(other)));
+  };
+  if (scene.view.kind == ViewKind::world) {
+    difference_arrow(scene, scene.at(x), scene.at(y));
+    end(x, "x", y);
+    end(y, "y", x);
+  } else {
+    difference_arrow(scene, scene.at(Vector2d::Zero()), scene.at(y - x));
+    end(y - x, "y − x", Vector2d::Zero());
+  }
+}
+
+void shortest_difference(SceneBuilder& scene) {
+  const gjk::Result<double, 2>& result = scene.positioned.trace.result;
+  const bool in_world = scene.view.kind == ViewKind::world;
+  const Point from = scene.at(in_world ? result.x : Vector2d(0.0, 0.0));
+  const Point to = scene.at(in_world ? result.y : Vector2d(result.y - result.x));
+  scene.line("closest.line", from, to);
+  if (in_world) scene.disk("closest", from, kClosestRadius);
+  scene.disk("closest", to, kClosestRadius);
+  if (result.distance > 0.0) length_label(scene, "distance", result.distance, from, to);
+}
+
+void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {
   const Vector2d x = scene.positioned.x().world[pair.x];
   const Vector2d y = scene.positioned.y().world[pair.y];
   if (scene.view.kind == ViewKind::world) {
@@ -98,6 +161,59 @@ void pair_under_construction(SceneBuilder& scene) {
   }
 }
 
+/// Y − x for the vertices of X up to `newest`.
+void copies_of_y(SceneBuilder& scene, int newest) {
+  const std::vector<Vector2d>& x = scene.positioned.x().world;
+  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  if (scene.view.kind == ViewKind::world) {
+    for (const Vector2d& vertex : y) scene.link(x[newest], vertex);
+    scene.disk("cloud.current", scene.at(x[newest]), kSimplexRadius);
+    return;
+  }
+  for (int i = 0; i <= newest; ++i)
+    copy(scene, y, 1.0, -x[i], i == newest ? "cloud.row" : "shape.y.copy");
+  for (const Vector2d& vertex : y)
+    scene.disk("cloud.current", scene.at(vertex - x[newest]), kTouchedRadius);
+}
+
+/// Y, and −X at each of its vertices.
+void slid_mirror_image(SceneBuilder& scene) {
+  if (scene.view.kind == ViewKind::world) return mirror_image(scene, false);
+  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  copy(scene, y, 1.0, Vector2d::Zero(), "cloud.row");
+  for (const Vector2d& vertex : y)
+    copy(scene, scene.positioned.x().world, -1.0, vertex, "shape.x.copy");
+}
+
+}  // namespace
+
+void building(SceneBuilder& scene) {
+  const auto [part, made] = *scene.frame.build;
+  const int per_x = static_cast<int>(scene.positioned.y().world.size());
+  const bool in_world = scene.view.kind == ViewKind::world;
+  switch (part) {
+    case BuildPart::pair:
+      return newest_pair(scene, {(made - 1) / per_x, (made - 1) % per_x});
+    case BuildPart::copy:
+      return copies_of_y(scene, (made - 1) / per_x);
+    case BuildPart::mirror:
+      if (in_world) mirror_image(scene, true);
+      return;
+    case BuildPart::slide:
+      return slid_mirror_image(scene);
+    case BuildPart::edges:
+      if (!in_world) origins_of_edges(scene);
+      return;
+    case BuildPart::any:
+      return any_difference(scene);
+    case BuildPart::shortest:
+      return shortest_difference(scene);
+    case BuildPart::start:
+    case BuildPart::hull:
+      return;
+  }
+}
+
 namespace {
 
 void corner_names(SceneBuilder& scene) {
@@ -105,7 +221,8 @@ void corner_names(SceneBuilder& scene) {
   // Where shapes turn, corners come and go; those of the simplex are named in any case.
   const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x().turns.empty() ||
                                                !lesson.path_of_shapes->y().turns.empty());
-  if (scene.frame.pairs || turns) return;
+  const bool is_named = scene.frame.build && scene.frame.build->part < BuildPart::any;
+  if (is_named || turns) return;
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   constexpr std::size_t kMostNames = 16;  // more would hide what they name
@@ -114,11 +231,10 @@ void corner_names(SceneBuilder& scene) {
   for (const int index : hull)
     middle += scene.at(cloud[index].z) / static_cast<double>(hull.size());
   for (const int index : hull) {
-    const std::string name = scene.run.pair_name(cloud[index].pair);
     const Point point = scene.at(cloud[index].z);
-    LabelRequest label = scene.label("cloud:" + name, name, "cloud.label", type::kSmallVertex,
-                                     point, sizes::kSimplexRadius, point - middle);
-    label.steps_aside = true;
+    LabelRequest label = scene.pair_name(cloud[index].pair, "cloud.label", point,
+                                         sizes::kSimplexRadius, point - middle);
+    if (hull_is_ghost(scene)) label.tones.clear();
     auto& labels = scene.labels_of_difference();
     const bool named = std::any_of(labels.begin(), labels.end(),
                                    [&](const auto& other) { return other.id == label.id; });

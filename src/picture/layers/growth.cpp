@@ -31,7 +31,10 @@ void growth_example(SceneBuilder& scene) {
   const Growth::Example& example = sample.example;
   Eigen::AlignedBox2d seen(Eigen::Vector2d(0.0, 0.0));
   for (const Eigen::Vector2d& corner : example.hull) seen.extend(corner);
-  const StageMap map(scene.map.area(), camera_around(seen, scene.map.area()));
+  constexpr double kBand = 26.0;  // for words, at the lower edge
+  const Rect& card = scene.map.area();
+  const Rect area{card.min, card.max - Point(0.0, kBand)};
+  const StageMap map(area, camera_around(seen, area));
   const auto mapped = [&](const std::vector<Eigen::Vector2d>& points) {
     std::vector<Point> out;
     for (const Eigen::Vector2d& point : points) out.push_back(map(point));
@@ -49,7 +52,6 @@ void growth_example(SceneBuilder& scene) {
   scene.disk("closest", p, kClosestRadius);
   scene.add("origin", Cross{o, kOriginRadius});
   scene.out.obstacles.circles.push_back({o, kOriginRadius});
-  const Rect& card = scene.map.area();
   scene.add("body.muted", Text{{card.min.x() + 14.0, card.max.y() - 14.0},
                                fmt::format("the first of {} runs with n = {}", sample.runs,
                                            grouped(sample.vertices)),

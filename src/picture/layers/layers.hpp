@@ -26,14 +26,15 @@ namespace layers {
 #undef GJKSCOPE_LAYER
 
 // difference.cpp
-/// The pair that makes the newest difference, in both views.
-void pair_under_construction(SceneBuilder& scene);
+/// How the difference is built, in both views.
+void building(SceneBuilder& scene);
 
 // run.cpp
 /// The support line that the lower bound comes from, where it is not that of the frame's search.
 void best_support_line(SceneBuilder& scene);
-/// Simplices and closest points of earlier iterations.
+/// Simplices of earlier iterations, below that of the frame; their closest points, above it.
 void history(SceneBuilder& scene);
+void history_points(SceneBuilder& scene);
 void simplex(SceneBuilder& scene);
 void closest_line(SceneBuilder& scene);
 /// A length beside the line that it is the length of; none within a pixel.

@@ -73,7 +73,8 @@ void signs(SceneBuilder& scene) {
   if (scene.frame.map == MapStage::voronoi) return;
   const std::optional<int> coordinate = coordinate_of(scene);
   const bool interior_only = scene.frame.map == MapStage::interior;
-  const bool lines_only = scene.frame.map == MapStage::difference;
+  // Two fills that shine through each other could not be told apart.
+  const bool lines_only = scene.frame.map >= MapStage::blended;
   for (const SignMap::Region& region : scene.effects.get<SignMap>(scene.frame)) {
     if (lines_only || (interior_only && region.positive != 0b111)) continue;
     std::vector<HalfPlane> half_planes = region.half_planes;
@@ -88,7 +89,6 @@ void signs(SceneBuilder& scene) {
     if (points.empty()) continue;
     constexpr std::array<std::string_view, 4> kKinds = {"", "two", "one", "none"};
     scene.area(fmt::format("sign.{}", kKinds[gjk::vertex_count(region.positive)]), points);
-    if (scene.frame.map == MapStage::blended) continue;
     add_name(scene, "sign:" + name, name, type::kRegion, points);
   }
   if (scene.state.simplex.count != 3) return;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,7 +48,7 @@ void axis(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Less
           const SupportAxis::Side& side, const std::vector<Vector2d>& others, const Vector2d& d,
           const std::string& id) {
   if (vertices.size() < 2) return;
-  const Point along = direction_on_screen(d);
+  const Point along = scene.map.direction(d);
   std::vector<Point> points;
   for (const Vector2d& vertex : vertices) points.push_back(scene.at(vertex));
   const Point right(-along.y(), along.x());
@@ -139,14 +140,52 @@ void tested_foot(SceneBuilder& scene, const TestedFeet::Foot& foot, int row) {
   const std::string name = words.coordinate(edge, foot.vertex);  // "uBC"
   const std::string role = fmt::format("area.{}.length", name[0]);
   if ((at - zero).norm() > 1.0) scene.arrow(role, zero + offset, at + offset);
-  scene.out.moving_labels.push_back(
+  LabelRequest label =
       scene.label(fmt::format("foot:{}:{}", foot.vertex, foot.other),
                   fmt::format("{} = {}", name, Numbers(scene.run.lesson).weight(foot.value)),
-                  "area.label", type::kSmallVertex, 0.5 * (zero + at) + offset, 3.0, normal));
+                  "area.label", type::kSmallVertex, 0.5 * (zero + at) + offset, 3.0, normal);
+  label.other_anchors = {0.25 * zero + 0.75 * at + offset, 0.75 * zero + 0.25 * at + offset};
+  scene.out.moving_labels.push_back(std::move(label));
+}
+
+/// The border of a half-plane through `at`, with ticks on the side `towards`.
+void half_plane(SceneBuilder& scene, const Point& at, const Point& towards) {
+  constexpr double kSpacing = 11.0;
+  constexpr double kLean = 0.6;  // of a tick's height
+  constexpr double kHeight = 9.0;
+  const Point along(-towards.y(), towards.x());
+  const double reach = scene.map.area().size().norm();
+  scene.line("condition", at - reach * along, at + reach * along);
+  const Eigen::AlignedBox2d seen(scene.map.area().min, scene.map.area().max);
+  for (double t = -reach; t < reach; t += kSpacing) {
+    const Point from = at + t * along;
+    if (!seen.contains(from)) continue;
+    scene.add("condition.hatch", Polyline{{from, from + kHeight * (towards + kLean * along)}});
+  }
+}
+
+/// Where each condition of the tested region is met.
+void conditions(SceneBuilder& scene, const TestedFeet::Value& feet) {
+  const gjk::Face region =
+      scene.run.step(scene.frame).record.region_tests[*scene.frame.tests - 1].region;
+  const bool of_vertex = gjk::vertex_count(region) == 1;
+  for (const TestedFeet::Foot& foot : feet) {
+    const Point zero = scene.vertex_at(foot.other);
+    const Point along = (scene.vertex_at(foot.vertex) - zero).normalized();
+    half_plane(scene, zero, of_vertex ? Point(-along) : along);
+  }
+  if (of_vertex || scene.state.simplex.count != 3 || feet.empty()) return;
+  const Point a = scene.vertex_at(feet[0].vertex);
+  const Point along = (scene.vertex_at(feet[0].other) - a).normalized();
+  const Point third = scene.vertex_at(3 - feet[0].vertex - feet[0].other);
+  Point beyond(along.y(), -along.x());
+  if (beyond.dot(third - a) > 0.0) beyond = -beyond;
+  half_plane(scene, a, beyond);
 }
 
 void tested_feet(SceneBuilder& scene) {
   const TestedFeet::Value& feet = scene.effects.get<TestedFeet>(scene.frame);
+  if (!feet.empty()) conditions(scene, feet);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const bool same_edge =
         i > 0 && feet[i].vertex == feet[i - 1].other && feet[i].other == feet[i - 1].vertex;

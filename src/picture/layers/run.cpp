@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effects/history.hpp"
+#include "effects/other_normal.hpp"
 #include "effects/projection.hpp"
 #include "effects/slab.hpp"
 #include "picture/blocks/blocks.hpp"
@@ -50,7 +51,7 @@ void weight_label(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& verte
 void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
                   const std::string& text) {
   if (!(d.norm() > 0.0)) return;
-  const Point along = direction_on_screen(d);
+  const Point along = scene.map.direction(d);
   const Point tip = from + length * along;
   scene.arrow("direction", from, tip);
   // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
@@ -67,8 +68,7 @@ void search_direction(SceneBuilder& scene) {
 
 void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
                   const std::string& role) {
-  const Point along = direction_on_screen(d);
-  const Point across = scene.map.area().size().norm() * Point(-along.y(), along.x());
+  const Point across = scene.map.area().size().norm() * scene.map.direction({d.y(), -d.x()});
   scene.line(role, through - across, through + across);
 }
 
@@ -89,6 +89,12 @@ void history(SceneBuilder& scene) {
       scene.add("history.simplex", Polyline{points, points.size() > 2});
       scene.outline(points);
     }
+  }
+}
+
+void history_points(SceneBuilder& scene) {
+  if (!scene.shows_difference) return;
+  for (const History::Entry& entry : scene.effects.get<History>(scene.frame)) {
     const Point p = scene.at_difference(entry.p);
     scene.add("history.closest", Disk{p, 3.5});
     scene.out.obstacles.circles.push_back({p, 3.5});
@@ -97,6 +103,26 @@ void history(SceneBuilder& scene) {
                                                   "history.label", type::kSmallVertex, p, 3.5));
   }
 }
+
+namespace {
+
+/// In the world, the parts of both shapes whose differences are the feature that holds P.
+void chords(SceneBuilder& scene, gjk::Face face) {
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  for (int i = 0; i < simplex.count; ++i) {
+    for (int j = i + 1; j < simplex.count; ++j) {
+      if (!gjk::contains(face, i) || !gjk::contains(face, j)) continue;
+      const gjk::SupportPoint<double, 2>& a = simplex.vertices[i];
+      const gjk::SupportPoint<double, 2>& b = simplex.vertices[j];
+      if (a.pair.x != b.pair.x)
+        scene.line("simplex.edge", scene.at(scene.vertex_of_x(a)), scene.at(scene.vertex_of_x(b)));
+      if (a.pair.y != b.pair.y)
+        scene.line("simplex.edge", scene.at(scene.vertex_of_y(a)), scene.at(scene.vertex_of_y(b)));
+    }
+  }
+}
+
+}  // namespace
 
 void simplex(SceneBuilder& scene) {
   const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
@@ -113,6 +139,8 @@ void simplex(SceneBuilder& scene) {
           scene.line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
       }
     }
+  } else {
+    chords(scene, face);
   }
   for (int i = 0; i < simplex.count; ++i) {
     if (!scene.shows_whole_simplex() && !gjk::contains(face, i)) continue;
@@ -195,6 +223,33 @@ void search(SceneBuilder& scene) {
   if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
   if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
 }
+
+namespace {
+
+void other_normal(SceneBuilder& scene) {
+  const OtherNormal::Value& other = scene.effects.get<OtherNormal>(scene.frame);
+  if (!other || !scene.shows_difference || scene.knows.has_ended) return;
+  const Point p = scene.at_difference(scene.state.p);
+  const Point along = scene.map.direction(other->d);
+  const Point tip = p + scene.arrow_length(scene.state.p) * along;
+  scene.arrow("direction.other", p, tip);
+  scene.out.moving_labels.push_back(scene.label("arrow:other", "−d", "direction.label",
+                                                type::kVertex, 0.5 * (p + tip), 0.0,
+                                                Point(along.y(), -along.x())));
+  if (!scene.knows.support) return;
+  const Vector2d w =
+      scene.positioned.y().world[other->support.y] - scene.positioned.x().world[other->support.x];
+  support_line(scene, scene.at_difference(w), other->d, "support.plane.other");
+  scene.diamond("support.other", scene.at_difference(w), kSupportRadius,
+                subject_of(scene.run, other->support));
+}
+
+}  // namespace
+
+const Layer kOtherNormal{.effect = OtherNormal::kName,
+                         .on = Layer::On::every_view,
+                         .order = Layer::kOfAct + 10,
+                         .draw = other_normal};
 
 void search_between_shapes(SceneBuilder& scene) {
   if (!scene.knows.support || scene.knows.has_ended) return;

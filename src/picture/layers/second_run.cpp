@@ -27,7 +27,7 @@ void second_run(SceneBuilder& scene) {
     scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
   }
   if (scene.knows.direction && state.d.norm() > 0.0) {
-    const Point along = direction_on_screen(state.d);
+    const Point along = scene.map.direction(state.d);
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);
     // A support line may pass the tip: the name stands beside the shaft.

@@ -19,7 +19,7 @@ Vector2d middle_of(const std::vector<Vector2d>& vertices) {
 void line_past(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Point& through,
                const Vector2d& d) {
   constexpr double kBeyond = 16.0;  // pixels
-  const Point across = Point(d.y(), d.x()).normalized();
+  const Point across = scene.map.direction({d.y(), -d.x()});
   double low = 0.0;
   double high = 0.0;
   for (const Vector2d& vertex : vertices) {
@@ -61,6 +61,8 @@ void support_in_parts(SceneBuilder& scene) {
           reached >= SupportPart::of_y);
     along(scene, scene.positioned.x().world, state.support.pair.x, -state.d, "−d",
           reached >= SupportPart::of_x);
+    if (reached == SupportPart::of_z)
+      scene.link(scene.vertex_of_x(state.support), scene.vertex_of_y(state.support));
     return;
   }
   if (reached == SupportPart::of_y || reached == SupportPart::of_x)

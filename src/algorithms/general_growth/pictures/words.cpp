@@ -8,9 +8,6 @@ namespace {
 using fmt::format;
 using general_growth::Sample;
 
-/// "3.2 times"
-std::string times(double of, double base) { return fixed(of / base, 1) + " times"; }
-
 void claim(const Shown& shown, FrameText& text) {
   const Sample& last = shown.told.samples.back();
   const std::string n = grouped(last.segments);
@@ -30,7 +27,7 @@ void claim(const Shown& shown, FrameText& text) {
           n, grouped(last.boxes), grouped(last.collide));
       break;
     case Claim::coherence:
-      text.caption = "Larsen: coherence is not yet exploited. Here it is, and helps little.";
+      text.caption = "Larsen: coherence is not yet exploited. Here it is.";
       text.detail = format(
           "Starting from the last position's closest pair costs {} of the visits: the first "
           "candidate is good, but pairs almost as close must still be ruled out.",
@@ -39,9 +36,10 @@ void claim(const Shown& shown, FrameText& text) {
     case Claim::spheres:
       text.caption = "Larsen: Quinlan's trees of spheres are the fastest. That was 1998.";
       text.detail = format(
-          "Here circles visit {} as many pairs as boxes. Larsen's own swept spheres (PQP, 2000) "
-          "bound flat parts more closely still.",
-          times(last.circles, last.boxes));
+          "Here circles visit {} pairs, boxes {}. Larsen's own swept spheres (PQP, 2000) bound "
+          "flat "
+          "parts more closely still.",
+          grouped(last.circles), grouped(last.boxes));
       break;
   }
 }
@@ -64,10 +62,8 @@ void words(const Story& story, FrameText& text) {
             ? format(
                   "Trees of circles visit {}. Cut into convex pieces, {} pairs need a run of GJK.",
                   grouped(sample.circles), grouped(sample.pieces))
-            : format(
-                  "Trees of circles visit {}. Cutting takes n · n steps: it is left out from here "
-                  "on.",
-                  grouped(sample.circles));
+            : format("Trees of circles visit {}. Cutting takes n · n steps, so it ends at n = {}.",
+                     grouped(sample.circles), general_growth::kMostCut);
   } else if (shown.is_claim()) {
     claim(shown, text);
   } else {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "algorithms/hierarchy/pictures/shown.hpp"
-#include "lesson/names.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope::searches {
@@ -20,7 +19,9 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
       state(step == nullptr ? search.trace.start : step->after),
       is_answer(over > static_cast<int>(search.trace.steps.size())) {}
 
-std::string_view Shown::volumes() const { return name_of(lesson.volumes); }
+std::string_view Shown::volumes() const {
+  return lesson.volumes == VolumeKind::boxes ? "boxes" : "circles";
+}
 
 std::string_view Shown::volume() const {
   return lesson.volumes == VolumeKind::boxes ? "box" : "circle";
@@ -62,7 +63,7 @@ bool ends_visit(const SearchStep& step) {
 namespace {
 
 constexpr std::array kCollideAsks = {kAskDescend};
-constexpr std::array kDistanceAsks = {kAskWin};
+constexpr std::array kDistanceAsks = {kAskWin, kAskTable};
 
 /// Whether a question may be about this visit: then it has a frame of its own, before what comes of
 /// it. So has the first.
@@ -74,7 +75,7 @@ bool is_introduced(const Lesson& lesson, long visit) {
 }
 
 /// A frame for the start, one for what comes of each visit, one for what follows them; of a long
-/// search those alone that find a better candidate, and some in between.
+/// search those alone that find a better candidate or are looked up, and some in between.
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   const auto add = [&](int over) {
@@ -90,7 +91,8 @@ void add_frames(LessonRun& run, int index) {
     const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
-    const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better;
+    const bool is_between =
+        is_long && visit % (visits / kBetween) != 0 && !step.record.better && !step.record.hit;
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
         (ends_visit(step) && !is_between))
       add(i + 1);
@@ -102,6 +104,13 @@ void add_frames(LessonRun& run, int index) {
 int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, before);
+  if (question.ask == kAskTable.name) {
+    const Shown after(run, frame);
+    const bool answers =
+        after.is(SearchPhase::leaf) && after.has_tiles() &&
+        question.at.value_or(static_cast<int>(after.state.visits)) == after.state.visits;
+    return answers ? after.over - 1 : -1;
+  }
   if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;
   if (question.at && *question.at != shown.state.visits) return -1;
   const SearchStep& bound = shown.search.trace.steps[static_cast<std::size_t>(shown.over)];

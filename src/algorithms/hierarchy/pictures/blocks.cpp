@@ -28,7 +28,7 @@ void collide_listing(PanelBuilder& panel) {
   write(panel, "  if a, b do not meet: return", shown.is_cut());
   write(panel, "  if a and b are leaves", false);
   write(panel, "    test their segments", leaf,
-        leaf && shown.step->record.measured->meet ? "meet" : "no");
+        leaf && shown.step->record.measured && shown.step->record.measured->meet ? "meet" : "no");
   write(panel, "  else if a is no leaf", false);
   write(panel, "    collide(left(a), b)", into_a);
   write(panel, "    collide(right(a), b)", into_a);
@@ -47,7 +47,10 @@ void distance_listing(PanelBuilder& panel) {
   write(panel, "closest(a, b)", shown.is(SearchPhase::visit));
   write(panel, "  if distance of a, b > δ: return", shown.is_cut());
   write(panel, "  if a and b are leaves", false);
-  write(panel, "    measure their segments", leaf && !shown.step->record.better);
+  if (shown.has_tiles())
+    write(panel, "    if in the table: return", leaf && shown.step->record.hit);
+  write(panel, "    measure their segments",
+        leaf && !shown.step->record.better && !shown.step->record.hit);
   write(panel, "    if nearer: δ ← that", leaf && shown.step->record.better);
   write(panel, "  else for both children c of the", false);
   write(panel, "  larger, the nearer one first", descends);
@@ -80,6 +83,8 @@ void distance_counters(PanelBuilder& panel) {
   if (shown.is_refused()) return;
   row(panel, "candidate δ",
       shown.state.candidate ? panel.numbers(shown.state.candidate->high) : "∞");
+  if (shown.has_tiles())
+    return row(panel, "pairs looked up", grouped(static_cast<double>(shown.state.hits)));
   const models::SearchResult& other = shown.search.left_first.result;
   row(panel, "visits with the left child first",
       shown.is_answer ? grouped(static_cast<double>(other.visits)) : "–");

@@ -8,6 +8,8 @@
 namespace gjkscope::searches {
 
 inline constexpr AskInfo kAskDescend{"descend", "whether the search descends or cuts", "at visit"};
+inline constexpr AskInfo kAskTable{
+    "table", "whether two tiles are measured or their segments are in the table", "at visit"};
 inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes can still win", "at visit"};
 
 /// Searches with more visits are summed up: frames show their milestones alone.
@@ -47,6 +49,8 @@ struct Shown {
   [[nodiscard]] const TreeNode& node(bool of_x) const {
     return search.tree(of_x)[static_cast<std::size_t>(node_index(of_x))];
   }
+  /// Leaves are small circles; several may have the same segment.
+  [[nodiscard]] bool has_tiles() const { return lesson.volumes == VolumeKind::tiles; }
   [[nodiscard]] bool are_leaves() const { return node(true).is_leaf() && node(false).is_leaf(); }
   [[nodiscard]] const std::string& name(bool of_x) const {
     return (of_x ? lesson.x() : lesson.y()).name;

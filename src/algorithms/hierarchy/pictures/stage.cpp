@@ -66,6 +66,7 @@ class Stage {
     if (shown_.is_refused()) return;
     if (shown_.is_distance() && shown_.has_pair() && shown_.state.candidate) below_ = band();
     quiet_volumes();
+    if (shown_.has_tiles()) tiles();
     if (shown_.is_cut()) hatch();
     // All of it lies below the shapes, which can be taken hold of wherever they are.
     scene_.out.marks.insert(scene_.out.marks.begin(), below_.begin(), below_.end());
@@ -100,6 +101,16 @@ class Stage {
         below_.push_back({"region.hidden",
                           Polygon{mapped(outline_of(tree[static_cast<std::size_t>(i)].volume))}, -1,
                           subject(of_x, i)});
+      }
+    }
+  }
+
+  /// The leaves of both trees.
+  void tiles() {
+    for (const bool of_x : {true, false}) {
+      for (const TreeNode& node : shown_.search.tree(of_x)) {
+        if (node.is_leaf())
+          below_.push_back({"volume.tile", Polyline{mapped(outline_of(node.volume)), true}});
       }
     }
   }
@@ -155,7 +166,7 @@ class Stage {
   void segments() {
     segment(true, shown_.step->record.segments.first);
     segment(false, shown_.step->record.segments.second);
-    if (!shown_.step->record.better)
+    if (shown_.step->record.measured && !shown_.step->record.better)
       shortest_way(scene_, shown_.search, *shown_.step->record.measured, "gap.answer", "measured",
                    "");
   }

@@ -57,7 +57,8 @@ class TreePicture {
     scene_.out.marks.push_back(
         {of_x_ ? "shape.x.label" : "shape.y.label",
          Text{{area_.min.x(), area_.min.y() + 6.0}, shown_.name(of_x_), type::kVertex}});
-    const std::string count = fmt::format("{} segments", tree_[0].count);
+    const std::string count =
+        fmt::format("{} {}", tree_[0].count, shown_.has_tiles() ? "tiles" : "segments");
     scene_.out.marks.push_back(
         {"body.muted",
          Text{{area_.max.x(), area_.min.y() + 6.0}, count, type::kBody, Align::right}});

@@ -57,6 +57,10 @@ class Telling {
   void start() {
     text_.caption = format("Each shape has a tree of {}: the root holds all segments, a leaf one.",
                            shown_.volumes());
+    if (shown_.has_tiles())
+      text_.caption =
+          format("Small circles tile the segments. A tree bounds these {} and {} tiles.",
+                 shown_.search.tree(true)[0].count, shown_.search.tree(false)[0].count);
     text_.detail = format("{} · {} = {} pairs of segments. The pair of the two roots waits. ",
                           shown_.search.x.segments.size(), shown_.search.y.segments.size(),
                           grouped(static_cast<double>(shown_.search.pairs())));
@@ -68,10 +72,11 @@ class Telling {
     if (most > 0) text_.detail += format(" A triangle stands for up to {} segments.", most);
   }
 
+  [[nodiscard]] std::string_view content() const { return shown_.has_tiles() ? "tile" : "segment"; }
   /// "a holds 6 segments of X, b one segment of Y."
   [[nodiscard]] std::string contents() const {
-    return format("a holds {} of {}, b {} of {}. ", counted(shown_.node(true).count, "segment"),
-                  x(), counted(shown_.node(false).count, "segment"), y());
+    return format("a holds {} of {}, b {} of {}. ", counted(shown_.node(true).count, content()),
+                  x(), counted(shown_.node(false).count, content()), y());
   }
   /// "Visit 3: boxes a and b"
   [[nodiscard]] std::string visited() const {
@@ -92,9 +97,10 @@ class Telling {
 
   void cut() {
     const bool is_one = pairs_below() == 1;
-    const std::string spared = is_one ? "The pair of segments is not tested."
-                                      : format("{} · {} pairs of segments are spared.",
-                                               shown_.node(true).count, shown_.node(false).count);
+    const std::string spared =
+        is_one ? format("The pair of {}s is not tested.", content())
+               : format("{} · {} pairs of {}s are spared.", shown_.node(true).count,
+                        shown_.node(false).count, content());
     if (shown_.is_distance()) {
       text_.caption = format("{} are {} apart, farther than {}: cut.", visited(), bound(), delta());
       text_.detail = "No segment in a is nearer to one in b than the candidate. " + spared;
@@ -104,8 +110,16 @@ class Telling {
     }
   }
 
+  void looked_up() {
+    text_.caption = format("Visit {}: both are tiles. Their segments are in the table: look it up.",
+                           shown_.state.visits);
+    text_.detail = format("Other tiles of the same two segments came earlier. {} so far.",
+                          capitalized(counted(shown_.state.hits, "hit")));
+  }
+
   void leaf() {
     const models::SearchRecord& record = shown_.step->record;
+    if (record.hit) return looked_up();
     const std::string length = story_.numbers(record.measured->high);
     if (record.measured->meet) {
       text_.caption =
@@ -182,6 +196,12 @@ class Telling {
       return;
     }
     text_.caption = format("The distance is {}: {}.", story_.numbers(result.answer.distance), cost);
+    if (shown_.has_tiles()) {
+      text_.detail =
+          format("{} {} looked up in place of being measured again.",
+                 capitalized(counted(result.hits, "pair")), result.hits == 1 ? "was" : "were");
+      return;
+    }
     const models::SearchResult& other = shown_.search.left_first.result;
     text_.detail = format("With the left child always first: {} and {}.",
                           counted(other.visits, "visit"), counted(other.measured, "pair"));
@@ -202,6 +222,15 @@ void question(const Story& story, FrameText& text) {
       shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
   const bool is_distance = shown.is_distance();
   FrameQuestion& asked = text.question.emplace();
+  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
+      kAskTable.name) {
+    asked.ask = kAskTable.name;
+    asked.choices = {"measure their segments", "look it up in the table"};
+    asked.answer = asked.choices[record.hit ? 1 : 0];
+    text.caption = "Question: both are tiles. Measure their segments, or look it up?";
+    text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
+    return;
+  }
   asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
   asked.choices = is_distance ? std::vector<std::string>{"yes", "no: cut"}
                               : std::vector<std::string>{"descend", "cut"};
@@ -224,6 +253,7 @@ void values(const Story& story, FrameText& text) {
   put("pairs", grouped(static_cast<double>(shown.search.pairs())));
   put("visits", grouped(static_cast<double>(shown.state.visits)));
   put("tests", grouped(static_cast<double>(shown.state.measured)));
+  if (shown.has_tiles()) put("looked up", grouped(static_cast<double>(shown.state.hits)));
   if (shown.is_distance() && shown.state.candidate)
     put("candidate", story.numbers(shown.state.candidate->high));
   if (shown.is_answer && shown.is_distance())
