@@ -138,9 +138,9 @@ class Stage {
       const std::vector<Point> corners = mapped(outline_of(shown_.node(of_x).volume));
       volume(of_x, shown_.node_index(of_x), of_x ? "volume.x" : "volume.y");
       const Point middle = 0.5 * (corners[0] + corners[corners.size() / 2]);
-      LabelRequest label =
-          scene_.label(of_x ? "a" : "b", of_x ? "a" : "b", of_x ? "shape.x.label" : "shape.y.label",
-                       type::kVertex, corners[0], 0.0, corners[0] - middle);
+      LabelRequest label = scene_.label(of_x ? "a" : "b", of_x ? "a" : "b",
+                                        of_x ? "volume.x.label" : "volume.y.label", type::kVertex,
+                                        corners[0], 0.0, corners[0] - middle);
       label.other_anchors = {corners.begin() + 1, corners.end()};
       scene_.out.moving_labels.push_back(std::move(label));
     }

@@ -122,7 +122,7 @@ class TreePicture {
     const bool is_leaf = tree_[i].is_leaf();
     const bool is_left = at.x() < area_.center().x();
     const Point beside(is_left ? kCurrent + 5.0 : -kCurrent - 5.0, 5.0);
-    scene_.out.marks.push_back({of_x_ ? "shape.x.label" : "shape.y.label",
+    scene_.out.marks.push_back({of_x_ ? "volume.x.label" : "volume.y.label",
                                 Text{at + (is_leaf ? Point(0.0, kCurrent + 15.0) : beside),
                                      of_x_ ? "a" : "b", type::kVertex,
                                      is_leaf   ? Align::center
