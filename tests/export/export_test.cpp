@@ -344,9 +344,9 @@ TEST_F(Export, AStepInWhichNothingMovesIsDrawnOnce) {
   moving.fps = 10;
   static_cast<void>(export_lessons({lesson("polygon-pseudocode")}, moving));
   const auto files = contents(moving.out_dir);
-  EXPECT_TRUE(files.contains("polygon-pseudocode-0009-01.svg"));
-  EXPECT_FALSE(files.contains("polygon-pseudocode-0010-01.svg")) << "only the words change";
-  EXPECT_TRUE(files.contains("polygon-pseudocode-0010.svg"));
+  EXPECT_TRUE(files.contains("polygon-pseudocode-0008-01.svg"));
+  EXPECT_FALSE(files.contains("polygon-pseudocode-0009-01.svg")) << "only the words change";
+  EXPECT_TRUE(files.contains("polygon-pseudocode-0009.svg"));
 }
 
 TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {

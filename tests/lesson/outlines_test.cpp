@@ -100,7 +100,7 @@ TEST(Volumes, AreChosenWhereTreesAreBuilt) {
   EXPECT_EQ(loaded.lesson->volumes, VolumeKind::circles);
   EXPECT_EQ(load(lesson_toml(*loaded.lesson)).lesson->volumes, VolumeKind::circles);
   EXPECT_EQ(problem(with_volumes("balls", "hierarchy-distance")),
-            "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles");
+            "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles, tiles");
   EXPECT_EQ(
       problem(with_volumes("circles", "lin-canny")),
       "x.toml:16:11: 'volumes' with granularity 'lin-canny'; expected no 'volumes': it builds "

@@ -96,7 +96,7 @@ TEST_F(Site, AnIndexLinksAllPages) {
   const std::string index = read_whole(out_ / "index.html");
   for (const char* link :
        {"segment-closest.html", "stop-vertex.html", "playground.html", "about.html"})
-    EXPECT_EQ(count(index, "href=\"" + std::string(link) + "\""), 1u) << link;
+    EXPECT_GE(count(index, "href=\"" + std::string(link) + "\""), 1u) << link;
   EXPECT_NE(
       read_whole(out_ / "segment-closest.html").find("class=\"next\" href=\"stop-vertex.html\""),
       std::string::npos);

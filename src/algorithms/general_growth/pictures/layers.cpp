@@ -12,6 +12,8 @@ namespace {
 using general_growth::Sample;
 using namespace sizes;
 
+constexpr std::size_t kMostDrawn = 700;  // points of an outline: more are thinned evenly
+
 /// The first pair of the frame's size.
 void example(SceneBuilder& scene, const Shown& shown) {
   const Sample& sample = shown.sample();
@@ -22,10 +24,9 @@ void example(SceneBuilder& scene, const Shown& shown) {
   const StageMap map(scene.map.area(), camera_around(seen, scene.map.area()));
   for (const models::Model* model : {&sample.x, &sample.y}) {
     std::vector<Point> line;
-    for (const models::Point& point : model->outlines[0].points) {
-      const Point there = map(point);
-      if (line.empty() || (there - line.back()).norm() >= 0.5) line.push_back(there);
-    }
+    const std::vector<models::Point>& points = model->outlines[0].points;
+    const std::size_t every = 1 + points.size() / kMostDrawn;
+    for (std::size_t i = 0; i < points.size(); i += every) line.push_back(map(points[i]));
     scene.add(model == &sample.x ? "shape.x" : "shape.y", Polyline{std::move(line), true});
   }
   const Point x = map(sample.answer.a);

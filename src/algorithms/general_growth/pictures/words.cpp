@@ -29,9 +29,9 @@ void claim(const Shown& shown, FrameText& text) {
     case Claim::coherence:
       text.caption = "Larsen: coherence is not yet exploited. Here it is.";
       text.detail = format(
-          "Starting from the last position's closest pair costs {} of the visits: the first "
-          "candidate is good, but pairs almost as close must still be ruled out.",
-          fixed(100.0 * last.remembered / last.boxes, 0) + " %");
+          "A start from the last position's closest pair costs {} % of the visits. Pairs almost as "
+          "close must still be ruled out.",
+          fixed(100.0 * last.remembered / last.boxes, 0));
       break;
     case Claim::spheres:
       text.caption = "Larsen: Quinlan's trees of spheres are the fastest. That was 1998.";

@@ -160,7 +160,7 @@ class Telling {
     if (!shown_.is_distance()) {
       text_.caption = format("{} meet: descend.", visited());
     } else if (!shown_.state.candidate) {
-      text_.caption = format("{} are {} apart, and δ is infinite: descend.", visited(), bound());
+      text_.caption = format("{} are {} apart, and δ is still ∞: descend.", visited(), bound());
     } else {
       text_.caption =
           format("{} are {} apart, not more than {}: descend.", visited(), bound(), delta());
