@@ -32,7 +32,7 @@ struct Refusal {
 class OutlineTrace : public AlgorithmTrace {
  public:
   OutlineTrace(std::string_view name, std::optional<Refusal> refused)
-      : refusal(std::move(refused)), name_(name) {}
+      : refusal(refused), name_(name) {}
   [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson, const RunIn<2>& run) const final;
   [[nodiscard]] std::string text(const Lesson& lesson, const RunIn<2>& run) const final;
 

@@ -26,7 +26,7 @@ std::shared_ptr<const AlgorithmTrace> run_pieces(const Lesson& lesson, const Run
 }  // namespace
 
 PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& outlines)
-    : OutlineTrace("convex-pieces", std::move(refused)) {
+    : OutlineTrace("convex-pieces", refused) {
   if (refusal) return;
   x = models::pieces_of(outlines.x);
   y = models::pieces_of(outlines.y);

@@ -26,7 +26,7 @@ class PiecesTrace final : public OutlineTrace {
   PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& outlines);
 
   [[nodiscard]] int steps() const override { return static_cast<int>(told.size()); }
-  [[nodiscard]] StepInfo info(int step) const override;
+  [[nodiscard]] StepInfo info(int index) const override;
   [[nodiscard]] double answer(std::string_view name) const override;
 
   models::Pieces x;
@@ -37,7 +37,7 @@ class PiecesTrace final : public OutlineTrace {
   [[nodiscard]] const models::Pieces& of(bool of_x) const { return of_x ? x : y; }
 
  protected:
-  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int step) const override;
+  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int index) const override;
   [[nodiscard]] fields::Json result_json(const Lesson& lesson) const override;
 };
 

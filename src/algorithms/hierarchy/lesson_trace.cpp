@@ -32,7 +32,7 @@ constexpr int kMostTiles = 64;
 class Told : public OutlineTrace {
  public:
   Told(std::string_view name, std::optional<Refusal> refused, SearchTold search)
-      : OutlineTrace(name, std::move(refused)), search_(std::move(search)) {}
+      : OutlineTrace(name, refused), search_(std::move(search)) {}
 
   [[nodiscard]] const SearchTold& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }

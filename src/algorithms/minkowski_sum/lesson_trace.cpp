@@ -34,8 +34,8 @@ std::string edge_of(const LessonShape& shape, const models::Ring& ring, int from
 std::shared_ptr<const AlgorithmTrace> run_sum(const Lesson& lesson, const RunIn<2>& run,
                                               const AlgorithmTrace*) {
   const OutlinesOfRun outlines = outlines_of(lesson, run);
-  std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
-  if (refusal) return std::make_shared<const SumTrace>(std::move(refusal), Merge{});
+  const std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
+  if (refusal) return std::make_shared<const SumTrace>(refusal, Merge{});
   return std::make_shared<const SumTrace>(
       std::nullopt, minkowski_sum::merge(models::ring_of(outlines.x.outlines[0]),
                                          models::ring_of(outlines.y.outlines[0])));
@@ -61,7 +61,7 @@ std::string edge_name(const Lesson& lesson, const Merge& merge, const Corner& fr
 }
 
 SumTrace::SumTrace(std::optional<Refusal> refused, Merge merged)
-    : OutlineTrace("minkowski-sum", std::move(refused)), merge(std::move(merged)) {}
+    : OutlineTrace("minkowski-sum", refused), merge(std::move(merged)) {}
 
 StepInfo SumTrace::info(int step) const {
   const Phase phase = merge.steps[static_cast<std::size_t>(step)].phase;

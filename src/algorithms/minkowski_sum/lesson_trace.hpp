@@ -20,7 +20,7 @@ class SumTrace final : public OutlineTrace {
   minkowski_sum::Merge merge;
 
  protected:
-  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int step) const override;
+  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int index) const override;
   [[nodiscard]] fields::Json result_json(const Lesson& lesson) const override;
 };
 

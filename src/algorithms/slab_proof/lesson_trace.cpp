@@ -28,7 +28,7 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
 std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const RunIn<2>& run,
                                                const AlgorithmTrace*) {
   const OutlinesOfRun outlines = outlines_of(lesson, run);
-  std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
+  const std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
   Descent descent;
   if (!refusal && models::brute(outlines.x, outlines.y).answer.overlap) {
     descent.result.stop = Stop::overlap;
@@ -36,7 +36,7 @@ std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const RunIn
     const gjk::VertexPair start = lesson.options.start.pairs[0];
     descent = slab_proof::descend(run.x().world, run.y().world, start.x, start.y);
   }
-  return std::make_shared<const SlabTrace>(std::move(refusal), std::move(descent));
+  return std::make_shared<const SlabTrace>(refusal, std::move(descent));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::string vertex_name(const Lesson& lesson, const Reach& reach) {
 }
 
 SlabTrace::SlabTrace(std::optional<Refusal> refused, Descent descended)
-    : OutlineTrace("slab-proof", std::move(refused)), descent(std::move(descended)) {}
+    : OutlineTrace("slab-proof", refused), descent(std::move(descended)) {}
 
 StepInfo SlabTrace::info(int index) const {
   const Step& step = descent.steps[static_cast<std::size_t>(index)];

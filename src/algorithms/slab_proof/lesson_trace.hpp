@@ -14,13 +14,13 @@ class SlabTrace final : public OutlineTrace {
   SlabTrace(std::optional<Refusal> refused, slab_proof::Descent descended);
 
   [[nodiscard]] int steps() const override { return static_cast<int>(descent.steps.size()); }
-  [[nodiscard]] StepInfo info(int step) const override;
+  [[nodiscard]] StepInfo info(int index) const override;
   [[nodiscard]] double answer(std::string_view name) const override;
 
   slab_proof::Descent descent;  ///< Of shapes that overlap without steps.
 
  protected:
-  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int step) const override;
+  [[nodiscard]] fields::Json step_json(const Lesson& lesson, int index) const override;
   [[nodiscard]] fields::Json result_json(const Lesson& lesson) const override;
 };
 

@@ -9,8 +9,6 @@
 namespace gjkscope::searches {
 namespace {
 
-using models::SearchPhase;
-
 /// Levels below the root that are drawn node by node; what lies deeper is one mark each.
 constexpr int kMostDepth = 5;
 
@@ -174,7 +172,8 @@ void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entr
   const double rise = 0.5 * fonts.cap_height(type::kText);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
-    const auto row = static_cast<double>(i / kColumns);
+    const std::size_t rows_above = i / kColumns;
+    const auto row = static_cast<double>(rows_above);
     const Point at = start + Point(column * width, kRow * (row + 0.5));
     scene.out.marks.push_back(entries[i].mark(at));
     scene.out.marks.push_back(
