@@ -127,7 +127,7 @@ Picture PictureView::picture_now() {
   }
   if (!motion_) return picture;
   const double share = (app_.now() - motion_->start) / kTweenSeconds;
-  const Picture between = tween(motion_->from, picture, share);
+  Picture between = tween(motion_->from, picture, share);
   if (share >= 1.0) motion_.reset();
   return between;
 }

@@ -1,5 +1,7 @@
 #include "picture/blocks/blocks.hpp"
 
+#include <fmt/format.h>
+
 #include "algorithms/minkowski_sum/pictures/shown.hpp"
 
 namespace gjkscope::sums {
