@@ -125,7 +125,7 @@ Vector2d closest_on_segment(const Vector2d& point, const Vector2d& a, const Vect
   const Vector2d edge = b - a;
   const double length_sq = edge.squaredNorm();
   const double t = length_sq > 0.0 ? std::clamp((point - a).dot(edge) / length_sq, 0.0, 1.0) : 0.0;
-  return a + t * edge;
+  return t == 1.0 ? b : Vector2d(a + t * edge);
 }
 
 double segment_distance(const Vector2d& point, const Vector2d& a, const Vector2d& b) {

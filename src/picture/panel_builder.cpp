@@ -37,6 +37,12 @@ void PanelBuilder::heading(std::string text) {
   y += kRow + 2.0;
 }
 
+void PanelBuilder::row(const std::string& what, const std::string& value) {
+  write("body.muted", left, what, type::kBody);
+  write("code.current", right, value, type::kCode, Align::right);
+  y += kRow;
+}
+
 void PanelBuilder::rule() {
   y += kBlockGap - kRow + 2.0;
   add("card.rule", Polyline{{{left, y}, {right, y}}});

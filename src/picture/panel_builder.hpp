@@ -32,6 +32,8 @@ struct PanelBuilder {
   void write(std::string role, double x, std::string text, const TextStyle& style,
              Align align = Align::left);
   void heading(std::string text);
+  /// A number and what it counts.
+  void row(const std::string& what, const std::string& value);
   /// Between two blocks.
   void rule();
   /// A box behind the current row, and `below` pixels more.

@@ -10,7 +10,11 @@
 // It is made for the proof, not for speed: where the closest points lie between vertices it may
 // only come near to them. A vertex counts as in the slab when it reaches in farther than rounding.
 
-#include "models/nearest.hpp"
+#include <algorithm>
+#include <limits>
+
+#include "geometry/polygon.hpp"
+#include "models/outline.hpp"
 
 namespace slab_proof {
 
@@ -52,13 +56,6 @@ struct Descent {
 
 namespace detail {
 
-[[nodiscard]] inline Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
-  const double length_sq = (b - a).squaredNorm();
-  if (length_sq == 0.0) return a;
-  const double t = (p - a).dot(b - a) / length_sq;
-  return t <= 0.0 ? a : t >= 1.0 ? b : Point(a + t * (b - a));
-}
-
 inline void look(Step& step, const std::vector<Point>& x, const std::vector<Point>& y) {
   const State& at = step.before;
   const Point into = (at.y - at.x) / at.distance();
@@ -69,7 +66,7 @@ inline void look(Step& step, const std::vector<Point>& x, const std::vector<Poin
   const double rounding = 0x1p-48 * scale;
   for (const bool of_x : {true, false}) {
     const std::vector<Point>& shape = of_x ? x : y;
-    Reach farthest{of_x, 0, -1e300};
+    Reach farthest{of_x, 0, -std::numeric_limits<double>::infinity()};
     for (int i = 0; i < static_cast<int>(shape.size()); ++i) {
       const Point& vertex = shape[static_cast<std::size_t>(i)];
       const Reach reach{of_x, i, of_x ? into.dot(vertex - at.x) : into.dot(at.y - vertex)};
@@ -104,10 +101,10 @@ inline void look(Step& step, const std::vector<Point>& x, const std::vector<Poin
     const Reach& c = closer.towards;
     if (c.of_x) {
       closer.after.x =
-          detail::closest_on_segment(state.y, state.x, x[static_cast<std::size_t>(c.vertex)]);
+          gjkscope::closest_on_segment(state.y, state.x, x[static_cast<std::size_t>(c.vertex)]);
     } else {
       closer.after.y =
-          detail::closest_on_segment(state.x, state.y, y[static_cast<std::size_t>(c.vertex)]);
+          gjkscope::closest_on_segment(state.x, state.y, y[static_cast<std::size_t>(c.vertex)]);
     }
     closer.after.phase = Phase::slab;
     ++closer.after.iteration;

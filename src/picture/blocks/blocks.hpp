@@ -44,6 +44,9 @@ struct LineView {
   std::string value = {};            ///< What the line computed.
 };
 void write_line(PanelBuilder& panel, const std::string& text, const LineView& line);
+/// A line of a listing that is current or not; its value is written where it is.
+void listing_line(PanelBuilder& panel, const std::string& text, bool current,
+                  std::string value = {});
 
 // growth.cpp
 /// In place of the counters where a frame is about many runs.

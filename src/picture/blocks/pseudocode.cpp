@@ -34,6 +34,13 @@ void write_line(PanelBuilder& panel, const std::string& text, const LineView& li
   panel.y += rows::kRow;
 }
 
+void listing_line(PanelBuilder& panel, const std::string& text, bool current, std::string value) {
+  LineView line{current ? LineView::State::current : LineView::State::idle};
+  if (current) line.value = std::move(value);
+  write_line(panel, text, line);
+  panel.y += kTightRow - kRow;
+}
+
 namespace {
 
 using State = LineView::State;

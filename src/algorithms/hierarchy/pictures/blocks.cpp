@@ -7,16 +7,7 @@
 namespace gjkscope::searches {
 namespace {
 
-using blocks::LineView;
 using models::SearchPhase;
-using namespace rows;
-
-void write(PanelBuilder& panel, const std::string& text, bool current, std::string value = {}) {
-  LineView line{current ? LineView::State::current : LineView::State::idle};
-  if (current) line.value = std::move(value);
-  blocks::write_line(panel, text, line);
-  panel.y += kTightRow - kRow;
-}
 
 /// Larsen 1998, "Hierarchical Collision Detection".
 void collide_listing(PanelBuilder& panel) {
@@ -24,17 +15,18 @@ void collide_listing(PanelBuilder& panel) {
   const bool leaf = shown.is(SearchPhase::leaf);
   const bool into_a = shown.is(SearchPhase::descend) && !shown.step->record.takes_b_apart;
   const bool into_b = shown.is(SearchPhase::descend) && shown.step->record.takes_b_apart;
-  write(panel, "collide(a, b)", shown.is(SearchPhase::visit));
-  write(panel, "  if a, b do not meet: return", shown.is_cut());
-  write(panel, "  if a and b are leaves", false);
-  write(panel, "    test their segments", leaf,
-        leaf && shown.step->record.measured && shown.step->record.measured->meet ? "meet" : "no");
-  write(panel, "  else if a is no leaf", false);
-  write(panel, "    collide(left(a), b)", into_a);
-  write(panel, "    collide(right(a), b)", into_a);
-  write(panel, "  else", false);
-  write(panel, "    collide(a, left(b))", into_b);
-  write(panel, "    collide(a, right(b))", into_b);
+  blocks::listing_line(panel, "collide(a, b)", shown.is(SearchPhase::visit));
+  blocks::listing_line(panel, "  if a, b do not meet: return", shown.is_cut());
+  blocks::listing_line(panel, "  if a and b are leaves", false);
+  blocks::listing_line(
+      panel, "    test their segments", leaf,
+      leaf && shown.step->record.measured && shown.step->record.measured->meet ? "meet" : "no");
+  blocks::listing_line(panel, "  else if a is no leaf", false);
+  blocks::listing_line(panel, "    collide(left(a), b)", into_a);
+  blocks::listing_line(panel, "    collide(right(a), b)", into_a);
+  blocks::listing_line(panel, "  else", false);
+  blocks::listing_line(panel, "    collide(a, left(b))", into_b);
+  blocks::listing_line(panel, "    collide(a, right(b))", into_b);
 }
 
 /// Larsen 1998, "Hierarchical Distance Computation".
@@ -42,36 +34,31 @@ void distance_listing(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   const bool leaf = shown.is(SearchPhase::leaf);
   const bool descends = shown.is(SearchPhase::descend);
-  write(panel, shown.search.options.remembered ? "δ ← that of the last pair" : "δ ← ∞",
-        shown.step == nullptr);
-  write(panel, "closest(a, b)", shown.is(SearchPhase::visit));
-  write(panel, "  if distance of a, b > δ: return", shown.is_cut());
-  write(panel, "  if a and b are leaves", false);
+  blocks::listing_line(panel,
+                       shown.search.options.remembered ? "δ ← that of the last pair" : "δ ← ∞",
+                       shown.step == nullptr);
+  blocks::listing_line(panel, "closest(a, b)", shown.is(SearchPhase::visit));
+  blocks::listing_line(panel, "  if distance of a, b > δ: return", shown.is_cut());
+  blocks::listing_line(panel, "  if a and b are leaves", false);
   if (shown.has_tiles())
-    write(panel, "    if in the table: return", leaf && shown.step->record.hit);
-  write(panel, "    measure their segments",
-        leaf && !shown.step->record.better && !shown.step->record.hit);
-  write(panel, "    if nearer: δ ← that", leaf && shown.step->record.better);
-  write(panel, "  else for both children c of the", false);
-  write(panel, "  larger, the nearer one first", descends);
-  write(panel, "    closest(c, the other)", descends);
-}
-
-void row(PanelBuilder& panel, const std::string& what, const std::string& value) {
-  panel.write("body.muted", panel.left, what, type::kBody);
-  panel.write("code.current", panel.right, value, type::kCode, Align::right);
-  panel.y += kRow;
+    blocks::listing_line(panel, "    if in the table: return", leaf && shown.step->record.hit);
+  blocks::listing_line(panel, "    measure their segments",
+                       leaf && !shown.step->record.better && !shown.step->record.hit);
+  blocks::listing_line(panel, "    if nearer: δ ← that", leaf && shown.step->record.better);
+  blocks::listing_line(panel, "  else for both children c of the", false);
+  blocks::listing_line(panel, "  larger, the nearer one first", descends);
+  blocks::listing_line(panel, "    closest(c, the other)", descends);
 }
 
 void counters(PanelBuilder& panel, const Shown& shown) {
   panel.heading("Search");
   if (shown.is_refused())
-    return row(panel, "refused", words_of(*shown.search.refusal, shown.lesson));
+    return panel.row("refused", words_of(*shown.search.refusal, shown.lesson));
   const auto count = [](long value) { return grouped(static_cast<double>(value)); };
-  row(panel, fmt::format("pairs of {} visited", shown.volumes()), count(shown.state.visits));
-  row(panel, "pairs that wait", count(static_cast<long>(shown.state.waiting.size())));
-  row(panel, "pairs of segments tested",
-      fmt::format("{} of {}", count(shown.state.measured), count(shown.search.pairs())));
+  panel.row(fmt::format("pairs of {} visited", shown.volumes()), count(shown.state.visits));
+  panel.row("pairs that wait", count(static_cast<long>(shown.state.waiting.size())));
+  panel.row("pairs of segments tested",
+            fmt::format("{} of {}", count(shown.state.measured), count(shown.search.pairs())));
 }
 
 void collide_counters(PanelBuilder& panel) { counters(panel, Shown(panel.run, panel.frame)); }
@@ -81,13 +68,13 @@ void distance_counters(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   counters(panel, shown);
   if (shown.is_refused()) return;
-  row(panel, "candidate δ",
-      shown.state.candidate ? panel.numbers(shown.state.candidate->high) : "∞");
+  panel.row("candidate δ",
+            shown.state.candidate ? panel.numbers(shown.state.candidate->high) : "∞");
   if (shown.has_tiles())
-    return row(panel, "pairs looked up", grouped(static_cast<double>(shown.state.hits)));
+    return panel.row("pairs looked up", grouped(static_cast<double>(shown.state.hits)));
   const models::SearchResult& other = shown.search.left_first.result;
-  row(panel, "visits with the left child first",
-      shown.is_answer ? grouped(static_cast<double>(other.visits)) : "–");
+  panel.row("visits with the left child first",
+            shown.is_answer ? grouped(static_cast<double>(other.visits)) : "–");
 }
 
 }  // namespace

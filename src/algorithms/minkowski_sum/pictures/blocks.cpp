@@ -9,46 +9,38 @@ namespace {
 
 using minkowski_sum::Phase;
 using minkowski_sum::Source;
-using namespace rows;
 
 void listing(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
-  const auto write = [&](const std::string& text, bool current) {
-    blocks::write_line(
-        panel, text, {current ? blocks::LineView::State::current : blocks::LineView::State::idle});
-    panel.y += kTightRow - kRow;
-  };
   const bool takes = shown.is(Phase::edge);
-  write("Y − X = Y + (−X)", shown.step == nullptr);
-  write("z ← lowest vertex of Y", false);
-  write("    + lowest vertex of −X", shown.is(Phase::lowest));
-  write("while an edge is left", false);
-  write("  f, g ← next edges of Y and −X", false);
-  write("  if f turns less: add f to z", takes && shown.step->source == Source::y);
-  write("  else if g does: add g to z", takes && shown.step->source == Source::x);
-  write("  else add both: parallel", takes && shown.step->source == Source::both);
-  write("overlap ⇔ O is inside", shown.is(Phase::inside) || shown.is_answer);
+  blocks::listing_line(panel, "Y − X = Y + (−X)", shown.step == nullptr);
+  blocks::listing_line(panel, "z ← lowest vertex of Y", false);
+  blocks::listing_line(panel, "    + lowest vertex of −X", shown.is(Phase::lowest));
+  blocks::listing_line(panel, "while an edge is left", false);
+  blocks::listing_line(panel, "  f, g ← next edges of Y and −X", false);
+  blocks::listing_line(panel, "  if f turns less: add f to z",
+                       takes && shown.step->source == Source::y);
+  blocks::listing_line(panel, "  else if g does: add g to z",
+                       takes && shown.step->source == Source::x);
+  blocks::listing_line(panel, "  else add both: parallel",
+                       takes && shown.step->source == Source::both);
+  blocks::listing_line(panel, "overlap ⇔ O is inside", shown.is(Phase::inside) || shown.is_answer);
 }
 
 void counts(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   panel.heading("Edges");
-  const auto row = [&](const std::string& what, const std::string& value) {
-    panel.write("body.muted", panel.left, what, type::kBody);
-    panel.write("code.current", panel.right, value, type::kCode, Align::right);
-    panel.y += kRow;
-  };
-  if (shown.told.refusal) return row("refused", words_of(*shown.told.refusal, shown.lesson));
+  if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
   const minkowski_sum::State state =
       shown.step == nullptr ? minkowski_sum::State{} : shown.step->after;
-  row("edges of Y", fmt::format("{} of {}", state.edges_of_y, shown.merge.y.size()));
-  row("edges of −X", fmt::format("{} of {}", state.edges_of_x, shown.merge.x.size()));
-  row("differences computed",
-      std::to_string(
-          shown.step == nullptr
-              ? 0
-              : std::min(shown.edges() + 1, static_cast<int>(shown.merge.corners.size()))));
-  row("differences there are", std::to_string(shown.merge.x.size() * shown.merge.y.size()));
+  panel.row("edges of Y", fmt::format("{} of {}", state.edges_of_y, shown.merge.y.size()));
+  panel.row("edges of −X", fmt::format("{} of {}", state.edges_of_x, shown.merge.x.size()));
+  panel.row("differences computed",
+            std::to_string(
+                shown.step == nullptr
+                    ? 0
+                    : std::min(shown.edges() + 1, static_cast<int>(shown.merge.corners.size()))));
+  panel.row("differences there are", std::to_string(shown.merge.x.size() * shown.merge.y.size()));
 }
 
 }  // namespace
