@@ -38,7 +38,7 @@ void listing_line(PanelBuilder& panel, const std::string& text, bool current, st
   LineView line{current ? LineView::State::current : LineView::State::idle};
   if (current) line.value = std::move(value);
   write_line(panel, text, line);
-  panel.y += kTightRow - kRow;
+  panel.y += rows::kTightRow - rows::kRow;
 }
 
 namespace {
@@ -240,7 +240,7 @@ void loop(PanelBuilder& panel) {
     if (phase) panel.subject = {Subject::Kind::phase, static_cast<int>(*phase)};
     write_line(panel, line.text, view);
     panel.subject = {};
-    panel.y += kTightRow - kRow;
+    panel.y += rows::kTightRow - rows::kRow;
     first = false;
   }
 }
