@@ -231,9 +231,10 @@ class SiteWriter {
                {"name", data["name"]},
                {"files", data["files"]}});
     const bool two = lesson.views.size() > 1;
-    // In two sizes: of the narrowest pages with one column and with two, so that type never shrinks.
+    // In two sizes: of the narrowest pages with one column and with two, so that type never
+    // shrinks.
     for (const auto& [name, width, height, panel] :
-         {std::tuple("narrow", 340, two ? 585 : 310, 340),
+         {std::tuple("narrow", 360, two ? 620 : 325, 360),
           {"wide", 640, two ? 320 : 400, two ? 400 : 440}}) {
       const Json first = ask({{"do", "layout"},
                               {"width", width},

@@ -111,6 +111,38 @@ TEST(Session, AfterAnEditTheSamePhaseAndIterationStay) {
   EXPECT_LT(session.index(), session.frame_count());
 }
 
+/// A nudge that changes how GJK ends, before the algorithm of the act begins, or how many steps
+/// that takes.
+TEST(Session, AfterAnEditTheSamePhaseAndIterationOfAnyAlgorithmStay) {
+  for (const char* id : {"penetration-nested", "minkowski-sum", "lin-canny", "slab-proof"}) {
+    Session session(fonts());
+    ASSERT_TRUE(session.open(shipped_lesson(id), {}));
+    int kept = 0;
+    for (int i = 0; i + 1 < session.frame_count(); ++i) {
+      for (const double by : {-0.3, -0.1, 0.1, 0.3}) {
+        session.go_to(i);
+        const std::string phase = session.text().phase;
+        const int iteration = session.text().iteration;
+        move_y(session, by);
+        const std::string now = session.text().phase;
+        const int at = session.text().iteration;
+        bool is_there = false;
+        for (int k = 0; k < session.frame_count(); ++k) {
+          session.go_to(k);
+          is_there |= session.text().phase == phase && session.text().iteration == iteration;
+        }
+        if (is_there) {
+          EXPECT_EQ(now, phase) << id << ", frame " << i << ", by " << by;
+          EXPECT_EQ(at, iteration) << id << ", frame " << i << ", by " << by;
+          ++kept;
+        }
+        (void)session.undo();
+      }
+    }
+    EXPECT_GT(kept, 10) << id;
+  }
+}
+
 TEST(Session, StepsByIterationStandAtTheFirstFrameOfEach) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
