@@ -383,7 +383,7 @@ const FrameText& Session::text() const {
   return shown_->pictures.texts()[static_cast<std::size_t>(index_)];
 }
 
-std::vector<LessonPictures::Stage> Session::views() const { return shown_->pictures.stages(); }
+std::vector<LessonPictures::ShownView> Session::views() const { return shown_->pictures.views(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind)) return;
@@ -393,7 +393,7 @@ void Session::set_camera(std::size_t view, const Camera& camera) {
 
 void Session::hold_cameras() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
       cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
@@ -402,7 +402,7 @@ void Session::hold_cameras() {
 
 void Session::fit() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind)) fit(i, seen[i].card);
   }
@@ -421,7 +421,7 @@ void Session::keep_difference_in_sight() {
   Eigen::AlignedBox2d y;
   for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
   for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].kind != ViewKind::difference) continue;
     const Rect& card = seen[i].card;

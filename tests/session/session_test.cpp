@@ -400,7 +400,7 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   session.begin_drag("drag");
   for (int i = 0; i < 40; ++i) {
     session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
-    const LessonPictures::Stage view = session.views()[1];
+    const LessonPictures::ShownView view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
     for (const Vector2d& y : run.y().world) {
       for (const Vector2d& x : run.x().world) {
