@@ -185,8 +185,20 @@ void add_commands(CLI::App& app, Arguments& args) {
                    "Id or file of a lesson, a case.json, or - for a case from standard input")
       ->required();
   add_scalar(trace, "Arithmetic for a case; a lesson names its own");
+  parsed(
+      trace, "--method", args.method,
+      [](std::string_view text) {
+        const auto method = value_of<ModelMethod>(text);
+        return method == ModelMethod::brute ? std::nullopt : method;
+      },
+      "one of pieces, boxes, circles, lin-canny",
+      "What is traced of a case with outlines; boxes if not given")
+      ->type_name("pieces|boxes|circles|lin-canny");
   add_json(trace);
   trace->footer(
+      "A case is what `gjkscope solve` reads. Of outlines, which must be closed, the trace is that "
+      "of\na lesson that shows the method: the search over two trees, pieces, or the walk on "
+      "features.\n\n"
       "Examples:\n  gjkscope trace polygon-evolution\n  gjkscope trace case.json --scalar exact\n"
       "  gjkscope trace polygons-gjk --json    (format: docs/trace-format.md)\n");
 
@@ -226,7 +238,10 @@ void add_commands(CLI::App& app, Arguments& args) {
   CLI::App* check = app.add_subcommand("check", "Check lessons, and what they expect; and cases");
   check->add_option("file", args.files, "Ids or files of lessons, files of cases (.json), or -")
       ->required();
-  check->footer("Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
+  check->footer(
+      "Cases are what `gjkscope solve` reads, outlines included: check says what cannot be read, "
+      "and\nwhere, and what has no answer in double precision.\n\n"
+      "Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
 
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
@@ -335,7 +350,8 @@ int run(const CLI::App& app, Arguments& args) {
   const Environment env{share_folder(), std::cin, std::cout, std::cerr};
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
   if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
-  if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
+  if (app.got_subcommand("trace"))
+    return trace_command(env, args.name, {args.scalar, args.method}, args.json);
   if (app.got_subcommand("solve"))
     return solve_command(env, args.files, {args.scalar, args.method});
   if (app.got_subcommand("check")) return check_command(env, args.files);

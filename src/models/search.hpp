@@ -281,6 +281,15 @@ template <class Volume>
   return result_of(state, query, options);
 }
 
+/// The same of models, whose hierarchies are built first.
+template <class Volume>
+[[nodiscard]] SearchResult search(const Model& a, const Model& b,
+                                  const SearchOptions& options = {}) {
+  const Hierarchy<Volume> tree_a = build_hierarchy<Volume>(items_of(a));
+  const Hierarchy<Volume> tree_b = build_hierarchy<Volume>(items_of(b));
+  return search<Volume>(SearchQuery<Volume>{a, b, tree_a, tree_b}, options);
+}
+
 struct SearchStep {
   SearchPhase phase = SearchPhase::visit;
   SearchRecord record;
