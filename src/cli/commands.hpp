@@ -121,6 +121,11 @@ int study_time_steps_command(const Environment& env, LessonChoice choice,
 int study_pictures_command(const Environment& env, LessonChoice choice,
                            const StudyOptions& options);
 
+/// Times methods for general models on the outlines of lessons of the granularity `general-growth`,
+/// and prints a table; in `out_dir` models.toml, the table [growth.times] for such a lesson. The
+/// rest is as with effects.
+int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
+
 /// "1280x720"; nullopt when it is not of that form.
 [[nodiscard]] std::optional<std::pair<int, int>> parse_size(std::string_view text);
 /// "3..7", "3..", "..7" or "3"; nullopt when it is none of these, or empty as a range.

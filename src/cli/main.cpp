@@ -285,12 +285,13 @@ void add_commands(CLI::App& app, Arguments& args) {
       "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n"
       "  gjkscope study accuracy --family needles --family \"nearly parallel\"\n");
 
-  const auto of_lessons = [&](const std::string& name, const std::string& what) {
+  const auto of_lessons = [&](const std::string& name, const std::string& what,
+                              const std::string& ending = ".csv") {
     CLI::App* command = study->add_subcommand(name, what);
     command->add_option("lesson", args.lessons.names,
                         "Ids or files of lessons; all lessons if not given");
     command->add_flag("--quick", args.study.quick, "Fewer repetitions");
-    command->add_option("--out", args.study.out_dir, "Folder for " + name + ".csv")
+    command->add_option("--out", args.study.out_dir, "Folder for " + name + ending)
         ->type_name("DIR");
     return command;
   };
@@ -312,6 +313,14 @@ void add_commands(CLI::App& app, Arguments& args) {
           "step.\n"
           "Lessons without are left out.\n\n"
           "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
+
+  of_lessons("models", "How long methods for outlines that are not convex take", ".toml")
+      ->footer(
+          "Lessons of the granularity general-growth: all pairs of segments, convex pieces, and\n"
+          "trees of boxes and circles, at each size. models.toml has the table [growth.times], "
+          "which\nthe lesson's file takes. Other lessons are left out.\n\n"
+          "Examples:\n  gjkscope study models --out study\n"
+          "  gjkscope study models general-growth --quick\n");
 
   of_lessons("pictures", "What supersampling costs")
       ->footer(
@@ -363,6 +372,9 @@ int run(const CLI::App& app, Arguments& args) {
     }
     if (study->got_subcommand("time-steps")) {
       return study_time_steps_command(env, args.lessons, args.study);
+    }
+    if (study->got_subcommand("models")) {
+      return study_models_command(env, args.lessons, args.study);
     }
     if (study->got_subcommand("pictures")) {
       return study_pictures_command(env, args.lessons, args.study);
