@@ -114,7 +114,7 @@ class Scenes {
     const int n = count(most);
     if (family == "convex") return {star(n, 1.0)};
     if (family == "needles") {
-      models::Outline needle = star(n, 0.9);
+      models::Outline needle = star(n, chance(0.5) ? 1.0 : 0.9);
       const double thin = std::pow(10.0, real(-12.0, -1.0));
       for (models::Point& p : needle.points) p.y() *= thin;
       return {chance(0.5) ? needle : turned(needle, real(0.0, 6.3))};
