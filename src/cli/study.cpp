@@ -253,10 +253,10 @@ int study_time_steps_command(const Environment& env, LessonChoice choice,
 }
 
 int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options) {
-  const int repetitions = options.quick ? 3 : 15;
+  const int turns = options.quick ? 3 : 15;
   const PerLesson<ModelTimes> study = {
       [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return model_times(lesson, repetitions, go_on);
+        return model_times(lesson, turns, go_on);
       },
       model_times_table, model_times_toml, "models.toml"};
   return study.run(env, std::move(choice), options);

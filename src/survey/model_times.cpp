@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "algorithms/general_growth/measure.hpp"
 #include "models/brute.hpp"
@@ -17,10 +18,9 @@ namespace {
 using models::Box;
 using models::Circle;
 using models::Model;
-using study::Contestant;
 
 constexpr double kMostPairs = 1e7;  // of segments that one turn looks at
-constexpr double kLeastSeconds = 0.005;
+constexpr double kLeastNanoseconds = 5e6;
 
 /// Every `share`-th segment.
 Model thinned(const Model& model, int share) {
@@ -31,13 +31,36 @@ Model thinned(const Model& model, int share) {
   return out;
 }
 
-template <class Work>
-Contestant contestant(Work work) {
-  return {[work] { return static_cast<double>(work()); }, {}};
+/// A way to answer, and how long it takes, turn by turn.
+struct Timed {
+  std::vector<double> GrowthTimes::*member;
+  std::function<long()> work;
+  int repeats = 1;  ///< In a turn.
+  std::vector<double> ns = {};
+};
+
+double nanoseconds(const Timed& timed) {
+  const std::clock_t begin = std::clock();
+  long sum = 0;
+  for (int i = 0; i < timed.repeats; ++i) sum += timed.work();
+  study::keep(sum);
+  return 1e9 / CLOCKS_PER_SEC * static_cast<double>(std::clock() - begin) / timed.repeats;
+}
+
+/// Work takes turns, and is repeated until a turn is long enough for the clock. False when `go_on`
+/// said no before the first turn was over.
+bool take_turns(std::vector<Timed>& all, int turns, const std::function<bool()>& go_on) {
+  for (Timed& each : all) {
+    while (go_on() && each.repeats * nanoseconds(each) < kLeastNanoseconds) each.repeats *= 2;
+  }
+  for (int turn = 0; turn < turns && go_on(); ++turn) {
+    for (Timed& each : all) each.ns.push_back(nanoseconds(each));
+  }
+  return !all.front().ns.empty();
 }
 
 /// Adds the times of one size. Says whether all were measured.
-bool measure(GrowthTimes& times, int segments, int seed, int repetitions,
+bool measure(GrowthTimes& times, int segments, int seed, int turns,
              const std::function<bool()>& go_on) {
   std::mt19937_64 bits(static_cast<std::uint64_t>(seed));
   const general_growth::Scene scene = general_growth::scene(bits, segments);
@@ -56,54 +79,49 @@ bool measure(GrowthTimes& times, int segments, int seed, int repetitions,
   const auto before = build(scene.before);
   remembered.remembered = models::search<Box>({x, scene.before, x_boxes, before}).segments;
   const auto by_boxes = [&](const models::SearchOptions& options) {
-    return contestant([&, options] {
-      return models::search<Box>({x, y, x_boxes, y_boxes}, options).visits;
-    });
+    return [&, options] { return models::search<Box>({x, y, x_boxes, y_boxes}, options).visits; };
   };
   const double pairs = static_cast<double>(segments) * segments;
   const int share = std::max(1, static_cast<int>(std::lround(pairs / kMostPairs)));
   const Model some = thinned(x, share);
-  std::vector<std::vector<double> GrowthTimes::*> measured = {
-      &GrowthTimes::pairs,      &GrowthTimes::boxes,   &GrowthTimes::circles,
-      &GrowthTimes::remembered, &GrowthTimes::collide, &GrowthTimes::build};
-  std::vector<Contestant> contestants = {
-      contestant([&] { return models::brute(some, y).visits; }),
-      by_boxes({}),
-      contestant([&] {
-        return models::search<Circle>({x, y, x_circles, y_circles}).visits;
-      }),
-      by_boxes(remembered),
-      by_boxes(collide),
-      contestant([&] { return build(x).nodes.size() + build(y).nodes.size(); })};
+  std::vector<Timed> all = {
+      {&GrowthTimes::pairs, [&] { return models::brute(some, y).visits; }},
+      {&GrowthTimes::boxes, by_boxes({})},
+      {&GrowthTimes::circles,
+       [&] {
+         return models::search<Circle>({x, y, x_circles, y_circles}).visits;
+       }},
+      {&GrowthTimes::remembered, by_boxes(remembered)},
+      {&GrowthTimes::collide, by_boxes(collide)},
+      {&GrowthTimes::build,
+       [&] { return static_cast<long>(build(x).nodes.size() + build(y).nodes.size()); }}};
   models::Pieces x_pieces;
   models::Pieces y_pieces;
   if (segments <= general_growth::kMostCut) {
     x_pieces = models::pieces_of(x);
     y_pieces = models::pieces_of(y);
-    measured.push_back(&GrowthTimes::pieces);
-    contestants.push_back(
-        contestant([&] { return models::pieces_distance(x, y, x_pieces, y_pieces).visits; }));
+    all.push_back({&GrowthTimes::pieces,
+                   [&] { return models::pieces_distance(x, y, x_pieces, y_pieces).visits; }});
   }
-  const std::vector<study::Timing> timings = study::interleave(
-      contestants, 1, static_cast<std::size_t>(std::max(repetitions, 1)), go_on, kLeastSeconds);
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    if (timings[i].ns.empty()) return false;
-    const double ns = study::quartiles(timings[i].ns).median;
-    (times.*measured[i]).push_back(std::round(ns * (i == 0 ? share : 1)));
+  if (!take_turns(all, turns, go_on)) return false;
+  for (const Timed& each : all) {
+    const double ns = study::quartiles(each.ns).median;
+    (times.*each.member)
+        .push_back(std::round(each.member == &GrowthTimes::pairs ? share * ns : ns));
   }
   return true;
 }
 
 }  // namespace
 
-std::vector<ModelTimes> model_times(const Lesson& lesson, int repetitions,
+std::vector<ModelTimes> model_times(const Lesson& lesson, int turns,
                                     const std::function<bool()>& go_on) {
   if (lesson.act != "general-growth") return {};
   const study::Machine machine = study::this_machine();
   ModelTimes out{lesson.id, lesson.growth->vertices, {}};
   out.times.machine = fmt::format("{}, {}", machine.processor, machine.compiler);
   for (const int size : out.sizes) {
-    if (!measure(out.times, size, lesson.growth->seed, repetitions, go_on)) return {};
+    if (!measure(out.times, size, lesson.growth->seed, turns, go_on)) return {};
   }
   return {std::move(out)};
 }

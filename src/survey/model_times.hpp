@@ -14,15 +14,14 @@ namespace gjkscope {
 struct ModelTimes {
   std::string lesson;
   std::vector<int> sizes;
-  GrowthTimes times;  ///< Medians.
+  GrowthTimes times;  ///< Medians, of processor time.
 };
 
 /// One entry; none for a lesson of another granularity, and when `go_on` said no. All pairs of
 /// large outlines would take minutes: a share of the segments of X is looked at, and the time
 /// multiplied.
 [[nodiscard]] std::vector<ModelTimes> model_times(
-    const Lesson& lesson, int repetitions,
-    const std::function<bool()>& go_on = [] { return true; });
+    const Lesson& lesson, int turns, const std::function<bool()>& go_on = [] { return true; });
 
 /// For a terminal.
 [[nodiscard]] std::string model_times_table(const std::vector<ModelTimes>& all);

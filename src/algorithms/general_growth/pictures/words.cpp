@@ -88,12 +88,9 @@ void times(const Shown& shown, FrameText& text) {
                         grouped(shown.told.samples.back().segments), time_text(times.pairs.back()),
                         time_text(times.boxes.back()));
   const std::string from = repays_from(shown);
-  text.detail = format(
-      "Building both trees takes {}{}. Measured on {}: counts are the same everywhere, times are "
-      "not.",
-      time_text(times.build.back()),
-      from.empty() ? "" : format(", and pays with the first distance from n = {} on", from),
-      times.machine);
+  text.detail = format("Building both takes {}{}. Measured on {}.", time_text(times.build.back()),
+                       from.empty() ? "" : format(": from n = {} on one distance repays it", from),
+                       times.machine);
 }
 
 /// How many times the visits of the size before, about: none more, as the segments, or as the
