@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
@@ -10,9 +11,30 @@
 
 namespace gjkscope {
 
+namespace {
+
+/// Whether another vertex lies as far along d as the winner, as far as a reader can see.
+bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan) {
+  constexpr double kSeen = 1e-3;  // of how far the vertices reach along d
+  double first = -HUGE_VAL;
+  double second = -HUGE_VAL;
+  double last = HUGE_VAL;
+  for (const gjk::ScanEntry<double>& entry : scan) {
+    second = std::max(second, std::min(first, entry.value));
+    first = std::max(first, entry.value);
+    last = std::min(last, entry.value);
+  }
+  return scan.size() > 1 && first - second <= kSeen * (first - last);
+}
+
+}  // namespace
+
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
-  if (ask == asks::kSupport.name)
-    return run.lesson.x().vertices.size() * run.lesson.y().vertices.size() > 1;
+  if (ask == asks::kSupport.name) {
+    const gjk::Record<double, 2>& record = trace.steps[static_cast<std::size_t>(step)].record;
+    return run.lesson.x().vertices.size() * run.lesson.y().vertices.size() > 1 &&
+           !is_tie(record.scan_x) && !is_tie(record.scan_y);
+  }
   return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
 }
 

@@ -45,6 +45,34 @@ std::string signed_fixed(double value, int decimals) {
   return positive ? "+" + digits : digits;
 }
 
+namespace {
+
+/// What a text of `fixed` or of a `Numbers` says.
+double as_written(std::string text) {
+  for (std::size_t at = text.find(kMinus); at != std::string::npos; at = text.find(kMinus))
+    text.replace(at, kMinus.size(), "-");
+  return std::stod(text);
+}
+
+}  // namespace
+
+bool adds_up(const std::vector<std::string>& terms, const std::string& sum) {
+  double rest = -as_written(sum);
+  double size = std::abs(rest);
+  for (const std::string& term : terms) {
+    rest += as_written(term);
+    size = std::max(size, std::abs(as_written(term)));
+  }
+  constexpr double kOfDecimals = 1e-12;  // how far binary numbers are from those that are written
+  return std::abs(rest) <= kOfDecimals * size;
+}
+
+std::string difference_as_written(const std::string& from, const std::string& minus,
+                                  const std::string& difference) {
+  return fmt::format("{} − {} = {}{}", from, minus, difference,
+                     adds_up({minus, difference}, from) ? "" : " before rounding");
+}
+
 std::string raised(int exponent) {
   constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                         "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -10,6 +10,7 @@
 #include <map>
 #include <ostream>
 #include <set>
+#include <sstream>
 
 #include "lessons.hpp"
 #include "picture/registry.hpp"
@@ -151,6 +152,82 @@ TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
 INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
                          ::testing::Values(page_of(1280, 720), page_of(1024, 768),
                                            page_of(2560, 1080), page_of(720, 1280)));
+
+/// A sum as a text has it: "1.5 − 0.5 = 1.0".
+struct WrittenSum {
+  std::vector<std::string> terms;
+  std::string total;
+  bool says_rounded = false;
+};
+
+std::vector<WrittenSum> sums_in(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream in(text);
+  for (std::string word; in >> word;) words.push_back(word);
+  const auto number = [&](std::size_t i) {  // without a full stop, or nothing
+    if (i >= words.size()) return std::string();
+    std::string word = words[i].substr(0, words[i].find_last_of("0123456789") + 1);
+    const bool is_number = word.find_first_not_of("−.0123456789") == std::string::npos;
+    return is_number ? word : std::string();
+  };
+  std::vector<WrittenSum> sums;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (number(i).find('.') == std::string::npos) continue;
+    WrittenSum sum{{number(i)}, ""};
+    std::size_t at = i + 1;
+    for (; at < words.size() && (words[at] == "+" || words[at] == "−"); at += 2) {
+      if (number(at + 1).empty()) break;
+      sum.terms.push_back((words[at] == "−" ? "−" : "") + number(at + 1));
+    }
+    if (sum.terms.size() < 2 || at >= words.size() || words[at] != "=") continue;
+    sum.total = number(at + 1);
+    sum.says_rounded = at + 2 < words.size() && words[at + 2] == "before";
+    sums.push_back(std::move(sum));
+    i = at;
+  }
+  return sums;
+}
+
+TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  int in_words = 0;
+  int in_panels = 0;
+  int rounded = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+      SCOPED_TRACE(lesson.id + ": " + frame.text.caption);
+      std::vector<WrittenSum> sums = sums_in(frame.text.caption);
+      for (WrittenSum& sum : sums_in(frame.text.detail)) sums.push_back(std::move(sum));
+      in_words += static_cast<int>(sums.size());
+      // Weights stand each in a row: letter, number; then the row of their sum.
+      WrittenSum weights;
+      std::string row;
+      for (const Mark& mark : frame.picture.marks) {
+        const Text* text = std::get_if<Text>(&mark.shape);
+        if (!text) continue;
+        if (mark.role == "code.current" && (row == "u" || row == "v" || row == "w"))
+          weights.terms.push_back(text->text);
+        if (mark.role == "code" && row.starts_with("u + v")) {
+          weights.total = text->text;
+          weights.says_rounded = row.ends_with("before rounding");
+          sums.push_back(weights);
+          ++in_panels;
+        }
+        row = text->text;
+      }
+      for (const WrittenSum& sum : sums) {
+        rounded += sum.says_rounded ? 1 : 0;
+        EXPECT_EQ(adds_up(sum.terms, sum.total), !sum.says_rounded)
+            << ::testing::PrintToString(sum.terms) << " = " << sum.total;
+      }
+    }
+  }
+  EXPECT_GT(in_words, 10);
+  EXPECT_GT(in_panels, 10);
+  EXPECT_GT(rounded, 2);
+}
 
 TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
   const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0}, 2.0, 10.0});
@@ -340,8 +417,8 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
 TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
   const std::vector<std::string> texts = texts_of_frame("stop-repeated", 6);
   EXPECT_EQ(after(texts, "Q inside S"), "2 vertices, needs 3");
-  EXPECT_EQ(after(texts, "Q inside S", 2), "·") << "of the next test: there is no P before";
-  EXPECT_EQ(after(texts, "P no closer"), "✗");
+  EXPECT_EQ(after(texts, "Q inside S", 2), "✗") << "of the next test, which is decided";
+  EXPECT_EQ(after(texts, "P no closer"), "no P before");
   EXPECT_EQ(after(texts, "d = 0", 2), "✓") << "of the next test";
   EXPECT_EQ(after(texts, "V in S"), "C is in S");
   EXPECT_EQ(after(texts, "V in S", 2), "·");
@@ -353,7 +430,7 @@ TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
   EXPECT_EQ(after(closest, "Stop tests (V: support point)"), "·") << "nothing is tested yet";
   const std::vector<std::string> direction = texts_of_frame("stop-repeated", 2);
   EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, needs 3");
-  EXPECT_EQ(after(direction, "P no closer"), "·") << "of d = 0, which is asked of the next phase";
+  EXPECT_EQ(after(direction, "P no closer", 2), "·") << "of d = 0, asked of the next phase";
   const std::vector<std::string> support = texts_of_frame("stop-repeated", 5);
   EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
   EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";
