@@ -77,7 +77,7 @@ int covered(const Obstacles& obstacles, const Rect& box) {
 std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect& card,
                               const std::vector<Rect>& words) {
   constexpr int kPlaces = 6;      // along each edge
-  constexpr int kMostHidden = 4;  // a vertex, or as much of a line
+  constexpr int kMostHidden = 3;  // less than a vertex: a little of a line
   std::optional<Rect> best;
   int least = kMostHidden + 1;
   const Point room = card.size() - size;

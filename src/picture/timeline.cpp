@@ -171,7 +171,8 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     }
   }
   const std::string hidden = "after the question";
-  const double hidden_x = std::max(hidden_from, label_end);
+  constexpr double kApart = 12.0;  // it is no part of the label before it
+  const double hidden_x = std::max(hidden_from, label_end + kApart);
   if (hidden_x + fonts.width(type::kTick, hidden) <= area.max.x()) {
     marks.push_back(
         {"timeline.label", Text{{hidden_x, label_y}, hidden, type::kTick, Align::left}});

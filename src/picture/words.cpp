@@ -48,10 +48,14 @@ std::string signed_fixed(double value, int decimals) {
 namespace {
 
 /// What a text of `fixed` or of a `Numbers` says.
-double as_written(std::string text) {
-  for (std::size_t at = text.find(kMinus); at != std::string::npos; at = text.find(kMinus))
-    text.replace(at, kMinus.size(), "-");
-  return std::stod(text);
+double as_written(std::string_view text) {
+  std::string digits;
+  while (!text.empty()) {
+    const bool is_minus = text.starts_with(kMinus);
+    digits += is_minus ? '-' : text.front();
+    text.remove_prefix(is_minus ? kMinus.size() : 1);
+  }
+  return std::stod(digits);
 }
 
 }  // namespace

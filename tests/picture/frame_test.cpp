@@ -17,6 +17,7 @@
 #include "picture/scene.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
+#include "picture/timeline.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {
@@ -227,6 +228,90 @@ TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
   EXPECT_GT(in_words, 10);
   EXPECT_GT(in_panels, 10);
   EXPECT_GT(rounded, 2);
+}
+
+std::vector<std::string> timeline_words(const LessonRun& run, int current) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  std::vector<std::string> words;
+  for (const Mark& mark : timeline_marks(run, current, fonts, {{32.0, 644.0}, {1248.0, 696.0}})) {
+    if (const Text* text = std::get_if<Text>(&mark.shape)) words.push_back(text->text);
+  }
+  return words;
+}
+
+TEST(Timeline, SaysInWordsWhatHappenedAndWhereQuestionsAre) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-gjk"));
+  const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
+  int dropped = 0;
+  int questions = 0;
+  for (const Frame& frame : run.frames) {
+    if (frame.question >= 0) {
+      ++questions;
+    } else if (frame.step >= 0 && !run.step(frame).record.dropped.empty()) {
+      ++dropped;
+    }
+  }
+  const auto count = [&](const std::string& word) {
+    return std::count(words.begin(), words.end(), word);
+  };
+  EXPECT_GT(dropped, 0);
+  EXPECT_EQ(count("drop"), dropped);
+  EXPECT_GT(questions, 1);
+  EXPECT_EQ(count("?"), questions);
+  EXPECT_EQ(count("after the question"), 0);
+  const auto at_start = timeline_words(run, 0);
+  EXPECT_EQ(std::count(at_start.begin(), at_start.end(), "after the question"), 1);
+}
+
+TEST(Timeline, ManyGroupsAreNumbered) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-circles"));
+  const auto words = timeline_words(run, 0);
+  for (const char* number : {"1", "2", "9", "10", "30"})
+    EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
+}
+
+TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  const LessonRun run = run_lesson(testing::shipped_lesson("convex-pieces"));
+  EffectGraph effects(run);
+  int stands = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+    const auto& marks = frame.picture.marks;
+    const bool has_boxes = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+      return mark.role == "piece.box" && mark.clip >= 0;
+    });
+    const bool is_told = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text && text->text == "box around a piece";
+    });
+    EXPECT_EQ(is_told, has_boxes) << frame.text.caption;
+    stands += is_told ? 1 : 0;
+  }
+  EXPECT_GT(stands, 1);
+}
+
+TEST(Legend, OnAStageHidesNoVertex) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  int boxes = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const FramePicture& frame :
+         lesson_pictures(run, effects, fonts, {360.0, 620.0, 1.0, true})) {
+      for (const Mark& box : frame.picture.marks) {
+        if (box.role != "legend.box") continue;
+        ++boxes;
+        for (const Mark& mark : frame.picture.marks) {
+          const Disk* disk = std::get_if<Disk>(&mark.shape);
+          const Rect room = std::get<Box>(box.shape).rect;
+          if (!disk || mark.clip < 0) continue;
+          EXPECT_FALSE(inside(room, {disk->center, disk->center}))
+              << lesson.id << ", " << mark.role << ": " << frame.text.caption;
+        }
+      }
+    }
+  }
+  EXPECT_GT(boxes, 20);
 }
 
 TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
