@@ -195,7 +195,7 @@ struct PageWriter {
 
 /// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
-  Stage stage;
+  ShownView shown;
   LabelPlacer placer;
   Rect title_box;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
@@ -255,18 +255,18 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
   }
 }
 
-std::vector<LessonPictures::Stage> LessonPictures::stages() const {
-  std::vector<Stage> stages;
-  for (const View& view : views_) stages.push_back(view.stage);
-  return stages;
+std::vector<LessonPictures::ShownView> LessonPictures::views() const {
+  std::vector<ShownView> list;
+  for (const View& view : views_) list.push_back(view.shown);
+  return list;
 }
 
 const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
   std::optional<Scene>& scene = views_[view].scenes[index];
-  const Stage& stage = views_[view].stage;
+  const ShownView& shown = views_[view].shown;
   if (!scene) {
     scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
-                        StageMap(stage.card, stage.camera), fonts_);
+                        StageMap(shown.card, shown.camera), fonts_);
   }
   return *scene;
 }
@@ -300,7 +300,7 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   std::set<std::string> placed;
   for (const Scene* of_frame : scenes) {
     for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (shows(view.stage.card, label) && placed.insert(label.id).second)
+      if (shows(view.shown.card, label) && placed.insert(label.id).second)
         (void)view.placer.place(label, true);
     }
   }
@@ -324,7 +324,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   constexpr std::size_t kMost = 3;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
-    for (const LegendEntry& entry : legend_entries()) {
+    for (const LegendEntry& entry : legend_entries(run_)) {
       // Where no run is followed, words do not speak of S.
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
@@ -419,7 +419,7 @@ Picture LessonPictures::picture(int index) {
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
     View& view = views_[i];
-    const Rect& card = view.stage.card;
+    const Rect& card = view.shown.card;
     page.add("card", Box{card, kCardCorner});
     const int clip = static_cast<int>(picture.clips.size());
     picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});

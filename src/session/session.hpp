@@ -121,7 +121,7 @@ class Session {
   /// Of the frame, at the page's size.
   [[nodiscard]] const Picture& picture();
   [[nodiscard]] const FrameText& text() const;
-  [[nodiscard]] std::vector<LessonPictures::Stage> views() const;
+  [[nodiscard]] std::vector<LessonPictures::ShownView> views() const;
   /// What a view sees; for this window, not part of the lesson and its history.
   void set_camera(std::size_t view, const Camera& camera);
   /// All views fit what they show again.
@@ -162,7 +162,8 @@ class Session {
   /// The lesson is another one than before.
   void changed();
   void lay_out(LabelScope scope);
-  [[nodiscard]] Moment moment() const;
+  /// Of each frame.
+  [[nodiscard]] std::vector<Moment> moments() const;
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
   void fit(std::size_t view, const Rect& card);
