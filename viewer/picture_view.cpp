@@ -278,8 +278,8 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    if (!session_.go_to_next(session_.run().phases()[static_cast<std::size_t>(subject.x)]))
-      app_.say("this run has no such step");
+    const std::string_view phase = session_.run().phases()[static_cast<std::size_t>(subject.x)];
+    if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }
   const std::optional<std::size_t> view = view_at(page);

@@ -95,7 +95,7 @@ void check(const ExportOptions& options) {
                                          name_of(options.format)));
   }
   if (options.fps > 0 && !is_film(options.format) && !has_file_per_frame(options.format)) {
-    throw std::runtime_error(fmt::format("in a {} nothing moves; in png, svg and films it can",
+    throw std::runtime_error(fmt::format("--fps is for png, svg and films; in a {} nothing moves",
                                          name_of(options.format)));
   }
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {
@@ -342,7 +342,7 @@ class Exporter {
   void may_write(const std::filesystem::path& file) const {
     if (options_.force || is_exported(file)) return;
     throw std::runtime_error(fmt::format(
-        "{} is there and was not exported by gjkscope; --force replaces it", file.string()));
+        "{} exists, and gjkscope did not export it; --force replaces it", file.string()));
   }
 
   bool add_frames(LessonOnItsWay& way) {

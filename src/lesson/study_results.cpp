@@ -23,7 +23,7 @@ std::vector<Eigen::Vector2d> points_of(const Json& list) {
   std::vector<Eigen::Vector2d> points;
   for (const auto& [x, y] : list.get<std::vector<std::pair<double, double>>>())
     points.emplace_back(x, y);
-  if (points.empty()) throw std::runtime_error("a shape without vertices");
+  if (points.empty()) throw std::runtime_error("a shape has no vertices");
   return points;
 }
 

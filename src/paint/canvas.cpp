@@ -124,7 +124,8 @@ struct Canvas::Context {
         height(the_height * factor),
         scale(factor * zoom) {
     if (the_width < 1 || the_height < 1 || factor < 1) {
-      throw std::runtime_error("an image needs a size of at least 1x1");
+      throw std::runtime_error(
+          fmt::format("an image of {}x{} is too small; the least is 1x1", the_width, the_height));
     }
     std::string tried;
     gl = create_context(tried);

@@ -337,13 +337,27 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
-        if (!has_mark(scene(at % views_.size(), at / views_.size()), entry.role)) continue;
+        if (mark_of(scene(at % views_.size(), at / views_.size()), entry.role) == nullptr) continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
         break;
       }
     }
   }
   return explained_[index * views_.size() + view];
+}
+
+/// What was explained before this frame and has marks in it, then what is new.
+std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
+  std::vector<LegendRow> rows;
+  for (std::size_t at = 0; at < (index + 1) * views_.size(); ++at) {
+    for (const LegendEntry& entry : marks_to_explain(at % views_.size(), at / views_.size())) {
+      const Mark* mark = nullptr;
+      for (std::size_t view = 0; view < views_.size() && mark == nullptr; ++view)
+        mark = mark_of(scene(view, index), entry.role);
+      if (mark != nullptr) rows.push_back({mark, entry.text});
+    }
+  }
+  return rows;
 }
 
 namespace {
@@ -365,6 +379,20 @@ Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
 }
 
 }  // namespace
+
+/// In the spare part of the panel: what is new in this frame, and as much of the rest as has room.
+/// Nothing where what is new has none.
+std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index) {
+  std::vector<LegendRow> rows = standing_legend(index);
+  std::size_t fresh = 0;
+  for (std::size_t view = 0; view < views_.size(); ++view)
+    fresh += marks_to_explain(view, index).size();
+  const auto fits = [&] {
+    return (legend_size(rows, fonts_).array() <= spare.size().array()).all();
+  };
+  while (rows.size() > fresh && !fits()) rows.erase(rows.begin());
+  return rows.empty() || !fits() ? std::vector<Mark>() : legend(rows, spare.min, fonts_);
+}
 
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
@@ -389,10 +417,12 @@ Picture LessonPictures::picture(int index) {
   }
 
   std::vector<Mark> panel;
-  Rect spare{Point::Zero(), Point::Zero()};
+  bool on_stage = true;  // stands what explains marks
   if (panel_) {
     panel = panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_);
-    spare = spare_part(*panel_, panel);
+    std::vector<Mark> explained = legend_in(spare_part(*panel_, panel), at);
+    on_stage = explained.empty();
+    std::move(explained.begin(), explained.end(), std::back_inserter(panel));
   }
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
@@ -424,8 +454,15 @@ Picture LessonPictures::picture(int index) {
     for (const LabelRequest& label : of_frame.fixed_labels) {
       if (shows(card, label) && drawn.insert(label.id).second) place(label, true);
     }
-    for (const AreaLabelRequest& label : of_frame.area_labels)
-      page.append(view.placer.place_inside(label));
+    for (const AreaLabelRequest& label : of_frame.area_labels) {
+      std::vector<Mark> name = view.placer.place_inside(label);
+      // Beside its area it has a line that leads there, if it is far.
+      for (const Mark& mark : name) {
+        const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
+        if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
+      }
+      page.append(std::move(name));
+    }
     for (const LabelRequest& label : of_frame.moving_labels) {
       if (shows(card, label)) place(label, false);
     }
@@ -434,11 +471,12 @@ Picture LessonPictures::picture(int index) {
       if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
         words.push_back(box_of(fonts_, *label));
     }
-    const Point free = spare.min;
-    std::vector<Mark> explained =
-        legend(marks_to_explain(i, at), of_frame, card, words, fonts_, spare);
-    std::vector<Mark>& into = spare.min == free ? picture.marks : panel;
-    std::move(explained.begin(), explained.end(), std::back_inserter(into));
+    if (on_stage) {
+      std::vector<LegendRow> rows;
+      for (const LegendEntry& entry : marks_to_explain(i, at))
+        rows.push_back({mark_of(of_frame, entry.role), entry.text});
+      page.append(legend_on_stage(std::move(rows), of_frame, card, words, fonts_));
+    }
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",

@@ -96,6 +96,8 @@ class LessonPictures {
   [[nodiscard]] const Scene& scene(std::size_t view, std::size_t index);
   void place_fixed_labels(std::size_t of_view, std::size_t shown);
   [[nodiscard]] std::vector<LegendEntry> marks_to_explain(std::size_t view, std::size_t index);
+  [[nodiscard]] std::vector<LegendRow> standing_legend(std::size_t index);
+  [[nodiscard]] std::vector<Mark> legend_in(const Rect& spare, std::size_t index);
 
   const LessonRun& run_;
   EffectGraph& effects_;

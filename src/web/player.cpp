@@ -39,18 +39,19 @@ struct Player::Asked {
     return *found;
   }
   [[nodiscard]] std::string text(const char* key) const {
-    if (!at(key).is_string()) throw std::runtime_error(fmt::format("'{}' is not a text", key));
+    if (!at(key).is_string()) throw std::runtime_error(fmt::format("'{}' is no string", key));
     return at(key).get<std::string>();
   }
   [[nodiscard]] bool flag(const char* key) const {
-    if (!at(key).is_boolean()) throw std::runtime_error(fmt::format("'{}' is no boolean", key));
+    if (!at(key).is_boolean())
+      throw std::runtime_error(fmt::format("'{}' is neither true nor false", key));
     return at(key).get<bool>();
   }
   [[nodiscard]] double real(const char* key) const {
     constexpr double kMost = 1e9;
     const Json& value = at(key);
     if (!value.is_number() || !(std::abs(value.get<double>()) <= kMost))
-      throw std::runtime_error(fmt::format("'{}' is not a number of a moderate size", key));
+      throw std::runtime_error(fmt::format("'{}' is no number from -1e9 to 1e9", key));
     return value.get<double>();
   }
   [[nodiscard]] int whole(const char* key) const { return static_cast<int>(std::floor(real(key))); }
@@ -131,7 +132,8 @@ std::string Player::answer(std::string_view request) {
     const auto tell = tells.find(what);
     if (first == before_all.end() && act == changes.end() && tell == tells.end())
       throw std::runtime_error(fmt::format("there is no request '{}'", what));
-    if (first == before_all.end() && !opened_) throw std::runtime_error("there is no lesson yet");
+    if (first == before_all.end() && !opened_)
+      throw std::runtime_error("no lesson is open; expected the request 'open'");
     if (tell != tells.end()) return tell->second(*this, asked);
     (first != before_all.end() ? first : act)->second(*this, asked);
     return shown();
@@ -165,9 +167,13 @@ std::string Player::on_the_way(const Asked& asked) const {
 
 void Player::go_to_phase(int phase) {
   const std::vector<std::string_view> phases = session_.run().phases();
-  const bool is_phase = phase >= 0 && phase < static_cast<int>(phases.size());
-  if (!is_phase || !session_.go_to_next(phases[static_cast<std::size_t>(phase)]))
-    throw std::runtime_error("this run has no such step");
+  if (phase < 0 || phase >= static_cast<int>(phases.size())) {
+    throw std::runtime_error(
+        fmt::format("this run has no phase {}; expected 0 to {}", phase, phases.size() - 1));
+  }
+  const std::string_view name = phases[static_cast<std::size_t>(phase)];
+  if (!session_.go_to_next(name))
+    throw std::runtime_error(fmt::format("this run has no step '{}'", name));
 }
 
 void Player::reset() {
@@ -238,7 +244,10 @@ void Player::open_case(const Asked& asked) {
 /// Traces of cases in the plane or in space, as `gjkscope trace --json` prints them.
 std::string Player::traced_cases(const Asked& asked) {
   const auto scalar = value_of<ScalarKind>(asked.text("scalar"));
-  if (!scalar) throw std::runtime_error("there is no such scalar");
+  if (!scalar) {
+    throw std::runtime_error(fmt::format(
+        "there is no scalar '{}'; expected half, float, double or exact", asked.text("scalar")));
+  }
   Json traces = Json::array();
   for (const ReadCase& read :
        parse_cases(asked.text("text"), asked.text("name"), gjk::kMaxDimension)) {
@@ -342,6 +351,15 @@ double coordinate(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+std::runtime_error no_vertex(int index, std::size_t count) {
+  return std::runtime_error(
+      fmt::format("the shape has no vertex {}; expected 0 to {}", index, count - 1));
+}
+
+}  // namespace
+
 /// Typed coordinates are read as those of a case: decimal, or hex like 0x1.8p-1.
 void Player::put_vertex(const Asked& asked) {
   const std::size_t body = asked.shape();
@@ -349,7 +367,7 @@ void Player::put_vertex(const Asked& asked) {
   Lesson lesson = session_.lesson();
   std::vector<Vector2d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
-    throw std::runtime_error("there is no such vertex");
+    throw no_vertex(index, vertices.size());
   const std::string& vertex = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
   vertices[static_cast<std::size_t>(index)] = {coordinate(asked.text("x"), "x of " + vertex),
                                                coordinate(asked.text("y"), "y of " + vertex)};
@@ -367,7 +385,7 @@ void Player::nudge(const Asked& asked) {
                           .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
-  if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");
+  if (index >= static_cast<int>(world.size())) throw no_vertex(index, world.size());
   Lesson lesson = session_.lesson();
   if (index < 0 || world.size() == 1) {
     edit::move_shape(lesson, body, by);

@@ -60,7 +60,9 @@ const StagedAct kAct{
 };
 
 constexpr std::array kLegend = {LegendEntry{"feature.vertex", "current feature"},
-                                LegendEntry{"feature.edge", "current feature"}};
+                                LegendEntry{"feature.edge", "current feature"},
+                                LegendEntry{"walk.region.x", "region of fx: beside the ticks"},
+                                LegendEntry{"walk.region.y", "region of fy: beside the ticks"}};
 constexpr std::array kActs = {&kAct};
 constexpr std::array kBlocks = {&kFeatures};
 constexpr std::array kListings = {&kListing};

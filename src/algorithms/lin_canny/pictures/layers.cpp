@@ -10,20 +10,22 @@ using models::RingFeature;
 using models::WalkPhase;
 using namespace sizes;
 
-/// The region of the feature, as far as the view reaches; the border that was crossed stands out.
+/// The borders of the feature's region, with ticks on its side. A fill would cover the other shape
+/// as if they overlapped. A region that was left is hatched; the border that was crossed stands
+/// out.
 void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const bool looked = shown.is(WalkPhase::regions);
   const models::RegionTest& found = shown.state.found;
   const bool left = looked && found.crossed && found.of_a == of_x;
-  std::vector<Vector2d> seen = scene.map.visible();
   const std::vector<Border> all = shown.borders(of_x);
-  for (const Border& border : all) seen = clip(seen, border.line);
-  std::vector<Point> area;
-  for (const Vector2d& point : seen) area.push_back(scene.at(point));
-  if (area.size() > 2) {
-    if (left) scene.hatched("region.hatch", area);
-    scene.area(left ? "region.hidden" : of_x ? "walk.region.x" : "walk.region.y", area);
+  if (left) {
+    std::vector<Vector2d> seen = scene.map.visible();
+    for (const Border& border : all) seen = clip(seen, border.line);
+    std::vector<Point> area;
+    for (const Vector2d& point : seen) area.push_back(scene.at(point));
+    if (area.size() > 2) scene.hatched("region.hatch", area);
   }
+  const std::string role = of_x ? "walk.region.x" : "walk.region.y";
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (const Border& border : all) {
     if (border.neighbour == shown.feature(of_x)) continue;  // the edge itself
@@ -34,8 +36,10 @@ void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
     });
     if (inside) out = -out;
     const bool is_crossed = left && border.neighbour == found.neighbour;
-    scene.line(is_crossed ? "sign.border" : "region.border", scene.at(line.point),
-               scene.at(line.point + reach * out.normalized()));
+    const Point from = scene.at(line.point);
+    const Point to = scene.at(line.point + reach * out.normalized());
+    scene.line(is_crossed ? "sign.border" : role, from, to);
+    layers::ticks(scene, role + ".tick", from, to, scene.map.direction(-line.normal));
   }
 }
 
@@ -69,7 +73,18 @@ void stage(SceneBuilder& scene) {
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
   scene.line("closest.line", x, y);
-  for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
+  const auto name = [&](const char* letter, const Point& point, const Point& other) {
+    scene.disk("closest", point, kClosestRadius);
+    scene.out.moving_labels.push_back(scene.label(std::string("closest:") + letter, letter,
+                                                  "closest.label", type::kVertex, point,
+                                                  kPointRadius, point - other));
+  };
+  if ((y - x).norm() < 1.0) {
+    name("x = y", y, y);
+  } else {
+    name("x", x, y);
+    name("y", y, x);
+  }
   layers::length_label(scene, "distance", closest.distance, x, y);
 }
 
