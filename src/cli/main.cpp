@@ -317,7 +317,8 @@ int run_export(const Environment& env, Arguments& args) {
                     : args.caption == "file" ? CaptionPlace::file
                                              : CaptionPlace::below;
   if (args.format == "html")
-    return export_pages_command(env, args.lessons, {args.out, env.share, options.index}, args.json);
+    return export_pages_command(env, args.lessons,
+                                {args.out, env.share, options.index, options.force}, args.json);
   const std::string extension = args.out.extension().string();
   const std::optional<Format> by_ending =
       extension.empty() ? std::nullopt : format_of(extension.substr(1));

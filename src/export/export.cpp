@@ -90,6 +90,11 @@ void check(const ExportOptions& options) {
     throw std::runtime_error(fmt::format("a page of a handout has 1 to {} frames; asked for {}",
                                          kMostOnHandout, options.handout));
   }
+  if (options.caption == CaptionPlace::file && !has_file_per_frame(options.format)) {
+    throw std::runtime_error(
+        fmt::format("captions go into files beside those of png and svg; a {} has none beside it",
+                    name_of(options.format)));
+  }
   if (options.transparent && is_film(options.format)) {
     throw std::runtime_error(fmt::format("a {} cannot be transparent; png, svg, pdf and tex can",
                                          name_of(options.format)));
@@ -124,6 +129,13 @@ std::string frame_name(const std::string& id, int step, Format format, int betwe
                      : fmt::format("{}-{:04}.{}", id, step, ending);
 }
 
+/// Of the slides in `tex`.
+std::filesystem::path pages_of(std::filesystem::path tex) { return tex.replace_extension(".pdf"); }
+
+std::filesystem::path caption_file(std::filesystem::path frame) {
+  return frame.replace_extension(".txt");
+}
+
 /// Images that are not among the `kept` are of an earlier export that had more.
 void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, Format format,
                          const std::set<std::filesystem::path>& kept) {
@@ -139,6 +151,9 @@ void remove_stale_frames(const std::filesystem::path& folder, const std::string&
     if (name == frame_name(id, step, format, between) && !kept.contains(entry.path()) &&
         is_exported(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
+      if (is_exported(caption_file(entry.path()))) {
+        std::filesystem::remove(caption_file(entry.path()), ignored);
+      }
     }
   }
 }
@@ -228,9 +243,10 @@ struct LessonOnItsWay {
     for (int step = first; step <= last; ++step) out.frames.push_back(recorded(step));
     return out;
   }
-  [[nodiscard]] std::string key(int first, int last) const {
+  /// `between`: which picture on the way to the step `last`, from 1.
+  [[nodiscard]] std::string key(int first, int last, int between = 0) const {
     Fingerprint sum = made_from;
-    sum.add(fmt::format("{}..{}", first, last));
+    sum.add(fmt::format("{}..{}, {}", first, last, between));
     return sum.hex();
   }
 };
@@ -245,6 +261,7 @@ class Exporter {
         writer_(thread_count(options), kSupersampling),
         made_from_(fingerprint_of(options, fonts_)) {
     page_.bare = options.stage_only;
+    if (options.index) may_write(index_file());
   }
 
   /// Makes the lesson's files, or hands its frames to the writer. False when a signal came before
@@ -267,13 +284,13 @@ class Exporter {
     writer_.finish();
     const std::set<std::filesystem::path> kept(files_.begin(), files_.end());
     for (const ExportedLesson& lesson : lessons_) {
-      if (options_.file_name.empty()) write(lesson.id + ".json", sidecar(lesson));
+      if (options_.file_name.empty()) write(sidecar_file(lesson.id), sidecar(lesson));
       if (!options_.first_step && !options_.last_step && options_.file_name.empty()) {
         remove_stale_frames(options_.out_dir, lesson.id, options_.format, kept);
       }
     }
     if (options_.index && complete) {
-      write("index.html",
+      write(index_file(),
             contact_sheet(lessons_, read_whole(options_.assets_dir / "contact-sheet.html")));
     }
     result.files = std::move(files_);
@@ -328,22 +345,29 @@ class Exporter {
   /// Also refuses, before anything is drawn, to replace what was not exported.
   [[nodiscard]] bool is_up_to_date(const LessonOnItsWay& way) const {
     const auto [first, last] = way.steps;
+    if (options_.file_name.empty()) may_write(sidecar_file(way.run.lesson.id));
     if (!has_file_per_frame(options_.format)) {
       may_write(file_of(way, first));
+      if (options_.format == Format::tex) may_write(pages_of(file_of(way, first)));
       return has(file_of(way, first), way.key(first, last));
     }
     bool all = true;
     for (int step = first; step <= last; ++step) {
       may_write(file_of(way, step));
+      if (options_.caption == CaptionPlace::file) may_write(caption_file(file_of(way, step)));
       all = all && has(file_of(way, step), way.key(step, step));
     }
     return all;
   }
   void may_write(const std::filesystem::path& file) const {
-    if (options_.force || is_exported(file)) return;
-    throw std::runtime_error(fmt::format(
-        "{} is there and was not exported by gjkscope; --force replaces it", file.string()));
+    if (!options_.force) refuse_foreign(file);
   }
+
+  /// The files that describe frames.
+  [[nodiscard]] std::filesystem::path sidecar_file(const std::string& id) const {
+    return options_.out_dir / (id + ".json");
+  }
+  [[nodiscard]] std::filesystem::path index_file() const { return options_.out_dir / "index.html"; }
 
   bool add_frames(LessonOnItsWay& way) {
     const auto [first, last] = way.steps;
@@ -358,8 +382,8 @@ class Exporter {
       } else {
         int between = 0;
         for (const Picture& picture : on_the_way(way, step))
-          add_image(way, step, picture, file_of(way, step, ++between));
-        add_image(way, step, way.pictures[at], file);
+          add_image(way, step, picture, ++between);
+        add_image(way, step, way.pictures[at]);
       }
       write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
@@ -367,11 +391,11 @@ class Exporter {
     return true;
   }
 
-  void add_image(const LessonOnItsWay& way, int step, const Picture& picture,
-                 const std::filesystem::path& file) {
+  void add_image(const LessonOnItsWay& way, int step, const Picture& picture, int between = 0) {
+    const std::filesystem::path file = file_of(way, step, between);
     files_.push_back(file);
     ++frame_count_;
-    const std::string key = way.key(step, step);
+    const std::string key = way.key(step, step, between);
     if (has(file, key)) {
       ++kept_count_;
       return;
@@ -446,9 +470,7 @@ class Exporter {
                 record_text(record)},
                {points * options_.scale, options_.handout, options_.transparent});
     if (options_.format == Format::pdf) return write_bytes(file, pdf);
-    std::filesystem::path pages = file;
-    pages.replace_extension(".pdf");
-    may_write(pages);
+    const std::filesystem::path pages = pages_of(file);
     write_bytes(pages, pdf);
     files_.push_back(pages);
     // The key is in both: without its pages the document is out of date.
@@ -525,19 +547,18 @@ class Exporter {
     lessons_.push_back(std::move(exported));
   }
 
-  void write_caption(std::filesystem::path file, const FrameText& text) {
+  void write_caption(const std::filesystem::path& frame, const FrameText& text) {
     if (options_.caption != CaptionPlace::file) return;
-    file.replace_extension(".txt");
-    write_bytes(file, alternative_text(text) + "\n");
-    files_.push_back(std::move(file));
+    const std::filesystem::path file = caption_file(frame);
+    write_bytes(file, fmt::format("{}\n\n{}\n", alternative_text(text), signature()));
+    files_.push_back(file);
   }
   static void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
     write_whole(file, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
   }
-  void write(const std::string& name, const std::string& text) {
-    may_write(options_.out_dir / name);
-    write_whole(options_.out_dir / name, text);
-    files_.push_back(options_.out_dir / name);
+  void write(const std::filesystem::path& file, const std::string& text) {
+    write_whole(file, text);
+    files_.push_back(file);
   }
 
   const ExportOptions& options_;

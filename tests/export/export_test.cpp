@@ -219,6 +219,10 @@ TEST_F(Export, WhatThereIsNotIsAnError) {
   wrong.transparent = true;
   EXPECT_NE(error_of(wrong).find("a gif cannot be transparent"), std::string::npos);
   wrong = options();
+  wrong.format = Format::pdf;
+  wrong.caption = CaptionPlace::file;
+  EXPECT_NE(error_of(wrong).find("a pdf has none beside it"), std::string::npos);
+  wrong = options();
   wrong.width = 100;
   EXPECT_NE(error_of(wrong).find("160x90"), std::string::npos);
   wrong = options();
@@ -271,6 +275,42 @@ TEST_F(Export, WhatWasNotExportedIsReplacedOnlyByForce) {
   careful.force = true;
   EXPECT_EQ(error_of(careful), "no error");
   EXPECT_EQ(read(mine).substr(1, 3), "PNG");
+}
+
+TEST_F(Export, NoFileThatGoesWithFramesReplacesAnother) {
+  ExportOptions careful = options();
+  careful.caption = CaptionPlace::file;
+  careful.index = true;
+  fs::create_directories(careful.out_dir);
+  for (const char* name : {"segment-closest-0002.txt", "segment-closest.json", "index.html"}) {
+    const fs::path mine = careful.out_dir / name;
+    std::ofstream(mine) << "notes";
+    EXPECT_NE(error_of(careful).find(mine.string() + " is there"), std::string::npos);
+    EXPECT_EQ(contents(careful.out_dir), (std::map<std::string, std::string>{{name, "notes"}}));
+    fs::remove(mine);
+  }
+  EXPECT_EQ(error_of(careful), "no error");
+  EXPECT_EQ(error_of(careful), "no error") << "what was exported is replaced";
+
+  ExportOptions slides = options("slides");
+  slides.format = Format::tex;
+  fs::create_directories(slides.out_dir);
+  std::ofstream(slides.out_dir / "segment-closest.pdf") << "a paper";
+  EXPECT_NE(error_of(slides).find("segment-closest.pdf is there"), std::string::npos);
+  EXPECT_EQ(contents(slides.out_dir).size(), 1u);
+}
+
+TEST_F(Export, APictureOnTheWayIsKeptOnlyInItsOwnPlace) {
+  ExportOptions moving = options();
+  moving.format = Format::svg;
+  moving.fps = 10;
+  moving.last_step = 3;
+  static_cast<void>(export_lessons({lesson("polygons-gjk")}, moving));
+  const auto expected = contents(moving.out_dir);
+  fs::copy_file(moving.out_dir / "polygons-gjk-0002-01.svg",
+                moving.out_dir / "polygons-gjk-0002-02.svg", fs::copy_options::overwrite_existing);
+  static_cast<void>(export_lessons({lesson("polygons-gjk")}, moving));
+  EXPECT_EQ(contents(moving.out_dir), expected);
 }
 
 TEST_F(Export, EveryFormatHasTheSameBytesEachTimeAndARecordThatLeadsBack) {
