@@ -129,6 +129,9 @@ void add_export(CLI::App& app, Arguments& args) {
   command->add_option("--jobs", options.jobs, "Threads; 0: one for each processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  parsed(command, "--renderer", options.renderer, renderer_of, "one of osmesa, egl",
+         "What paints pixels, without a display; the first of them that is there, if not given")
+      ->type_name("osmesa|egl");
   command->add_flag("--no-questions{false}", options.questions,
                     "Leave out the frames that ask a question");
   command->add_flag("--index", options.index,

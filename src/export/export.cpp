@@ -35,7 +35,6 @@
 namespace gjkscope {
 namespace {
 
-constexpr int kSupersampling = 2;
 // A thumbnail; type below that has no pixels to stand on.
 constexpr int kSmallestWidth = 160;
 constexpr int kSmallestHeight = 90;
@@ -258,7 +257,7 @@ class Exporter {
         fonts_(options.assets_dir / "fonts.toml"),
         theme_(Theme::load(options.assets_dir / "themes", options.theme)),
         page_(page_of(options.width, options.height)),
-        writer_(thread_count(options), kSupersampling),
+        writer_(thread_count(options), [this] { return canvas(); }),
         made_from_(fingerprint_of(options, fonts_)) {
     page_.bare = options.stage_only;
     if (options.index) may_write(index_file());
@@ -408,9 +407,7 @@ class Exporter {
                                options_.transparent));
       return;
     }
-    Image image = writer_.acquire();
-    paint(picture, image);
-    writer_.submit(std::move(image), file, words(way, text, record));
+    writer_.submit(picture, file, words(way, text, record));
   }
 
   /// The pictures between a step and the one before it; none where nothing moves.
@@ -481,13 +478,13 @@ class Exporter {
   bool add_film(const LessonOnItsWay& way, const std::filesystem::path& file,
                 const std::string& record) {
     const auto [first, last] = way.steps;
+    if (!canvas_) canvas_ = canvas();
     Image image;
     std::unique_ptr<Film> film;
     const auto show = [&](const Picture& picture, double seconds) {
-      paint(picture, image);
-      const Image small = shrink(image, kSupersampling);
-      if (!film) film = film_of(file, small, {record, way.run.lesson.title});
-      film->add(small, seconds);
+      canvas_->paint(picture, image);
+      if (!film) film = film_of(file, image, {record, way.run.lesson.title});
+      film->add(image, seconds);
     };
     for (int step = first; step <= last; ++step) {
       if (SignalWatch::signal() != 0) return false;
@@ -508,25 +505,17 @@ class Exporter {
                        options_.fps > 0 ? options_.fps : kFilmRate, words);
   }
 
-  /// What differs between the picture on black and on white is what shines through.
-  void paint(const Picture& picture, Image& image) {
-    if (!canvas_) {
-      const auto pixels = [&](int length) {
-        return std::max(1, static_cast<int>(std::lround(length * options_.scale)));
-      };
-      canvas_ =
-          std::make_unique<Canvas>(fonts_, theme_, pixels(options_.width), pixels(options_.height),
-                                   kSupersampling, page_.zoom * options_.scale);
-    }
-    if (!options_.transparent) return canvas_->paint(picture, image);
-    canvas_->set_theme(theme_.on({255, 255, 255, 255}));
-    const Image on_white = canvas_->paint(picture);
-    canvas_->set_theme(theme_.on({0, 0, 0, 255}));
-    canvas_->paint(picture, image);
-    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-      image.pixels[i + 3] =
-          static_cast<std::uint8_t>(255 - (on_white.pixels[i + 1] - image.pixels[i + 1]));
-    }
+  [[nodiscard]] std::unique_ptr<Canvas> canvas() const {
+    const auto pixels = [&](int length) {
+      return std::max(1, static_cast<int>(std::lround(length * options_.scale)));
+    };
+    CanvasOptions more;
+    more.width = pixels(options_.width);
+    more.height = pixels(options_.height);
+    more.zoom = page_.zoom * options_.scale;
+    more.transparent = options_.transparent;
+    more.renderer = options_.renderer;
+    return std::make_unique<Canvas>(fonts_, theme_, more);
   }
 
   void describe(LessonOnItsWay& way) {
@@ -565,7 +554,7 @@ class Exporter {
   Fonts fonts_;
   Theme theme_;
   Page page_;
-  std::unique_ptr<Canvas> canvas_;  ///< Made when the first frame is painted.
+  std::unique_ptr<Canvas> canvas_;  ///< Of films; made when the first frame is painted.
   FrameWriter writer_;
   Fingerprint made_from_;
   Progress* progress_ = nullptr;

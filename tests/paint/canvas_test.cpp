@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "paint/imgui_painter.hpp"
 #include "sample_picture.hpp"
@@ -48,9 +51,18 @@ Theme test_theme() {
 constexpr int kWidth = 160;
 constexpr int kHeight = 100;
 
+CanvasOptions of_size(int width, int height) {
+  CanvasOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
 class Painted : public testing::Test {
  protected:
-  static void SetUpTestSuite() { canvas_ = new Canvas(fonts(), test_theme(), kWidth, kHeight); }
+  static void SetUpTestSuite() {
+    canvas_ = new Canvas(fonts(), test_theme(), of_size(kWidth, kHeight));
+  }
   static void TearDownTestSuite() {
     delete canvas_;
     canvas_ = nullptr;
@@ -64,7 +76,7 @@ class Painted : public testing::Test {
     picture.clips = std::move(clips);
     picture.clip_corner = clip_corner;
     picture.marks = marks;
-    return shrink(canvas_->paint(picture), 2);
+    return canvas_->paint(picture);
   }
 
   static Canvas* canvas_;
@@ -352,15 +364,81 @@ TEST_F(Painted, UnknownRolesAndStylesAreErrors) {
 }
 
 TEST(Canvas, SaysWhatItCannotDo) {
-  EXPECT_THROW(Canvas(fonts(), test_theme(), 0, 10), std::runtime_error);
-  EXPECT_THROW(Canvas(fonts(), test_theme(), 100000, 10), std::runtime_error);
+  EXPECT_THROW(Canvas(fonts(), test_theme(), of_size(0, 10)), std::runtime_error);
+  EXPECT_THROW(Canvas(fonts(), test_theme(), of_size(100000, 10)), std::runtime_error);
+}
+
+TEST(Canvas, BandsOfATallImageMeetWithoutASeam) {
+  constexpr int kPeriod = 8;
+  constexpr int kTall = 4000;
+  Picture picture;
+  picture.width = 1280;
+  picture.height = kTall;
+  for (int y = 0; y < kTall; y += kPeriod) {
+    const double top = y;
+    picture.marks.push_back({"fill", Box{{{100, top + 2}, {400, top + 5}}, 0}, -1});
+    picture.marks.push_back({"line", Polyline{{{500, top}, {900, top + kPeriod}}, false}, -1});
+    picture.marks.push_back({"text", Text{{1000, top + 6}, "gjk", type::kDetail}, -1});
+  }
+  const Image image = Canvas(fonts(), test_theme(), of_size(1280, kTall)).paint(picture);
+  const auto period = [&](int first) {
+    const auto at = image.pixels.begin() + std::ptrdiff_t{4} * image.width * first;
+    return std::vector<std::uint8_t>(at, at + std::ptrdiff_t{4} * image.width * kPeriod);
+  };
+  for (int y = 2 * kPeriod; y < kTall - kPeriod; y += kPeriod) {
+    ASSERT_EQ(period(y), period(kPeriod)) << "from row " << y;
+  }
+}
+
+TEST(Canvas, BothRenderersDrawTheSamePixels) {
+  const Picture picture = sample::picture();
+  CanvasOptions options = of_size(1280, 720);
+  std::vector<Image> images;
+  for (const Renderer renderer : {Renderer::osmesa, Renderer::egl}) {
+    for (const bool transparent : {false, true}) {
+      options.renderer = renderer;
+      options.transparent = transparent;
+      images.push_back(
+          Canvas(fonts(), Theme::load(kAssets / "themes", "light"), options).paint(picture));
+    }
+  }
+  EXPECT_EQ(images[0].pixels, images[2].pixels);
+  EXPECT_EQ(images[1].pixels, images[3].pixels);
+  EXPECT_NE(images[0].pixels, images[1].pixels) << "one is transparent";
+}
+
+TEST(Canvas, OnesOfSeveralThreadsAndOfBothRenderersDoNotMindEachOther) {
+  const Theme theme = Theme::load(kAssets / "themes", "light");
+  const Picture picture = sample::picture();
+  CanvasOptions options = of_size(640, 360);
+  options.zoom = 0.5;
+  const Image expected = Canvas(fonts(), theme, options).paint(picture);
+  std::vector<std::thread> threads;
+  std::array<int, 4> others = {};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    threads.emplace_back([&, i, mine = options]() mutable {
+      mine.renderer = i % 2 == 0 ? Renderer::osmesa : Renderer::egl;
+      for (int k = 0; k < 3; ++k) {
+        Canvas canvas(fonts(), theme, mine);
+        for (int n = 0; n < 3; ++n) others[i] += canvas.paint(picture).pixels != expected.pixels;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(others, (std::array<int, 4>{}));
+}
+
+TEST(Renderer, HasAName) {
+  EXPECT_EQ(renderer_of("egl"), Renderer::egl);
+  EXPECT_EQ(renderer_of("osmesa"), Renderer::osmesa);
+  EXPECT_FALSE(renderer_of("vulkan"));
 }
 
 TEST(Canvas, AFrameInEveryTheme) {
   const Picture picture = sample::picture();
   for (const std::string& name : Theme::names(kAssets / "themes")) {
-    Canvas canvas(fonts(), Theme::load(kAssets / "themes", name), 1280, 720);
-    const Image image = shrink(canvas.paint(picture), 2);
+    Canvas canvas(fonts(), Theme::load(kAssets / "themes", name), of_size(1280, 720));
+    const Image image = canvas.paint(picture);
     EXPECT_EQ(image.pixels.size(), 4u * 1280u * 720u) << name;
   }
 }
@@ -385,6 +463,13 @@ TEST(AtlasFonts, WidthsAreThoseOfTheFontFiles) {
     }
   }
   ImGui::DestroyContext(context);
+}
+
+Image shrink(const Image& large, int factor) {
+  Image small{large.width / factor, large.height / factor, {}};
+  small.pixels.resize(std::size_t{4} * static_cast<std::size_t>(small.width * small.height));
+  shrink_into(small, 0, large, factor);
+  return small;
 }
 
 TEST(Shrink, AveragesSquaresAndRoundsToNearest) {
