@@ -187,18 +187,25 @@ TEST_F(Export, AnInterruptLeavesWholeFilesOnly) {
 }
 
 TEST_F(Export, AFullDiskIsAnErrorThatNamesTheFileAndLeavesNoPart) {
-  static_cast<void>(export_lessons({}, options()));
-  rlimit before = {};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit tight{4096, before.rlim_max};
-  ::setrlimit(RLIMIT_FSIZE, &tight);
-  const std::string error = error_of(options());
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, old_handler);
-  EXPECT_NE(error.find("cannot write "), std::string::npos) << error;
-  EXPECT_NE(error.find("segment-closest-000"), std::string::npos) << error;
-  for (const auto& [name, bytes] : contents(options().out_dir)) ADD_FAILURE() << name << " is left";
+  for (const Format format : {Format::png, Format::svg, Format::pdf, Format::tex, Format::gif,
+                              Format::apng, Format::mp4, Format::webm}) {
+    SCOPED_TRACE(name_of(format));
+    ExportOptions full = options(std::string(name_of(format)));
+    full.format = format;
+    full.seconds = 0.1;
+    static_cast<void>(export_lessons({}, full));
+    rlimit before = {};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit tight{2048, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+    const std::string error = error_of(full);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old_handler);
+    EXPECT_NE(error.find("cannot write "), std::string::npos) << error;
+    EXPECT_NE(error.find("segment-closest"), std::string::npos) << error;
+    for (const auto& [name, bytes] : contents(full.out_dir)) ADD_FAILURE() << name << " is left";
+  }
 }
 
 TEST_F(Export, AFolderThatCannotBeMadeIsAnErrorThatNamesIt) {
