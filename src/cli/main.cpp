@@ -61,7 +61,7 @@ struct Arguments {
   ExportOptions export_options;
   std::filesystem::path out;
   std::string format;
-  std::string caption = "below";
+  std::string caption;
   std::string crop;
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
@@ -86,9 +86,9 @@ void add_export_look(CLI::App* command, Arguments& args) {
       ->check(CLI::IsMember({"stage"}));
   command
       ->add_option("--caption", args.caption,
-                   "below: in the frame; none: left out; file: in a text file beside each frame")
-      ->check(CLI::IsMember({"below", "none", "file"}))
-      ->capture_default_str();
+                   "below: in the frame; none: left out; file: in a text file beside each frame. "
+                   "If not given, below, with --crop none")
+      ->check(CLI::IsMember({"below", "none", "file"}));
   command->add_option("--handout", options.handout, "pdf: N frames on each page, with captions")
       ->check(CLI::Range(1, kMostOnHandout))
       ->type_name("N");
@@ -316,6 +316,7 @@ int run_export(const Environment& env, Arguments& args) {
   options.last_step = args.steps.last;
   options.progress = !args.json;
   options.stage_only = args.crop == "stage";
+  if (args.caption.empty()) args.caption = options.stage_only ? "none" : "below";
   options.caption = args.caption == "none"   ? CaptionPlace::none
                     : args.caption == "file" ? CaptionPlace::file
                                              : CaptionPlace::below;

@@ -260,6 +260,7 @@ class Exporter {
         writer_(thread_count(options), [this] { return canvas(); }),
         made_from_(fingerprint_of(options, fonts_)) {
     page_.bare = options.stage_only;
+    page_.captions = options.caption == CaptionPlace::below;
     if (options.index) may_write(index_file());
   }
 

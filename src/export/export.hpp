@@ -26,7 +26,7 @@ struct ExportOptions {
   double scale = 1.0;        ///< Pixels of an image for each of width and height.
   double dpi = 0.0;          ///< Pixels of width and height an inch, where files say so; 0: 72.
   bool transparent = false;  ///< png, svg, pdf, tex: no background.
-  bool stage_only = false;   ///< Nothing but the stages.
+  bool stage_only = false;   ///< Nothing but the stages, and captions below them.
   int handout = 0;           ///< pdf: frames a page, with captions; 0: one page a frame.
   double seconds = 2.0;      ///< Films: how long a frame is shown; the last twice as long.
   int fps = 0;  ///< Images a second of what moves from frame to frame; 0: frames follow at once.

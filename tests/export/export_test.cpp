@@ -412,6 +412,25 @@ TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {
   EXPECT_EQ(html.find("http"), std::string::npos) << "it works offline";
 }
 
+TEST_F(Export, BelowStagesStandsACaptionWhereItIsAskedFor) {
+  ExportOptions slide = options();
+  slide.format = Format::svg;
+  slide.stage_only = true;
+  slide.last_step = 4;
+  const auto written = [&](CaptionPlace place) {
+    slide.caption = place;
+    static_cast<void>(export_lessons({lesson("polygons-gjk")}, slide));
+    return read(slide.out_dir / "polygons-gjk-0004.svg");
+  };
+  const std::string bare = written(CaptionPlace::none);
+  EXPECT_EQ(bare.find("data-mark=\"caption\""), std::string::npos);
+  EXPECT_NE(bare.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "from edge to edge";
+  const std::string told = written(CaptionPlace::below);
+  EXPECT_NE(told.find("data-mark=\"caption\""), std::string::npos);
+  EXPECT_EQ(told.find("data-mark=\"title\""), std::string::npos);
+  EXPECT_EQ(told.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "there is a strip";
+}
+
 TEST(ContactSheet, WordsAreText) {
   ExportedLesson lesson;
   lesson.id = "a";
