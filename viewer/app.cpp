@@ -458,7 +458,6 @@ std::string App::state_json() {
                                  {"iteration", session_.text().iteration},
                                  {"phase", session_.text().phase},
                                  {"caption", session_.text().caption},
-                                 {"distance", session_.run().run(frame).trace.result.distance},
                                  {"unsaved", session_.is_unsaved()},
                                  {"undo", session_.undo_name()},
                                  {"redo", session_.redo_name()},
@@ -473,6 +472,8 @@ std::string App::state_json() {
                                  {"question", session_.question() != nullptr},
                                  {"asked", session_.answers().size()},
                                  {"right", session_.right_answers()}};
+  const LessonRun& run = session_.run();
+  if (run.has_gjk()) json["distance"] = run.run(frame).trace.result.distance;
   const auto vertices = [](const LessonShape& shape) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const Vector2d& vertex : shape.vertices) out.push_back({vertex.x(), vertex.y()});

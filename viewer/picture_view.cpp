@@ -278,7 +278,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    if (!session_.go_to_next(session_.run().phase_name(subject.x)))
+    if (!session_.go_to_next(session_.run().phases()[static_cast<std::size_t>(subject.x)]))
       app_.say("this run has no such step");
     return;
   }

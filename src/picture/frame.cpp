@@ -325,7 +325,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   constexpr std::size_t kMost = 3;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
-    for (const LegendEntry& entry : legend_entries()) {
+    for (const LegendEntry& entry : legend_entries(run_)) {
       // Where no run is followed, words do not speak of S.
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "effects/growth.hpp"
@@ -230,7 +230,7 @@ Lesson Session::lesson_as_seen() const {
 }
 
 bool Session::show(LabelScope scope) {
-  const Moment was = shown_ ? moment() : Moment{};
+  const Moment was = shown_ ? moments()[static_cast<std::size_t>(index_)] : Moment{};
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
@@ -256,35 +256,33 @@ int Session::frame_count() const { return static_cast<int>(shown_->run.frames.si
 const Frame& Session::frame() const { return shown_->run.frames[static_cast<std::size_t>(index_)]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
-Session::Moment Session::moment() const {
-  const Frame& now = frame();
-  Moment moment{now.run, 0, -1, now.part()};
-  if (now.step >= 0) {
-    const gjk::Step<double, 2>& step = run().step(now);
-    moment.iteration = step.iteration;
-    moment.phase = static_cast<int>(step.phase);
+std::vector<Session::Moment> Session::moments() const {
+  const std::vector<std::string_view> phases = run().phases();
+  std::vector<Moment> list;
+  for (const Frame& frame : run().frames) {
+    const StepInfo info = run().info(frame);
+    const auto phase = std::find(phases.begin(), phases.end(), info.phase);
+    Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part()});
+    if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
+    if (!frame.steps_over) continue;
+    // Another run comes there in another number of steps.
+    now.part = static_cast<int>(std::count_if(list.begin(), list.end() - 1, [&](const Moment& m) {
+      return std::tie(m.run, m.iteration, m.phase) == std::tie(now.run, now.iteration, now.phase);
+    }));
   }
-  return moment;
+  return list;
 }
 
 int Session::find(const Moment& wanted) const {
   // The same moment, or the last one before it.
+  const auto key = [](const Moment& m) { return std::tie(m.run, m.iteration, m.phase, m.part); };
+  const std::vector<Moment> all = moments();
   int best = 0;
-  std::array<int, 4> best_key = {-1, -1, -2, -2};
-  const std::array<int, 4> wanted_key = {wanted.run, wanted.iteration, wanted.phase, wanted.part};
-  for (int i = 0; i < frame_count(); ++i) {
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
-    if (frame.question >= 0) continue;
-    std::array<int, 4> key = {frame.run, 0, -1, frame.part()};
-    if (frame.step >= 0) {
-      const gjk::Step<double, 2>& step = run().step(frame);
-      key[1] = step.iteration;
-      key[2] = static_cast<int>(step.phase);
-    }
-    if (key <= wanted_key && key >= best_key) {
+  for (int i = 1; i < frame_count(); ++i) {
+    const Moment& moment = all[static_cast<std::size_t>(i)];
+    if (run().frames[static_cast<std::size_t>(i)].question >= 0) continue;
+    if (key(moment) <= key(wanted) && key(moment) >= key(all[static_cast<std::size_t>(best)]))
       best = i;
-      best_key = key;
-    }
   }
   return best;
 }

@@ -162,7 +162,8 @@ class Session {
   /// The lesson is another one than before.
   void changed();
   void lay_out(LabelScope scope);
-  [[nodiscard]] Moment moment() const;
+  /// Of each frame.
+  [[nodiscard]] std::vector<Moment> moments() const;
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
   void fit(std::size_t view, const Rect& card);

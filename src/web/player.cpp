@@ -164,7 +164,9 @@ std::string Player::on_the_way(const Asked& asked) const {
 }
 
 void Player::go_to_phase(int phase) {
-  if (!session_.go_to_next(session_.run().phase_name(phase)))
+  const std::vector<std::string_view> phases = session_.run().phases();
+  const bool is_phase = phase >= 0 && phase < static_cast<int>(phases.size());
+  if (!is_phase || !session_.go_to_next(phases[static_cast<std::size_t>(phase)]))
     throw std::runtime_error("this run has no such step");
 }
 
