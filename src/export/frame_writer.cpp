@@ -39,7 +39,6 @@ void FrameWriter::close() {
 
 void FrameWriter::work() {
   std::unique_ptr<Canvas> canvas;
-  Image image;
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return !jobs_.empty() || closed_; });
@@ -53,8 +52,7 @@ void FrameWriter::work() {
     std::exception_ptr failure;
     try {
       if (!canvas) canvas = make_canvas_();
-      canvas->paint(job.picture, image);
-      write_whole(job.path, encode_png(image, job.words));
+      write_whole(job.path, encode_png(canvas->paint(job.picture), job.words));
     } catch (...) {
       failure = std::current_exception();
     }

@@ -17,9 +17,10 @@ namespace {
 
 constexpr int kChannels = 4;
 
-/// Of the samples that are drawn at once: a frame of 1280 x 720 with 2 x 2 samples a pixel is one
-/// band, and one of 3840 x 2160 needs no more memory.
-constexpr std::size_t kBandBytes = std::size_t{16} << 20;
+/// Of the samples that are drawn at once. A frame of 1280 x 720 with 2 x 2 samples a pixel is one
+/// band; larger ones have smaller bands, for what they need besides is larger.
+constexpr std::size_t kWholeBytes = std::size_t{16} << 20;
+constexpr std::size_t kBandBytes = std::size_t{4} << 20;
 
 bool is_uniform(const Image& image) {
   const std::vector<std::uint8_t>& p = image.pixels;
@@ -56,7 +57,8 @@ struct Canvas::Context {
     gl_context->begin(band);
     check_size();
 
-    atlas.Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
+    atlas.Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines |
+                   ImFontAtlasFlags_NoPowerOfTwoHeight;
     atlas.TexDesiredWidth = 2048;
     fonts_in_atlas = std::make_unique<AtlasFonts>(atlas, fonts, scale);
     if (!atlas.Build()) throw std::runtime_error("the font atlas cannot be built");
@@ -66,6 +68,7 @@ struct Canvas::Context {
 
   [[nodiscard]] int rows_of_band() const {
     const std::size_t row = static_cast<std::size_t>(width) * kChannels;
+    if (row * static_cast<std::size_t>(height) <= kWholeBytes) return height;
     const auto most = std::max<std::size_t>(1, kBandBytes / (row * factor));  // Of the image
     const std::size_t count = (static_cast<std::size_t>(options.height) + most - 1) / most;
     return static_cast<int>((options.height + count - 1) / count) * factor;
@@ -85,13 +88,15 @@ struct Canvas::Context {
     unsigned char* pixels = nullptr;
     int atlas_width = 0;
     int atlas_height = 0;
-    atlas.GetTexDataAsRGBA32(&pixels, &atlas_width, &atlas_height);
+    // Alpha alone: at 3840 x 2160 the atlas would else be most of a canvas's memory.
+    atlas.GetTexDataAsAlpha8(&pixels, &atlas_width, &atlas_height);
     GLuint texture = 0;
     gl.GenTextures(1, &texture);
     gl.BindTexture(GL_TEXTURE_2D, texture);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, atlas_width, atlas_height, 0, GL_RGBA,
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, atlas_width, atlas_height, 0, GL_ALPHA,
                   GL_UNSIGNED_BYTE, pixels);
     atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)));
     atlas.ClearTexData();

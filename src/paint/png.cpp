@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace gjkscope {
 namespace {
@@ -41,20 +42,27 @@ void put_straight(const std::uint8_t* from, std::uint8_t* to) {
   }
 }
 
-/// Rows as PNG has them: a filter, none, then pixels.
-std::vector<std::uint8_t> rows_of(const Image& image, int channels) {
-  std::vector<std::uint8_t> rows((static_cast<std::size_t>(image.width) * channels + 1) *
-                                 image.height);
+/// Rows as PNG has them: a filter, none, then pixels. Without alpha they take less room than the
+/// image's, and take its place.
+std::vector<std::uint8_t> rows_of(Image image, int channels) {
+  const std::size_t size = (static_cast<std::size_t>(image.width) * channels + 1) * image.height;
+  std::vector<std::uint8_t> rows;
+  if (channels == 4) rows.resize(size);
   const std::uint8_t* from = image.pixels.data();
-  std::uint8_t* to = rows.data();
+  std::uint8_t* to = channels == 4 ? rows.data() : image.pixels.data();
   for (int y = 0; y < image.height; ++y) {
-    *to++ = 0;
-    for (int x = 0; x < image.width; ++x, from += 4, to += channels) {
-      std::copy_n(from, 3, to);
-      if (channels == 4) put_straight(from, to);
+    for (int x = 0; x < image.width; ++x, from += 4) {
+      // Read before the filter is written over it.
+      const std::array<std::uint8_t, 4> pixel = {from[0], from[1], from[2], from[3]};
+      if (x == 0) *to++ = 0;
+      std::copy_n(pixel.begin(), 3, to);
+      if (channels == 4) put_straight(pixel.data(), to);
+      to += channels;
     }
   }
-  return rows;
+  if (channels == 4) return rows;
+  image.pixels.resize(size);
+  return std::move(image.pixels);
 }
 
 /// As zlib has it.
@@ -139,13 +147,13 @@ std::string text_in_png(std::span<const std::uint8_t> file, const std::string& k
   return {};
 }
 
-std::vector<std::uint8_t> encode_png(const Image& image, const PngWords& words) {
+std::vector<std::uint8_t> encode_png(Image image, const PngWords& words) {
   const int channels = words.transparent ? 4 : 3;
   std::vector<PngChunk> chunks = {header(image, channels)};
   // Right behind the header: who looks for them need not read the pixels.
   if (words.dpi > 0.0) chunks.push_back(resolution(words.dpi));
   for (const auto& [keyword, text] : words.texts) chunks.push_back(png_text(keyword, text));
-  chunks.push_back({"IDAT", compressed(rows_of(image, channels))});
+  chunks.push_back({"IDAT", compressed(rows_of(std::move(image), channels))});
   chunks.push_back({"IEND", {}});
   return png_file(chunks);
 }

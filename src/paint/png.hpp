@@ -17,7 +17,7 @@ struct PngWords {
 };
 
 /// The image as a PNG file (compressed by libdeflate). Same image, same bytes.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image, const PngWords& words = {});
+[[nodiscard]] std::vector<std::uint8_t> encode_png(Image image, const PngWords& words = {});
 
 /// A chunk of a PNG file.
 struct PngChunk {
