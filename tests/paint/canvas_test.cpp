@@ -61,7 +61,7 @@ CanvasOptions of_size(int width, int height) {
   return options;
 }
 
-class Painted : public testing::Test {
+class Painted : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     canvas_ = new Canvas(fonts(), test_theme(), of_size(kWidth, kHeight));
@@ -91,13 +91,13 @@ Color pixel(const Image& image, int x, int y) {
   return {p[0], p[1], p[2], p[3]};
 }
 
-testing::AssertionResult is(const Image& image, int x, int y, const Color& expected,
-                            int tolerance = 2) {
+::testing::AssertionResult is(const Image& image, int x, int y, const Color& expected,
+                              int tolerance = 2) {
   const Color got = pixel(image, x, y);
   const int difference = std::max(
       {std::abs(got.r - expected.r), std::abs(got.g - expected.g), std::abs(got.b - expected.b)});
-  if (difference <= tolerance && got.a == 255) return testing::AssertionSuccess();
-  return testing::AssertionFailure()
+  if (difference <= tolerance && got.a == 255) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure()
          << "pixel (" << x << ", " << y << ") is " << int{got.r} << " " << int{got.g} << " "
          << int{got.b} << " " << int{got.a} << ", expected " << int{expected.r} << " "
          << int{expected.g} << " " << int{expected.b} << " within " << tolerance;
