@@ -17,6 +17,7 @@ function __gjkscope_words
         printf '%s\n' $help | sed -nE '/^Subcommands:/,/^$/s/^  ([a-z-]+) .*/\1/p'
     else
         gjkscope lessons 2>/dev/null | tail -n +2 | string split -f1 ' '
+        __fish_complete_path (commandline -ct)
     end
 end
-complete -c gjkscope -a '(__gjkscope_words)'
+complete -c gjkscope -f -a '(__gjkscope_words)'
