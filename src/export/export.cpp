@@ -128,8 +128,10 @@ std::string frame_name(const std::string& id, int step, Format format, int betwe
                      : fmt::format("{}-{:04}.{}", id, step, ending);
 }
 
-/// Of the slides in `tex`.
-std::filesystem::path pages_of(std::filesystem::path tex) { return tex.replace_extension(".pdf"); }
+/// Of the slides in `tex`. LaTeX makes a PDF that is called as the document is: not these pages.
+std::filesystem::path pages_of(const std::filesystem::path& tex) {
+  return tex.parent_path() / (tex.stem().string() + "-pages.pdf");
+}
 
 std::filesystem::path caption_file(std::filesystem::path frame) {
   return frame.replace_extension(".txt");

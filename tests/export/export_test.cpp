@@ -302,8 +302,8 @@ TEST_F(Export, NoFileThatGoesWithFramesReplacesAnother) {
   ExportOptions slides = options("slides");
   slides.format = Format::tex;
   fs::create_directories(slides.out_dir);
-  std::ofstream(slides.out_dir / "segment-closest.pdf") << "a paper";
-  EXPECT_NE(error_of(slides).find("segment-closest.pdf is there"), std::string::npos);
+  std::ofstream(slides.out_dir / "segment-closest-pages.pdf") << "a paper";
+  EXPECT_NE(error_of(slides).find("segment-closest-pages.pdf is there"), std::string::npos);
   EXPECT_EQ(contents(slides.out_dir).size(), 1u);
 }
 
