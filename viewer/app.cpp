@@ -144,7 +144,7 @@ void App::nudge(const Vector2d& pixels) {
   const Subject& selected = picture_.selected;
   const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
-  const LessonPictures::Stage view = session_.views().front();
+  const LessonPictures::ShownView view = session_.views().front();
   const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
                                   : Vector2d(2.0 * units.cwiseProduct(pixels));
@@ -458,7 +458,6 @@ std::string App::state_json() {
                                  {"iteration", session_.text().iteration},
                                  {"phase", session_.text().phase},
                                  {"caption", session_.text().caption},
-                                 {"distance", session_.run().run(frame).trace.result.distance},
                                  {"unsaved", session_.is_unsaved()},
                                  {"undo", session_.undo_name()},
                                  {"redo", session_.redo_name()},
@@ -473,6 +472,8 @@ std::string App::state_json() {
                                  {"question", session_.question() != nullptr},
                                  {"asked", session_.answers().size()},
                                  {"right", session_.right_answers()}};
+  const LessonRun& run = session_.run();
+  if (run.has_gjk()) json["distance"] = run.run(frame).trace.result.distance;
   const auto vertices = [](const LessonShape& shape) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const Vector2d& vertex : shape.vertices) out.push_back({vertex.x(), vertex.y()});

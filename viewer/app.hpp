@@ -85,7 +85,6 @@ class App {
   [[nodiscard]] PictureView& picture() { return picture_; }
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
-  [[nodiscard]] const std::string& theme_name() const { return theme_name_; }
   [[nodiscard]] bool is_dark() const;
   [[nodiscard]] bool is_presenting() const { return presenting_; }
   [[nodiscard]] const std::filesystem::path& share() const { return paths_.share; }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -101,7 +102,7 @@ class Player {
     return *found + offset;
   }
 
-  static Subject subject(const std::string& text) {
+  Subject subject(const std::string& text) {
     Subject out;
     if (std::sscanf(text.c_str(), "x:%d", &out.x) == 1) return {Kind::vertex_of_x, out.x};
     if (std::sscanf(text.c_str(), "y:%d", &out.y) == 1) return {Kind::vertex_of_y, -1, out.y};
@@ -110,8 +111,9 @@ class Player {
     if (std::sscanf(text.c_str(), "frame:%d", &out.x) == 1) return {Kind::frame, out.x};
     if (std::sscanf(text.c_str(), "dot:%d", &out.x) == 1) return {Kind::study_dot, out.x};
     if (text.starts_with("phase:")) {
-      if (const auto phase = value_of<gjk::Phase>(text.substr(6)))
-        return {Kind::phase, static_cast<int>(*phase)};
+      const std::vector<std::string_view> phases = app_.session().run().phases();
+      const auto phase = std::find(phases.begin(), phases.end(), text.substr(6));
+      if (phase != phases.end()) return {Kind::phase, static_cast<int>(phase - phases.begin())};
     }
     if (text == "shape-x") return {Kind::shape_x};
     if (text == "shape-y") return {Kind::shape_y};

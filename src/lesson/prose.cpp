@@ -32,14 +32,6 @@ std::vector<ProsePart> prose_parts(std::string_view prose) {
   return parts;
 }
 
-std::vector<std::string> placeholders(std::string_view prose) {
-  std::vector<std::string> names;
-  for (ProsePart& part : prose_parts(prose)) {
-    if (part.kind == ProsePart::Kind::placeholder) names.push_back(std::move(part.text));
-  }
-  return names;
-}
-
 std::string expand(std::string_view prose, const std::map<std::string, std::string>& values) {
   std::string out;
   for (const ProsePart& part : prose_parts(prose)) {

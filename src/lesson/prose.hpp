@@ -49,9 +49,6 @@ struct ProsePart {
 };
 [[nodiscard]] std::vector<ProsePart> prose_parts(std::string_view prose);
 
-/// The placeholders of a text, known or not, in order, as often as they occur.
-[[nodiscard]] std::vector<std::string> placeholders(std::string_view prose);
-
 /// The text with its placeholders filled in; one without a value becomes kNoValue. Stray braces,
 /// which loading refuses, stay as they are.
 [[nodiscard]] std::string expand(std::string_view prose,

@@ -219,9 +219,12 @@ StepInfo LessonRun::info(const Frame& frame) const {
 
 bool LessonRun::has_gjk() const { return act->algorithm == nullptr || act->algorithm->follows_gjk; }
 
-std::string_view LessonRun::phase_name(int phase) const {
-  return act->algorithm == nullptr ? name_of(static_cast<gjk::Phase>(phase))
-                                   : act->algorithm->phases[static_cast<std::size_t>(phase)];
+std::vector<std::string_view> LessonRun::phases() const {
+  if (act->algorithm != nullptr)
+    return {act->algorithm->phases.begin(), act->algorithm->phases.end()};
+  std::vector<std::string_view> names;
+  for (const auto& [name, phase] : Named<gjk::Phase>::kTable) names.push_back(name);
+  return names;
 }
 
 int LessonRun::answering_iteration(const Frame& frame) const {

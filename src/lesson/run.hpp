@@ -98,8 +98,8 @@ struct LessonRun {
 
   /// The step of a frame in the algorithm that the act shows: GJK, or another.
   [[nodiscard]] StepInfo info(const Frame& frame) const;
-  /// "support": the phase with this number in the algorithm that the act shows.
-  [[nodiscard]] std::string_view phase_name(int phase) const;
+  /// "support": the names of the phases of the algorithm that the act shows, by number.
+  [[nodiscard]] std::vector<std::string_view> phases() const;
   /// The iteration of the step that answers a frame's question.
   [[nodiscard]] int answering_iteration(const Frame& frame) const;
 

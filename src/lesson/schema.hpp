@@ -35,7 +35,6 @@ inline constexpr int kVertexNameLength = 3;
 inline constexpr int kLastChapter = 99;
 inline constexpr int kLastOrder = 99;
 inline constexpr int kVertices = 10000;     ///< Of one shape: a limit of drawing, not of GJK.
-inline constexpr int kPairVertices = 8;     ///< Of one shape where frames step through the pairs.
 inline constexpr int kPositions = 500;      ///< On a path.
 inline constexpr double kShortest = 0.001;  ///< Of a motion, in seconds.
 inline constexpr double kLongest = 3600.0;

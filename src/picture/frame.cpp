@@ -29,7 +29,9 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
+constexpr double kBeside = 28.0;     // a view's title, on both sides
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
@@ -195,8 +197,9 @@ struct PageWriter {
 
 /// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
-  Stage stage;
+  ShownView shown;
   LabelPlacer placer;
+  std::vector<std::string> title;  ///< Line by line.
   Rect title_box;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
@@ -244,29 +247,34 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
     LessonView view = run_.lesson.views[i];
     if (cameras[i]) view.camera = cameras[i];
     const Rect& card = layout.views[i];
-    const double title_width = fonts_.width(type::kViewTitle, default_title(run_, view));
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
-    const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
+    const std::vector<std::string> title =
+        wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
+    Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
+    for (const std::string& line : title) {
+      title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
+    }
     const Camera camera = camera_of(run_, view, card);
     views_.push_back({{card, view.kind, camera},
                       LabelPlacer(fonts_, inner),
                       title,
+                      {card.min, card.min + title_size},
                       std::vector<std::optional<Scene>>(run_.frames.size())});
   }
 }
 
-std::vector<LessonPictures::Stage> LessonPictures::stages() const {
-  std::vector<Stage> stages;
-  for (const View& view : views_) stages.push_back(view.stage);
-  return stages;
+std::vector<LessonPictures::ShownView> LessonPictures::views() const {
+  std::vector<ShownView> list;
+  for (const View& view : views_) list.push_back(view.shown);
+  return list;
 }
 
 const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
   std::optional<Scene>& scene = views_[view].scenes[index];
-  const Stage& stage = views_[view].stage;
+  const ShownView& shown = views_[view].shown;
   if (!scene) {
     scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
-                        StageMap(stage.card, stage.camera), fonts_);
+                        StageMap(shown.card, shown.camera), fonts_);
   }
   return *scene;
 }
@@ -300,7 +308,7 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   std::set<std::string> placed;
   for (const Scene* of_frame : scenes) {
     for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (shows(view.stage.card, label) && placed.insert(label.id).second)
+      if (shows(view.shown.card, label) && placed.insert(label.id).second)
         (void)view.placer.place(label, true);
     }
   }
@@ -324,7 +332,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   constexpr std::size_t kMost = 3;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
-    for (const LegendEntry& entry : legend_entries()) {
+    for (const LegendEntry& entry : legend_entries(run_)) {
       // Where no run is followed, words do not speak of S.
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
@@ -389,7 +397,7 @@ Picture LessonPictures::picture(int index) {
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
     View& view = views_[i];
-    const Rect& card = view.stage.card;
+    const Rect& card = view.shown.card;
     page.add("card", Box{card, kCardCorner});
     const int clip = static_cast<int>(picture.clips.size());
     picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
@@ -435,8 +443,10 @@ Picture LessonPictures::picture(int index) {
     page.add(
         "view-title.box",
         Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 1.0});
-    page.write("view-title", card.min + Point(14.0, 26.0),
-               default_title(run_, run_.lesson.views[i]), type::kViewTitle);
+    for (std::size_t line = 0; line < view.title.size(); ++line) {
+      const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
+      page.write("view-title", card.min + start, view.title[line], type::kViewTitle);
+    }
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});

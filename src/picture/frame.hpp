@@ -69,7 +69,7 @@ enum class LabelScope { lesson, frame };
 class LessonPictures {
  public:
   /// One view on the page: what `camera` sees of it, centred in `card`.
-  struct Stage {
+  struct ShownView {
     Rect card;
     ViewKind kind = ViewKind::world;
     Camera camera;
@@ -89,7 +89,7 @@ class LessonPictures {
   /// `index` is that of the frame in LessonRun::frames.
   [[nodiscard]] Picture picture(int index);
   [[nodiscard]] const std::vector<FrameText>& texts() const { return texts_; }
-  [[nodiscard]] std::vector<Stage> stages() const;
+  [[nodiscard]] std::vector<ShownView> views() const;
 
  private:
   struct View;

@@ -93,7 +93,7 @@ struct Subject {
     difference,         ///< Z as a whole.
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
-    phase,              ///< `x` is its number: LessonRun::phase_name.
+    phase,              ///< `x` is its number: LessonRun::phases.
     study_dot,          ///< `x` is its index in its family.
     tree_node           ///< `x` is its index in the tree of X, or `y` in that of Y.
   };

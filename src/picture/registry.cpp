@@ -78,9 +78,14 @@ std::span<const Listing* const> registered_listings() {
   return listings;
 }
 
-std::span<const LegendEntry> legend_entries() {
-  static const auto entries = all(own_legend_entries(), &ShownAlgorithm::legend);
-  return entries;
+std::vector<LegendEntry> legend_entries(const LessonRun& run) {
+  std::vector<LegendEntry> list(own_legend_entries().begin(), own_legend_entries().end());
+  for (const ShownAlgorithm* folder : kAlgorithms) {
+    if (std::find(folder->acts.begin(), folder->acts.end(), &staged(run)) == folder->acts.end())
+      continue;
+    list.insert(list.end(), folder->legend.begin(), folder->legend.end());
+  }
+  return list;
 }
 
 const Vocabulary& vocabulary() {

@@ -29,7 +29,10 @@ namespace algorithms {
 [[nodiscard]] std::span<const StagedAct* const> registered_acts();
 [[nodiscard]] std::span<const Block* const> registered_blocks();
 [[nodiscard]] std::span<const Listing* const> registered_listings();
-[[nodiscard]] std::span<const LegendEntry> legend_entries();
+
+/// What the marks of a run's pictures mean: those that all lessons share, and those of the folder
+/// that has its act.
+[[nodiscard]] std::vector<LegendEntry> legend_entries(const LessonRun& run);
 
 /// What the loader knows of them.
 [[nodiscard]] const Vocabulary& vocabulary();

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
+
+#include "lesson/file.hpp"
 
 namespace gjkscope {
 namespace {
@@ -201,9 +201,7 @@ Theme Theme::load(const std::filesystem::path& folder, std::string_view name) {
   }
   const auto text = [&](std::string_view theme) -> std::optional<std::string> {
     if (!is_known(theme)) return std::nullopt;
-    std::ifstream stream(folder / fmt::format("{}.toml", theme), std::ios::binary);
-    if (!stream) throw std::runtime_error(fmt::format("cannot read the theme \"{}\"", theme));
-    return std::string(std::istreambuf_iterator<char>(stream), {});
+    return read_whole(folder / fmt::format("{}.toml", theme));
   };
   return resolve(text, name, folder);
 }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -15,6 +13,8 @@
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
 #include <stb/stb_truetype.h>
+
+#include "lesson/file.hpp"
 
 namespace gjkscope {
 namespace {
@@ -133,13 +133,15 @@ std::optional<FontFile> parse(std::vector<unsigned char> bytes) {
 std::vector<unsigned char> read_first(const std::vector<std::string>& candidates,
                                       std::string_view face,
                                       const std::vector<std::string>& packages) {
+  constexpr std::size_t kMost = 100'000'000;
   std::string tried;
   for (const std::string& candidate : candidates) {
-    std::ifstream stream(candidate, std::ios::binary);
-    std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(stream), {});
-    if (parse(bytes)) return bytes;
-    tried +=
-        fmt::format("\n  {}: {}", candidate, bytes.empty() ? "cannot be read" : "is not a font");
+    const FileText file = read_file(candidate, kMost);
+    if (file.text) {
+      std::vector<unsigned char> bytes(file.text->begin(), file.text->end());
+      if (parse(bytes)) return bytes;
+    }
+    tried += fmt::format("\n  {}: {}", candidate, file.text ? "is not a font" : file.problem);
   }
   throw std::runtime_error(
       fmt::format("no font file for the face \"{}\"; tried:{}\nDebian has it: apt-get install {}",
@@ -215,7 +217,7 @@ namespace {
 std::array<FaceBytes, kFaceCount> read_files(const std::filesystem::path& config) {
   toml::table table;
   try {
-    table = toml::parse_file(config.string());
+    table = toml::parse(read_whole(config), config.string());
   } catch (const toml::parse_error& error) {
     throw problem(error.source(), error.description());
   }
@@ -279,13 +281,6 @@ double Fonts::cap_height(const TextStyle& style) const {
   int left = 0, bottom = 0, right = 0, top = 0;
   stbtt_GetGlyphBox(&font.info, font.glyph('H'), &left, &bottom, &right, &top);
   return top / font.em * style.size;
-}
-
-double Fonts::line_height(const TextStyle& style) const {
-  const FontFile& font = loaded_->face(style.face).main;
-  int ascent = 0, descent = 0, gap = 0;
-  stbtt_GetFontVMetrics(&font.info, &ascent, &descent, &gap);
-  return (ascent - descent + gap) / font.em * style.size;
 }
 
 const std::vector<char32_t>& Fonts::characters() {

@@ -79,8 +79,6 @@ class Fonts {
   [[nodiscard]] double advance(const TextStyle& style, char32_t character) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
-  /// Distance from base line to base line.
-  [[nodiscard]] double line_height(const TextStyle& style) const;
 
   /// The characters that every face can draw, in ascending order; what a painter prepares. Tested
   /// face by face.

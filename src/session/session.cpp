@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "effects/growth.hpp"
@@ -230,7 +230,7 @@ Lesson Session::lesson_as_seen() const {
 }
 
 bool Session::show(LabelScope scope) {
-  const Moment was = shown_ ? moment() : Moment{};
+  const Moment was = shown_ ? moments()[static_cast<std::size_t>(index_)] : Moment{};
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
@@ -256,35 +256,33 @@ int Session::frame_count() const { return static_cast<int>(shown_->run.frames.si
 const Frame& Session::frame() const { return shown_->run.frames[static_cast<std::size_t>(index_)]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
-Session::Moment Session::moment() const {
-  const Frame& now = frame();
-  Moment moment{now.run, 0, -1, now.part()};
-  if (now.step >= 0) {
-    const gjk::Step<double, 2>& step = run().step(now);
-    moment.iteration = step.iteration;
-    moment.phase = static_cast<int>(step.phase);
+std::vector<Session::Moment> Session::moments() const {
+  const std::vector<std::string_view> phases = run().phases();
+  std::vector<Moment> list;
+  for (const Frame& frame : run().frames) {
+    const StepInfo info = run().info(frame);
+    const auto phase = std::find(phases.begin(), phases.end(), info.phase);
+    Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part()});
+    if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
+    if (!frame.steps_over) continue;
+    // Another run comes there in another number of steps.
+    now.part = static_cast<int>(std::count_if(list.begin(), list.end() - 1, [&](const Moment& m) {
+      return std::tie(m.run, m.iteration, m.phase) == std::tie(now.run, now.iteration, now.phase);
+    }));
   }
-  return moment;
+  return list;
 }
 
 int Session::find(const Moment& wanted) const {
   // The same moment, or the last one before it.
+  const auto key = [](const Moment& m) { return std::tie(m.run, m.iteration, m.phase, m.part); };
+  const std::vector<Moment> all = moments();
   int best = 0;
-  std::array<int, 4> best_key = {-1, -1, -2, -2};
-  const std::array<int, 4> wanted_key = {wanted.run, wanted.iteration, wanted.phase, wanted.part};
-  for (int i = 0; i < frame_count(); ++i) {
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
-    if (frame.question >= 0) continue;
-    std::array<int, 4> key = {frame.run, 0, -1, frame.part()};
-    if (frame.step >= 0) {
-      const gjk::Step<double, 2>& step = run().step(frame);
-      key[1] = step.iteration;
-      key[2] = static_cast<int>(step.phase);
-    }
-    if (key <= wanted_key && key >= best_key) {
+  for (int i = 1; i < frame_count(); ++i) {
+    const Moment& moment = all[static_cast<std::size_t>(i)];
+    if (run().frames[static_cast<std::size_t>(i)].question >= 0) continue;
+    if (key(moment) <= key(wanted) && key(moment) >= key(all[static_cast<std::size_t>(best)]))
       best = i;
-      best_key = key;
-    }
   }
   return best;
 }
@@ -328,6 +326,34 @@ bool Session::go_to_next(std::string_view phase) {
     return true;
   }
   return false;
+}
+
+std::optional<int> Session::next(Event event) const {
+  const std::vector<Frame>& frames = run().frames;
+  const bool is_gjk = run().act->algorithm == nullptr;
+  const gjk::Simplex<double, 2>& simplex = run().state(frame()).simplex;
+  for (int i = index_ + 1; i < frame_count(); ++i) {
+    const Frame& later = frames[static_cast<std::size_t>(i)];
+    if (later.question >= 0) continue;
+    const bool ends =
+        i + 1 == frame_count() || frames[static_cast<std::size_t>(i) + 1].run != later.run;
+    const bool is_dropped = is_gjk && later.step >= 0 && !run().step(later).record.dropped.empty();
+    if (event == Event::run_ends && ends) return i;
+    if (event == Event::vertex_dropped && is_dropped) return i;
+    const gjk::Simplex<double, 2>& other = run().state(later).simplex;
+    const bool is_same =
+        other.count == simplex.count &&
+        std::all_of(other.vertices.begin(), other.vertices.begin() + other.count,
+                    [&](const auto& vertex) { return has_pair(simplex, vertex.pair); });
+    if (event == Event::simplex_changes && is_gjk && !is_same) return i;
+  }
+  return std::nullopt;
+}
+
+bool Session::run_until(Event event) {
+  const std::optional<int> to = next(event);
+  if (to) go_to(*to);
+  return to.has_value();
 }
 
 void Session::set_predicting(bool on) {
@@ -381,11 +407,11 @@ const Picture& Session::picture() {
   return *picture_;
 }
 
-const FrameText& Session::text() const {
-  return shown_->pictures.texts()[static_cast<std::size_t>(index_)];
-}
+const FrameText& Session::text() const { return texts()[static_cast<std::size_t>(index_)]; }
 
-std::vector<LessonPictures::Stage> Session::views() const { return shown_->pictures.stages(); }
+const std::vector<FrameText>& Session::texts() const { return shown_->pictures.texts(); }
+
+std::vector<LessonPictures::ShownView> Session::views() const { return shown_->pictures.views(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind)) return;
@@ -395,7 +421,7 @@ void Session::set_camera(std::size_t view, const Camera& camera) {
 
 void Session::hold_cameras() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
       cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
@@ -404,7 +430,7 @@ void Session::hold_cameras() {
 
 void Session::fit() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind)) fit(i, seen[i].card);
   }
@@ -423,7 +449,7 @@ void Session::keep_difference_in_sight() {
   Eigen::AlignedBox2d y;
   for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
   for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].kind != ViewKind::difference) continue;
     const Rect& card = seen[i].card;

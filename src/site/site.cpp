@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 
 #include "lesson/chapters.hpp"
 #include "lesson/file.hpp"
@@ -230,17 +231,23 @@ class SiteWriter {
                {"name", data["name"]},
                {"files", data["files"]}});
     const bool two = lesson.views.size() > 1;
-    const Json first = ask({{"do", "layout"},
-                            {"width", 960},
-                            {"height", two ? 480 : 560},
-                            {"panel", two ? 400 : 440},
-                            {"timeline", 960},
-                            {"theme", "light"}});
+    // In two sizes: of the narrowest pages with one column and with two, so that type never
+    // shrinks.
+    for (const auto& [name, width, height, panel] :
+         {std::tuple("narrow", 360, two ? 620 : 325, 360),
+          {"wide", 640, two ? 320 : 400, two ? 400 : 440}}) {
+      const Json first = ask({{"do", "layout"},
+                              {"width", width},
+                              {"height", height},
+                              {"panel", panel},
+                              {"timeline", width},
+                              {"theme", "light"}});
+      for (const char* key : {"prose", "position", "caption", "detail"})
+        parts[key] = escape_html(first[key].get<std::string>());
+      for (const char* key : {"stage", "panel"})
+        parts[key] += fmt::format("<div class=\"{}\">\n{}</div>\n", name, first.value(key, ""));
+    }
     parts["title"] = escape_html(lesson.title);
-    for (const char* key : {"prose", "position", "caption", "detail"})
-      parts[key] = escape_html(first[key].get<std::string>());
-    parts["stage"] = first["stage"].get<std::string>();
-    parts["panel"] = first.value("panel", "");
     parts["views"] = two ? "two" : "one";
     parts["nav"] = nav(lesson.id + ".html", next);
     if (next) {

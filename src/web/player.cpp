@@ -61,7 +61,7 @@ struct Player::Asked {
 /// What is being dragged, since where.
 struct Player::Drag {
   Subject subject;
-  std::size_t stage = 0;
+  std::size_t view = 0;
   Point last;
   bool moved = false;
 };
@@ -164,7 +164,9 @@ std::string Player::on_the_way(const Asked& asked) const {
 }
 
 void Player::go_to_phase(int phase) {
-  if (!session_.go_to_next(session_.run().phase_name(phase)))
+  const std::vector<std::string_view> phases = session_.run().phases();
+  const bool is_phase = phase >= 0 && phase < static_cast<int>(phases.size());
+  if (!is_phase || !session_.go_to_next(phases[static_cast<std::size_t>(phase)]))
     throw std::runtime_error("this run has no such step");
 }
 
@@ -266,19 +268,19 @@ void Player::release() {
 
 namespace {
 
-std::optional<std::size_t> stage_at(const Session& session, const Point& p) {
-  const std::vector<LessonPictures::Stage> stages = session.views();
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    const Rect& card = stages[i].card;
+std::optional<std::size_t> view_at(const Session& session, const Point& p) {
+  const std::vector<LessonPictures::ShownView> views = session.views();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Rect& card = views[i].card;
     if ((p.array() >= card.min.array()).all() && (p.array() <= card.max.array()).all()) return i;
   }
   return std::nullopt;
 }
 
-Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
-  const Point off = p - stage.card.center();
-  return stage.camera.center + stage.camera.units_per_pixel(stage.card.size().y())
-                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
+Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
+  const Point off = p - view.card.center();
+  return view.camera.center + view.camera.units_per_pixel(view.card.size().y())
+                                  .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 }  // namespace
@@ -286,15 +288,15 @@ Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
 void Player::press(const Point& at) {
   drag_.reset();
   const Subject subject = subject_at(session_.picture(), fonts_, at, 2.0 * kSlack);
-  const std::optional<std::size_t> stage = stage_at(session_, at);
-  if (!stage) return;
-  const bool in_world = session_.views()[*stage].kind == ViewKind::world;
+  const std::optional<std::size_t> view = view_at(session_, at);
+  if (!view) return;
+  const bool in_world = session_.views()[*view].kind == ViewKind::world;
   const bool of_shapes = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y ||
                          subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
   const bool of_difference =
       subject.kind == Kind::difference || subject.kind == Kind::difference_vertex;
   if (in_world ? of_shapes : of_difference)
-    drag_ = std::make_shared<Drag>(Drag{subject, *stage, at});
+    drag_ = std::make_shared<Drag>(Drag{subject, *view, at});
 }
 
 void Player::move(const Point& at) {
@@ -306,8 +308,8 @@ void Player::move(const Point& at) {
   const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
   if (!std::exchange(drag.moved, true))
     session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
-  const LessonPictures::Stage stage = session_.views()[drag.stage];
-  const Vector2d by = to_view(stage, at) - to_view(stage, drag.last);
+  const LessonPictures::ShownView view = session_.views()[drag.view];
+  const Vector2d by = to_view(view, at) - to_view(view, drag.last);
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
   const std::size_t body = of_x ? 0 : 1;
   const PositionedRun& run = session_.run().run(session_.frame());
@@ -315,7 +317,7 @@ void Player::move(const Point& at) {
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? subject.x : subject.y;
-    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(stage, at));
+    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(view, at));
   });
   drag.last = at;
 }
@@ -359,9 +361,9 @@ void Player::put_vertex(const Asked& asked) {
 void Player::nudge(const Asked& asked) {
   const std::size_t body = asked.shape();
   const int index = asked.whole("index");
-  const std::vector<LessonPictures::Stage> stages = session_.views();
-  const LessonPictures::Stage& stage = stages.front();
-  const Vector2d by = stage.camera.units_per_pixel(stage.card.size().y())
+  const std::vector<LessonPictures::ShownView> views = session_.views();
+  const LessonPictures::ShownView& view = views.front();
+  const Vector2d by = view.camera.units_per_pixel(view.card.size().y())
                           .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;

@@ -191,7 +191,8 @@ int main_of(int argc, char** argv) {
   app.add_option("--seed", seed, "Seed");
   app.add_option("--families", names, "Families; all if none is named")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<std::string>(kFamilyNames.begin(), kFamilyNames.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(
+          kFamilyNames.begin(), kFamilyNames.begin() + families::kFamilyCount)));
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Job> jobs;

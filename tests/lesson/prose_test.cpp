@@ -26,10 +26,6 @@ TEST(Prose, AValueIsNotExpandedAgain) {
 
 TEST(Prose, StrayBracesStay) { EXPECT_EQ(expand("{u} } { {u", {{"u", "0.5"}}), "0.5 } { {u"); }
 
-TEST(Prose, PlaceholdersAreListedInOrderWithRepetition) {
-  EXPECT_EQ(placeholders("{u}{{v}}{typo}{u}"), (std::vector<std::string>{"u", "typo", "u"}));
-}
-
 TEST(Prose, StrayBracesAreParts) {
   int stray = 0;
   for (const ProsePart& part : prose_parts("a } b { c {d} {e")) {

@@ -111,6 +111,38 @@ TEST(Session, AfterAnEditTheSamePhaseAndIterationStay) {
   EXPECT_LT(session.index(), session.frame_count());
 }
 
+TEST(Session, AfterAnEditTheSamePhaseAndIterationOfAnyAlgorithmStay) {
+  for (const char* id : {"penetration-depth", "penetration-nested"}) {
+    Session session(fonts());
+    ASSERT_TRUE(session.open(shipped_lesson(id), {}));
+    const auto where = [&] { return std::pair(session.text().iteration, session.text().phase); };
+    const auto iterations_of_gjk = [&] {
+      return session.run().run(session.frame()).trace.result.iterations;
+    };
+    const int before = iterations_of_gjk();
+    int kept_though_gjk_took_longer = 0;
+    for (int edit = 0; edit < 961; ++edit) {
+      const Vector2d by(0.2 * (edit % 31 - 15), 0.2 * (edit / 31 - 15));
+      session.go_to(session.frame_count() / 2);
+      const auto was = where();
+      ASSERT_TRUE(
+          change(session, "move", [&](Lesson& lesson) { edit::move_shape(lesson, 1, by); }));
+      const auto now = where();
+      bool is_there = false;
+      for (int i = 0; i < session.frame_count(); ++i) {
+        session.go_to(i);
+        is_there |= where() == was;
+      }
+      if (is_there) {
+        EXPECT_EQ(now, was) << id << ", moved by " << by.transpose();
+        kept_though_gjk_took_longer += iterations_of_gjk() > before;
+      }
+      session.undo();
+    }
+    EXPECT_GT(kept_though_gjk_took_longer, 0) << id;
+  }
+}
+
 TEST(Session, StepsByIterationStandAtTheFirstFrameOfEach) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
@@ -368,7 +400,7 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   session.begin_drag("drag");
   for (int i = 0; i < 40; ++i) {
     session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
-    const LessonPictures::Stage view = session.views()[1];
+    const LessonPictures::ShownView view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
     for (const Vector2d& y : run.y().world) {
       for (const Vector2d& x : run.x().world) {

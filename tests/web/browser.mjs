@@ -408,7 +408,7 @@ claim("hostile and damaged links get a located problem, and nothing runs", async
     await page.locator("#problem").waitFor({ timeout: 5000 });
     const problem = await text(page, "problem");
     assert.match(problem, wanted, `${hash.slice(0, 80)} gives: ${problem}`);
-    assert.ok(await page.locator("#stage svg").isVisible());
+    assert.equal(await page.locator("#stage svg:visible").count(), 1);
   };
   const [, all] = await count(page);
   await follow("#step=999", new RegExp(`^link: there is no step 999; expected 1 to ${all}$`));
@@ -565,12 +565,35 @@ claim("nothing scrolls sideways and no type is below 14 pixels, at any size", as
   }
 });
 
-claim("without a script there are the first frame and all words", async () => {
-  for (const name of ["polygons-gjk", "stop-vertex"]) {
+claim("what a step says is in sight without scrolling", async () => {
+  for (const size of ["laptop", "projector"]) {
+    for (const name of ["polygons-gjk", "triangle-obtuse", "segment-balance", "penetration-nested", "accuracy-cost"]) {
+      const page = await open(url(name), size);
+      const below = await page.evaluate(() => {
+        const hidden = [];
+        for (let step = 0; step < state.count; ++step) {
+          act({ do: "go", to: step });
+          const words = document.getElementById(state.detail ? "detail" : "caption").getBoundingClientRect();
+          if (words.bottom > innerHeight) hidden.push(step + 1);
+        }
+        return hidden;
+      });
+      assert.deepEqual(below, [], `steps of ${name} at ${size}`);
+      await close(page);
+    }
+  }
+});
+
+claim("without a script there are the first frame and all words, and no type is below 14 pixels", async () => {
+  for (const name of ["polygons-gjk", "stop-vertex", "hierarchy-distance"]) {
     const program = await startProgram();
     const { count: steps } = program({ do: "open", lesson: read(`lessons/${name}.toml`), name });
     const page = await open(url(name), "phone", { javaScriptEnabled: false });
-    assert.ok(await page.locator("#stage svg").isVisible());
+    for (const width of [360, 700, 710, 1080, 1090, 1280, 1920]) {
+      await page.setViewportSize({ width, height: 740 });
+      assert.equal(await page.locator("#stage svg:visible").count(), 1);
+      assert.deepEqual(await measure(page), { wide: 0, small: [] }, `${name} at ${width}`);
+    }
     assert.equal(await page.locator(".controls").isVisible(), false);
     assert.ok((await text(page, "caption")).length > 20);
     assert.equal(await page.locator(".transcript li").count(), steps);
@@ -587,7 +610,7 @@ claim("without WebAssembly, too, and the page says so", async () => {
   await page.goto(url("polygons-gjk"));
   await page.locator("#problem").waitFor();
   assert.match(await text(page, "problem"), /cannot be made live here.*The first frame and all words are below/);
-  assert.ok(await page.locator("#stage svg").isVisible());
+  assert.equal(await page.locator("#stage svg:visible").count(), 1);
   assert.equal(await page.locator(".controls").isVisible(), false);
   assert.ok(await page.locator(".transcript li").count() > 10);
   await close(page);

@@ -54,7 +54,7 @@ void draw_values(App& app) {
   }
   ImGui::EndTable();
   if (deep != nullptr && run.act->algorithm == nullptr && ImGui::Button("Show how it is found")) {
-    app.session().edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
+    app.edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
   }
 }
 
