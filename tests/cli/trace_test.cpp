@@ -146,7 +146,9 @@ TEST(TraceJson, OutlinesAreTracedByEachMethod) {
     const json run = json::parse(traced.out)["runs"][0];
     EXPECT_EQ(2.0, run[key]["distance"]["value"]);
     EXPECT_FALSE(run[key]["steps"].empty());
-    if (method == ModelMethod::circles) EXPECT_EQ("circles", run[key]["volumes"]);
+    if (method == ModelMethod::circles) {
+      EXPECT_EQ("circles", run[key]["volumes"]);
+    }
   }
   const json document = json::parse(trace(kOutlines, true).out);
   EXPECT_EQ(json({4, 4}), document["x"]["outlines"]);

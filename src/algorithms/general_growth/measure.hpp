@@ -3,6 +3,7 @@
 // not convex and lie apart. Nothing is timed, so counts are the same on every machine; the outlines
 // come of sums, products, quotients and square roots alone.
 
+#include <algorithm>
 #include <random>
 
 #include "models/pieces.hpp"
@@ -30,6 +31,8 @@ struct Sample {
 
 /// Cutting takes O(n^2): larger outlines are not cut.
 inline constexpr int kMostCut = 300;
+/// Of one size, in all runs together: larger outlines have fewer runs.
+inline constexpr int kMostSegments = 300000;
 /// How far Y moves from one position to the next, as a share of its radius.
 inline constexpr double kStep = 0.02;
 
@@ -109,10 +112,10 @@ struct Scene {
   using models::Circle;
   Sample out;
   out.segments = segments;
-  out.runs = runs;
+  out.runs = std::clamp(kMostSegments / segments, 1, runs);
   std::mt19937_64 bits(static_cast<std::uint64_t>(seed));
-  const double share = 1.0 / runs;
-  for (int run = 0; run < runs; ++run) {
+  const double share = 1.0 / out.runs;
+  for (int run = 0; run < out.runs; ++run) {
     const Scene pair = scene(bits, segments);
     const Model& x = pair.x;
     const Model& y = pair.y;
