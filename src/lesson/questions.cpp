@@ -65,7 +65,7 @@ void add_question_frames(LessonRun& run) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
-      if (run.frames[i - 1].run != run.frames[i].run) continue;
+      if (run.frames[i - 1].run != run.frames[i].run && !run.act->sweeps) continue;
       const int answer =
           run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;

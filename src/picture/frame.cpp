@@ -29,7 +29,9 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
+constexpr double kBeside = 28.0;     // a view's title, on both sides
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
@@ -197,6 +199,7 @@ struct PageWriter {
 struct LessonPictures::View {
   ShownView shown;
   LabelPlacer placer;
+  std::vector<std::string> title;  ///< Line by line.
   Rect title_box;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
@@ -244,13 +247,18 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
     LessonView view = run_.lesson.views[i];
     if (cameras[i]) view.camera = cameras[i];
     const Rect& card = layout.views[i];
-    const double title_width = fonts_.width(type::kViewTitle, default_title(run_, view));
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
-    const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
+    const std::vector<std::string> title =
+        wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
+    Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
+    for (const std::string& line : title) {
+      title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
+    }
     const Camera camera = camera_of(run_, view, card);
     views_.push_back({{card, view.kind, camera},
                       LabelPlacer(fonts_, inner),
                       title,
+                      {card.min, card.min + title_size},
                       std::vector<std::optional<Scene>>(run_.frames.size())});
   }
 }
@@ -473,8 +481,10 @@ Picture LessonPictures::picture(int index) {
     page.add(
         "view-title.box",
         Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 1.0});
-    page.write("view-title", card.min + Point(14.0, 26.0),
-               default_title(run_, run_.lesson.views[i]), type::kViewTitle);
+    for (std::size_t line = 0; line < view.title.size(); ++line) {
+      const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
+      page.write("view-title", card.min + start, view.title[line], type::kViewTitle);
+    }
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});

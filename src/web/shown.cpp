@@ -24,8 +24,8 @@ constexpr double kTimelineHeight = 66.0;
 
 /// Whether all texts of a panel are within it and apart.
 bool fits(const Picture& picture, const Fonts& fonts) {
-  constexpr double kEdge = 6.0;
-  constexpr double kGap = 2.0;
+  constexpr double kEdge = 10.0;
+  constexpr double kGap = 6.0;
   constexpr double kTouching = 0.01;
   std::vector<Rect> boxes;
   for (const Mark& mark : picture.marks) {

@@ -101,10 +101,9 @@ class Asking {
     return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
   }
 
-  /// Starts with the pairs at which the last search ended, the nearest on top (Li and Chen 1998,
-  /// "Incremental 3D collision detection with hierarchical data structures"). Trees of as many
-  /// segments have the same nodes, so below these pairs lie all pairs of leaves, as below the
-  /// roots.
+  /// Starts with the pairs at which the last search ended, the nearest on top (FCL calls them the
+  /// front). Trees of as many segments have the same nodes, so below these pairs lie all pairs of
+  /// leaves, as below the roots.
   models::SearchResult search_from_front(const Query& query, const models::SearchOptions& options) {
     models::SearchState state = models::start(query, options);
     const bool starts_at_front =
