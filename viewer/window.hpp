@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app.hpp"
-#include "paint/canvas.hpp"
+#include "paint/image.hpp"
 
 namespace gjkscope {
 

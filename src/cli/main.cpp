@@ -61,7 +61,7 @@ struct Arguments {
   ExportOptions export_options;
   std::filesystem::path out;
   std::string format;
-  std::string caption = "below";
+  std::string caption;
   std::string crop;
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
@@ -86,9 +86,9 @@ void add_export_look(CLI::App* command, Arguments& args) {
       ->check(CLI::IsMember({"stage"}));
   command
       ->add_option("--caption", args.caption,
-                   "below: in the frame; none: left out; file: in a text file beside each frame")
-      ->check(CLI::IsMember({"below", "none", "file"}))
-      ->capture_default_str();
+                   "below: in the frame; none: left out; file: in a text file beside each frame. "
+                   "If not given, below, with --crop none")
+      ->check(CLI::IsMember({"below", "none", "file"}));
   command->add_option("--handout", options.handout, "pdf: N frames on each page, with captions")
       ->check(CLI::Range(1, kMostOnHandout))
       ->type_name("N");
@@ -129,6 +129,9 @@ void add_export(CLI::App& app, Arguments& args) {
   command->add_option("--jobs", options.jobs, "Threads; 0: one for each processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  parsed(command, "--renderer", options.renderer, renderer_of, "one of osmesa, egl",
+         "What paints pixels, without a display; the first of them that is there, if not given")
+      ->type_name("osmesa|egl");
   command->add_flag("--no-questions{false}", options.questions,
                     "Leave out the frames that ask a question");
   command->add_flag("--index", options.index,
@@ -337,11 +340,13 @@ int run_export(const Environment& env, Arguments& args) {
   options.last_step = args.steps.last;
   options.progress = !args.json;
   options.stage_only = args.crop == "stage";
+  if (args.caption.empty()) args.caption = options.stage_only ? "none" : "below";
   options.caption = args.caption == "none"   ? CaptionPlace::none
                     : args.caption == "file" ? CaptionPlace::file
                                              : CaptionPlace::below;
   if (args.format == "html")
-    return export_pages_command(env, args.lessons, {args.out, env.share, options.index}, args.json);
+    return export_pages_command(env, args.lessons,
+                                {args.out, env.share, options.index, options.force}, args.json);
   const std::string extension = args.out.extension().string();
   const std::optional<Format> by_ending =
       extension.empty() ? std::nullopt : format_of(extension.substr(1));

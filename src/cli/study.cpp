@@ -109,16 +109,16 @@ class FigureWriter {
         theme_(Theme::load(env.share / "assets" / "themes", "light")) {}
 
   void write(const study::Study& study, const fs::path& folder) const {
-    constexpr int kSupersampling = 2;
     make_folder(folder);
     const std::vector<Figure> figures = accuracy_figures(study, fonts_);
     if (figures.empty()) return;
     const Picture& first = figures.front().picture;
-    Canvas canvas(fonts_, theme_, static_cast<int>(first.width), static_cast<int>(first.height),
-                  kSupersampling);
+    CanvasOptions size;
+    size.width = static_cast<int>(first.width);
+    size.height = static_cast<int>(first.height);
+    Canvas canvas(fonts_, theme_, size);
     for (const Figure& figure : figures) {
-      const std::vector<std::uint8_t> png =
-          encode_png(shrink(canvas.paint(figure.picture), kSupersampling));
+      const std::vector<std::uint8_t> png = encode_png(canvas.paint(figure.picture));
       write_whole(folder / (figure.name + ".png"), png);
       write_whole(folder / (figure.name + ".svg"),
                   to_svg(figure.picture, fonts_, theme_, figure.title));

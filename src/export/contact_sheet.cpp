@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "export/record.hpp"
+#include "lesson/file.hpp"
 #include "lesson/html.hpp"
 
 namespace gjkscope {

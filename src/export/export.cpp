@@ -35,7 +35,6 @@
 namespace gjkscope {
 namespace {
 
-constexpr int kSupersampling = 2;
 // A thumbnail; type below that has no pixels to stand on.
 constexpr int kSmallestWidth = 160;
 constexpr int kSmallestHeight = 90;
@@ -90,6 +89,11 @@ void check(const ExportOptions& options) {
     throw std::runtime_error(fmt::format("a page of a handout has 1 to {} frames; asked for {}",
                                          kMostOnHandout, options.handout));
   }
+  if (options.caption == CaptionPlace::file && !has_file_per_frame(options.format)) {
+    throw std::runtime_error(
+        fmt::format("captions go into files beside those of png and svg; a {} has none beside it",
+                    name_of(options.format)));
+  }
   if (options.transparent && is_film(options.format)) {
     throw std::runtime_error(fmt::format("a {} cannot be transparent; png, svg, pdf and tex can",
                                          name_of(options.format)));
@@ -124,6 +128,15 @@ std::string frame_name(const std::string& id, int step, Format format, int betwe
                      : fmt::format("{}-{:04}.{}", id, step, ending);
 }
 
+/// Of the slides in `tex`. LaTeX makes a PDF that is called as the document is: not these pages.
+std::filesystem::path pages_of(const std::filesystem::path& tex) {
+  return tex.parent_path() / (tex.stem().string() + "-pages.pdf");
+}
+
+std::filesystem::path caption_file(std::filesystem::path frame) {
+  return frame.replace_extension(".txt");
+}
+
 /// Images that are not among the `kept` are of an earlier export that had more.
 void remove_stale_frames(const std::filesystem::path& folder, const std::string& id, Format format,
                          const std::set<std::filesystem::path>& kept) {
@@ -139,6 +152,9 @@ void remove_stale_frames(const std::filesystem::path& folder, const std::string&
     if (name == frame_name(id, step, format, between) && !kept.contains(entry.path()) &&
         is_exported(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
+      if (is_exported(caption_file(entry.path()))) {
+        std::filesystem::remove(caption_file(entry.path()), ignored);
+      }
     }
   }
 }
@@ -158,10 +174,11 @@ Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   for (const std::string& name : Theme::names(options.assets_dir / "themes")) {
     sum.add(read_whole(options.assets_dir / "themes" / (name + ".toml")));
   }
-  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format), options.theme,
-                      options.width, options.height, options.scale, options.dpi,
+  const int renderer = options.renderer ? static_cast<int>(*options.renderer) : -1;
+  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format),
+                      options.theme, options.width, options.height, options.scale, options.dpi,
                       options.transparent, options.stage_only, options.handout, options.seconds,
-                      options.fps, static_cast<int>(options.caption)));
+                      options.fps, static_cast<int>(options.caption), renderer));
   return sum;
 }
 
@@ -228,9 +245,10 @@ struct LessonOnItsWay {
     for (int step = first; step <= last; ++step) out.frames.push_back(recorded(step));
     return out;
   }
-  [[nodiscard]] std::string key(int first, int last) const {
+  /// `between`: which picture on the way to the step `last`, from 1.
+  [[nodiscard]] std::string key(int first, int last, int between = 0) const {
     Fingerprint sum = made_from;
-    sum.add(fmt::format("{}..{}", first, last));
+    sum.add(fmt::format("{}..{}, {}", first, last, between));
     return sum.hex();
   }
 };
@@ -242,9 +260,11 @@ class Exporter {
         fonts_(options.assets_dir / "fonts.toml"),
         theme_(Theme::load(options.assets_dir / "themes", options.theme)),
         page_(page_of(options.width, options.height)),
-        writer_(thread_count(options), kSupersampling),
+        writer_(thread_count(options), [this] { return canvas(); }),
         made_from_(fingerprint_of(options, fonts_)) {
     page_.bare = options.stage_only;
+    page_.captions = options.caption == CaptionPlace::below;
+    if (options.index) may_write(index_file());
   }
 
   /// Makes the lesson's files, or hands its frames to the writer. False when a signal came before
@@ -267,13 +287,13 @@ class Exporter {
     writer_.finish();
     const std::set<std::filesystem::path> kept(files_.begin(), files_.end());
     for (const ExportedLesson& lesson : lessons_) {
-      if (options_.file_name.empty()) write(lesson.id + ".json", sidecar(lesson));
+      if (options_.file_name.empty()) write(sidecar_file(lesson.id), sidecar(lesson));
       if (!options_.first_step && !options_.last_step && options_.file_name.empty()) {
         remove_stale_frames(options_.out_dir, lesson.id, options_.format, kept);
       }
     }
     if (options_.index && complete) {
-      write("index.html",
+      write(index_file(),
             contact_sheet(lessons_, read_whole(options_.assets_dir / "contact-sheet.html")));
     }
     result.files = std::move(files_);
@@ -328,22 +348,29 @@ class Exporter {
   /// Also refuses, before anything is drawn, to replace what was not exported.
   [[nodiscard]] bool is_up_to_date(const LessonOnItsWay& way) const {
     const auto [first, last] = way.steps;
+    if (options_.file_name.empty()) may_write(sidecar_file(way.run.lesson.id));
     if (!has_file_per_frame(options_.format)) {
       may_write(file_of(way, first));
+      if (options_.format == Format::tex) may_write(pages_of(file_of(way, first)));
       return has(file_of(way, first), way.key(first, last));
     }
     bool all = true;
     for (int step = first; step <= last; ++step) {
       may_write(file_of(way, step));
+      if (options_.caption == CaptionPlace::file) may_write(caption_file(file_of(way, step)));
       all = all && has(file_of(way, step), way.key(step, step));
     }
     return all;
   }
   void may_write(const std::filesystem::path& file) const {
-    if (options_.force || is_exported(file)) return;
-    throw std::runtime_error(fmt::format(
-        "{} exists, and gjkscope did not export it; --force replaces it", file.string()));
+    if (!options_.force) refuse_foreign(file);
   }
+
+  /// The files that describe frames.
+  [[nodiscard]] std::filesystem::path sidecar_file(const std::string& id) const {
+    return options_.out_dir / (id + ".json");
+  }
+  [[nodiscard]] std::filesystem::path index_file() const { return options_.out_dir / "index.html"; }
 
   bool add_frames(LessonOnItsWay& way) {
     const auto [first, last] = way.steps;
@@ -358,8 +385,8 @@ class Exporter {
       } else {
         int between = 0;
         for (const Picture& picture : on_the_way(way, step))
-          add_image(way, step, picture, file_of(way, step, ++between));
-        add_image(way, step, way.pictures[at], file);
+          add_image(way, step, picture, ++between);
+        add_image(way, step, way.pictures[at]);
       }
       write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
@@ -367,11 +394,11 @@ class Exporter {
     return true;
   }
 
-  void add_image(const LessonOnItsWay& way, int step, const Picture& picture,
-                 const std::filesystem::path& file) {
+  void add_image(const LessonOnItsWay& way, int step, const Picture& picture, int between = 0) {
+    const std::filesystem::path file = file_of(way, step, between);
     files_.push_back(file);
     ++frame_count_;
-    const std::string key = way.key(step, step);
+    const std::string key = way.key(step, step, between);
     if (has(file, key)) {
       ++kept_count_;
       return;
@@ -384,9 +411,7 @@ class Exporter {
                                options_.transparent));
       return;
     }
-    Image image = writer_.acquire();
-    paint(picture, image);
-    writer_.submit(std::move(image), file, words(way, text, record));
+    writer_.submit(picture, file, words(way, text, record));
   }
 
   /// The pictures between a step and the one before it; none where nothing moves.
@@ -446,9 +471,7 @@ class Exporter {
                 record_text(record)},
                {points * options_.scale, options_.handout, options_.transparent});
     if (options_.format == Format::pdf) return write_bytes(file, pdf);
-    std::filesystem::path pages = file;
-    pages.replace_extension(".pdf");
-    may_write(pages);
+    const std::filesystem::path pages = pages_of(file);
     write_bytes(pages, pdf);
     files_.push_back(pages);
     // The key is in both: without its pages the document is out of date.
@@ -459,13 +482,13 @@ class Exporter {
   bool add_film(const LessonOnItsWay& way, const std::filesystem::path& file,
                 const std::string& record) {
     const auto [first, last] = way.steps;
+    if (!canvas_) canvas_ = canvas();
     Image image;
     std::unique_ptr<Film> film;
     const auto show = [&](const Picture& picture, double seconds) {
-      paint(picture, image);
-      const Image small = shrink(image, kSupersampling);
-      if (!film) film = film_of(file, small, {record, way.run.lesson.title});
-      film->add(small, seconds);
+      canvas_->paint(picture, image);
+      if (!film) film = film_of(file, image, {record, way.run.lesson.title});
+      film->add(image, seconds);
     };
     for (int step = first; step <= last; ++step) {
       if (SignalWatch::signal() != 0) return false;
@@ -486,25 +509,17 @@ class Exporter {
                        options_.fps > 0 ? options_.fps : kFilmRate, words);
   }
 
-  /// What differs between the picture on black and on white is what shines through.
-  void paint(const Picture& picture, Image& image) {
-    if (!canvas_) {
-      const auto pixels = [&](int length) {
-        return std::max(1, static_cast<int>(std::lround(length * options_.scale)));
-      };
-      canvas_ =
-          std::make_unique<Canvas>(fonts_, theme_, pixels(options_.width), pixels(options_.height),
-                                   kSupersampling, page_.zoom * options_.scale);
-    }
-    if (!options_.transparent) return canvas_->paint(picture, image);
-    canvas_->set_theme(theme_.on({255, 255, 255, 255}));
-    const Image on_white = canvas_->paint(picture);
-    canvas_->set_theme(theme_.on({0, 0, 0, 255}));
-    canvas_->paint(picture, image);
-    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-      image.pixels[i + 3] =
-          static_cast<std::uint8_t>(255 - (on_white.pixels[i + 1] - image.pixels[i + 1]));
-    }
+  [[nodiscard]] std::unique_ptr<Canvas> canvas() const {
+    const auto pixels = [&](int length) {
+      return std::max(1, static_cast<int>(std::lround(length * options_.scale)));
+    };
+    CanvasOptions more;
+    more.width = pixels(options_.width);
+    more.height = pixels(options_.height);
+    more.zoom = page_.zoom * options_.scale;
+    more.transparent = options_.transparent;
+    more.renderer = options_.renderer;
+    return std::make_unique<Canvas>(fonts_, theme_, more);
   }
 
   void describe(LessonOnItsWay& way) {
@@ -525,26 +540,25 @@ class Exporter {
     lessons_.push_back(std::move(exported));
   }
 
-  void write_caption(std::filesystem::path file, const FrameText& text) {
+  void write_caption(const std::filesystem::path& frame, const FrameText& text) {
     if (options_.caption != CaptionPlace::file) return;
-    file.replace_extension(".txt");
-    write_bytes(file, alternative_text(text) + "\n");
-    files_.push_back(std::move(file));
+    const std::filesystem::path file = caption_file(frame);
+    write_bytes(file, fmt::format("{}\n\n{}\n", alternative_text(text), signature()));
+    files_.push_back(file);
   }
   static void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
     write_whole(file, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
   }
-  void write(const std::string& name, const std::string& text) {
-    may_write(options_.out_dir / name);
-    write_whole(options_.out_dir / name, text);
-    files_.push_back(options_.out_dir / name);
+  void write(const std::filesystem::path& file, const std::string& text) {
+    write_whole(file, text);
+    files_.push_back(file);
   }
 
   const ExportOptions& options_;
   Fonts fonts_;
   Theme theme_;
   Page page_;
-  std::unique_ptr<Canvas> canvas_;  ///< Made when the first frame is painted.
+  std::unique_ptr<Canvas> canvas_;  ///< Of films; made when the first frame is painted.
   FrameWriter writer_;
   Fingerprint made_from_;
   Progress* progress_ = nullptr;

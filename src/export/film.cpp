@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gif_lib.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -312,6 +313,7 @@ class FfmpegFilm : public Film {
   }
   ~FfmpegFilm() override {
     if (pipe_ >= 0) ::close(pipe_);
+    if (words_ >= 0) ::close(words_);
     if (process_ > 0) ::waitpid(process_, nullptr, 0);
     std::error_code ignored;
     if (!kept_) std::filesystem::remove(part_, ignored);
@@ -328,15 +330,24 @@ class FfmpegFilm : public Film {
     ::close(std::exchange(pipe_, -1));
     int status = 0;
     ::waitpid(std::exchange(process_, 0), &status, 0);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !said().empty()) fail();
     std::filesystem::rename(part_, file_);
     kept_ = true;
   }
 
  private:
+  /// What ffmpeg said: errors alone. It ends well after some, a disk that is full at last among
+  /// them.
+  [[nodiscard]] std::string said() const {
+    std::string text(static_cast<std::size_t>(std::max<off_t>(0, ::lseek(words_, 0, SEEK_END))),
+                     '\0');
+    const ssize_t count = ::pread(words_, text.data(), text.size(), 0);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+    return text;
+  }
   [[noreturn]] void fail() const {
-    throw std::runtime_error(fmt::format(
-        "cannot write {}: ffmpeg failed; what it printed above says why", file_.string()));
+    throw std::runtime_error(
+        fmt::format("cannot write {}: ffmpeg failed: {}", file_.string(), said()));
   }
 
   void start(std::vector<std::string>& arguments) {
@@ -347,6 +358,8 @@ class FfmpegFilm : public Film {
     posix_spawn_file_actions_t actions = {};
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    words_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    if (words_ >= 0) posix_spawn_file_actions_adddup2(&actions, words_, STDERR_FILENO);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -382,6 +395,7 @@ class FfmpegFilm : public Film {
   std::filesystem::path part_;
   pid_t process_ = 0;
   int pipe_ = -1;
+  int words_ = -1;  ///< Where it says what went wrong.
   bool kept_ = false;
 };
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "paint/canvas.hpp"
+#include "paint/image.hpp"
 #include "picture/theme.hpp"
 
 namespace gjkscope {

@@ -6,26 +6,19 @@
 
 namespace gjkscope {
 
-FrameWriter::FrameWriter(int thread_count, int supersampling)
-    // One image in the hands of each thread, one being painted, one ready to be taken up.
-    : supersampling_(supersampling), free_(static_cast<std::size_t>(thread_count) + 2) {
+FrameWriter::FrameWriter(int thread_count, MakeCanvas make_canvas)
+    : make_canvas_(std::move(make_canvas)),
+      most_waiting_(2 * static_cast<std::size_t>(thread_count)) {
   for (int i = 0; i < thread_count; ++i) threads_.emplace_back([this] { work(); });
 }
 
 FrameWriter::~FrameWriter() { close(); }
 
-Image FrameWriter::acquire() {
+void FrameWriter::submit(Picture picture, std::filesystem::path path, PngWords words) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !free_.empty() || failure_; });
+  changed_.wait(lock, [this] { return jobs_.size() < most_waiting_ || failure_; });
   if (failure_) std::rethrow_exception(failure_);
-  Image image = std::move(free_.back());
-  free_.pop_back();
-  return image;
-}
-
-void FrameWriter::submit(Image image, std::filesystem::path path, PngWords words) {
-  const std::lock_guard lock(mutex_);
-  jobs_.push_back({std::move(image), std::move(path), std::move(words)});
+  jobs_.push_back({std::move(picture), std::move(path), std::move(words)});
   changed_.notify_all();
 }
 
@@ -45,25 +38,26 @@ void FrameWriter::close() {
 }
 
 void FrameWriter::work() {
+  std::unique_ptr<Canvas> canvas;
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return !jobs_.empty() || closed_; });
     if (jobs_.empty()) return;
-    Job job = std::move(jobs_.front());
+    const Job job = std::move(jobs_.front());
     jobs_.pop_front();
+    changed_.notify_all();
     // After a failure the rest is only taken off the queue.
-    if (!failure_) {
-      lock.unlock();
-      std::exception_ptr failure;
-      try {
-        write_whole(job.path, encode_png(shrink(job.image, supersampling_), job.words));
-      } catch (...) {
-        failure = std::current_exception();
-      }
-      lock.lock();
-      if (failure && !failure_) failure_ = failure;
+    if (failure_) continue;
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      if (!canvas) canvas = make_canvas_();
+      write_whole(job.path, encode_png(canvas->paint(job.picture), job.words));
+    } catch (...) {
+      failure = std::current_exception();
     }
-    free_.push_back(std::move(job.image));
+    lock.lock();
+    if (failure && !failure_) failure_ = failure;
     changed_.notify_all();
   }
 }

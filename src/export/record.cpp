@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <ios>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lesson/file.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {
@@ -86,11 +85,6 @@ std::string in_gif(std::string_view file) {
 
 }  // namespace
 
-const std::string& signature() {
-  static const std::string text = "Made by gjkscope " GJKSCOPE_VERSION;
-  return text;
-}
-
 std::string record_text(const Record& record) {
   Json frames = Json::array();
   const RecordedFrame* before = nullptr;
@@ -135,27 +129,6 @@ std::optional<Record> find_record(std::span<const std::uint8_t> file) {
   } catch (const std::bad_optional_access&) {
     return std::nullopt;  // Of a case that is none.
   }
-}
-
-bool mentions(const std::filesystem::path& file, std::string_view text) {
-  // It stands near the start, or, in films and documents, near the end.
-  constexpr std::streamoff kNear = 1 << 16;
-  constexpr std::streamoff kFar = 1 << 20;
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) return false;
-  const std::streamoff size = stream.tellg();
-  const auto has = [&](std::streamoff begin, std::streamoff end) {
-    std::string bytes(static_cast<std::size_t>(end - begin), '\0');
-    stream.seekg(begin);
-    stream.read(bytes.data(), end - begin);
-    return bytes.find(text) != std::string::npos;
-  };
-  return has(0, std::min(size, kNear)) || (size > kNear && has(size - std::min(size, kFar), size));
-}
-
-bool is_exported(const std::filesystem::path& file) {
-  std::error_code none;
-  return !std::filesystem::exists(file, none) || mentions(file, "Made by gjkscope ");
 }
 
 void Fingerprint::add(std::string_view bytes) {

@@ -2,7 +2,6 @@
 // What an exported file says of itself: which lesson, which step, which case, made from what.
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +12,6 @@
 
 namespace gjkscope {
 
-/// In every exported file, as text: it may be replaced without asking.
-[[nodiscard]] const std::string& signature();
 /// The keyword of a record among the texts of a PNG.
 inline constexpr const char* kRecordKeyword = "gjkscope";
 
@@ -36,11 +33,6 @@ struct Record {
 [[nodiscard]] std::string record_text(const Record& record);
 /// The record in the bytes of a PNG, APNG, SVG, PDF or GIF; nothing where there is none.
 [[nodiscard]] std::optional<Record> find_record(std::span<const std::uint8_t> file);
-
-/// Whether a file has these bytes in its first 64 KiB or its last MiB.
-[[nodiscard]] bool mentions(const std::filesystem::path& file, std::string_view text);
-/// Whether a file may be replaced: it is not there, or was exported.
-[[nodiscard]] bool is_exported(const std::filesystem::path& file);
 
 /// Sums up what a file is made from, in 64 bits: equal inputs, equal sums (FNV-1a).
 class Fingerprint {

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <ios>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::string_view kPrefix = ".gjkscope-";
 constexpr std::string_view kSuffix = ".part";
+constexpr std::string_view kSignatureBegin = "Made by gjkscope ";
 
 /// The file itself where `path` is a symbolic link to it.
 std::filesystem::path followed(const std::filesystem::path& path) {
@@ -146,6 +148,38 @@ void remove_leftovers(const std::filesystem::path& folder) {
     if (process != ::getpid() && is_alive(process)) continue;
     std::filesystem::remove(entry.path(), ignored);
   }
+}
+
+const std::string& signature() {
+  static const std::string text = std::string(kSignatureBegin) + GJKSCOPE_VERSION;
+  return text;
+}
+
+bool mentions(const std::filesystem::path& file, std::string_view text) {
+  // It stands near the start, or, in films and documents, near the end.
+  constexpr std::streamoff kNear = 1 << 16;
+  constexpr std::streamoff kFar = 1 << 20;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return false;
+  const std::streamoff size = stream.tellg();
+  const auto has = [&](std::streamoff begin, std::streamoff end) {
+    std::string bytes(static_cast<std::size_t>(end - begin), '\0');
+    stream.seekg(begin);
+    stream.read(bytes.data(), end - begin);
+    return bytes.find(text) != std::string::npos;
+  };
+  return has(0, std::min(size, kNear)) || (size > kNear && has(size - std::min(size, kFar), size));
+}
+
+bool is_exported(const std::filesystem::path& file) {
+  std::error_code none;
+  return !std::filesystem::exists(file, none) || mentions(file, kSignatureBegin);
+}
+
+void refuse_foreign(const std::filesystem::path& file) {
+  if (is_exported(file)) return;
+  throw std::runtime_error(fmt::format(
+      "{} is there and was not exported by gjkscope; --force replaces it", file.string()));
 }
 
 std::filesystem::path share_folder() {

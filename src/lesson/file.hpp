@@ -40,6 +40,15 @@ using FileReader =
 /// Removes the temporary files that a killed process left in `folder`.
 void remove_leftovers(const std::filesystem::path& folder);
 
+/// In every exported file, as text: it may be replaced without asking.
+[[nodiscard]] const std::string& signature();
+/// Whether a file has these bytes in its first 64 KiB or its last MiB.
+[[nodiscard]] bool mentions(const std::filesystem::path& file, std::string_view text);
+/// Whether a file may be replaced: it is not there, or was exported.
+[[nodiscard]] bool is_exported(const std::filesystem::path& file);
+/// Throws std::runtime_error, naming the file, where it may not.
+void refuse_foreign(const std::filesystem::path& file);
+
 /// Where lessons/ and assets/ are: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of the
 /// program, if it is there; else the source tree that the program was built from.
 [[nodiscard]] std::filesystem::path share_folder();

@@ -228,8 +228,8 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  std::optional<LessonTime> time;      ///< These three are set with the act of their name, and
-  std::optional<LessonGrowth> growth;  ///< only then.
+  std::optional<LessonTime> time;      ///< These three are set with the acts that need their
+  std::optional<LessonGrowth> growth;  ///< table (ActNeeds), and only then.
   std::optional<LessonStudy> study;
 
   std::vector<LessonView> views;

@@ -1,14 +1,14 @@
 #include "paint/canvas.hpp"
 
-#include <GL/osmesa.h>
-#include <backends/imgui_impl_opengl2.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <stdexcept>
-#include <string>
+#include <vector>
 
 #include "paint/imgui_painter.hpp"
 
@@ -17,212 +17,179 @@ namespace {
 
 constexpr int kChannels = 4;
 
-struct ContextDeleter {
-  void operator()(osmesa_context* context) const { OSMesaDestroyContext(context); }
-};
-using ContextHandle = std::unique_ptr<osmesa_context, ContextDeleter>;
-
-/// Creates a context, the most specific way first.
-ContextHandle create_context(std::string& tried) {
-  // The OpenGL 2 back end of Dear ImGui calls functions that a core profile does not have. Neither
-  // depth nor stencil nor accumulation: a draw list is painted in order.
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
-                            0,
-                            OSMESA_STENCIL_BITS,
-                            0,
-                            OSMESA_ACCUM_BITS,
-                            0,
-                            OSMESA_PROFILE,
-                            OSMESA_COMPAT_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
-                            2,
-                            OSMESA_CONTEXT_MINOR_VERSION,
-                            1,
-                            0};
-  if (ContextHandle context{OSMesaCreateContextAttribs(attributes, nullptr)}) return context;
-  tried += "\n  OSMesaCreateContextAttribs (RGBA, compatibility profile, 2.1): no context";
-  if (ContextHandle context{OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)}) return context;
-  tried += "\n  OSMesaCreateContextExt (RGBA): no context";
-  return nullptr;
-}
-
-std::runtime_error no_image(const std::string& tried) {
-  return std::runtime_error(
-      fmt::format("cannot draw without a display; tried:{}\n"
-                  "Debian has the software renderer: apt-get install libosmesa6",
-                  tried));
-}
+/// Of the samples that are drawn at once. A frame of 1280 x 720 with 2 x 2 samples a pixel is one
+/// band; larger ones have smaller bands, for what they need besides is larger.
+constexpr std::size_t kWholeBytes = std::size_t{16} << 20;
+constexpr std::size_t kBandBytes = std::size_t{4} << 20;
 
 bool is_uniform(const Image& image) {
   const std::vector<std::uint8_t>& p = image.pixels;
   return std::memcmp(p.data(), p.data() + kChannels, p.size() - kChannels) == 0;
 }
 
-/// A row of pixels whose every channel is the mean of 2 x 2, from the two rows `a` and `b`. Two
-/// channels at a time, in 32-bit words with 16 bits for each sum: the compiler makes vector code of
-/// it, which it does not of the general case.
-void halve_row(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* to, int width) {
-  constexpr std::uint32_t kEven = 0x00FF00FF;
-  constexpr std::uint32_t kHalf = 0x00020002;  // To nearest: half of the divisor, 4
-  for (int x = 0; x < width; ++x) {
-    std::uint32_t p[4];
-    std::memcpy(p, a + 2 * kChannels * x, 2 * kChannels);
-    std::memcpy(p + 2, b + 2 * kChannels * x, 2 * kChannels);
-    const std::uint32_t even =
-        (p[0] & kEven) + (p[1] & kEven) + (p[2] & kEven) + (p[3] & kEven) + kHalf;
-    const std::uint32_t odd = ((p[0] >> 8) & kEven) + ((p[1] >> 8) & kEven) +
-                              ((p[2] >> 8) & kEven) + ((p[3] >> 8) & kEven) + kHalf;
-    const std::uint32_t mean = ((even >> 2) & kEven) | (((odd >> 2) & kEven) << 8);
-    std::memcpy(to + kChannels * x, &mean, kChannels);
+/// What draw lists share, without a context of Dear ImGui.
+struct SharedData : ImDrawListSharedData {
+  SharedData(const ImFontAtlas& atlas, int width, int height) {
+    Font = atlas.Fonts.front();
+    FontSize = Font->FontSize;
+    TexUvWhitePixel = atlas.TexUvWhitePixel;
+    TexUvLines = atlas.TexUvLines;
+    ClipRectFullscreen = ImVec4(0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height));
+    InitialFlags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
   }
-}
-
-/// The same for squares of any size; `stride` is the length of a large row in bytes.
-void average_row(const std::uint8_t* from, std::size_t stride, std::uint8_t* to, int width,
-                 int factor) {
-  const unsigned count = static_cast<unsigned>(factor) * factor;
-  for (int x = 0; x < width; ++x) {
-    for (int c = 0; c < kChannels; ++c) {
-      const std::uint8_t* const square =
-          from + static_cast<std::size_t>(x) * factor * kChannels + c;
-      unsigned sum = count / 2;
-      for (int row = 0; row < factor; ++row) {
-        for (int k = 0; k < factor; ++k) sum += square[row * stride + k * kChannels];
-      }
-      to[x * kChannels + c] = static_cast<std::uint8_t>(sum / count);
-    }
-  }
-}
-
-}  // namespace
-
-namespace {
-
-/// While it lives, a context of Dear ImGui is the current one; then the one that was before.
-class CurrentImGui {
- public:
-  explicit CurrentImGui(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
-    ImGui::SetCurrentContext(context);
-  }
-  ~CurrentImGui() { ImGui::SetCurrentContext(before_); }
-  CurrentImGui(const CurrentImGui&) = delete;
-  CurrentImGui& operator=(const CurrentImGui&) = delete;
-
- private:
-  ImGuiContext* before_;
 };
 
 }  // namespace
 
 struct Canvas::Context {
-  Context(const Fonts& fonts, const Theme& the_theme, int the_width, int the_height, int factor,
-          double zoom)
-      : theme(the_theme),
-        width(the_width * factor),
-        height(the_height * factor),
-        scale(factor * zoom) {
-    if (the_width < 1 || the_height < 1 || factor < 1) {
-      throw std::runtime_error(
-          fmt::format("an image of {}x{} is too small; the least is 1x1", the_width, the_height));
+  Context(const Fonts& fonts, const Theme& the_theme, const CanvasOptions& the_options)
+      : options(the_options),
+        theme(the_theme),
+        factor(options.supersampling),
+        width(options.width * factor),
+        height(options.height * factor),
+        scale(factor * options.zoom) {
+    if (options.width < 1 || options.height < 1 || factor < 1) {
+      throw std::runtime_error(fmt::format("an image of {}x{} is too small; the least is 1x1",
+                                           options.width, options.height));
     }
-    std::string tried;
-    gl = create_context(tried);
-    if (!gl) throw no_image(tried);
-    GLint largest = 0;
-    OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &largest);
-    if (std::max(width, height) > largest) {
-      throw std::runtime_error(
-          fmt::format("an image of {}x{} is too large: OSMesa draws at most {} pixels either way",
-                      the_width, the_height, largest / factor));
-    }
-    Image first;
-    target(first);
+    band_rows = rows_of_band();
+    gl_context = make_gl_context(options.renderer, width, band_rows);
+    gl_context->begin(band);
+    check_size();
 
-    const CurrentImGui current(nullptr);
-    imgui.context = ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
-    io.DeltaTime = 1.0f / 60.0f;
-    io.Fonts->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
-    io.Fonts->TexDesiredWidth = 2048;
-    ImGui::GetStyle().AntiAliasedLinesUseTex = false;
-    fonts_in_atlas = std::make_unique<AtlasFonts>(*io.Fonts, fonts, scale);
-    if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
-    imgui.has_backend = ImGui_ImplOpenGL2_Init();
-    if (!imgui.has_backend) throw std::runtime_error("Dear ImGui has no OpenGL 2 back end");
-    // One frame of Dear ImGui's own, without a window: it uploads the atlas, and gives draw lists
-    // the font and the flags that they share.
-    ImGui_ImplOpenGL2_NewFrame();
-    ImGui::NewFrame();
-    ImGui::EndFrame();
+    atlas.Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines |
+                   ImFontAtlasFlags_NoPowerOfTwoHeight;
+    atlas.TexDesiredWidth = 2048;
+    fonts_in_atlas = std::make_unique<AtlasFonts>(atlas, fonts, scale);
+    if (!atlas.Build()) throw std::runtime_error("the font atlas cannot be built");
+    upload_atlas();
+    shared = std::make_unique<SharedData>(atlas, width, height);
   }
 
-  ~Context() {
-    // The back end frees its texture; that needs the context to be current, and memory to draw to.
-    Image last;
-    try {
-      if (imgui.has_backend) target(last);
-      imgui.close();
-    } catch (...) {
-      // Without a current context the texture goes with the context.
-    }
+  [[nodiscard]] int rows_of_band() const {
+    const std::size_t row = static_cast<std::size_t>(width) * kChannels;
+    if (row * static_cast<std::size_t>(height) <= kWholeBytes) return height;
+    const auto most = std::max<std::size_t>(1, kBandBytes / (row * factor));  // Of the image
+    const std::size_t count = (static_cast<std::size_t>(options.height) + most - 1) / most;
+    return static_cast<int>((options.height + count - 1) / count) * factor;
   }
 
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
+  void check_size() const {
+    std::array<GLint, 2> most = {};
+    gl_context->gl().GetIntegerv(GL_MAX_VIEWPORT_DIMS, most.data());
+    if (width <= most[0] && height <= most[1]) return;
+    throw std::runtime_error(fmt::format(
+        "an image of {}x{} is too large: the renderer draws at most {} pixels either way",
+        options.width, options.height, most[0] / factor));
+  }
 
-  /// From here on GL draws to `image`.
-  void target(Image& image) {
-    image.width = width;
-    image.height = height;
-    image.pixels.resize(static_cast<std::size_t>(width) * height * kChannels);
-    if (!OSMesaMakeCurrent(gl.get(), image.pixels.data(), GL_UNSIGNED_BYTE, width, height)) {
-      throw no_image(
-          fmt::format("\n  OSMesaMakeCurrent with {}x{} pixels: refused", width, height));
-    }
-    // Rows from top to bottom: GL's own order is flipped here, while the image is copied anyway.
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
+  void upload_atlas() {
+    const Gl& gl = gl_context->gl();
+    unsigned char* pixels = nullptr;
+    int atlas_width = 0;
+    int atlas_height = 0;
+    // Alpha alone: at 3840 x 2160 the atlas would else be most of a canvas's memory.
+    atlas.GetTexDataAsAlpha8(&pixels, &atlas_width, &atlas_height);
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, atlas_width, atlas_height, 0, GL_ALPHA,
+                  GL_UNSIGNED_BYTE, pixels);
+    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)));
+    atlas.ClearTexData();
   }
 
   void paint(const Picture& picture, Image& image) {
-    const CurrentImGui current(imgui.context);
-    target(image);
+    image.width = options.width;
+    image.height = options.height;
+    image.pixels.resize(static_cast<std::size_t>(options.width) * options.height * kChannels);
     const std::size_t list_count = build_lists(picture);
-    std::vector<ImDrawList*> pointers;
-    ImDrawData data;
-    for (std::size_t i = 0; i < list_count; ++i) {
-      pointers.push_back(lists[i].get());
-      data.TotalVtxCount += lists[i]->VtxBuffer.Size;
-      data.TotalIdxCount += lists[i]->IdxBuffer.Size;
+    for (int top = 0; top < height; top += band_rows) {
+      gl_context->begin(band);
+      set_up(top);
+      for (std::size_t i = 0; i < list_count; ++i) draw(*lists[i], top);
+      gl_context->end(band);
+      shrink_into(image, top / factor, band, factor);
     }
-    data.Valid = true;
-    data.CmdLists = pointers.data();
-    data.CmdListsCount = static_cast<int>(pointers.size());
-    data.DisplaySize = ImGui::GetIO().DisplaySize;
-    data.FramebufferScale = ImVec2(1.0f, 1.0f);
+    check(picture, image);
+  }
 
+  /// For rows from `top` on. GL counts them from the bottom.
+  void set_up(int top) const {
+    const Gl& gl = gl_context->gl();
+    gl.Viewport(0, top + band_rows - height, width, height);
+    gl.MatrixMode(GL_PROJECTION);
+    gl.LoadIdentity();
+    gl.Ortho(0.0, width, height, 0.0, -1.0, 1.0);
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.LoadIdentity();
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Enable(GL_TEXTURE_2D);
+    for (const GLenum array : {GL_VERTEX_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY}) {
+      gl.EnableClientState(array);
+    }
     const Color paper = theme.background();
-    glViewport(0, 0, width, height);
-    glClearColor(paper.r / 255.0f, paper.g / 255.0f, paper.b / 255.0f, 1.0f);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glClear(GL_COLOR_BUFFER_BIT);
+    gl.Scissor(0, 0, width, band_rows);
+    gl.ClearColor(paper.r / 255.0f, paper.g / 255.0f, paper.b / 255.0f, 1.0f);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
     // What is painted over the paper leaves it opaque.
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    ImGui_ImplOpenGL2_RenderDrawData(&data);
-    glFinish();
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  }
 
-    const GLenum error = glGetError();
-    if (error != GL_NO_ERROR) {
+  void draw(const ImDrawList& list, int top) const {
+    const Gl& gl = gl_context->gl();
+    const ImDrawVert* const vertices = list.VtxBuffer.Data;
+    constexpr GLsizei kStride = sizeof(ImDrawVert);
+    gl.VertexPointer(2, GL_FLOAT, kStride, &vertices->pos);
+    gl.TexCoordPointer(2, GL_FLOAT, kStride, &vertices->uv);
+    gl.ColorPointer(kChannels, GL_UNSIGNED_BYTE, kStride, &vertices->col);
+    static_assert(sizeof(ImDrawIdx) == sizeof(GLushort));
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      const auto left = static_cast<GLint>(std::max(command.ClipRect.x, 0.0f));
+      const auto upper = static_cast<GLint>(std::max(command.ClipRect.y, 0.0f));
+      const auto right = static_cast<GLint>(command.ClipRect.z);
+      const auto lower = static_cast<GLint>(command.ClipRect.w);
+      if (command.ElemCount == 0 || right <= left || lower <= upper) continue;
+      if (lower <= top || upper >= top + band_rows) continue;
+      gl.Scissor(left, top + band_rows - lower, right - left, lower - upper);
+      gl.BindTexture(GL_TEXTURE_2D,
+                     static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+      gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
+                      list.IdxBuffer.Data + command.IdxOffset);
+    }
+  }
+
+  void check(const Picture& picture, const Image& image) const {
+    const Gl& gl = gl_context->gl();
+    if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {
       throw std::runtime_error(fmt::format("OpenGL error {:#x} while drawing", error));
     }
     if (!picture.marks.empty() && is_uniform(image)) {
-      const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+      const auto* renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
       throw std::runtime_error(fmt::format(
           "nothing was drawn: a picture of {} marks came out as an empty image (renderer: {})",
           picture.marks.size(), renderer ? renderer : "unknown"));
+    }
+  }
+
+  /// What differs between the picture on black and on white is what shines through.
+  void paint_transparent(const Picture& picture, Image& image) {
+    const Theme opaque = theme;
+    theme = opaque.on({255, 255, 255, 255});
+    paint(picture, on_white);
+    theme = opaque.on({0, 0, 0, 255});
+    paint(picture, image);
+    theme = opaque;
+    for (std::size_t i = 0; i < image.pixels.size(); i += kChannels) {
+      image.pixels[i + 3] =
+          static_cast<std::uint8_t>(255 - (on_white.pixels[i + 1] - image.pixels[i + 1]));
     }
   }
 
@@ -231,12 +198,10 @@ struct Canvas::Context {
     std::size_t count = 0;
     std::size_t next = 0;
     do {
-      if (count == lists.size()) {
-        lists.push_back(std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData()));
-      }
+      if (count == lists.size()) lists.push_back(std::make_unique<ImDrawList>(shared.get()));
       ImDrawList& list = *lists[count++];
       list._ResetForNewFrame();
-      list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+      list.PushTextureID(atlas.TexID);
       list.PushClipRectFullScreen();
       // Texture 0 is incomplete, and then fixed-function GL draws plain colour.
       const DrawPlacement placement{Point::Zero(), scale, nullptr};
@@ -245,66 +210,36 @@ struct Canvas::Context {
     return count;
   }
 
-  struct ImGuiHandle {
-    ImGuiContext* context = nullptr;
-    bool has_backend = false;
-    ImGuiHandle() = default;
-    ImGuiHandle(const ImGuiHandle&) = delete;
-    ImGuiHandle& operator=(const ImGuiHandle&) = delete;
-    ~ImGuiHandle() { close(); }
-    void close() {
-      const CurrentImGui current(context);
-      if (has_backend) ImGui_ImplOpenGL2_Shutdown();
-      if (context) ImGui::DestroyContext(context);
-      has_backend = false;
-      context = nullptr;
-    }
-  };
-
+  CanvasOptions options;
   Theme theme;
-  int width;
+  int factor;
+  int width;  ///< Of all bands together, in samples.
   int height;
-  double scale;
-  ContextHandle gl;
-  ImGuiHandle imgui;
+  double scale;  ///< Samples for each frame pixel.
+  int band_rows = 0;
+  Image band;
+  Image on_white;
+  std::unique_ptr<GlContext> gl_context;
+  ImFontAtlas atlas;
   std::unique_ptr<AtlasFonts> fonts_in_atlas;
+  std::unique_ptr<SharedData> shared;
   std::vector<std::unique_ptr<ImDrawList>> lists;
 };
 
-Canvas::Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling,
-               double zoom)
-    : context_(std::make_unique<Context>(fonts, theme, width, height, supersampling, zoom)) {}
+Canvas::Canvas(const Fonts& fonts, const Theme& theme, const CanvasOptions& options)
+    : context_(std::make_unique<Context>(fonts, theme, options)) {}
 
 Canvas::~Canvas() = default;
 
 Image Canvas::paint(const Picture& picture) {
   Image image;
-  context_->paint(picture, image);
+  paint(picture, image);
   return image;
 }
 
-void Canvas::paint(const Picture& picture, Image& image) { context_->paint(picture, image); }
-
-void Canvas::set_theme(const Theme& theme) { context_->theme = theme; }
-
-Image shrink(const Image& image, int factor) {
-  Image small;
-  small.width = image.width / factor;
-  small.height = image.height / factor;
-  const auto row_bytes = static_cast<std::size_t>(small.width) * kChannels;
-  small.pixels.resize(row_bytes * small.height);
-
-  const std::size_t stride = static_cast<std::size_t>(image.width) * kChannels;
-  for (int y = 0; y < small.height; ++y) {
-    const std::uint8_t* from = image.pixels.data() + static_cast<std::size_t>(y) * factor * stride;
-    std::uint8_t* to = small.pixels.data() + y * row_bytes;
-    if (factor == 2) {
-      halve_row(from, from + stride, to, small.width);
-    } else {
-      average_row(from, stride, to, small.width, factor);
-    }
-  }
-  return small;
+void Canvas::paint(const Picture& picture, Image& image) {
+  context_->options.transparent ? context_->paint_transparent(picture, image)
+                                : context_->paint(picture, image);
 }
 
 }  // namespace gjkscope

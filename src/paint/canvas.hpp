@@ -1,48 +1,44 @@
 #pragma once
-// Pictures to pixels, without a display: the ImGui draw list through OSMesa.
+// Pictures to pixels, without a display: the ImGui draw list through OpenGL.
 
-#include <cstdint>
 #include <memory>
-#include <vector>
+#include <optional>
 
+#include "paint/gl_context.hpp"
+#include "paint/image.hpp"
 #include "picture/picture.hpp"
 #include "picture/theme.hpp"
 
 namespace gjkscope {
 
-/// 8-bit RGBA, rows from top to bottom, opaque.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> pixels;
+struct CanvasOptions {
+  int width = 1280;  ///< Of the images, in pixels.
+  int height = 720;
+  int supersampling = 2;     ///< Samples a pixel, each way.
+  double zoom = 1.0;         ///< Pixels for each frame pixel of a picture.
+  bool transparent = false;  ///< The background shines through: alpha, which colours are multiplied
+                             ///< by. Else images are opaque.
+  std::optional<Renderer> renderer;  ///< The first that is there, without.
 };
 
-/// Draws images of `width` x `height` pixels, `zoom` pixels for each frame pixel of a picture, at
-/// `supersampling` times that size. Contexts of Dear ImGui that others have are left as they are.
+/// Draws images, band by band: its memory does not grow with their height. Contexts of Dear ImGui
+/// are left alone; canvases on several threads do not know of each other.
 class Canvas {
  public:
   /// Throws std::runtime_error saying what was tried.
-  Canvas(const Fonts& fonts, const Theme& theme, int width, int height, int supersampling = 2,
-         double zoom = 1.0);
+  Canvas(const Fonts& fonts, const Theme& theme, const CanvasOptions& options);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// The picture at full supersampled size; `shrink` brings it to size (so that another thread can
-  /// do it). Throws std::runtime_error when nothing of a picture with marks came out.
+  /// Throws std::runtime_error when nothing of a picture with marks came out.
   [[nodiscard]] Image paint(const Picture& picture);
   /// The same into an image whose memory is used again.
   void paint(const Picture& picture, Image& image);
-
-  /// Makes the canvas that of another theme.
-  void set_theme(const Theme& theme);
 
  private:
   struct Context;
   std::unique_ptr<Context> context_;
 };
-
-/// Averages squares of `factor` x `factor` pixels, rounded to nearest.
-[[nodiscard]] Image shrink(const Image& image, int factor);
 
 }  // namespace gjkscope

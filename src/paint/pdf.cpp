@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "paint/arrow.hpp"
 #include "picture/text_box.hpp"
@@ -292,16 +293,16 @@ class PdfWriter {
     cairo_.reset(cairo_create(surface_.get()));
   }
 
-  void page(const PdfFigure& figure, double scale) {
+  void page(const PdfFigure& figure, double scale, bool last) {
     begin_page(scale * figure.picture.width, scale * figure.picture.height, figure.label);
     cairo_save(cairo_.get());
     cairo_scale(cairo_.get(), scale, scale);
     draw(figure.picture);
     cairo_restore(cairo_.get());
-    end_page();
+    end_page(last);
   }
 
-  void handout(std::span<const PdfFigure> figures, int count) {
+  void handout(std::span<const PdfFigure> figures, int count, bool last) {
     const HandoutPage layout(count);
     begin_page(HandoutPage::kWidth, HandoutPage::kHeight, figures.front().label);
     for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -323,7 +324,7 @@ class PdfWriter {
       write(lines, layout.beside ? Point(slot.min.x() + wide + HandoutPage::kGap, slot.min.y())
                                  : Point(slot.min.x(), slot.min.y() + scale * picture.height));
     }
-    end_page();
+    end_page(last);
   }
 
   std::string finish() {
@@ -348,7 +349,8 @@ class PdfWriter {
     cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
   }
-  void end_page() {
+  void end_page(bool last) {
+    if (last) cairo_tag_end(cairo_.get(), "Document");
     cairo_show_page(cairo_.get());
     require(cairo_status(cairo_.get()));
   }
@@ -361,6 +363,10 @@ class PdfWriter {
       cairo_rectangle(cairo, 0.0, 0.0, picture.width, picture.height);
       cairo_fill(cairo);
     }
+    // Not around the background: cairo 1.16 forgets what came before a fill of the whole page, the
+    // beginning of a tag, too.
+    if (!std::exchange(in_document_, true)) cairo_tag_begin(cairo, "Document", nullptr);
+    cairo_tag_begin(cairo, "Figure", nullptr);
     for (const Mark& mark : picture.marks) {
       if (mark.clip >= 0) {
         cairo_save(cairo);
@@ -371,16 +377,19 @@ class PdfWriter {
       std::visit(PagePainter(cairo, fonts_, theme_, theme_.style(mark)), mark.shape);
       if (mark.clip >= 0) cairo_restore(cairo);
     }
+    cairo_tag_end(cairo, "Figure");
   }
 
   /// On paper, which is white.
   void write(const std::vector<std::string>& lines, Point at) {
     const Style ink{Color{0, 0, 0, 255}, {}, 1.0, {}};
     const PagePainter painter(cairo_.get(), fonts_, theme_, ink);
+    cairo_tag_begin(cairo_.get(), "Caption", nullptr);
     for (const std::string& line : lines) {
       at.y() += kLineHeight;
       painter(Text{at, line, kCaption, Align::left});
     }
+    cairo_tag_end(cairo_.get(), "Caption");
   }
 
   std::string bytes_;
@@ -390,6 +399,7 @@ class PdfWriter {
   SurfaceHandle surface_;
   CairoHandle cairo_;
   int page_ = 0;
+  bool in_document_ = false;  ///< Its tag is open.
 };
 
 }  // namespace
@@ -399,11 +409,12 @@ std::string to_pdf(const std::vector<PdfFigure>& figures, const Fonts& fonts, co
   PdfWriter writer(fonts, theme, words, layout.transparent);
   const std::span all(figures);
   if (layout.handout == 0) {
-    for (const PdfFigure& figure : all) writer.page(figure, layout.scale);
+    for (const PdfFigure& figure : all) writer.page(figure, layout.scale, &figure == &all.back());
   } else {
     const auto step = static_cast<std::size_t>(std::clamp(layout.handout, 1, kMostOnHandout));
     for (std::size_t at = 0; at < all.size(); at += step) {
-      writer.handout(all.subspan(at, std::min(step, all.size() - at)), layout.handout);
+      const std::size_t count = std::min(step, all.size() - at);
+      writer.handout(all.subspan(at, count), layout.handout, at + count == all.size());
     }
   }
   return writer.finish();

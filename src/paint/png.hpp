@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "paint/canvas.hpp"
+#include "paint/image.hpp"
 
 namespace gjkscope {
 
@@ -16,8 +16,8 @@ struct PngWords {
   bool transparent = false;  ///< The image has an alpha channel, its colours multiplied by it.
 };
 
-/// The image as a PNG file (stb_image_write with libdeflate). Same image, same bytes.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image, const PngWords& words = {});
+/// The image as a PNG file (compressed by libdeflate). Same image, same bytes.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(Image image, const PngWords& words = {});
 
 /// A chunk of a PNG file.
 struct PngChunk {

@@ -49,17 +49,18 @@ bool is_narrow(const Page& page) {
 }
 
 Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page) {
-  const auto [width, height, zoom, bare] = page;
+  const auto [width, height, zoom, bare, captions] = page;
   Layout layout;
   layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0},
                      {width - kMargin, height - kMargin + 8.0}};
-  const double bottom = layout.timeline.min.y() - 26.0 - caption_lines * kCaptionLine;
+  const double end = bare ? height - 20.0 : layout.timeline.min.y() - 26.0;  // Of the words
+  const double bottom = bare && !captions ? height : end - caption_lines * kCaptionLine;
   layout.caption_y = bottom + 33.0;
   layout.prose_y = 70.0;
   const double top = 64.0 + kProseLine * prose_lines;
   const int views = static_cast<int>(run.lesson.views.size());
   const Rect cards =
-      bare ? Rect{{0.0, 0.0}, {width, height}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
+      bare ? Rect{{0.0, 0.0}, {width, bottom}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
   const bool has_panel = !bare && !run.lesson.panel.empty();
   if (is_narrow(page)) {
     Rect column = cards;
@@ -491,14 +492,14 @@ Picture LessonPictures::picture(int index) {
     page.append(std::move(panel));
   }
 
-  if (page_.bare) return picture;
+  if (page_.bare && !page_.captions) return picture;
   const double detail_y = page.write_lines(
       text.question ? "caption.question" : "caption", {kMargin, caption_y_},
       wrapped(fonts_, type::kCaption, text.caption, text_width), type::kCaption, kCaptionLine);
   page.write_lines("detail", {kMargin, detail_y},
                    wrapped(fonts_, type::kDetail, text.detail, text_width), type::kDetail,
                    kCaptionLine);
-  page.append(timeline_marks(run_, index, fonts_, timeline_));
+  if (!page_.bare) page.append(timeline_marks(run_, index, fonts_, timeline_));
   return picture;
 }
 

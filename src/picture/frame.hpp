@@ -55,6 +55,7 @@ struct Page {
   /// Holds the stages alone, from edge to edge, and may be smaller: the words, the panel and the
   /// timeline are shown by other means.
   bool bare = false;
+  bool captions = false;  ///< Of a bare page: the caption stands below its stages.
   friend bool operator==(const Page&, const Page&) = default;
 };
 /// The page of an image of `width` x `height` pixels.

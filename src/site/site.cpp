@@ -110,6 +110,7 @@ class SiteWriter {
     const fs::path web = program_folder();
     shared_["wasm"] = base64(read_whole(web / "gjkscope.wasm.gz"));
     shared_["fonts"] = read_whole(web / "fonts.css");
+    shared_["generator"] = signature();
     shared_["style"] = read_whole(assets_ / "web" / "style.css");
     shared_["theme-script"] = read_whole(assets_ / "web" / "theme.js");
     for (const char* name : {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js",
@@ -295,8 +296,10 @@ class SiteWriter {
   }
 
   void write(const std::string& name, const std::string& text) {
-    files_.push_back(options_.out_dir / (name + ".html"));
-    write_whole(files_.back(), text);
+    const fs::path file = options_.out_dir / (name + ".html");
+    if (!options_.force) refuse_foreign(file);
+    write_whole(file, text);
+    files_.push_back(file);
   }
 
   const SiteOptions& options_;

@@ -19,8 +19,12 @@ constexpr int kSmaller = 4;
 constexpr int kFinest = 16;
 
 std::unique_ptr<Canvas> canvas(const Fonts& fonts, const Theme& theme, int smaller, int factor) {
-  return std::make_unique<Canvas>(fonts, theme, kFrameWidth / smaller, kFrameHeight / smaller,
-                                  factor, 1.0 / smaller);
+  CanvasOptions options;
+  options.width = kFrameWidth / smaller;
+  options.height = kFrameHeight / smaller;
+  options.supersampling = factor;
+  options.zoom = 1.0 / smaller;
+  return std::make_unique<Canvas>(fonts, theme, options);
 }
 
 void compare(const Image& image, const Image& finest, SamplingCost& row) {
@@ -47,9 +51,7 @@ void compare(const Image& image, const Image& finest, SamplingCost& row) {
 }  // namespace
 
 SamplingStudy::SamplingStudy(const Fonts& fonts, const Theme& theme)
-    : fonts_(fonts),
-      finest_(fonts, theme, kFrameWidth / kSmaller, kFrameHeight / kSmaller, kFinest,
-              1.0 / kSmaller) {
+    : fonts_(fonts), finest_(canvas(fonts, theme, kSmaller, kFinest)) {
   for (const int factor : kFactors) {
     small_.push_back(canvas(fonts, theme, kSmaller, factor));
     full_.push_back(canvas(fonts, theme, 1, factor));
@@ -63,7 +65,7 @@ std::vector<SamplingCost> SamplingStudy::costs(const Lesson& lesson, int repetit
   LessonPictures pictures(run, effects, fonts_);
   const Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
   if (!go_on()) return {};
-  const Image finest = shrink(finest_.paint(picture), kFinest);
+  const Image finest = finest_->paint(picture);
 
   std::vector<SamplingCost> rows;
   std::vector<study::Contestant> contestants;
@@ -72,10 +74,10 @@ std::vector<SamplingCost> SamplingStudy::costs(const Lesson& lesson, int repetit
     SamplingCost row;
     row.lesson = lesson.id;
     row.factor = factor;
-    compare(shrink(small_[i]->paint(picture), factor), finest, row);
+    compare(small_[i]->paint(picture), finest, row);
     rows.push_back(std::move(row));
-    contestants.push_back({[&picture, factor, canvas = full_[i].get()] {
-                             const Image image = shrink(canvas->paint(picture), factor);
+    contestants.push_back({[&picture, canvas = full_[i].get()] {
+                             const Image image = canvas->paint(picture);
                              return static_cast<double>(image.pixels[0]);
                            },
                            {}});

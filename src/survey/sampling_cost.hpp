@@ -44,7 +44,7 @@ class SamplingStudy {
   const Fonts& fonts_;
   std::vector<std::unique_ptr<Canvas>> small_;
   std::vector<std::unique_ptr<Canvas>> full_;
-  Canvas finest_;
+  std::unique_ptr<Canvas> finest_;
 };
 
 /// For a terminal: over all lessons.

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "command_line.hpp"
@@ -185,6 +189,124 @@ TEST(Program, TheShareFolderCanBeGiven) {
   unsetenv("GJKSCOPE_SHARE");
   EXPECT_EQ(kCannot, ran.exit_code);
   EXPECT_TRUE(holds(ran.err, empty.path().string()));
+}
+
+/// What a shell offers where a word is completed that follows `words`.
+std::set<std::string> offered(const std::string& shell, const std::string& words) {
+  const test::TemporaryFolder folder;
+  const std::string file = std::string(GJKSCOPE_SOURCE_DIR) + "/packaging/completions/";
+  const std::map<std::string, std::string> scripts = {
+      {"bash", "source " + file + "gjkscope.bash; COMP_WORDS=(" + words +
+                   "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _gjkscope;"
+                   " printf '%s\\n' \"${COMPREPLY[@]}\""},
+      {"zsh", "words=(" + words +
+                  "); CURRENT=$#words; compadd() { shift; print -l -- $@ }; _files() { };"
+                  " source " +
+                  file + "_gjkscope"},
+      {"fish", "source " + file + "gjkscope.fish; complete -C '" + words + "'"}};
+  const std::string script = folder.file("script", scripts.at(shell) + "\n");
+  const std::string out = (folder.path() / "out").string();
+  const std::string bin = std::filesystem::path(GJKSCOPE_BINARY).parent_path().string();
+  const std::string command = "HOME=" + folder.path().string() + " PATH=" + bin + ":$PATH " +
+                              shell + " " + script + " >" + out;
+  EXPECT_EQ(0, std::system(command.c_str())) << command;
+  const auto lines = test::lines_of(test::read_file(out));
+  return {lines.begin(), lines.end()};
+}
+
+std::set<std::string> options_in(const std::string& help) {
+  std::set<std::string> options;
+  for (const std::string& line : test::lines_of(help)) {
+    const std::size_t at = line.find("--");
+    if (!line.starts_with("  -") || at == std::string::npos) continue;
+    options.insert(line.substr(at, line.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at) - at));
+  }
+  return options;
+}
+
+class Completion : public testing::TestWithParam<const char*> {};
+
+TEST_P(Completion, OffersEveryOptionThatHelpLists) {
+  for (const std::string command : {"lessons", "export", "open", "trace", "solve", "check",
+                                    "transcript", "explain", "study accuracy", "study effects"}) {
+    const std::set<std::string> listed = options_in(run_program(command + " --help").out);
+    EXPECT_TRUE(listed.contains("--help"));
+    EXPECT_EQ(listed, offered(GetParam(), "gjkscope " + command + " --")) << command;
+  }
+  EXPECT_TRUE(offered(GetParam(), "gjkscope export --").contains("--fps"));
+}
+
+TEST_P(Completion, OffersCommandsValuesAndLessons) {
+  const auto offers = [](const std::string& words, const std::string& word) {
+    return offered(GetParam(), words).contains(word);
+  };
+  const std::string none = std::string(GetParam()) == "fish" ? "" : "''";
+  EXPECT_TRUE(offers("gjkscope " + none, "transcript"));
+  EXPECT_TRUE(offers("gjkscope study " + none, "accuracy"));
+  EXPECT_EQ(offered(GetParam(), "gjkscope export --renderer " + none),
+            (std::set<std::string>{"osmesa", "egl"}));
+  EXPECT_TRUE(offers("gjkscope export --format " + none, "webm"));
+  EXPECT_TRUE(offers("gjkscope solve --scalar " + none, "half"));
+  EXPECT_TRUE(offers("gjkscope export --all " + none, "polygons-gjk"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shells, Completion, testing::Values("bash", "zsh", "fish"),
+                         [](const auto& shell) { return std::string(shell.param); });
+
+std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    files[entry.path().filename().string()] = test::read_file(entry.path());
+  }
+  return files;
+}
+
+TEST(Program, AnExportThatIsKilledLeavesWholeFilesAndIsTakenUpAgain) {
+  const test::TemporaryFolder folder;
+  const std::string arguments = "export segment-closest polygons-gjk --size 320x180 --out ";
+  const auto whole = folder.path() / "whole";
+  EXPECT_EQ(kDone, run_program(arguments + whole.string()).exit_code);
+  const auto expected = files_of(whole);
+  ASSERT_GT(expected.size(), 20u);
+  int killed = 0;
+  for (std::size_t count = 1; count + 5 < expected.size(); count += 5) {
+    const std::string cut = (folder.path() / std::to_string(count)).string();
+    // Killed when there are so many files; the next are being written then.
+    const std::string script = folder.file(
+        "script", "( while [ $(ls " + cut + " 2>/dev/null | wc -l) -lt " + std::to_string(count) +
+                      " ]; do sleep 0.005; done; kill -9 $$ ) &\nexec " + GJKSCOPE_BINARY + " " +
+                      arguments + cut + "\n");
+    killed += std::system(("sh " + script + " >/dev/null 2>&1").c_str()) != 0 ? 1 : 0;
+    for (const auto& [name, bytes] : files_of(cut)) {
+      if (name.starts_with(".gjkscope-")) continue;
+      EXPECT_EQ(bytes, expected.at(name)) << name;
+    }
+    EXPECT_EQ(kDone, run_program(arguments + cut).exit_code);
+    EXPECT_EQ(files_of(cut), expected);
+  }
+  EXPECT_GT(killed, 2);
+}
+
+TEST(Program, SaysWhenThereIsNothingThatPaints) {
+  const test::TemporaryFolder folder;
+  // Libraries of these names that are none come first.
+  for (const char* name : {"libOSMesa.so.8", "libEGL.so.1"}) (void)folder.file(name, "");
+  setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
+  const std::string out = " --size 320x180 --out " + (folder.path() / "out").string();
+  const Ran png = run_program("export segment-closest" + out);
+  const Ran egl = run_program("export segment-closest --renderer egl" + out);
+  const Ran svg = run_program("export segment-closest --format svg" + out);
+  const Ran pdf = run_program("export segment-closest --format pdf" + out);
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(kCannot, png.exit_code);
+  for (const char* word : {"libOSMesa.so.8", "libEGL.so.1", "apt-get install"}) {
+    EXPECT_TRUE(holds(png.err, word)) << png.err;
+  }
+  EXPECT_EQ(kCannot, egl.exit_code);
+  EXPECT_FALSE(holds(egl.err, "libOSMesa.so.8")) << egl.err;
+  EXPECT_EQ(kDone, svg.exit_code) << svg.err;
+  EXPECT_EQ(kDone, pdf.exit_code) << pdf.err;
 }
 
 TEST(Arguments, SizesAndRanges) {

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "command_line.hpp"
+#include "lessons.hpp"
 
 namespace gjkscope {
 namespace {
@@ -53,10 +54,29 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
   }
 }
 
+/// Of the first shipped lesson with an act.
+std::string trace_of_lesson_with(std::string_view act) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    if (lesson.act != act) continue;
+    std::istringstream in;
+    std::ostringstream out;
+    std::ostringstream err;
+    EXPECT_EQ(0, trace_command({GJKSCOPE_SOURCE_DIR, in, out, err}, lesson.id, {}, true))
+        << err.str();
+    return out.str();
+  }
+  ADD_FAILURE() << "no lesson has the act " << act;
+  return "{}";
+}
+
 TEST(TraceJson, EveryKeyIsDocumented) {
   std::set<std::string> keys;
   for (const std::string& text : {kPentagon, kOverlap, kInSpace, kOutlines}) {
     collect_keys(json::parse(trace(text, true).out), keys);
+  }
+  for (const StagedAct* staged : registered_acts()) {
+    if (staged->act.algorithm == nullptr) continue;
+    collect_keys(json::parse(trace_of_lesson_with(staged->act.name)), keys);
   }
   EXPECT_GT(keys.size(), 50u);
   const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/trace-format.md");

@@ -187,18 +187,25 @@ TEST_F(Export, AnInterruptLeavesWholeFilesOnly) {
 }
 
 TEST_F(Export, AFullDiskIsAnErrorThatNamesTheFileAndLeavesNoPart) {
-  static_cast<void>(export_lessons({}, options()));
-  rlimit before = {};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit tight{4096, before.rlim_max};
-  ::setrlimit(RLIMIT_FSIZE, &tight);
-  const std::string error = error_of(options());
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, old_handler);
-  EXPECT_NE(error.find("cannot write "), std::string::npos) << error;
-  EXPECT_NE(error.find("segment-closest-000"), std::string::npos) << error;
-  for (const auto& [name, bytes] : contents(options().out_dir)) ADD_FAILURE() << name << " is left";
+  for (const Format format : {Format::png, Format::svg, Format::pdf, Format::tex, Format::gif,
+                              Format::apng, Format::mp4, Format::webm}) {
+    SCOPED_TRACE(name_of(format));
+    ExportOptions full = options(std::string(name_of(format)));
+    full.format = format;
+    full.seconds = 0.1;
+    static_cast<void>(export_lessons({}, full));
+    rlimit before = {};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit tight{2048, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+    const std::string error = error_of(full);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old_handler);
+    EXPECT_NE(error.find("cannot write "), std::string::npos) << error;
+    EXPECT_NE(error.find("segment-closest"), std::string::npos) << error;
+    for (const auto& [name, bytes] : contents(full.out_dir)) ADD_FAILURE() << name << " is left";
+  }
 }
 
 TEST_F(Export, AFolderThatCannotBeMadeIsAnErrorThatNamesIt) {
@@ -218,6 +225,10 @@ TEST_F(Export, WhatThereIsNotIsAnError) {
   wrong.format = Format::gif;
   wrong.transparent = true;
   EXPECT_NE(error_of(wrong).find("a gif cannot be transparent"), std::string::npos);
+  wrong = options();
+  wrong.format = Format::pdf;
+  wrong.caption = CaptionPlace::file;
+  EXPECT_NE(error_of(wrong).find("a pdf has none beside it"), std::string::npos);
   wrong = options();
   wrong.width = 100;
   EXPECT_NE(error_of(wrong).find("160x90"), std::string::npos);
@@ -271,6 +282,42 @@ TEST_F(Export, WhatWasNotExportedIsReplacedOnlyByForce) {
   careful.force = true;
   EXPECT_EQ(error_of(careful), "no error");
   EXPECT_EQ(read(mine).substr(1, 3), "PNG");
+}
+
+TEST_F(Export, NoFileThatGoesWithFramesReplacesAnother) {
+  ExportOptions careful = options();
+  careful.caption = CaptionPlace::file;
+  careful.index = true;
+  fs::create_directories(careful.out_dir);
+  for (const char* name : {"segment-closest-0002.txt", "segment-closest.json", "index.html"}) {
+    const fs::path mine = careful.out_dir / name;
+    std::ofstream(mine) << "notes";
+    EXPECT_NE(error_of(careful).find(mine.string() + " is there"), std::string::npos);
+    EXPECT_EQ(contents(careful.out_dir), (std::map<std::string, std::string>{{name, "notes"}}));
+    fs::remove(mine);
+  }
+  EXPECT_EQ(error_of(careful), "no error");
+  EXPECT_EQ(error_of(careful), "no error") << "what was exported is replaced";
+
+  ExportOptions slides = options("slides");
+  slides.format = Format::tex;
+  fs::create_directories(slides.out_dir);
+  std::ofstream(slides.out_dir / "segment-closest-pages.pdf") << "a paper";
+  EXPECT_NE(error_of(slides).find("segment-closest-pages.pdf is there"), std::string::npos);
+  EXPECT_EQ(contents(slides.out_dir).size(), 1u);
+}
+
+TEST_F(Export, APictureOnTheWayIsKeptOnlyInItsOwnPlace) {
+  ExportOptions moving = options();
+  moving.format = Format::svg;
+  moving.fps = 10;
+  moving.last_step = 3;
+  static_cast<void>(export_lessons({lesson("polygons-gjk")}, moving));
+  const auto expected = contents(moving.out_dir);
+  fs::copy_file(moving.out_dir / "polygons-gjk-0002-01.svg",
+                moving.out_dir / "polygons-gjk-0002-02.svg", fs::copy_options::overwrite_existing);
+  static_cast<void>(export_lessons({lesson("polygons-gjk")}, moving));
+  EXPECT_EQ(contents(moving.out_dir), expected);
 }
 
 TEST_F(Export, EveryFormatHasTheSameBytesEachTimeAndARecordThatLeadsBack) {
@@ -363,6 +410,25 @@ TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {
   }
   EXPECT_EQ(html.find("<!-- lessons -->"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "it works offline";
+}
+
+TEST_F(Export, BelowStagesStandsACaptionWhereItIsAskedFor) {
+  ExportOptions slide = options();
+  slide.format = Format::svg;
+  slide.stage_only = true;
+  slide.last_step = 3;
+  const auto written = [&](CaptionPlace place) {
+    slide.caption = place;
+    static_cast<void>(export_lessons({lesson("polygons-gjk")}, slide));
+    return read(slide.out_dir / "polygons-gjk-0003.svg");
+  };
+  const std::string bare = written(CaptionPlace::none);
+  EXPECT_EQ(bare.find("data-mark=\"caption\""), std::string::npos);
+  EXPECT_NE(bare.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "from edge to edge";
+  const std::string told = written(CaptionPlace::below);
+  EXPECT_NE(told.find("data-mark=\"caption\""), std::string::npos);
+  EXPECT_EQ(told.find("data-mark=\"title\""), std::string::npos);
+  EXPECT_EQ(told.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "there is a strip";
 }
 
 TEST(ContactSheet, WordsAreText) {

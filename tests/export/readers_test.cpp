@@ -70,7 +70,11 @@ TEST_F(Readers, RsvgConvert) {
 
 TEST_F(Readers, Poppler) {
   const std::string pdf = exported(Format::pdf);
-  EXPECT_TRUE(has(said("pdfinfo " + pdf), fmt::format("Pages:           {}", frames_)));
+  const std::string told = said("pdfinfo " + pdf);
+  EXPECT_TRUE(has(told, fmt::format("Pages:           {}", frames_))) << told;
+  EXPECT_TRUE(has(told, "Tagged:          yes")) << told;
+  const std::string structure = said("pdfinfo -struct " + pdf);
+  EXPECT_EQ(std::count(structure.begin(), structure.end(), '\n'), frames_ + 1) << structure;
   EXPECT_TRUE(has(said("pdftotext -f 1 -l 1 " + pdf + " -"), "Point to segment: the algorithm"));
   const std::string fonts = said("pdffonts " + pdf);
   EXPECT_TRUE(has(fonts, "+Inter-")) << fonts;
@@ -80,6 +84,7 @@ TEST_F(Readers, Poppler) {
 TEST_F(Readers, PopplerOnAHandout) {
   const std::string pdf = exported(Format::pdf, 4);
   EXPECT_TRUE(has(said("pdfinfo " + pdf), fmt::format("Pages:           {}", (frames_ + 3) / 4)));
+  EXPECT_TRUE(has(said("pdfinfo -struct " + pdf), "  Caption\n"));
 }
 
 TEST_F(Readers, Gifsicle) {

@@ -158,9 +158,12 @@ TEST_F(GoldenPictures, PixelsAreThoseThatWereLookedAt) {
     const Picture* picture = picture_of(file);
     if (!picture) continue;
     const std::string theme = file.stem().extension().string().substr(1);
-    Canvas canvas(fonts, Theme::load(kAssets / "themes", theme), kWidth, kHeight, 2,
-                  page_of(kWidth, kHeight).zoom);
-    const Image image = shrink(canvas.paint(*picture), 2);
+    CanvasOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.zoom = page_of(kWidth, kHeight).zoom;
+    Canvas canvas(fonts, Theme::load(kAssets / "themes", theme), options);
+    const Image image = canvas.paint(*picture);
     const std::string lesson = frame_name(file).lesson;
     if (writes(lesson)) {
       const std::vector<std::uint8_t> png = encode_png(image);

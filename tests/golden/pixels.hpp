@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "paint/canvas.hpp"
+#include "paint/image.hpp"
 
 namespace gjkscope::golden {
 

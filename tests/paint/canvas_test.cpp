@@ -3,12 +3,18 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
+#include "lessons.hpp"
 #include "paint/imgui_painter.hpp"
+#include "picture/frame.hpp"
 #include "sample_picture.hpp"
 #include "temporary_folder.hpp"
 
@@ -48,9 +54,18 @@ Theme test_theme() {
 constexpr int kWidth = 160;
 constexpr int kHeight = 100;
 
-class Painted : public testing::Test {
+CanvasOptions of_size(int width, int height) {
+  CanvasOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
+class Painted : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { canvas_ = new Canvas(fonts(), test_theme(), kWidth, kHeight); }
+  static void SetUpTestSuite() {
+    canvas_ = new Canvas(fonts(), test_theme(), of_size(kWidth, kHeight));
+  }
   static void TearDownTestSuite() {
     delete canvas_;
     canvas_ = nullptr;
@@ -64,7 +79,7 @@ class Painted : public testing::Test {
     picture.clips = std::move(clips);
     picture.clip_corner = clip_corner;
     picture.marks = marks;
-    return shrink(canvas_->paint(picture), 2);
+    return canvas_->paint(picture);
   }
 
   static Canvas* canvas_;
@@ -76,13 +91,13 @@ Color pixel(const Image& image, int x, int y) {
   return {p[0], p[1], p[2], p[3]};
 }
 
-testing::AssertionResult is(const Image& image, int x, int y, const Color& expected,
-                            int tolerance = 2) {
+::testing::AssertionResult is(const Image& image, int x, int y, const Color& expected,
+                              int tolerance = 2) {
   const Color got = pixel(image, x, y);
   const int difference = std::max(
       {std::abs(got.r - expected.r), std::abs(got.g - expected.g), std::abs(got.b - expected.b)});
-  if (difference <= tolerance && got.a == 255) return testing::AssertionSuccess();
-  return testing::AssertionFailure()
+  if (difference <= tolerance && got.a == 255) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure()
          << "pixel (" << x << ", " << y << ") is " << int{got.r} << " " << int{got.g} << " "
          << int{got.b} << " " << int{got.a} << ", expected " << int{expected.r} << " "
          << int{expected.g} << " " << int{expected.b} << " within " << tolerance;
@@ -352,15 +367,102 @@ TEST_F(Painted, UnknownRolesAndStylesAreErrors) {
 }
 
 TEST(Canvas, SaysWhatItCannotDo) {
-  EXPECT_THROW(Canvas(fonts(), test_theme(), 0, 10), std::runtime_error);
-  EXPECT_THROW(Canvas(fonts(), test_theme(), 100000, 10), std::runtime_error);
+  EXPECT_THROW(Canvas(fonts(), test_theme(), of_size(0, 10)), std::runtime_error);
+  EXPECT_THROW(Canvas(fonts(), test_theme(), of_size(100000, 10)), std::runtime_error);
+}
+
+TEST(Canvas, BandsOfATallImageMeetWithoutASeam) {
+  constexpr int kPeriod = 8;
+  constexpr int kTall = 4000;
+  Picture picture;
+  picture.width = 1280;
+  picture.height = kTall;
+  for (int y = 0; y < kTall; y += kPeriod) {
+    const double top = y;
+    picture.marks.push_back({"fill", Box{{{100, top + 2}, {400, top + 5}}, 0}, -1});
+    picture.marks.push_back({"line", Polyline{{{500, top}, {900, top + kPeriod}}, false}, -1});
+    picture.marks.push_back({"text", Text{{1000, top + 6}, "gjk", type::kDetail}, -1});
+  }
+  const Image image = Canvas(fonts(), test_theme(), of_size(1280, kTall)).paint(picture);
+  // Coordinates round a little differently from period to period, in one band, too.
+  constexpr int kRounding = 8;
+  const std::ptrdiff_t length = std::ptrdiff_t{4} * image.width * kPeriod;
+  const auto second = image.pixels.begin() + length;
+  for (int y = 2 * kPeriod; y < kTall - kPeriod; y += kPeriod) {
+    const auto period = image.pixels.begin() + length * (y / kPeriod);
+    for (std::ptrdiff_t i = 0; i < length; ++i) {
+      ASSERT_NEAR(period[i], second[i], kRounding) << "from row " << y;
+    }
+  }
+}
+
+/// A channel is off by one step of 255 at most, in one pixel of 10,000 at most.
+void expect_same(const Image& a, const Image& b) {
+  ASSERT_EQ(a.pixels.size(), b.pixels.size());
+  std::size_t others = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const int off = std::abs(int{a.pixels[i]} - int{b.pixels[i]});
+    most = std::max(most, off);
+    others += off > 0 ? 1 : 0;
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_LE(others, a.pixels.size() / 4 / 10000);
+}
+
+TEST(Canvas, BothRenderersDrawTheSamePicture) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-gjk"));
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts());
+  for (const Picture& picture : {sample::picture(), pictures.picture(6), pictures.picture(18)}) {
+    CanvasOptions options = of_size(1280, 720);
+    std::vector<Image> images;
+    for (const bool transparent : {false, true}) {
+      for (const Renderer renderer : {Renderer::osmesa, Renderer::egl}) {
+        options.renderer = renderer;
+        options.transparent = transparent;
+        Canvas canvas(fonts(), Theme::load(kAssets / "themes", "light"), options);
+        images.push_back(canvas.paint(picture));
+      }
+    }
+    expect_same(images[0], images[1]);
+    expect_same(images[2], images[3]);
+    EXPECT_NE(images[0].pixels, images[2].pixels) << "one is transparent";
+  }
+}
+
+TEST(Canvas, OnesOfSeveralThreadsAndOfBothRenderersDoNotMindEachOther) {
+  const Theme theme = Theme::load(kAssets / "themes", "light");
+  const Picture picture = sample::picture();
+  CanvasOptions options = of_size(640, 360);
+  options.zoom = 0.5;
+  const Image expected = Canvas(fonts(), theme, options).paint(picture);
+  std::vector<std::thread> threads;
+  std::array<int, 4> others = {};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    threads.emplace_back([&, i, mine = options]() mutable {
+      mine.renderer = i % 2 == 0 ? Renderer::osmesa : Renderer::egl;
+      for (int k = 0; k < 3; ++k) {
+        Canvas canvas(fonts(), theme, mine);
+        for (int n = 0; n < 3; ++n) others[i] += canvas.paint(picture).pixels != expected.pixels;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(others, (std::array<int, 4>{}));
+}
+
+TEST(Renderer, HasAName) {
+  EXPECT_EQ(renderer_of("egl"), Renderer::egl);
+  EXPECT_EQ(renderer_of("osmesa"), Renderer::osmesa);
+  EXPECT_FALSE(renderer_of("vulkan"));
 }
 
 TEST(Canvas, AFrameInEveryTheme) {
   const Picture picture = sample::picture();
   for (const std::string& name : Theme::names(kAssets / "themes")) {
-    Canvas canvas(fonts(), Theme::load(kAssets / "themes", name), 1280, 720);
-    const Image image = shrink(canvas.paint(picture), 2);
+    Canvas canvas(fonts(), Theme::load(kAssets / "themes", name), of_size(1280, 720));
+    const Image image = canvas.paint(picture);
     EXPECT_EQ(image.pixels.size(), 4u * 1280u * 720u) << name;
   }
 }
@@ -385,6 +487,13 @@ TEST(AtlasFonts, WidthsAreThoseOfTheFontFiles) {
     }
   }
   ImGui::DestroyContext(context);
+}
+
+Image shrink(const Image& large, int factor) {
+  Image small{large.width / factor, large.height / factor, {}};
+  small.pixels.resize(std::size_t{4} * static_cast<std::size_t>(small.width * small.height));
+  shrink_into(small, 0, large, factor);
+  return small;
 }
 
 TEST(Shrink, AveragesSquaresAndRoundsToNearest) {

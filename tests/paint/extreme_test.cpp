@@ -15,7 +15,12 @@ namespace {
 TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
   const std::filesystem::path assets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
   const Fonts fonts(assets / "fonts.toml");
-  Canvas canvas(fonts, Theme::load(assets / "themes", "light"), 320, 180, 1, 0.25);
+  CanvasOptions options;
+  options.width = 320;
+  options.height = 180;
+  options.supersampling = 1;
+  options.zoom = 0.25;
+  Canvas canvas(fonts, Theme::load(assets / "themes", "light"), options);
   int painted = 0;
   for (Lesson lesson : testing::shipped_lessons()) {
     for (const double camera : {1e-18, 1e-3, 1e3, 1e18}) {

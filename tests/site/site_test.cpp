@@ -102,6 +102,18 @@ TEST_F(Site, AnIndexLinksAllPages) {
       std::string::npos);
 }
 
+TEST_F(Site, APageOfSomebodyElseIsReplacedOnlyByForce) {
+  const Lesson lesson = testing::shipped_lesson("stop-vertex");
+  (void)page(lesson);
+  (void)page(lesson);
+  const fs::path file = out_ / "stop-vertex.html";
+  std::ofstream(file) << "<p>My notes";
+  EXPECT_THROW((void)page(lesson), std::runtime_error);
+  EXPECT_EQ(read_whole(file), "<p>My notes");
+  (void)export_site({lesson}, {out_, share_, false, true});
+  EXPECT_NE(read_whole(file), "<p>My notes");
+}
+
 TEST_F(Site, WithoutTheProgramForBrowsersItSaysHowToBuildIt) {
   fs::remove(share_ / "web" / "fonts.css");
   try {

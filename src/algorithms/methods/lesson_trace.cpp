@@ -30,14 +30,15 @@ class Told : public OutlineTrace {
 
  protected:
   [[nodiscard]] Json step_json(const Lesson&, int) const override {
-    Json out;
+    Json list = Json::array();
     for (const Method method : kMethods) {
       const auto i = static_cast<std::size_t>(method);
-      out[std::string(name_of(method))] = {{"steps", told_.steps[i]},
-                                           {"unit", unit_of(method)},
-                                           {"distance", fields::number(told_.distances[i])}};
+      list.push_back({{"method", name_of(method)},
+                      {"steps", told_.steps[i]},
+                      {"unit", unit_of(method)},
+                      {"distance", fields::number(told_.distances[i])}});
     }
-    return out;
+    return {{"answers", std::move(list)}};
   }
   [[nodiscard]] Json result_json(const Lesson&) const override {
     return {{"distance", fields::number(told_.answer.distance)}, {"overlap", told_.answer.overlap}};

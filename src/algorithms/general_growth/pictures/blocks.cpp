@@ -23,7 +23,7 @@ void method(PanelBuilder& panel, const Shown& shown, std::string name, std::stri
 }
 
 void costs(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const general_growth::Sample& sample = shown.sample();
   const bool has_times = shown.told.times.has_value();
   panel.write("heading", panel.left, "n = " + grouped(sample.segments), type::kHeading);

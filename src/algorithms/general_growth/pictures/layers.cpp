@@ -98,7 +98,7 @@ Plot visits_plot(const Shown& shown) {
 }  // namespace
 
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (scene.view.kind == ViewKind::plot) {
     layers::add_plot(scene, shown.plots_times() ? times_plot(shown) : visits_plot(shown), fonts);
   } else {

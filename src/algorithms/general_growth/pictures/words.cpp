@@ -112,7 +112,7 @@ std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) 
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const Sample& sample = shown.sample();
   if (shown.over == 0) {
     text.caption = "What does the distance of two outlines cost, if they are not convex?";
@@ -176,7 +176,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
   text.values.emplace_back("n", grouped(shown.sample().segments));

@@ -205,7 +205,7 @@ std::array<Rect, 2> tree_areas(const Rect& card) {
 
 bool trees(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return true;
   const auto [above, below] = tree_areas(scene.map.area());
   TreePicture(scene, shown, true, above).draw();

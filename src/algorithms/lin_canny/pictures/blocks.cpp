@@ -13,7 +13,7 @@ using namespace rows;
 
 /// Lin and Canny 1991; Larsen 1998, "Lin-Canny".
 void listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool looked = shown.is(WalkPhase::regions);
   const bool met =
       shown.state.stop == WalkStop::overlap && (shown.is_answer || shown.is(WalkPhase::closest));
@@ -44,7 +44,7 @@ std::string beyond(const Shown& shown, bool of_x, const Border& border) {
 }
 
 void features(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.write("heading", panel.left, "Features", type::kHeading);
   panel.y += kRow + 2.0;
   if (!shown.walk.query)

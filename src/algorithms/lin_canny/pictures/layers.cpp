@@ -54,7 +54,7 @@ void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (!shown.walk.query) return;
   const bool shows_regions = !shown.is_answer && shown.state.stop != models::WalkStop::overlap;
   for (const bool of_x : {true, false}) {

@@ -2,6 +2,7 @@
 // The walk on features in pictures: what a frame shows of it, and what its act draws and says.
 
 #include "algorithms/lin_canny/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "geometry/polygon.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"

@@ -15,7 +15,7 @@ using models::WalkStop;
 class Telling {
  public:
   Telling(const Story& story, FrameText& text)
-      : story_(story), text_(text), shown_(story.run, story.frame) {}
+      : story_(story), text_(text), shown_(shown_in<Shown>(story)) {}
 
   void tell() {
     if (!shown_.walk.query) return refused();
@@ -155,7 +155,7 @@ class Telling {
 
   const Story& story_;
   FrameText& text_;
-  Shown shown_;
+  const Shown& shown_;
 };
 
 }  // namespace
@@ -163,7 +163,7 @@ class Telling {
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const models::WalkStep& step =
       shown.walk.trace.steps[static_cast<std::size_t>(story.frame.answering_step)];
   FrameQuestion& asked =
@@ -184,7 +184,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

@@ -1,0 +1,79 @@
+#pragma once
+// OpenGL without a display. Its libraries are looked for at run time: nothing links to them, and
+// who draws no pixels needs none.
+
+#include <GL/gl.h>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "paint/image.hpp"
+
+namespace gjkscope {
+
+/// Ways to a renderer. OSMesa draws into memory, but has left Mesa with version 25.1; EGL without a
+/// surface of a display (EGL_MESA_platform_surfaceless) is its successor. What they draw differs by
+/// one step of 255 at most, in one pixel of 10,000 at most (tests/paint/canvas_test.cpp).
+enum class Renderer { osmesa, egl };
+/// "osmesa" or "egl".
+[[nodiscard]] std::optional<Renderer> renderer_of(std::string_view name);
+
+#define GJKSCOPE_GL_FUNCTIONS(FUNCTION) \
+  FUNCTION(BindTexture)                 \
+  FUNCTION(BlendFunc)                   \
+  FUNCTION(Clear)                       \
+  FUNCTION(ClearColor)                  \
+  FUNCTION(ColorMask)                   \
+  FUNCTION(ColorPointer)                \
+  FUNCTION(DrawElements)                \
+  FUNCTION(Enable)                      \
+  FUNCTION(EnableClientState)           \
+  FUNCTION(Finish)                      \
+  FUNCTION(GenTextures)                 \
+  FUNCTION(GetError)                    \
+  FUNCTION(GetIntegerv)                 \
+  FUNCTION(GetString)                   \
+  FUNCTION(LoadIdentity)                \
+  FUNCTION(MatrixMode)                  \
+  FUNCTION(Ortho)                       \
+  FUNCTION(PixelStorei)                 \
+  FUNCTION(ReadPixels)                  \
+  FUNCTION(Scissor)                     \
+  FUNCTION(TexCoordPointer)             \
+  FUNCTION(TexImage2D)                  \
+  FUNCTION(TexParameteri)               \
+  FUNCTION(VertexPointer)               \
+  FUNCTION(Viewport)
+
+/// The functions of OpenGL 2.1 that drawing here uses, under their names without "gl".
+struct Gl {
+#define GJKSCOPE_MEMBER(name) decltype(&::gl##name) name = nullptr;
+  GJKSCOPE_GL_FUNCTIONS(GJKSCOPE_MEMBER)
+#undef GJKSCOPE_MEMBER
+};
+
+/// A context of OpenGL 2.1 with an image to draw on, opaque or not, without depth or stencil.
+class GlContext {
+ public:
+  virtual ~GlContext() = default;
+  GlContext() = default;
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  /// Is the calling thread's context from here on; it draws to `image`, which has its size.
+  virtual void begin(Image& image) = 0;
+  /// All that was drawn is in the image of `begin`.
+  virtual void end(Image& image) = 0;
+  [[nodiscard]] const Gl& gl() const { return gl_; }
+
+ protected:
+  Gl gl_;
+};
+
+/// The wanted renderer, or the first of the list that is there. Throws std::runtime_error saying
+/// what was tried and what to install.
+[[nodiscard]] std::unique_ptr<GlContext> make_gl_context(std::optional<Renderer> wanted, int width,
+                                                         int height);
+
+}  // namespace gjkscope
