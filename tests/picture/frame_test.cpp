@@ -270,6 +270,17 @@ TEST(Timeline, ManyGroupsAreNumbered) {
     EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
 }
 
+TEST(Timeline, NarrowGroupsHaveShortNames) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-motion"));
+  const auto words = timeline_words(run, 0);
+  EXPECT_EQ(words.front(), "vertex C – vertex K") << "the current one's is whole";
+  const auto is_short = [](const std::string& word) {
+    return word.find(" – ") != std::string::npos && word.find("vertex") == std::string::npos &&
+           word.find("edge") == std::string::npos;
+  };
+  EXPECT_GE(std::count_if(words.begin(), words.end(), is_short), 1);
+}
+
 TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
   const Fonts fonts(kAssets / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("convex-pieces"));
