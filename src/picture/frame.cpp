@@ -330,7 +330,7 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
 /// While something is dragged no other frame is looked at, and nothing is explained.
 std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std::size_t index) {
   if (scope_ == LabelScope::frame) return {};
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMost = 4;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
     for (const LegendEntry& entry : legend_entries(run_)) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "picture/registry.hpp"
 
@@ -37,10 +38,15 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
   return groups;
 }
 
-/// "3" of "iteration 3"; empty where no number ends a label.
-std::string number_of(const std::string& label) {
-  const std::size_t at = label.find_last_not_of("0123456789");
-  return at != std::string::npos && label[at] == ' ' ? label.substr(at + 1) : std::string();
+/// "3" of "iteration 3", "D – KN" of "vertex D – edge KN"; empty where a label has no such words.
+std::string brief(std::string label) {
+  const std::string whole = label;
+  for (const std::string_view kind :
+       {"iteration ", "visit ", "position ", "region ", "vertex ", "edge "}) {
+    for (std::size_t at = label.find(kind); at != std::string::npos; at = label.find(kind))
+      label.erase(at, kind.size());
+  }
+  return label == whole ? std::string() : label;
 }
 
 /// A tick where it stands.
@@ -157,8 +163,8 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     x = group_end + kGroupGap;
     if (first > last) continue;
     const TextStyle style = holds_current ? type::kTickBold : type::kTick;
-    // Labels of narrow groups would run into each other: they are numbers alone, or none.
-    for (const std::string& label : {group.label, number_of(group.label)}) {
+    // Labels of narrow groups would run into each other: they are short, or left out.
+    for (const std::string& label : {group.label, brief(group.label)}) {
       const double label_width = fonts.width(style, label);
       const bool has_room =
           group_x > label_end && label_width <= group_end - group_x + kGroupGap - kBetween;

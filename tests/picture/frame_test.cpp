@@ -265,9 +265,20 @@ TEST(Timeline, SaysInWordsWhatHappenedAndWhereQuestionsAre) {
 
 TEST(Timeline, ManyGroupsAreNumbered) {
   const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-circles"));
-  const auto words = timeline_words(run, 0);
+  const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
   for (const char* number : {"1", "2", "9", "10", "30"})
     EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
+}
+
+TEST(Timeline, NarrowGroupsHaveShortNames) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-motion"));
+  const auto words = timeline_words(run, 0);
+  EXPECT_EQ(words.front(), "vertex C – vertex K") << "the current one's is whole";
+  const auto is_short = [](const std::string& word) {
+    return word.find(" – ") != std::string::npos && word.find("vertex") == std::string::npos &&
+           word.find("edge") == std::string::npos;
+  };
+  EXPECT_GE(std::count_if(words.begin(), words.end(), is_short), 1);
 }
 
 TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
@@ -511,9 +522,9 @@ TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
 }
 
 TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
-  const std::vector<std::string> closest = texts_of_frame("stop-repeated", 1);
+  const std::vector<std::string> closest = texts_of_frame("stop-repeated", 2);
   EXPECT_EQ(after(closest, "Stop tests (V: support point)"), "·") << "nothing is tested yet";
-  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 2);
+  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 3);
   EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, needs 3");
   EXPECT_EQ(after(direction, "P no closer", 2), "·") << "of d = 0, asked of the next phase";
   const std::vector<std::string> support = texts_of_frame("stop-repeated", 5);

@@ -129,9 +129,11 @@ void path(SceneBuilder& scene) {
     if (!scene.run.point_query()) {
       const Point middle = scene.at(centroid(scene.positioned.bodies[body].world));
       const std::string& name = lesson.bodies[body].name;
-      scene.out.moving_labels.push_back(scene.label("shape:" + name, name,
-                                                    body == 0 ? "shape.x.label" : "shape.y.label",
-                                                    type::kVertex, middle, kPathNow));
+      const bool moves = !path.motions[body].points.empty();
+      auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+      labels.push_back(scene.label("shape:" + name, name,
+                                   body == 0 ? "shape.x.label" : "shape.y.label", type::kVertex,
+                                   middle, kPathNow));
     }
     if (path.motions[body].points.empty()) continue;
     std::vector<Point> points;
