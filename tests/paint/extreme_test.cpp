@@ -32,8 +32,8 @@ TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
         for (LessonView& view : extreme.views) view.camera = Camera{{0.25, -camera}, camera};
         const LessonRun run = run_lesson(extreme);
         EffectGraph effects(run);
-        const auto frames = lesson_pictures(run, effects, fonts);
-        (void)canvas.paint(frames[frames.size() / 2].picture);
+        LessonPictures pictures(run, effects, fonts, {}, LabelScope::frame);
+        (void)canvas.paint(pictures.picture(static_cast<int>(run.frames.size()) / 2));
         ++painted;
       }
     }
