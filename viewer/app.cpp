@@ -144,7 +144,7 @@ void App::nudge(const Vector2d& pixels) {
   const Subject& selected = picture_.selected;
   const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
-  const LessonPictures::Stage view = session_.views().front();
+  const LessonPictures::ShownView view = session_.views().front();
   const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
   const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
                                   : Vector2d(2.0 * units.cwiseProduct(pixels));

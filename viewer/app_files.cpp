@@ -94,8 +94,7 @@ void App::open_exported(const fs::path& file) {
       find_record({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   if (!record || record->frames.empty()) {
     return say(
-        fmt::format("{} is neither a lesson (.toml) nor a case (.json), and no export of one",
-                    file.string()),
+        fmt::format("{} is no lesson (.toml), no case (.json) and no export of one", file.string()),
         true);
   }
   // Results of a study stand beside the shipped lessons.

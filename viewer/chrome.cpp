@@ -260,9 +260,10 @@ void App::draw_transport() {
   }
   ImGui::SetNextItemWidth(static_cast<float>(kSpeed * ui_scale_));
   auto speed = static_cast<float>(frames_per_second_);
-  if (ImGui::SliderFloat("##speed", &speed, 0.25f, 16.0f, "%.2g / s", ImGuiSliderFlags_Logarithmic))
+  if (ImGui::DragFloat("##speed", &speed, 0.02f, 0.25f, 16.0f, "%.2g / s",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     frames_per_second_ = speed;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second ([ and ])");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second: drag, or press [ and ]");
   if (session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled()) {
     ImGui::SameLine();
     draw_button("Next lesson");

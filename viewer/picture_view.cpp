@@ -66,7 +66,7 @@ double PictureView::lay_out(const Rect& area, double density) {
 }
 
 std::optional<std::size_t> PictureView::view_at(const Point& page) const {
-  const std::vector<LessonPictures::Stage> views = session_.views();
+  const std::vector<LessonPictures::ShownView> views = session_.views();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Rect& card = views[i].card;
     if ((page.array() >= card.min.array()).all() && (page.array() <= card.max.array()).all())
@@ -76,7 +76,7 @@ std::optional<std::size_t> PictureView::view_at(const Point& page) const {
 }
 
 Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
-  const LessonPictures::Stage shown = session_.views()[view];
+  const LessonPictures::ShownView shown = session_.views()[view];
   const Point off = page - shown.card.center();
   return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
                                    .cwiseProduct(Vector2d(off.x(), -off.y()));
@@ -88,7 +88,7 @@ Rect PictureView::rotation_handle(std::size_t body) const {
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
   if (world.size() < 2) return {};
-  for (const LessonPictures::Stage& view : session_.views()) {
+  for (const LessonPictures::ShownView& view : session_.views()) {
     if (view.kind != ViewKind::world) continue;
     const StageMap map(view.card, view.camera);
     Point top = map(world.front());
@@ -278,8 +278,8 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    if (!session_.go_to_next(session_.run().phases()[static_cast<std::size_t>(subject.x)]))
-      app_.say("this run has no such step");
+    const std::string_view phase = session_.run().phases()[static_cast<std::size_t>(subject.x)];
+    if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }
   const std::optional<std::size_t> view = view_at(page);
@@ -308,7 +308,7 @@ void PictureView::continue_drag(const Point& page) {
   const Vector2d before = to_view(drag.view, drag.last);
   const Vector2d now = to_view(drag.view, page);
   const std::size_t body = body_of(drag.subject);
-  const LessonPictures::Stage view = session_.views()[drag.view];
+  const LessonPictures::ShownView view = session_.views()[drag.view];
   const bool in_world = view.kind == ViewKind::world;
 
   if (drag.turns) {
@@ -371,7 +371,7 @@ void PictureView::double_click(const Point& page) {
   if (!view || session_.views()[*view].kind != ViewKind::world) return;
   if (is_vertex(hovered_)) return;
   const Vector2d at = to_view(*view, page);
-  const LessonPictures::Stage shown = session_.views()[*view];
+  const LessonPictures::ShownView shown = session_.views()[*view];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
   const Lesson& shapes = session_.lesson();

@@ -46,7 +46,8 @@ class Player {
       int width = 0;
       int height = 0;
       if (std::sscanf(rest.c_str(), "%d %d", &width, &height) != 2 || width < 1 || height < 1)
-        throw std::runtime_error("expected two sizes in pixels");
+        throw std::runtime_error(
+            fmt::format("expected a width and a height in pixels, like 1280 720, not '{}'", rest));
       return window_.resize(width, height);
     }
     if (verb == "wait") return window_.wait(number(rest));
@@ -60,7 +61,7 @@ class Player {
       return write_whole(rest, std::span<const std::uint8_t>(png));
     }
     if (verb == "state") return write_whole(rest, app_.state_json());
-    throw std::runtime_error(fmt::format("'{}' is not something a script can do", verb));
+    throw std::runtime_error(fmt::format("a script cannot do '{}'", verb));
   }
 
  private:
@@ -98,7 +99,7 @@ class Player {
       what = text.substr(0, plus);
     }
     const std::optional<Point> found = app_.picture().pixel_of(subject(what));
-    if (!found) throw std::runtime_error(fmt::format("no mark of '{}' is to be seen", what));
+    if (!found) throw std::runtime_error(fmt::format("the frame shows no mark of '{}'", what));
     return *found + offset;
   }
 
@@ -118,7 +119,10 @@ class Player {
     if (text == "shape-x") return {Kind::shape_x};
     if (text == "shape-y") return {Kind::shape_y};
     if (text == "difference") return {Kind::difference};
-    throw std::runtime_error(fmt::format("'{}' is no place", text));
+    throw std::runtime_error(
+        fmt::format("'{}' is no place; expected pixels like 30 40, or a mark like x:0, z:0,1, "
+                    "frame:2, dot:3, phase:support, shape-x or difference",
+                    text));
   }
 
   void move(const Point& to) { window_.push_move(to.x(), to.y()); }
@@ -128,7 +132,9 @@ class Player {
     std::istringstream words(text);
     std::vector<std::string> parts;
     for (std::string word; words >> word;) parts.push_back(word);
-    if (parts.size() != 2 && parts.size() != 4) throw std::runtime_error("expected two places");
+    if (parts.size() != 2 && parts.size() != 4)
+      throw std::runtime_error(
+          fmt::format("expected two places, each a mark or two pixels, not '{}'", text));
     const bool pixels = parts.size() == 4;
     const Point from = place(pixels ? parts[0] + " " + parts[1] : parts[0]);
     const Point to = place(pixels ? parts[2] + " " + parts[3] : parts[1]);

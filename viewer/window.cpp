@@ -69,7 +69,7 @@ struct Sdl {
     if (driver == "offscreen" || driver == "dummy" || driver == "evdev") {
       SDL_Quit();
       throw NoWindow(
-          "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY lead to none)");
+          "there is no display to open a window on: DISPLAY and WAYLAND_DISPLAY name none");
     }
   }
   ~Sdl() { SDL_Quit(); }

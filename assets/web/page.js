@@ -117,6 +117,9 @@ function putPanel() {
 
 // Size and theme ----------------------------------------------------------------------------------
 
+/** The most characters that a step says. */
+const longest = Math.max(...[...document.querySelectorAll(".transcript li")].map((item) => item.textContent.length));
+
 /** Pictures are laid out in the room that they have, so that type keeps its size. */
 function layout(theme = themeName($("theme").value)) {
   zoom = Math.min(2, Math.max(1, innerWidth / 1440));
@@ -124,7 +127,8 @@ function layout(theme = themeName($("theme").value)) {
   root.dataset.theme = theme;
   const width = $("stage").clientWidth / zoom;
   const top = ($("stage").getBoundingClientRect().top + scrollY) / zoom;
-  const below = 252;  // of controls, timeline and words
+  // Of controls and timeline, and of the longest words, so that they are in sight.
+  const below = 194 + 27 * Math.ceil((8.9 * longest) / Math.min(width, 1080));
   const fit = Math.max(330, innerHeight / zoom - top - below);
   const two = data.views > 1;
   const height = width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);

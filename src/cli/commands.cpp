@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -19,6 +20,7 @@
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/run.hpp"
+#include "models/search.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/theme.hpp"
@@ -53,15 +55,26 @@ std::vector<Problem> problems_of_run(const Lesson& lesson) {
   return problems;
 }
 
-/// Those of reading, and queries that a run in double refuses.
+/// Why a case has no answer.
+gjk::Error error_of(const ReadCase& read) {
+  if (read.outlines) {
+    const models::SearchResult found = models::search<models::Box>(
+        models::model_of(read.outlines->a), models::model_of(read.outlines->b));
+    return std::isfinite(found.answer.distance) ? gjk::Error::none : gjk::Error::overflow;
+  }
+  return read.value ? run_case(*read.value, ScalarKind::double_).trace.result.error
+                    : run_case(*read.in_space, ScalarKind::double_).trace.result.error;
+}
+
+/// Those of reading, and queries that a run in double refuses. Outlines are asked about by trees,
+/// which take all of them.
 std::vector<Problem> problems_of_cases(std::string_view text, const std::string& file) {
   std::vector<Problem> problems;
-  for (ReadCase& read : parse_cases(text, file, gjk::kMaxDimension)) {
+  for (const ReadCase& read :
+       parse_cases(text, file, gjk::kMaxDimension, needs_of(ModelMethod::boxes))) {
     problems.insert(problems.end(), read.problems.begin(), read.problems.end());
     if (!read.problems.empty()) continue;
-    const gjk::Error error = read.value
-                                 ? run_case(*read.value, ScalarKind::double_).trace.result.error
-                                 : run_case(*read.in_space, ScalarKind::double_).trace.result.error;
+    const gjk::Error error = error_of(read);
     if (error == gjk::Error::none) continue;
     problems.push_back({file, read.place.line, read.place.column,
                         fmt::format("the query is refused: {}", name_of(error)),
@@ -245,20 +258,39 @@ int print_trace(const Environment& env, const Traced<D>& traced, bool json) {
   return say_refused(env, traced.id, traced.runs);
 }
 
+/// What a lesson that shows the method would trace.
+int print_trace(const Environment& env, const ReadCase& read, ModelMethod method, bool json) {
+  Lesson lesson = lesson_of(*read.outlines, read.name);
+  lesson.act = method == ModelMethod::pieces      ? "convex-pieces"
+               : method == ModelMethod::lin_canny ? "lin-canny"
+                                                  : "hierarchy-distance";
+  if (method == ModelMethod::circles) lesson.volumes = VolumeKind::circles;
+  const LessonRun run = run_lesson(std::move(lesson));
+  print_trace(env, traced(run), json);
+  if (std::isfinite(run.algorithm_traces[0]->answer("distance"))) return kDone;
+  env.err << fmt::format("{}: the query is refused: {}\n", read.name,
+                         name_of(gjk::Error::overflow));
+  return kProblem;
+}
+
 }  // namespace
 
-int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json) {
+int trace_command(const Environment& env, const std::string& name, const CaseOptions& options,
+                  bool json) {
   int exit_code = kDone;
   if (is_case_file(name)) {
     const std::optional<std::string> text = read_text(env, name);
     if (!text) return kCannot;
     const std::string file = name == "-" ? "<stdin>" : name;
-    for (const ReadCase& read : parse_cases(*text, file, gjk::kMaxDimension)) {
+    const models::Needs needs = std::max(needs_of(options.method), models::Needs::closed);
+    for (const ReadCase& read : parse_cases(*text, file, gjk::kMaxDimension, needs)) {
       for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
+      const ScalarKind scalar = options.scalar;
       const int code = read.value ? print_trace(env, traced(*read.value, read.name, scalar), json)
                        : read.in_space
                            ? print_trace(env, traced(*read.in_space, read.name, scalar), json)
-                           : kProblem;
+                       : read.outlines ? print_trace(env, read, options.method, json)
+                                       : kProblem;
       exit_code = std::max(exit_code, code);
     }
   } else {

@@ -15,6 +15,7 @@
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
+#include "models/outline.hpp"
 #include "site/site.hpp"
 
 namespace gjkscope {
@@ -54,9 +55,6 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
 /// shows; `json`: prints the file's record instead.
 int open_command(const Environment& env, const std::string& file, bool json);
 
-/// `name` is a lesson or a case file; `scalar` is for cases, lessons bring their own.
-int trace_command(const Environment& env, const std::string& name, ScalarKind scalar, bool json);
-
 /// How the distance of general models is found.
 enum class ModelMethod : std::uint8_t { brute, pieces, boxes, circles, lin_canny };
 template <>
@@ -69,16 +67,25 @@ struct Named<ModelMethod> {
        {"lin-canny", ModelMethod::lin_canny}}};
 };
 
-struct SolveOptions {
+/// How cases are answered.
+struct CaseOptions {
   ScalarKind scalar = ScalarKind::double_;  ///< Of point sets.
   ModelMethod method = ModelMethod::boxes;  ///< Of outlines.
 };
+/// What the method needs of outlines.
+[[nodiscard]] models::Needs needs_of(ModelMethod method);
+
+/// `name` is a lesson or a case file; `options` are for cases, lessons bring their own. Brute force
+/// has no trace.
+int trace_command(const Environment& env, const std::string& name, const CaseOptions& options,
+                  bool json);
+
 /// One JSON object for each case and line. "-" is standard input.
 int solve_command(const Environment& env, const std::vector<std::string>& files,
-                  const SolveOptions& options);
+                  const CaseOptions& options);
 
-/// Problems of lesson files on `out`, each with its place; also runs them and checks what they
-/// expect.
+/// Problems of lesson and case files on `out`, each with its place; also runs them, and checks what
+/// lessons expect and whether cases are refused.
 int check_command(const Environment& env, const std::vector<std::string>& files);
 
 /// Title, prose and captions of lessons; `markdown`: with headings and lists.
@@ -113,6 +120,11 @@ int study_time_steps_command(const Environment& env, LessonChoice choice,
 /// `out_dir` pictures.csv. The rest is as with effects.
 int study_pictures_command(const Environment& env, LessonChoice choice,
                            const StudyOptions& options);
+
+/// Times methods for general models on the outlines of lessons of the granularity `general-growth`,
+/// and prints a table; in `out_dir` models.toml, the table [growth.times] for such a lesson. The
+/// rest is as with effects.
+int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
 
 /// "1280x720"; nullopt when it is not of that form.
 [[nodiscard]] std::optional<std::pair<int, int>> parse_size(std::string_view text);

@@ -188,8 +188,20 @@ void add_commands(CLI::App& app, Arguments& args) {
                    "Id or file of a lesson, a case.json, or - for a case from standard input")
       ->required();
   add_scalar(trace, "Arithmetic for a case; a lesson names its own");
+  parsed(
+      trace, "--method", args.method,
+      [](std::string_view text) {
+        const auto method = value_of<ModelMethod>(text);
+        return method == ModelMethod::brute ? std::nullopt : method;
+      },
+      "one of pieces, boxes, circles, lin-canny",
+      "What is traced of a case with outlines; boxes if not given")
+      ->type_name("pieces|boxes|circles|lin-canny");
   add_json(trace);
   trace->footer(
+      "A case is what `gjkscope solve` reads. Of outlines, which must be closed, the trace is that "
+      "of\na lesson that shows the method: the search over two trees, pieces, or the walk on "
+      "features.\n\n"
       "Examples:\n  gjkscope trace polygon-evolution\n  gjkscope trace case.json --scalar exact\n"
       "  gjkscope trace polygons-gjk --json    (format: docs/trace-format.md)\n");
 
@@ -203,16 +215,16 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->type_name("brute|pieces|boxes|circles|lin-canny");
   add_json(solve);
   solve->footer(
-      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: gjkscope takes "
-      "the\n"
-      "convex hulls of both point sets. With \"dimension\":3 points are [x,y,z]. A file holds any "
-      "number of cases, one after "
-      "the\n"
-      "other or in an array. Answers are JSON with and without --json: distance, and what is "
-      "proved of\n"
-      "it (lower, upper). In the plane, shapes that overlap also have depth, depth_lower, "
+      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two sets of points, "
+      "of which\n"
+      "gjkscope takes the convex hulls. With \"dimension\":3 points are [x,y,z]; 2 may be left "
+      "out. "
+      "A file\n"
+      "holds any number of cases, one after the other or in an array.\n\n"
+      "Answers are JSON, with or without --json: distance, and the bounds that are proved for it,\n"
+      "lower and upper. In the plane, shapes that overlap also have depth, depth_lower and "
       "depth_upper:\n"
-      "how far 'a' must move along direction, which is of length 1, until they just touch;\n"
+      "how far 'a' must move along direction, a vector of length 1, until the shapes just touch;\n"
       "translation is depth times direction.\n\n"
       "Outlines, which need not be convex, are\n"
       "{\"outlines_a\":[[[x,y],...],...], \"outlines_b\":...}. An outline is closed; one that "
@@ -229,7 +241,10 @@ void add_commands(CLI::App& app, Arguments& args) {
   CLI::App* check = app.add_subcommand("check", "Check lessons, and what they expect; and cases");
   check->add_option("file", args.files, "Ids or files of lessons, files of cases (.json), or -")
       ->required();
-  check->footer("Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
+  check->footer(
+      "Cases are what `gjkscope solve` reads, outlines included: check says what cannot be read, "
+      "and\nwhere, and what has no answer in double precision.\n\n"
+      "Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
 
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
@@ -273,12 +288,13 @@ void add_commands(CLI::App& app, Arguments& args) {
       "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n"
       "  gjkscope study accuracy --family needles --family \"nearly parallel\"\n");
 
-  const auto of_lessons = [&](const std::string& name, const std::string& what) {
+  const auto of_lessons = [&](const std::string& name, const std::string& what,
+                              const std::string& ending = ".csv") {
     CLI::App* command = study->add_subcommand(name, what);
     command->add_option("lesson", args.lessons.names,
                         "Ids or files of lessons; all lessons if not given");
     command->add_flag("--quick", args.study.quick, "Fewer repetitions");
-    command->add_option("--out", args.study.out_dir, "Folder for " + name + ".csv")
+    command->add_option("--out", args.study.out_dir, "Folder for " + name + ending)
         ->type_name("DIR");
     return command;
   };
@@ -300,6 +316,14 @@ void add_commands(CLI::App& app, Arguments& args) {
           "step.\n"
           "Lessons without are left out.\n\n"
           "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
+
+  of_lessons("models", "How long methods for outlines that are not convex take", ".toml")
+      ->footer(
+          "Lessons of the granularity general-growth: all pairs of segments, convex pieces, and\n"
+          "trees of boxes and circles, at each size. models.toml has the table [growth.times], "
+          "which\nthe lesson's file takes. Other lessons are left out.\n\n"
+          "Examples:\n  gjkscope study models --out study\n"
+          "  gjkscope study models general-growth --quick\n");
 
   of_lessons("pictures", "What supersampling costs")
       ->footer(
@@ -340,7 +364,8 @@ int run(const CLI::App& app, Arguments& args) {
   const Environment env{share_folder(), std::cin, std::cout, std::cerr};
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
   if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
-  if (app.got_subcommand("trace")) return trace_command(env, args.name, args.scalar, args.json);
+  if (app.got_subcommand("trace"))
+    return trace_command(env, args.name, {args.scalar, args.method}, args.json);
   if (app.got_subcommand("solve"))
     return solve_command(env, args.files, {args.scalar, args.method});
   if (app.got_subcommand("check")) return check_command(env, args.files);
@@ -352,6 +377,9 @@ int run(const CLI::App& app, Arguments& args) {
     }
     if (study->got_subcommand("time-steps")) {
       return study_time_steps_command(env, args.lessons, args.study);
+    }
+    if (study->got_subcommand("models")) {
+      return study_models_command(env, args.lessons, args.study);
     }
     if (study->got_subcommand("pictures")) {
       return study_pictures_command(env, args.lessons, args.study);

@@ -105,13 +105,7 @@ struct ModelsAnswer {
   long visits = 0;
 };
 
-template <class Volume>
-ModelsAnswer search(const models::Model& a, const models::Model& b) {
-  const auto tree_a = models::build_hierarchy<Volume>(models::items_of(a));
-  const auto tree_b = models::build_hierarchy<Volume>(models::items_of(b));
-  const models::SearchResult found = models::search<Volume>({a, b, tree_a, tree_b});
-  return {found.answer, found.visits};
-}
+ModelsAnswer told(const models::SearchResult& found) { return {found.answer, found.visits}; }
 
 ModelsAnswer answer_of(const models::Model& a, const models::Model& b, ModelMethod method) {
   switch (method) {
@@ -125,9 +119,9 @@ ModelsAnswer answer_of(const models::Model& a, const models::Model& b, ModelMeth
       return {found.answer, found.visits};
     }
     case ModelMethod::boxes:
-      return search<models::Box>(a, b);
+      return told(models::search<models::Box>(a, b));
     case ModelMethod::circles:
-      return search<models::Circle>(a, b);
+      return told(models::search<models::Circle>(a, b));
     case ModelMethod::lin_canny: {
       const models::WalkResult found = models::lin_canny(models::walk_query(a, b));
       return {found.answer, found.steps};
@@ -153,18 +147,7 @@ Json solve(const OutlineCase& value, ModelMethod method, Json answer) {
   return answer;
 }
 
-models::Needs needs_of(ModelMethod method) {
-  switch (method) {
-    case ModelMethod::pieces:
-      return models::Needs::simple;
-    case ModelMethod::lin_canny:
-      return models::Needs::convex;
-    default:
-      return models::Needs::segments;
-  }
-}
-
-Json solve(const ReadCase& read, const SolveOptions& options) {
+Json solve(const ReadCase& read, const CaseOptions& options) {
   const ScalarKind scalar = options.scalar;
   Json answer;
   answer["case"] = read.name;
@@ -185,8 +168,19 @@ Json solve(const ReadCase& read, const SolveOptions& options) {
 
 }  // namespace
 
+models::Needs needs_of(ModelMethod method) {
+  switch (method) {
+    case ModelMethod::pieces:
+      return models::Needs::simple;
+    case ModelMethod::lin_canny:
+      return models::Needs::convex;
+    default:
+      return models::Needs::segments;
+  }
+}
+
 int solve_command(const Environment& env, const std::vector<std::string>& files,
-                  const SolveOptions& options) {
+                  const CaseOptions& options) {
   int exit_code = kDone;
   for (const std::string& file : files) {
     const std::optional<std::string> text = read_text(env, file);

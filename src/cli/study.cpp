@@ -22,6 +22,7 @@
 #include "study/report.hpp"
 #include "survey/accuracy_figures.hpp"
 #include "survey/effects_cost.hpp"
+#include "survey/model_times.hpp"
 #include "survey/sampling_cost.hpp"
 #include "survey/time_steps.hpp"
 
@@ -193,7 +194,7 @@ template <class Row>
 struct PerLesson {
   std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
   std::function<std::string(const std::vector<Row>&)> table;
-  std::function<std::string(const std::vector<Row>&)> csv;
+  std::function<std::string(const std::vector<Row>&)> text;  ///< Of the file.
   std::string_view file;
 
   [[nodiscard]] int run(const Environment& env, LessonChoice choice,
@@ -215,7 +216,7 @@ struct PerLesson {
         rows.insert(rows.end(), more.begin(), more.end());
       }
     }
-    if (!options.out_dir.empty()) write_whole(options.out_dir / file, csv(rows));
+    if (!options.out_dir.empty()) write_whole(options.out_dir / file, text(rows));
     env.out << table(rows);
     const bool written = flushed(env);
     if (!go_on()) {
@@ -248,6 +249,16 @@ int study_time_steps_command(const Environment& env, LessonChoice choice,
         return time_step_costs(lesson, repetitions, go_on);
       },
       time_steps_table, time_steps_csv, "time-steps.csv"};
+  return study.run(env, std::move(choice), options);
+}
+
+int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options) {
+  const int turns = options.quick ? 3 : 15;
+  const PerLesson<ModelTimes> study = {
+      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
+        return model_times(lesson, turns, go_on);
+      },
+      model_times_table, model_times_toml, "models.toml"};
   return study.run(env, std::move(choice), options);
 }
 

@@ -23,7 +23,7 @@
 
 namespace gjkscope {
 
-/// What a value depends on: nothing (-1), the run, the step, the detail.
+/// What a value depends on: nothing (-1), or the run, the step, a part of the step.
 using EffectKey = std::array<int, 3>;
 
 struct EffectCount {

@@ -7,8 +7,17 @@ namespace gjkscope {
 EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
 SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
-  Value value{run_again(run.run(frame), run.lesson.options, run.lesson.beside.value()), -1};
-  const std::vector<gjk::Step<double, 2>>& steps = run.run(frame).trace.steps;
+  const PositionedRun& first = run.run(frame);
+  Value value{run_again(first, run.lesson.options, run.lesson.beside.value())};
+  const auto is_inside = [](const PositionedRun& each) {
+    return each.trace.result.distance == 0.0;
+  };
+  if (is_inside(value.run) && !is_inside(first)) {
+    gjk::Options options = run.lesson.options;
+    options.direction_rule = gjk::DirectionRule::perpendicular;
+    value.mended = run_again(first, options, run.lesson.scalar);
+  }
+  const std::vector<gjk::Step<double, 2>>& steps = first.trace.steps;
   for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
     if (steps[i].phase != gjk::Phase::support) continue;
     const gjk::Step<double, 2>* beside = step_beside(value, run, {frame.run, i, -1});

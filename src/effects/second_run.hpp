@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "effects/graph.hpp"
 
 namespace gjkscope {
@@ -12,6 +14,8 @@ struct SecondRun {
     PositionedRun run;
     int parting = -1;  ///< Index of the first step of the lesson's run with another support point
                        ///< than the second run's, or with none beside it; -1: there is no such.
+    /// The lesson's run with d perpendicular to the edge, where the second run alone ends inside.
+    std::optional<PositionedRun> mended = std::nullopt;
   };
   static EffectKey key(const LessonRun& run, const Frame& frame);
   /// Only for lessons that have a second scalar.

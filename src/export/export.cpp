@@ -99,7 +99,7 @@ void check(const ExportOptions& options) {
                                          name_of(options.format)));
   }
   if (options.fps > 0 && !is_film(options.format) && !has_file_per_frame(options.format)) {
-    throw std::runtime_error(fmt::format("in a {} nothing moves; in png, svg and films it can",
+    throw std::runtime_error(fmt::format("--fps is for png, svg and films; in a {} nothing moves",
                                          name_of(options.format)));
   }
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {

@@ -99,7 +99,7 @@ class GifFilm : public Film {
       : file_(file), width_(width), height_(height), theme_(theme.colors()) {
     int error = 0;
     gif_ = EGifOpen(&bytes_, append, &error);
-    if (!gif_) throw std::runtime_error(GifErrorString(error));
+    if (!gif_) throw cannot_make(error);
     EGifSetGifVersion(gif_, true);
     require(EGifPutScreenDesc(gif_, width, height, 8, 0, nullptr));
     // Again and again.
@@ -132,7 +132,7 @@ class GifFilm : public Film {
     write_last();
     int error = 0;
     GifFileType* const gif = std::exchange(gif_, nullptr);
-    if (EGifCloseFile(gif, &error) != GIF_OK) throw std::runtime_error(GifErrorString(error));
+    if (EGifCloseFile(gif, &error) != GIF_OK) throw cannot_make(error);
     write_whole(file_, std::span<const std::uint8_t>(bytes_));
   }
 
@@ -142,11 +142,12 @@ class GifFilm : public Film {
     out.insert(out.end(), bytes, bytes + count);
     return count;
   }
+  [[nodiscard]] std::runtime_error cannot_make(int error) const {
+    return std::runtime_error(
+        fmt::format("cannot write {}: {}", file_.string(), GifErrorString(error)));
+  }
   void require(int status) const {
-    if (status != GIF_OK) {
-      throw std::runtime_error(
-          fmt::format("cannot make {}: {}", file_.string(), GifErrorString(gif_->Error)));
-    }
+    if (status != GIF_OK) throw cannot_make(gif_->Error);
   }
 
   /// The least rectangle outside of which the image is as the one before.

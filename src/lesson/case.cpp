@@ -348,7 +348,8 @@ class CaseReader {
            *outlines_ == models::Needs::convex   ? "one convex outline"
            : *outlines_ == models::Needs::simple ? "closed outlines that meet neither themselves "
                                                    "nor each other, for this method"
-                                                 : "outlines of at least two finite points");
+           : flaw.fault == models::Fault::open_chain ? "closed outlines: chains are not traced"
+                                                     : "outlines of at least two finite points");
   }
 
   [[nodiscard]] static Path below(Path path, std::string key) {
@@ -421,6 +422,27 @@ LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char
   return shape;
 }
 
+Lesson lesson_named(std::string_view name) {
+  Lesson lesson;
+  lesson.id = name;
+  lesson.path = name;
+  lesson.title = name;
+  return lesson;
+}
+
+LessonShape shape_of(const std::vector<models::Outline>& outlines, std::string name, char letter) {
+  std::vector<Vector2d> points;
+  std::vector<int> counts;
+  for (const models::Outline& outline : outlines) {
+    assert(outline.closed);
+    points.insert(points.end(), outline.points.begin(), outline.points.end());
+    counts.push_back(static_cast<int>(outline.points.size()));
+  }
+  LessonShape shape = shape_of(points, std::move(name), letter);
+  if (counts.size() > 1) shape.outlines = std::move(counts);
+  return shape;
+}
+
 }  // namespace
 
 std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file, int most_dimension,
@@ -447,13 +469,17 @@ std::vector<std::string> numbered_names(char letter, std::size_t vertices) {
 }
 
 Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {
-  Lesson lesson;
-  lesson.id = name;
-  lesson.path = name;
-  lesson.title = name;
+  Lesson lesson = lesson_named(name);
   lesson.x() = shape_of(value.a, "X", 'x');
   lesson.y() = shape_of(value.b, "Y", 'y');
   lesson.scalar = scalar;
+  return lesson;
+}
+
+Lesson lesson_of(const OutlineCase& value, std::string_view name) {
+  Lesson lesson = lesson_named(name);
+  lesson.x() = shape_of(value.a, "X", 'x');
+  lesson.y() = shape_of(value.b, "Y", 'y');
   return lesson;
 }
 

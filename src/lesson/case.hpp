@@ -64,5 +64,7 @@ struct ReadCase {
 
 /// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
 [[nodiscard]] Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar);
+/// The same of outlines, which must be closed.
+[[nodiscard]] Lesson lesson_of(const OutlineCase& value, std::string_view name);
 
 }  // namespace gjkscope

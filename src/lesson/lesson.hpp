@@ -124,6 +124,29 @@ struct LessonTime {
   friend bool operator==(const LessonTime&, const LessonTime&) = default;
 };
 
+/// How long each method takes for the distance of two outlines, in nanoseconds, at each size of a
+/// [growth]: what `gjkscope study models` has measured.
+struct GrowthTimes {
+  std::string machine;
+  std::vector<double> pairs;       ///< All pairs of segments.
+  std::vector<double> pieces;      ///< Convex pieces, cut beforehand; of sizes that are cut.
+  std::vector<double> boxes;       ///< Trees of boxes, built beforehand,
+  std::vector<double> circles;     ///< of circles,
+  std::vector<double> remembered;  ///< of boxes, from the closest pair of the position before,
+  std::vector<double> collide;     ///< and only to find whether they collide.
+  std::vector<double> build;       ///< Both trees of boxes.
+  friend bool operator==(const GrowthTimes&, const GrowthTimes&) = default;
+};
+/// By their names in files.
+inline constexpr std::array<std::pair<std::string_view, std::vector<double> GrowthTimes::*>, 7>
+    kGrowthTimes = {{{"pairs", &GrowthTimes::pairs},
+                     {"pieces", &GrowthTimes::pieces},
+                     {"boxes", &GrowthTimes::boxes},
+                     {"circles", &GrowthTimes::circles},
+                     {"remembered", &GrowthTimes::remembered},
+                     {"collide", &GrowthTimes::collide},
+                     {"build", &GrowthTimes::build}}};
+
 /// Runs to be measured: pairs of random convex polygons, `runs` of them with each number of
 /// vertices.
 struct LessonGrowth {
@@ -132,6 +155,7 @@ struct LessonGrowth {
   int seed = 1;              ///< Of the random polygons.
   double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
                              ///< lower >= (1 - tolerance) * upper.
+  std::optional<GrowthTimes> times = {};
   friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 
@@ -204,8 +228,8 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  std::optional<LessonTime> time;      ///< These three are set with the act of their name, and
-  std::optional<LessonGrowth> growth;  ///< only then.
+  std::optional<LessonTime> time;      ///< These three are set with the acts that need their
+  std::optional<LessonGrowth> growth;  ///< table (ActNeeds), and only then.
   std::optional<LessonStudy> study;
 
   std::vector<LessonView> views;

@@ -72,6 +72,7 @@ class LessonReader {
   std::vector<std::vector<double>> read_moments(const Field& field, double last,
                                                 std::size_t positions);
   void read_growth(const Table& growth);
+  void read_growth_times(const Table& times, LessonGrowth& growth);
   void read_study(const Table& study);
   void read_steps(const Table& steps, const Table& file);
   void check_act(const Act& act, const Field& granularity, const Table& file);
@@ -545,7 +546,33 @@ void LessonReader::read_growth(const Table& growth) {
   read.seed = reader_.whole_number(growth["seed"], 0, kSeed).value_or(read.seed);
   read.tolerance =
       reader_.number(growth["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(read.tolerance);
+  if (const auto times = reader_.table(growth["times"], "growth.times"))
+    read_growth_times(*times, read);
   lesson_.growth = std::move(read);
+}
+
+/// Pieces are timed up to the largest outlines that are cut, all else at each size.
+void LessonReader::read_growth_times(const Table& times, LessonGrowth& growth) {
+  using namespace limits;
+  GrowthTimes& read = growth.times.emplace();
+  read.machine = reader_.text(times["machine"], kNameLength).value_or("");
+  for (const auto& [name, member] : kGrowthTimes) {
+    const Field field = times[name];
+    std::vector<double>& list = read.*member;
+    for (const Field& entry :
+         reader_.entries(field, fmt::format("number from 1 to {:g}", kNanoseconds))) {
+      if (const std::optional<double> ns = reader_.number(entry, 1.0, kNanoseconds))
+        list.push_back(*ns);
+    }
+    const bool fits = list.size() == growth.vertices.size() ||
+                      (member == &GrowthTimes::pieces && list.size() < growth.vertices.size());
+    if (field && field.node->is_array() && !fits) {
+      problems_.add(field.place(),
+                    fmt::format("{} times for {} sizes", list.size(), growth.vertices.size()),
+                    fmt::format("those that `gjkscope study models` measures at {} sizes",
+                                growth.vertices.size()));
+    }
+  }
 }
 
 void LessonReader::read_study(const Table& study) {

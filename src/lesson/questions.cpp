@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
@@ -10,9 +11,35 @@
 
 namespace gjkscope {
 
+namespace {
+
+/// Whether another vertex lies as far along d as the winner, as far as a reader can see.
+bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& shape,
+            const Eigen::Vector2d& d) {
+  constexpr double kSeen = 1e-3;  // of the size of the shape
+  double first = -HUGE_VAL;
+  double second = -HUGE_VAL;
+  for (const gjk::ScanEntry<double>& entry : scan) {
+    second = std::max(second, std::min(first, entry.value));
+    first = std::max(first, entry.value);
+  }
+  double size = 0.0;
+  for (const Eigen::Vector2d& vertex : shape.vertices)
+    size = std::max(size, (vertex - shape.vertices.front()).norm());
+  return first - second <= kSeen * d.norm() * size;
+}
+
+}  // namespace
+
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
-  if (ask == asks::kSupport.name)
-    return run.lesson.x().vertices.size() * run.lesson.y().vertices.size() > 1;
+  if (ask == asks::kSupport.name) {
+    const gjk::Step<double, 2>& asked = trace.steps[static_cast<std::size_t>(step)];
+    const LessonShape& x = run.lesson.x();
+    const LessonShape& y = run.lesson.y();
+    return x.vertices.size() * y.vertices.size() > 1 &&
+           !is_tie(asked.record.scan_x, x, asked.after.d) &&
+           !is_tie(asked.record.scan_y, y, asked.after.d);
+  }
   return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
 }
 
@@ -38,7 +65,7 @@ void add_question_frames(LessonRun& run) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
-      if (run.frames[i - 1].run != run.frames[i].run) continue;
+      if (run.frames[i - 1].run != run.frames[i].run && !run.act->sweeps) continue;
       const int answer =
           run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;

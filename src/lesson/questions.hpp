@@ -30,7 +30,8 @@ inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
                            int step);
 
 /// Puts before each frame that answers a question of the lesson the frame that asks it. What has
-/// only one answer is not asked: of what region of a single vertex, say, Q lies in.
+/// only one answer is not asked: of what region of a single vertex, say, Q lies in. Nor is what has
+/// several right ones: which of two vertices equally far along d is the support point.
 void add_question_frames(LessonRun& run);
 
 /// Questions that no frame asks; places are those in the lesson's file.

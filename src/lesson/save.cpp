@@ -252,6 +252,10 @@ void write_growth(TomlText& out, const LessonGrowth& growth) {
   out.whole_number("runs", growth.runs, defaults.runs);
   out.whole_number("seed", growth.seed, defaults.seed);
   out.number("tolerance", growth.tolerance, defaults.tolerance);
+  if (!growth.times) return;
+  out.table("[growth.times]");
+  out.text("machine", growth.times->machine, "");
+  for (const auto& [name, member] : kGrowthTimes) out.list(name, texts_of((*growth.times).*member));
 }
 
 void write_study(TomlText& out, const LessonStudy& study) {

@@ -20,6 +20,8 @@ std::vector<LessonKey> make_keys() {
   using namespace limits;
   const std::string required(kRequired);
   const std::string point_list = "list of points [x, y]";
+  const std::string times =
+      fmt::format("list of numbers from 1 to {:g}, one a size: nanoseconds", kNanoseconds);
   const std::string list_of_turns = fmt::format("list of numbers from {} to {}", -kTurn, kTurn);
   return {
       {"", "title", text_up_to(kTitleLength), required, "heading of every frame"},
@@ -133,6 +135,20 @@ std::vector<LessonKey> make_keys() {
        "of the random polygons: the same number gives the same ones"},
       {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
        "the iterations until lower >= (1 - tolerance) * upper are counted, too"},
+      {"growth", "times", "table [growth.times]", "none",
+       "with granularity `general-growth`: how long methods take, as `gjkscope study models` "
+       "measures and writes it"},
+      {"growth.times", "machine", text_up_to(kNameLength), required, "what it was measured on"},
+      {"growth.times", "pairs", times, required, "all pairs of segments"},
+      {"growth.times", "pieces", times, required,
+       "convex pieces, cut beforehand, up to the largest that are cut"},
+      {"growth.times", "boxes", times, required, "trees of boxes, built beforehand"},
+      {"growth.times", "circles", times, required, "trees of circles"},
+      {"growth.times", "remembered", times, required,
+       "trees of boxes, from the closest pair of the position before"},
+      {"growth.times", "collide", times, required,
+       "trees of boxes, only to find whether they collide"},
+      {"growth.times", "build", times, required, "building both trees of boxes"},
 
       {"study", "results", text_up_to(kPathLength), required,
        "accuracy.json of a study, as seen from the folder of the lesson"},

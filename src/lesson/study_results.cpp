@@ -23,7 +23,7 @@ std::vector<Eigen::Vector2d> points_of(const Json& list) {
   std::vector<Eigen::Vector2d> points;
   for (const auto& [x, y] : list.get<std::vector<std::pair<double, double>>>())
     points.emplace_back(x, y);
-  if (points.empty()) throw std::runtime_error("a shape without vertices");
+  if (points.empty()) throw std::runtime_error("a shape has no vertices");
   return points;
 }
 
@@ -137,7 +137,7 @@ std::string time_text(double ns) {
   if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
   if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
   if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
-  return fmt::format("{:.3g} s", ns / 1e9);
+  return ns < 1e12 ? fmt::format("{:.3g} s", ns / 1e9) : fmt::format("{:.0f} s", ns / 1e9);
 }
 
 }  // namespace gjkscope

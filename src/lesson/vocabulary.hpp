@@ -13,7 +13,7 @@ namespace gjkscope {
 
 /// What an act wants of a lesson.
 struct ActNeeds {
-  /// A table of the file, "path" say. All tables but that one belong to the act of their name.
+  /// A table of the file, "path" say. A lesson has no table that only other acts want.
   std::string_view table = {};
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
   int most_vertices = 0;      ///< Of each shape; 0: as many as a lesson may have.

@@ -16,7 +16,9 @@ BruteAnswer brute(const Model& a, const Model& b) {
       }
     }
   }
-  const std::optional<Answer> inside = contained(a, b);
+  const std::optional<Answer> inside = contained(
+      a, b, [&](const Point& p) { return winding(p, a); },
+      [&](const Point& p) { return winding(p, b); });
   out.answer = inside ? *inside : answer_of(*best, a, b);
   return out;
 }

@@ -176,6 +176,15 @@ class Builder {
   Hierarchy<Volume> tree_;
 };
 
+/// Whether the ray to the right from a point may meet a volume.
+[[nodiscard]] inline bool ray_meets(const Point& from, const Box& box) {
+  return from.x() <= box.high.x() && box.low.y() <= from.y() && from.y() <= box.high.y();
+}
+[[nodiscard]] inline bool ray_meets(const Point& from, const Circle& circle) {
+  const Point way = (1.0 - 4.0 * kRoundoff) * (from - circle.centre);
+  return way.x() <= circle.radius && std::abs(way.y()) <= circle.radius;
+}
+
 }  // namespace detail
 
 /// Of at least one item. O(n log n).

@@ -4,11 +4,10 @@
 //
 //   start with any feature of each outline
 //   loop
-//     closest  take the closest points of the two features; an edge whose closest point is an end
-//     is
-//              left for that end
-//     regions  look for a neighbour of one feature that is closer to the other's closest point: the
-//              one whose external Voronoi region holds that point
+//     closest  take the closest points of the two features;
+//              an edge whose closest point is an end is left for that end
+//     regions  look for a neighbour of one feature whose external Voronoi region holds
+//              the other's closest point
 //     swap     take that neighbour
 //
 // The distance falls with each swap, so no pair of features comes twice, and there are finitely

@@ -189,16 +189,18 @@ bool meet(const Segment& a, const Segment& b) {
          turn(b.a, b.b, a.a) * turn(b.a, b.b, a.b) <= 0;
 }
 
+int winding(const Point& point, const Segment& s) {
+  const bool from_below = s.a.y() <= point.y();
+  const bool to_below = s.b.y() <= point.y();
+  if (from_below == to_below) return 0;
+  const int side = turn(s.a, s.b, point);
+  return from_below ? (side > 0 ? 1 : 0) : (side < 0 ? -1 : 0);
+}
+
 int winding(const Point& point, const Model& model) {
   int around = 0;
   for (const Segment& s : model.segments) {
-    if (!model.outlines[static_cast<std::size_t>(s.outline)].closed) continue;
-    const bool from_below = s.a.y() <= point.y();
-    const bool to_below = s.b.y() <= point.y();
-    if (from_below == to_below) continue;
-    const int side = turn(s.a, s.b, point);
-    if (from_below && side > 0) ++around;
-    if (to_below && side < 0) --around;
+    if (model.outlines[static_cast<std::size_t>(s.outline)].closed) around += winding(point, s);
   }
   return around;
 }
@@ -281,21 +283,6 @@ Answer answer_of(const Nearest& pair, const Model& a, const Model& b) {
       answer.on_a.is_vertex ? end_of(pair.a, pair.on_a) : foot(end_of(pair.b, pair.on_b), pair.a);
   answer.b =
       answer.on_b.is_vertex ? end_of(pair.b, pair.on_b) : foot(end_of(pair.a, pair.on_a), pair.b);
-  return answer;
-}
-
-std::optional<Answer> contained(const Model& a, const Model& b) {
-  const auto find = [](const Model& inner, const Model& outer) -> std::optional<Answer> {
-    for (std::size_t i = 0; i < inner.outlines.size(); ++i) {
-      const Point& p = inner.outlines[i].points.front();
-      if (winding(p, outer) == 0) continue;
-      return Answer{0.0, true, p, p, {true, static_cast<int>(i), 0}, {}};
-    }
-    return std::nullopt;
-  };
-  if (auto answer = find(a, b)) return answer;
-  auto answer = find(b, a);
-  if (answer) std::swap(answer->on_a, answer->on_b);
   return answer;
 }
 

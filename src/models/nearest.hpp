@@ -20,6 +20,9 @@ namespace models {
 [[nodiscard]] int alike(const Point& a, const Point& b, const Point& c, const Point& d);
 /// Whether two closed segments have a point in common.
 [[nodiscard]] bool meet(const Segment& a, const Segment& b);
+/// What a segment adds to the winding number of the outlines around `point`: 1 where it crosses the
+/// ray to the right from there upward, -1 downward, else 0.
+[[nodiscard]] int winding(const Point& point, const Segment& segment);
 /// How often the closed outlines go around `point`, which lies on none of them.
 [[nodiscard]] int winding(const Point& point, const Model& model);
 
@@ -64,7 +67,29 @@ struct Answer {
 };
 [[nodiscard]] Answer answer_of(const Nearest& pair, const Model& a, const Model& b);
 
+namespace detail {
+
+/// A vertex of `inner` that `around` says lies in the other model's matter.
+template <class Around>
+[[nodiscard]] std::optional<Answer> inside(const Model& inner, const Around& around) {
+  for (std::size_t i = 0; i < inner.outlines.size(); ++i) {
+    const Point& p = inner.outlines[i].points.front();
+    if (around(p) != 0) return Answer{0.0, true, p, p, {true, static_cast<int>(i), 0}, {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace detail
+
 /// Of models whose boundaries do not meet: a vertex of one that lies in the other's matter.
-[[nodiscard]] std::optional<Answer> contained(const Model& a, const Model& b);
+/// `around_a` and `around_b` give the winding numbers of the models around a point.
+template <class AroundA, class AroundB>
+[[nodiscard]] std::optional<Answer> contained(const Model& a, const Model& b,
+                                              const AroundA& around_a, const AroundB& around_b) {
+  if (auto answer = detail::inside(a, around_b)) return answer;
+  auto answer = detail::inside(b, around_a);
+  if (answer) std::swap(answer->on_a, answer->on_b);
+  return answer;
+}
 
 }  // namespace models

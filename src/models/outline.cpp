@@ -130,6 +130,7 @@ Flaw check(const std::vector<Outline>& outlines, Needs needs) {
   for (int i = 0; i < static_cast<int>(outlines.size()); ++i) {
     if (!outlines[i].closed) return {Fault::open_chain, i};
   }
+  if (needs == Needs::closed) return {};
   if (needs == Needs::simple) return check_meetings(model_of(outlines));
   if (outlines.size() > 1) return {Fault::several_outlines, 1};
   return is_convex(outlines.front()) ? Flaw{} : Flaw{Fault::not_convex};

@@ -66,7 +66,8 @@ struct Flaw {
 /// What a method needs of each model.
 enum class Needs : std::uint8_t {
   segments,  ///< Finite points, at least two an outline.
-  simple,    ///< Also: closed outlines that do not meet themselves or each other.
+  closed,    ///< Also: no open chains.
+  simple,    ///< Also: outlines that do not meet themselves or each other.
   convex,    ///< Also: one of them, which is convex.
 };
 /// The first flaw, if there is one. Decides exactly. O(n log n) where few segments lie one above

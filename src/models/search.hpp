@@ -206,9 +206,33 @@ void descend(SearchState& state, const SearchQuery<Volume>& query, const SearchO
   state.phase = SearchPhase::visit;
 }
 
+/// The winding number of the model around a point that lies on no outline, by the segments that the
+/// ray to the right from there may meet. Where segments have several leaves, by all segments.
+template <class Volume>
+[[nodiscard]] int winding(const Point& point, const Model& model, const Hierarchy<Volume>& tree) {
+  if (tree.items.size() != model.segments.size()) return models::winding(point, model);
+  int around = 0;
+  std::vector<int> waiting = {0};
+  while (!waiting.empty()) {
+    const Node<Volume>& node = tree.nodes[waiting.back()];
+    waiting.pop_back();
+    if (!ray_meets(point, node.volume)) continue;
+    if (node.is_leaf()) {
+      const Segment& segment = model.segments[tree.items[node.first].segment];
+      if (model.outlines[segment.outline].closed) around += models::winding(point, segment);
+    } else {
+      waiting.push_back(node.left);
+      waiting.push_back(node.right);
+    }
+  }
+  return around;
+}
+
 template <class Volume>
 void look_inside(SearchState& state, const SearchQuery<Volume>& query) {
-  state.inside = contained(query.a, query.b);
+  state.inside = contained(
+      query.a, query.b, [&](const Point& p) { return winding(p, query.a, query.tree_a); },
+      [&](const Point& p) { return winding(p, query.b, query.tree_b); });
   state.stop = state.inside ? SearchStop::contained : SearchStop::apart;
 }
 
@@ -279,6 +303,15 @@ template <class Volume>
   NoSearchRecord none;
   while (state.stop == SearchStop::running) step(state, query, options, none);
   return result_of(state, query, options);
+}
+
+/// The same of models, whose hierarchies are built first.
+template <class Volume>
+[[nodiscard]] SearchResult search(const Model& a, const Model& b,
+                                  const SearchOptions& options = {}) {
+  const Hierarchy<Volume> tree_a = build_hierarchy<Volume>(items_of(a));
+  const Hierarchy<Volume> tree_b = build_hierarchy<Volume>(items_of(b));
+  return search<Volume>(SearchQuery<Volume>{a, b, tree_a, tree_b}, options);
 }
 
 struct SearchStep {

@@ -50,7 +50,8 @@ struct Canvas::Context {
         height(options.height * factor),
         scale(factor * options.zoom) {
     if (options.width < 1 || options.height < 1 || factor < 1) {
-      throw std::runtime_error("an image needs a size of at least 1x1");
+      throw std::runtime_error(fmt::format("an image of {}x{} is too small; the least is 1x1",
+                                           options.width, options.height));
     }
     band_rows = rows_of_band();
     gl_context = make_gl_context(options.renderer, width, band_rows);

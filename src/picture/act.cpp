@@ -56,8 +56,7 @@ Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   return {.group = format("iteration {}", step.iteration),
           .label = phase + dropped,
           .short_label = phase,
-          .event = run.info(frame).is_event,
-          .phase = std::string(run.info(frame).phase)};
+          .event = run.info(frame).is_event};
 }
 
 std::string group_of_position(const LessonRun& run, const Frame& frame,
@@ -118,8 +117,7 @@ Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
   const StepInfo at = run.info(frame);
   return {.group = group_of_position(run, frame, format("iteration {}", at.iteration)),
           .label = std::string(at.phase),
-          .event = at.is_event,
-          .phase = std::string(at.phase)};
+          .event = at.is_event};
 }
 
 int answering_step_of_run(const LessonRun& run, const Frame& before, const Frame& frame,

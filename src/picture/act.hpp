@@ -19,7 +19,6 @@ struct Tick {
   std::string short_label = {};  ///< Where the label is wider than the tick.
   bool event = false;            ///< A vertex dropped, containment, the end.
   bool question = false;
-  std::string phase = {};  ///< Whose colour the tick has; empty: none.
 };
 
 struct StagedAct {

@@ -29,7 +29,9 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
+constexpr double kBeside = 28.0;     // a view's title, on both sides
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
@@ -196,8 +198,9 @@ struct PageWriter {
 
 /// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
-  Stage stage;
+  ShownView shown;
   LabelPlacer placer;
+  std::vector<std::string> title;  ///< Line by line.
   Rect title_box;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
@@ -245,29 +248,34 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
     LessonView view = run_.lesson.views[i];
     if (cameras[i]) view.camera = cameras[i];
     const Rect& card = layout.views[i];
-    const double title_width = fonts_.width(type::kViewTitle, default_title(run_, view));
     const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
-    const Rect title{card.min, card.min + Point(title_width + 28.0, 38.0)};
+    const std::vector<std::string> title =
+        wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
+    Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
+    for (const std::string& line : title) {
+      title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
+    }
     const Camera camera = camera_of(run_, view, card);
     views_.push_back({{card, view.kind, camera},
                       LabelPlacer(fonts_, inner),
                       title,
+                      {card.min, card.min + title_size},
                       std::vector<std::optional<Scene>>(run_.frames.size())});
   }
 }
 
-std::vector<LessonPictures::Stage> LessonPictures::stages() const {
-  std::vector<Stage> stages;
-  for (const View& view : views_) stages.push_back(view.stage);
-  return stages;
+std::vector<LessonPictures::ShownView> LessonPictures::views() const {
+  std::vector<ShownView> list;
+  for (const View& view : views_) list.push_back(view.shown);
+  return list;
 }
 
 const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
   std::optional<Scene>& scene = views_[view].scenes[index];
-  const Stage& stage = views_[view].stage;
+  const ShownView& shown = views_[view].shown;
   if (!scene) {
     scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
-                        StageMap(stage.card, stage.camera), fonts_);
+                        StageMap(shown.card, shown.camera), fonts_);
   }
   return *scene;
 }
@@ -301,7 +309,7 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
   std::set<std::string> placed;
   for (const Scene* of_frame : scenes) {
     for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (shows(view.stage.card, label) && placed.insert(label.id).second)
+      if (shows(view.shown.card, label) && placed.insert(label.id).second)
         (void)view.placer.place(label, true);
     }
   }
@@ -322,7 +330,7 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
 /// While something is dragged no other frame is looked at, and nothing is explained.
 std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std::size_t index) {
   if (scope_ == LabelScope::frame) return {};
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMost = 4;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
     for (const LegendEntry& entry : legend_entries(run_)) {
@@ -330,13 +338,27 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
-        if (!has_mark(scene(at % views_.size(), at / views_.size()), entry.role)) continue;
+        if (mark_of(scene(at % views_.size(), at / views_.size()), entry.role) == nullptr) continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
         break;
       }
     }
   }
   return explained_[index * views_.size() + view];
+}
+
+/// What was explained before this frame and has marks in it, then what is new.
+std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
+  std::vector<LegendRow> rows;
+  for (std::size_t at = 0; at < (index + 1) * views_.size(); ++at) {
+    for (const LegendEntry& entry : marks_to_explain(at % views_.size(), at / views_.size())) {
+      const Mark* mark = nullptr;
+      for (std::size_t view = 0; view < views_.size() && mark == nullptr; ++view)
+        mark = mark_of(scene(view, index), entry.role);
+      if (mark != nullptr) rows.push_back({mark, entry.text});
+    }
+  }
+  return rows;
 }
 
 namespace {
@@ -358,6 +380,20 @@ Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
 }
 
 }  // namespace
+
+/// In the spare part of the panel: what is new in this frame, and as much of the rest as has room.
+/// Nothing where what is new has none.
+std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index) {
+  std::vector<LegendRow> rows = standing_legend(index);
+  std::size_t fresh = 0;
+  for (std::size_t view = 0; view < views_.size(); ++view)
+    fresh += marks_to_explain(view, index).size();
+  const auto fits = [&] {
+    return (legend_size(rows, fonts_).array() <= spare.size().array()).all();
+  };
+  while (rows.size() > fresh && !fits()) rows.erase(rows.begin());
+  return rows.empty() || !fits() ? std::vector<Mark>() : legend(rows, spare.min, fonts_);
+}
 
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
@@ -382,15 +418,17 @@ Picture LessonPictures::picture(int index) {
   }
 
   std::vector<Mark> panel;
-  Rect spare{Point::Zero(), Point::Zero()};
+  bool on_stage = true;  // stands what explains marks
   if (panel_) {
     panel = panel_marks(run_, effects_, run_.frames[at], fonts_, *panel_);
-    spare = spare_part(*panel_, panel);
+    std::vector<Mark> explained = legend_in(spare_part(*panel_, panel), at);
+    on_stage = explained.empty();
+    std::move(explained.begin(), explained.end(), std::back_inserter(panel));
   }
   for (std::size_t i = 0; i < views_.size(); ++i) {
     place_fixed_labels(i, at);
     View& view = views_[i];
-    const Rect& card = view.stage.card;
+    const Rect& card = view.shown.card;
     page.add("card", Box{card, kCardCorner});
     const int clip = static_cast<int>(picture.clips.size());
     picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
@@ -417,8 +455,15 @@ Picture LessonPictures::picture(int index) {
     for (const LabelRequest& label : of_frame.fixed_labels) {
       if (shows(card, label) && drawn.insert(label.id).second) place(label, true);
     }
-    for (const AreaLabelRequest& label : of_frame.area_labels)
-      page.append(view.placer.place_inside(label));
+    for (const AreaLabelRequest& label : of_frame.area_labels) {
+      std::vector<Mark> name = view.placer.place_inside(label);
+      // Beside its area it has a line that leads there, if it is far.
+      for (const Mark& mark : name) {
+        const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
+        if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
+      }
+      page.append(std::move(name));
+    }
     for (const LabelRequest& label : of_frame.moving_labels) {
       if (shows(card, label)) place(label, false);
     }
@@ -427,17 +472,20 @@ Picture LessonPictures::picture(int index) {
       if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
         words.push_back(box_of(fonts_, *label));
     }
-    const Point free = spare.min;
-    std::vector<Mark> explained =
-        legend(marks_to_explain(i, at), of_frame, card, words, fonts_, spare);
-    std::vector<Mark>& into = spare.min == free ? picture.marks : panel;
-    std::move(explained.begin(), explained.end(), std::back_inserter(into));
+    if (on_stage) {
+      std::vector<LegendRow> rows;
+      for (const LegendEntry& entry : marks_to_explain(i, at))
+        rows.push_back({mark_of(of_frame, entry.role), entry.text});
+      page.append(legend_on_stage(std::move(rows), of_frame, card, words, fonts_));
+    }
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",
         Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 1.0});
-    page.write("view-title", card.min + Point(14.0, 26.0),
-               default_title(run_, run_.lesson.views[i]), type::kViewTitle);
+    for (std::size_t line = 0; line < view.title.size(); ++line) {
+      const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
+      page.write("view-title", card.min + start, view.title[line], type::kViewTitle);
+    }
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});

@@ -70,7 +70,7 @@ enum class LabelScope { lesson, frame };
 class LessonPictures {
  public:
   /// One view on the page: what `camera` sees of it, centred in `card`.
-  struct Stage {
+  struct ShownView {
     Rect card;
     ViewKind kind = ViewKind::world;
     Camera camera;
@@ -90,13 +90,15 @@ class LessonPictures {
   /// `index` is that of the frame in LessonRun::frames.
   [[nodiscard]] Picture picture(int index);
   [[nodiscard]] const std::vector<FrameText>& texts() const { return texts_; }
-  [[nodiscard]] std::vector<Stage> stages() const;
+  [[nodiscard]] std::vector<ShownView> views() const;
 
  private:
   struct View;
   [[nodiscard]] const Scene& scene(std::size_t view, std::size_t index);
   void place_fixed_labels(std::size_t of_view, std::size_t shown);
   [[nodiscard]] std::vector<LegendEntry> marks_to_explain(std::size_t view, std::size_t index);
+  [[nodiscard]] std::vector<LegendRow> standing_legend(std::size_t index);
+  [[nodiscard]] std::vector<Mark> legend_in(const Rect& spare, std::size_t index);
 
   const LessonRun& run_;
   EffectGraph& effects_;

@@ -90,7 +90,9 @@ bool cross(const Obstacles::Segment& p, const Obstacles::Segment& q) {
   return side(p, q.a) * side(p, q.b) < 0.0 && side(q, p.a) * side(q, p.b) < 0.0;
 }
 
-bool inside(std::span<const Point> polygon, const Rect& box) {
+}  // namespace
+
+bool is_inside(std::span<const Point> polygon, const Rect& box) {
   const double orientation = signed_area(polygon);
   const Point corners[] = {
       box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
@@ -104,8 +106,6 @@ bool inside(std::span<const Point> polygon, const Rect& box) {
   }
   return true;
 }
-
-}  // namespace
 
 std::optional<Obstacles::Segment> leader_line(const LabelRequest& request, const Rect& label) {
   Point anchor = request.anchor;
@@ -264,7 +264,7 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, boo
   double best_cost = in_any_case ? std::numeric_limits<double>::infinity() : kOverCircle;
   const auto consider = [&](const Point& center, double extra) {
     const Rect box = box_around(center, size);
-    if (extra >= best_cost || !inside(request.polygon, grown(box, 3.0 * kClearance))) return;
+    if (extra >= best_cost || !is_inside(request.polygon, grown(box, 3.0 * kClearance))) return;
     const Rect wide = grown(box, kAreaClearance);
     const Rect aside = grown(box, kLineClearance);
     const bool near = std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(),

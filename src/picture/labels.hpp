@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
 /// That line; none where the label is near.
 [[nodiscard]] std::optional<Obstacles::Segment> leader_line(const LabelRequest& request,
                                                             const Rect& label);
+
+/// All of a box lies in a convex polygon.
+[[nodiscard]] bool is_inside(std::span<const Point> polygon, const Rect& box);
 
 /// A label somewhere inside a convex polygon.
 struct AreaLabelRequest {

@@ -8,7 +8,7 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 15> kEntries = {
+constexpr std::array<LegendEntry, 17> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
      {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
@@ -16,6 +16,7 @@ constexpr std::array<LegendEntry, 15> kEntries = {
      {"dropped", "dropped vertex"},
      {"support.plane", "support line, normal to d"},
      {"support.axis.foot", "foot: how far along"},
+     {"projection.point", "foot of the perpendicular from Q"},
      {"closest.circle", "as far away as P"},
      {"condition", "a condition holds on the side of the ticks"},
      {"region.rejected", "ruled out"},
@@ -23,13 +24,12 @@ constexpr std::array<LegendEntry, 15> kEntries = {
      {"cloud.point", "a difference y − x"},
      {"cloud.touched", "a difference that was computed"},
      {"pair.link", "a difference: from x to y"},
-     {"history.closest", "P of an earlier iteration"}}};
+     {"history.closest", "P of an earlier iteration"},
+     {"path.now", "middle of a shape, on its way"}}};
 
-const Mark* mark_of(const Scene& scene, std::string_view role) {
-  const auto found = std::find_if(scene.marks.begin(), scene.marks.end(),
-                                  [&](const Mark& mark) { return mark.role == role; });
-  return found == scene.marks.end() ? nullptr : &*found;
-}
+constexpr double kGlyph = 28.0;
+constexpr double kPad = 12.0;
+constexpr double kRow = 24.0;
 
 /// A mark like those of the scene, of the size of a letter.
 struct Glyph {
@@ -40,7 +40,7 @@ struct Glyph {
   }
   decltype(Mark::shape) operator()(const Polygon& polygon) const {
     if (polygon.points.size() == 4) return diamond(center, 7.0);
-    return operator()(Box{});
+    return Box{{center - Point(8.0, 6.0), center + Point(8.0, 6.0)}, 2.0};
   }
   decltype(Mark::shape) operator()(const Polyline&) const {
     return Polyline{{center - Point(9.0, 0.0), center + Point(9.0, 0.0)}};
@@ -49,8 +49,9 @@ struct Glyph {
     return Arrow{center - Point(9.0, 0.0), center + Point(9.0, 0.0)};
   }
   decltype(Mark::shape) operator()(const Cross&) const { return Cross{center, 7.0}; }
-  decltype(Mark::shape) operator()(const Box&) const {
-    return Box{{center - Point(8.0, 6.0), center + Point(8.0, 6.0)}, 2.0};
+  decltype(Mark::shape) operator()(const Box& box) const {
+    const Point half = (0.5 * box.rect.size()).cwiseMin(Point(8.0, 6.0));
+    return Box{{center - half, center + half}, std::min(box.corner, 2.0)};
   }
   decltype(Mark::shape) operator()(const Text& text) const { return text; }
 };
@@ -75,10 +76,12 @@ int covered(const Obstacles& obstacles, const Rect& box) {
 /// Where a box of this size hides least at the edges of a card, and no words; none where it would.
 std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect& card,
                               const std::vector<Rect>& words) {
-  constexpr int kPlaces = 6;  // along each edge
+  constexpr int kPlaces = 6;      // along each edge
+  constexpr int kMostHidden = 3;  // less than a vertex: a little of a line
   std::optional<Rect> best;
-  int least = 0;
+  int least = kMostHidden + 1;
   const Point room = card.size() - size;
+  if ((room.array() < 0.0).any()) return std::nullopt;
   for (const Point& edge : {Point(0.0, 1.0), Point(1.0, 0.0), Point(0.0, 0.0)}) {
     for (int i = 0; i <= kPlaces; ++i) {
       const double along = static_cast<double>(i) / kPlaces;
@@ -90,7 +93,7 @@ std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect&
                       [&](const Rect& word) { return overlap(box, word); }))
         continue;
       const int cost = covered(scene.obstacles, box);
-      if (best && cost >= least) continue;
+      if (cost >= least) continue;
       best = box;
       least = cost;
     }
@@ -102,41 +105,41 @@ std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect&
 
 std::span<const LegendEntry> own_legend_entries() { return kEntries; }
 
-bool has_mark(const Scene& scene, std::string_view role) { return mark_of(scene, role) != nullptr; }
+const Mark* mark_of(const Scene& scene, std::string_view role) {
+  const auto found = std::find_if(scene.marks.begin(), scene.marks.end(),
+                                  [&](const Mark& mark) { return mark.role == role; });
+  return found == scene.marks.end() ? nullptr : &*found;
+}
 
-std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
-                         const Rect& card, const std::vector<Rect>& words, const Fonts& fonts,
-                         Rect& spare) {
-  constexpr double kGlyph = 28.0;
-  constexpr double kPad = 12.0;
-  constexpr double kRow = 24.0;
-  if (entries.empty()) return {};
+Point legend_size(const std::vector<LegendRow>& rows, const Fonts& fonts) {
   double width = 0.0;
-  for (const LegendEntry& entry : entries)
-    width = std::max(width, kGlyph + fonts.width(type::kText, entry.text) + 2.0 * kPad);
-  const Point size(width, kRow * static_cast<double>(entries.size()) + kPad);
-  const Point frame(1.0, 1.0);
-  const Rect inside{card.min + frame, card.max - frame};
-  if ((size.array() > inside.size().array()).any()) return {};
-  std::optional<Rect> box;
-  if ((size.array() <= spare.size().array()).all()) {
-    box = Rect{spare.min, spare.min + size};
-    spare.min.y() += size.y();
-  } else {
-    box = place_for(size, scene, inside, words);
-  }
-  if (!box) return {};
-  std::vector<Mark> marks = {{"legend.box", Box{*box, 9.0}}};
-  const double x = box->min.x() + kPad;
-  double y = box->min.y() + 0.5 * (kRow + kPad);
-  for (const LegendEntry& entry : entries) {
-    const Mark& like = *mark_of(scene, entry.role);
-    marks.push_back({like.role, std::visit(Glyph{{x + 10.0, y}}, like.shape)});
+  for (const LegendRow& row : rows)
+    width = std::max(width, kGlyph + fonts.width(type::kText, row.text) + 2.0 * kPad);
+  return {width, kRow * static_cast<double>(rows.size()) + kPad};
+}
+
+std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, const Fonts& fonts) {
+  std::vector<Mark> marks = {{"legend.box", Box{{at, at + legend_size(rows, fonts)}, 9.0}}};
+  const double x = at.x() + kPad;
+  double y = at.y() + 0.5 * (kRow + kPad);
+  for (const LegendRow& row : rows) {
+    marks.push_back({row.mark->role, std::visit(Glyph{{x + 10.0, y}}, row.mark->shape)});
     const double base = y + 0.5 * fonts.cap_height(type::kText);
-    marks.push_back({"legend", Text{{x + kGlyph, base}, std::string(entry.text), type::kText}});
+    marks.push_back({"legend", Text{{x + kGlyph, base}, std::string(row.text), type::kText}});
     y += kRow;
   }
   return marks;
+}
+
+std::vector<Mark> legend_on_stage(std::vector<LegendRow> rows, const Scene& scene, const Rect& card,
+                                  const std::vector<Rect>& words, const Fonts& fonts) {
+  const Point frame(1.0, 1.0);
+  for (; !rows.empty(); rows.pop_back()) {
+    const auto box =
+        place_for(legend_size(rows, fonts), scene, {card.min + frame, card.max - frame}, words);
+    if (box) return legend(rows, box->min, fonts);
+  }
+  return {};
 }
 
 }  // namespace gjkscope

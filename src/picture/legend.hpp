@@ -1,5 +1,6 @@
 #pragma once
-// What marks mean, said in the frame that shows them first.
+// What marks mean, said in the frame that shows them first, and while they are there where the
+// panel has room.
 
 #include <span>
 #include <string_view>
@@ -17,13 +18,23 @@ struct LegendEntry {
 /// Those of marks that are drawn for GJK, in the order in which they are said.
 [[nodiscard]] std::span<const LegendEntry> own_legend_entries();
 
-[[nodiscard]] bool has_mark(const Scene& scene, std::string_view role);
+/// The first mark with this role; null where there is none.
+[[nodiscard]] const Mark* mark_of(const Scene& scene, std::string_view role);
 
-/// What explains them: in the `spare` part of the panel, of which it takes what it needs; where
-/// that has no room, at the edge of the card where it hides least, and none of the `words`. Nothing
-/// where there is no such place.
-[[nodiscard]] std::vector<Mark> legend(const std::vector<LegendEntry>& entries, const Scene& scene,
-                                       const Rect& card, const std::vector<Rect>& words,
-                                       const Fonts& fonts, Rect& spare);
+/// A mark, and what it means.
+struct LegendRow {
+  const Mark* mark = nullptr;
+  std::string_view text;
+};
+
+[[nodiscard]] Point legend_size(const std::vector<LegendRow>& rows, const Fonts& fonts);
+/// With its upper left corner at `at`.
+[[nodiscard]] std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at,
+                                       const Fonts& fonts);
+/// At an edge of the card, where it hides no marks and none of the `words`: as many of the rows as
+/// have room there.
+[[nodiscard]] std::vector<Mark> legend_on_stage(std::vector<LegendRow> rows, const Scene& scene,
+                                                const Rect& card, const std::vector<Rect>& words,
+                                                const Fonts& fonts);
 
 }  // namespace gjkscope

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "picture/labels.hpp"
+#include "picture/text_box.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {
@@ -222,12 +223,14 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   for (const PlotTick& tick : y_ticks) {
     const Point left = at(plot.x.low, tick.value);
     add("chart.grid", Polyline{{left, at(plot.x.high, tick.value)}});
+    obstacles.passing.push_back({left, at(plot.x.high, tick.value)});
     write("body.muted", {left.x() - kNumberGap, left.y() + 6.0}, tick.label, type::kText,
           Align::right);
   }
   for (const PlotTick& tick : x_ticks) {
     const Point foot = at(tick.value, plot.y.low);
     add("chart.grid", Polyline{{foot, at(tick.value, plot.y.high)}});
+    obstacles.passing.push_back({foot, at(tick.value, plot.y.high)});
     const double half = 0.5 * fonts.width(type::kText, tick.label);
     write("body.muted", {std::min(foot.x(), area.max.x() - half), foot.y() + kTickRow}, tick.label,
           type::kText, Align::center);
@@ -269,10 +272,18 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   placer.begin_frame(std::move(obstacles));
   for (std::size_t i = 0; i < plot.notes.size(); ++i) {
     const PlotNote& note = plot.notes[i];
-    marks.push_back(
-        placer.place({fmt::format("note {}", i), note.text, role_of(note.style, ".label"),
-                      type::kName, at(note.at.x(), note.at.y()), kHollow, Point(-1.0, 1.0), true},
-                     true));
+    const LabelRequest request{fmt::format("note {}", i),
+                               note.text,
+                               role_of(note.style, ".label"),
+                               type::kName,
+                               at(note.at.x(), note.at.y()),
+                               kHollow,
+                               Point(-1.0, 1.0),
+                               true};
+    Mark name = placer.place(request, true);
+    if (const auto line = leader_line(request, box_of(fonts, std::get<Text>(name.shape))))
+      add("leader", Polyline{{line->a, line->b}});
+    marks.push_back(std::move(name));
   }
   for (const auto& [series, middle] : names) {
     const Point start = middle + Point(kNameIndent, 0.5 * fonts.cap_height(type::kName));

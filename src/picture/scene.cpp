@@ -73,6 +73,12 @@ void SceneBuilder::diamond(std::string role, const Point& center, double radius,
   out.obstacles.circles.push_back({center, radius});
 }
 
+void SceneBuilder::square(std::string role, const Point& center, double radius) {
+  const Point half(radius, radius);
+  add(std::move(role), Box{{center - half, center + half}, 0.0});
+  out.obstacles.circles.push_back({center, radius});
+}
+
 void SceneBuilder::cross(std::string role, const Point& center, double radius,
                          const Subject& subject) {
   add(std::move(role), Cross{center, radius}, subject);

@@ -110,6 +110,8 @@ struct SceneBuilder {
   void outline(const std::vector<Point>& points);
   void disk(std::string role, const Point& center, double radius, const Subject& subject = {});
   void diamond(std::string role, const Point& center, double radius, const Subject& subject = {});
+  /// A square that lies on its side: the foot of a perpendicular.
+  void square(std::string role, const Point& center, double radius);
   void cross(std::string role, const Point& center, double radius, const Subject& subject = {});
   void arrow(std::string role, const Point& from, const Point& to);
   /// A label `radius` and a little away from its anchor, preferably on the side `towards`.

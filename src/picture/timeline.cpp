@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <string_view>
 
 #include "picture/registry.hpp"
 
@@ -30,12 +29,75 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       tick = {.group = run.act->follows_run ? format("iteration {}", run.answering_iteration(frame))
                                             : groups.back().label,
               .label = "question",
+              .short_label = "?",
               .question = true};
     }
     if (groups.empty() || groups.back().label != tick.group) groups.push_back({tick.group, {}});
     groups.back().ticks.push_back(std::move(tick));
   }
   return groups;
+}
+
+/// "3" of "iteration 3", "D – KN" of "vertex D – edge KN"; empty where a label has no such words.
+std::string brief(std::string label) {
+  const std::string whole = label;
+  for (const std::string_view kind :
+       {"iteration ", "visit ", "position ", "region ", "vertex ", "edge "}) {
+    for (std::size_t at = label.find(kind); at != std::string::npos; at = label.find(kind))
+      label.erase(at, kind.size());
+  }
+  return label == whole ? std::string() : label;
+}
+
+/// A tick where it stands.
+struct PlacedTick {
+  const Tick* tick = nullptr;
+  double center = 0.0;
+  bool is_named = false;  ///< Of the current group.
+  bool is_current = false;
+  [[nodiscard]] bool is_event() const { return tick->event || tick->question; }
+};
+
+/// Words under ticks, as far as they have room: first the current one's, then what happened, a
+/// vertex dropped, a question, the end; then the other ticks of the group.
+void name_ticks(std::vector<Mark>& marks, const std::vector<PlacedTick>& ticks, double tick_width,
+                const Fonts& fonts, const Rect& area, double base) {
+  constexpr double kSpace = 6.0;
+  std::vector<std::pair<double, double>> taken;
+  const auto place = [&](const PlacedTick& placed, const std::string& label, bool overhangs) {
+    const TextStyle style = placed.is_current ? type::kTickBold : type::kTick;
+    const double half = 0.5 * fonts.width(style, label);
+    if (label.empty() || (!overhangs && 2.0 * half > tick_width)) return false;
+    const double center = std::clamp(placed.center, area.min.x() + half, area.max.x() - half);
+    const bool is_free = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
+      return center - half - kSpace < other.second && other.first < center + half + kSpace;
+    });
+    if (!is_free) return false;
+    taken.emplace_back(center - half, center + half);
+    marks.push_back({placed.is_current ? "timeline.tick.current" : "timeline.label",
+                     Text{{center, base}, label, style, Align::center}});
+    return true;
+  };
+  const auto name = [&](const PlacedTick& placed) {
+    const Tick& tick = *placed.tick;
+    if (tick.label == tick.group) return;
+    if (placed.is_current) {
+      place(placed, tick.label, true);
+      return;
+    }
+    const std::string& brief = tick.short_label.empty() ? tick.label : tick.short_label;
+    const bool is_told = placed.is_named && !tick.question && place(placed, tick.label, false);
+    if (!is_told) place(placed, brief, placed.is_event());
+  };
+  for (const PlacedTick& placed : ticks) {
+    if (placed.is_current) name(placed);
+  }
+  for (const PlacedTick& placed : ticks) {
+    if (!placed.is_current && placed.is_event()) name(placed);
+  }
+  for (const PlacedTick& placed : ticks) {
+    if (!placed.is_current && !placed.is_event() && placed.is_named) name(placed);
+  }
 }
 
 }  // namespace
@@ -48,8 +110,9 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   constexpr double kGroupGap = 18.0;
   constexpr double kTickGap = 5.0;
   constexpr double kWidest = 116.0;
-  constexpr double kQuestionWidth = 10.0;
+  constexpr double kQuestionWidth = 14.0;
   constexpr double kHiddenRest = 120.0;
+  constexpr double kBetween = 8.0;  // labels
   const double gaps = kGroupGap * static_cast<double>(groups.size() - 1) +
                       kTickGap * static_cast<double>(count - static_cast<int>(groups.size()));
   const int questions =
@@ -65,17 +128,18 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   const int last = std::min(static_cast<int>(question - run.frames.begin()), count - 1);
   double x = area.min.x();
   int index = 0;
+  const double label_y = area.min.y() + 4.0;
   const double bar_y = area.min.y() + 14.0;
   double label_end = -1e9;
+  double hidden_from = area.max.x();
+  std::vector<PlacedTick> ticks;
   for (const Group& group : groups) {
     const int first = index;
     const double group_x = x;
-    std::vector<double> centers;
+    const bool holds_current =
+        current >= first && current < first + static_cast<int>(group.ticks.size());
     for (const Tick& tick : group.ticks) {
       const bool now = index == current;
-      const std::string role = now               ? "timeline.current"
-                               : index < current ? "timeline.done"
-                                                 : "timeline.ahead";
       const Subject subject{Subject::Kind::frame, index};
       const double tick_width = tick.question ? kQuestionWidth : width;
       if (index > last) {
@@ -83,70 +147,43 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
         const double end = index + 1 == count ? area.max.x() : x + tick_width + gap;
         marks.push_back(
             {"timeline.hidden", Box{{{x, bar_y}, {end, bar_y + 10.0}}, 0.0}, -1, subject});
-        x += tick_width + kTickGap;
-        ++index;
-        continue;
-      }
-      centers.push_back(x + 0.5 * tick_width);
-      if (tick.question) {
-        marks.push_back(
-            {role, Disk{{centers.back(), bar_y + 5.0}, 0.5 * kQuestionWidth}, -1, subject});
+        hidden_from = std::min(hidden_from, x);
       } else {
-        const Rect bar{{x, bar_y}, {x + width, bar_y + (now ? 15.0 : 10.0)}};
+        const std::string role = now               ? "timeline.current"
+                                 : index < current ? "timeline.done"
+                                                   : "timeline.ahead";
+        const Rect bar{{x, bar_y}, {x + tick_width, bar_y + (now ? 15.0 : 10.0)}};
         marks.push_back({role, Box{bar, 4.0}, -1, subject});
-        if (!tick.phase.empty()) {
-          const Rect stripe{{x, bar.max.y() + 2.0}, {x + width, bar.max.y() + 5.0}};
-          marks.push_back({format("timeline.phase.{}", tick.phase), Box{stripe, 1.5}, -1, subject});
-        }
+        ticks.push_back({&tick, x + 0.5 * tick_width, holds_current, now});
       }
-      if (tick.event)
-        marks.push_back({"timeline.event", Disk{{x + width - 8.0, bar_y + 5.0}, 2.5}});
       x += tick_width + kTickGap;
       ++index;
     }
     const double group_end = x - kTickGap;
     x = group_end + kGroupGap;
     if (first > last) continue;
-    const bool holds_current = current >= first && current < index;
     const TextStyle style = holds_current ? type::kTickBold : type::kTick;
-    const double label_width = fonts.width(style, group.label);
-    // Labels of narrow groups would run into each other; the current one always shows.
-    if (holds_current ||
-        (group_x > label_end && label_width <= group_end - group_x + kGroupGap - 6.0)) {
+    // Labels of narrow groups would run into each other: they are short, or left out.
+    for (const std::string& label : {group.label, brief(group.label)}) {
+      const double label_width = fonts.width(style, label);
+      const bool has_room =
+          group_x > label_end && label_width <= group_end - group_x + kGroupGap - kBetween;
+      if (label.empty() || !(holds_current || has_room)) continue;
       const double label_x = std::min(group_x, area.max.x() - label_width);
       marks.push_back({holds_current ? "timeline.label.current" : "timeline.label",
-                       Text{{label_x, area.min.y() + 4.0}, group.label, style, Align::left}});
-      label_end = group_x + label_width + 8.0;
-    }
-    if (!holds_current) continue;
-    // The current tick's label first, whole; the others as far as there is room beside it.
-    std::vector<std::pair<double, double>> taken;
-    const auto place = [&](int k, const std::string& label, bool now) {
-      const TextStyle tick_style = now ? type::kTickBold : type::kTick;
-      const double half = 0.5 * fonts.width(tick_style, label);
-      const double center = std::clamp(centers[static_cast<std::size_t>(k - first)],
-                                       area.min.x() + half, area.max.x() - half);
-      constexpr double kSpace = 6.0;
-      for (const auto& [low, high] : taken) {
-        if (center - half - kSpace < high && low < center + half + kSpace) return false;
-      }
-      if (!now && 2.0 * half > width + kTickGap) return false;
-      taken.emplace_back(center - half, center + half);
-      marks.push_back({now ? "timeline.tick.current" : "timeline.label",
-                       Text{{center, bar_y + 32.0}, label, tick_style, Align::center}});
-      return true;
-    };
-    const auto tick_at = [&](int k) -> const Tick& {
-      return group.ticks[static_cast<std::size_t>(k - first)];
-    };
-    place(current, tick_at(current).label, true);
-    for (int k = first; k < std::min(index, last + 1); ++k) {
-      if (k == current || tick_at(k).question) continue;  // a question's dot says enough
-      const Tick& tick = tick_at(k);
-      if (!place(k, tick.label, false) && !tick.short_label.empty())
-        place(k, tick.short_label, false);
+                       Text{{label_x, label_y}, label, style, Align::left}});
+      label_end = label_x + label_width + kBetween;
+      break;
     }
   }
+  const std::string hidden = "after the question";
+  constexpr double kApart = 12.0;  // it is no part of the label before it
+  const double hidden_x = std::max(hidden_from, label_end + kApart);
+  if (hidden_x + fonts.width(type::kTick, hidden) <= area.max.x()) {
+    marks.push_back(
+        {"timeline.label", Text{{hidden_x, label_y}, hidden, type::kTick, Align::left}});
+  }
+  name_ticks(marks, ticks, width + kTickGap, fonts, area, bar_y + 32.0);
   return marks;
 }
 

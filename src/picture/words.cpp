@@ -45,6 +45,38 @@ std::string signed_fixed(double value, int decimals) {
   return positive ? "+" + digits : digits;
 }
 
+namespace {
+
+/// What a text of `fixed` or of a `Numbers` says.
+double as_written(std::string_view text) {
+  std::string digits;
+  while (!text.empty()) {
+    const bool is_minus = text.starts_with(kMinus);
+    digits += is_minus ? '-' : text.front();
+    text.remove_prefix(is_minus ? kMinus.size() : 1);
+  }
+  return std::stod(digits);
+}
+
+}  // namespace
+
+bool adds_up(const std::vector<std::string>& terms, const std::string& sum) {
+  double rest = -as_written(sum);
+  double size = std::abs(rest);
+  for (const std::string& term : terms) {
+    rest += as_written(term);
+    size = std::max(size, std::abs(as_written(term)));
+  }
+  constexpr double kOfDecimals = 1e-12;  // how far binary numbers are from those that are written
+  return std::abs(rest) <= kOfDecimals * size;
+}
+
+std::string difference_as_written(const std::string& from, const std::string& minus,
+                                  const std::string& difference) {
+  return fmt::format("{} − {} = {}{}", from, minus, difference,
+                     adds_up({minus, difference}, from) ? "" : " before rounding");
+}
+
 std::string raised(int exponent) {
   constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                         "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lesson/run.hpp"
 
@@ -12,6 +13,12 @@ namespace gjkscope {
 [[nodiscard]] std::string fixed(double value, int decimals);
 /// The same, positive numbers with a plus sign.
 [[nodiscard]] std::string signed_fixed(double value, int decimals);
+
+/// Whether numbers as they are written add up to one as it is written.
+[[nodiscard]] bool adds_up(const std::vector<std::string>& terms, const std::string& sum);
+/// "3.612 − 0.478 = 3.135 before rounding": the last words only where it is so.
+[[nodiscard]] std::string difference_as_written(const std::string& from, const std::string& minus,
+                                                const std::string& difference);
 
 /// "⁻¹²"
 [[nodiscard]] std::string raised(int exponent);

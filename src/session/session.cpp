@@ -328,6 +328,34 @@ bool Session::go_to_next(std::string_view phase) {
   return false;
 }
 
+std::optional<int> Session::next(Event event) const {
+  const std::vector<Frame>& frames = run().frames;
+  const bool is_gjk = run().act->algorithm == nullptr;
+  const gjk::Simplex<double, 2>& simplex = run().state(frame()).simplex;
+  for (int i = index_ + 1; i < frame_count(); ++i) {
+    const Frame& later = frames[static_cast<std::size_t>(i)];
+    if (later.question >= 0) continue;
+    const bool ends =
+        i + 1 == frame_count() || frames[static_cast<std::size_t>(i) + 1].run != later.run;
+    const bool is_dropped = is_gjk && later.step >= 0 && !run().step(later).record.dropped.empty();
+    if (event == Event::run_ends && ends) return i;
+    if (event == Event::vertex_dropped && is_dropped) return i;
+    const gjk::Simplex<double, 2>& other = run().state(later).simplex;
+    const bool is_same =
+        other.count == simplex.count &&
+        std::all_of(other.vertices.begin(), other.vertices.begin() + other.count,
+                    [&](const auto& vertex) { return has_pair(simplex, vertex.pair); });
+    if (event == Event::simplex_changes && is_gjk && !is_same) return i;
+  }
+  return std::nullopt;
+}
+
+bool Session::run_until(Event event) {
+  const std::optional<int> to = next(event);
+  if (to) go_to(*to);
+  return to.has_value();
+}
+
 void Session::set_predicting(bool on) {
   if (on == predicting_) return;
   predicting_ = on;
@@ -379,11 +407,11 @@ const Picture& Session::picture() {
   return *picture_;
 }
 
-const FrameText& Session::text() const {
-  return shown_->pictures.texts()[static_cast<std::size_t>(index_)];
-}
+const FrameText& Session::text() const { return texts()[static_cast<std::size_t>(index_)]; }
 
-std::vector<LessonPictures::Stage> Session::views() const { return shown_->pictures.stages(); }
+const std::vector<FrameText>& Session::texts() const { return shown_->pictures.texts(); }
+
+std::vector<LessonPictures::ShownView> Session::views() const { return shown_->pictures.views(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind)) return;
@@ -393,7 +421,7 @@ void Session::set_camera(std::size_t view, const Camera& camera) {
 
 void Session::hold_cameras() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
       cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
@@ -402,7 +430,7 @@ void Session::hold_cameras() {
 
 void Session::fit() {
   if (!shown_) return;
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (shows_shapes(seen[i].kind)) fit(i, seen[i].card);
   }
@@ -421,7 +449,7 @@ void Session::keep_difference_in_sight() {
   Eigen::AlignedBox2d y;
   for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
   for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
-  const std::vector<LessonPictures::Stage> seen = views();
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].kind != ViewKind::difference) continue;
     const Rect& card = seen[i].card;

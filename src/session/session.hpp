@@ -100,6 +100,12 @@ class Session {
   bool step_iteration(int by);
   /// To the next frame of the phase, from the start again after the last. False when there is none.
   bool go_to_next(std::string_view phase);
+  /// What one may run to. The first two are GJK's.
+  enum class Event { simplex_changes, vertex_dropped, run_ends };
+  /// The first frame after this one that shows it; nothing when none does.
+  [[nodiscard]] std::optional<int> next(Event event) const;
+  /// To that frame. False when there is none.
+  bool run_until(Event event);
 
   // Predict mode: frames ask before they tell
 
@@ -121,7 +127,9 @@ class Session {
   /// Of the frame, at the page's size.
   [[nodiscard]] const Picture& picture();
   [[nodiscard]] const FrameText& text() const;
-  [[nodiscard]] std::vector<LessonPictures::Stage> views() const;
+  /// Of all frames.
+  [[nodiscard]] const std::vector<FrameText>& texts() const;
+  [[nodiscard]] std::vector<LessonPictures::ShownView> views() const;
   /// What a view sees; for this window, not part of the lesson and its history.
   void set_camera(std::size_t view, const Camera& camera);
   /// All views fit what they show again.

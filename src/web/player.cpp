@@ -39,18 +39,19 @@ struct Player::Asked {
     return *found;
   }
   [[nodiscard]] std::string text(const char* key) const {
-    if (!at(key).is_string()) throw std::runtime_error(fmt::format("'{}' is not a text", key));
+    if (!at(key).is_string()) throw std::runtime_error(fmt::format("'{}' is no string", key));
     return at(key).get<std::string>();
   }
   [[nodiscard]] bool flag(const char* key) const {
-    if (!at(key).is_boolean()) throw std::runtime_error(fmt::format("'{}' is no boolean", key));
+    if (!at(key).is_boolean())
+      throw std::runtime_error(fmt::format("'{}' is neither true nor false", key));
     return at(key).get<bool>();
   }
   [[nodiscard]] double real(const char* key) const {
     constexpr double kMost = 1e9;
     const Json& value = at(key);
     if (!value.is_number() || !(std::abs(value.get<double>()) <= kMost))
-      throw std::runtime_error(fmt::format("'{}' is not a number of a moderate size", key));
+      throw std::runtime_error(fmt::format("'{}' is no number from -1e9 to 1e9", key));
     return value.get<double>();
   }
   [[nodiscard]] int whole(const char* key) const { return static_cast<int>(std::floor(real(key))); }
@@ -61,7 +62,7 @@ struct Player::Asked {
 /// What is being dragged, since where.
 struct Player::Drag {
   Subject subject;
-  std::size_t stage = 0;
+  std::size_t view = 0;
   Point last;
   bool moved = false;
 };
@@ -131,7 +132,8 @@ std::string Player::answer(std::string_view request) {
     const auto tell = tells.find(what);
     if (first == before_all.end() && act == changes.end() && tell == tells.end())
       throw std::runtime_error(fmt::format("there is no request '{}'", what));
-    if (first == before_all.end() && !opened_) throw std::runtime_error("there is no lesson yet");
+    if (first == before_all.end() && !opened_)
+      throw std::runtime_error("no lesson is open; expected the request 'open'");
     if (tell != tells.end()) return tell->second(*this, asked);
     (first != before_all.end() ? first : act)->second(*this, asked);
     return shown();
@@ -165,9 +167,13 @@ std::string Player::on_the_way(const Asked& asked) const {
 
 void Player::go_to_phase(int phase) {
   const std::vector<std::string_view> phases = session_.run().phases();
-  const bool is_phase = phase >= 0 && phase < static_cast<int>(phases.size());
-  if (!is_phase || !session_.go_to_next(phases[static_cast<std::size_t>(phase)]))
-    throw std::runtime_error("this run has no such step");
+  if (phase < 0 || phase >= static_cast<int>(phases.size())) {
+    throw std::runtime_error(
+        fmt::format("this run has no phase {}; expected 0 to {}", phase, phases.size() - 1));
+  }
+  const std::string_view name = phases[static_cast<std::size_t>(phase)];
+  if (!session_.go_to_next(name))
+    throw std::runtime_error(fmt::format("this run has no step '{}'", name));
 }
 
 void Player::reset() {
@@ -238,7 +244,10 @@ void Player::open_case(const Asked& asked) {
 /// Traces of cases in the plane or in space, as `gjkscope trace --json` prints them.
 std::string Player::traced_cases(const Asked& asked) {
   const auto scalar = value_of<ScalarKind>(asked.text("scalar"));
-  if (!scalar) throw std::runtime_error("there is no such scalar");
+  if (!scalar) {
+    throw std::runtime_error(fmt::format(
+        "there is no scalar '{}'; expected half, float, double or exact", asked.text("scalar")));
+  }
   Json traces = Json::array();
   for (const ReadCase& read :
        parse_cases(asked.text("text"), asked.text("name"), gjk::kMaxDimension)) {
@@ -268,19 +277,19 @@ void Player::release() {
 
 namespace {
 
-std::optional<std::size_t> stage_at(const Session& session, const Point& p) {
-  const std::vector<LessonPictures::Stage> stages = session.views();
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    const Rect& card = stages[i].card;
+std::optional<std::size_t> view_at(const Session& session, const Point& p) {
+  const std::vector<LessonPictures::ShownView> views = session.views();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Rect& card = views[i].card;
     if ((p.array() >= card.min.array()).all() && (p.array() <= card.max.array()).all()) return i;
   }
   return std::nullopt;
 }
 
-Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
-  const Point off = p - stage.card.center();
-  return stage.camera.center + stage.camera.units_per_pixel(stage.card.size().y())
-                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
+Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
+  const Point off = p - view.card.center();
+  return view.camera.center + view.camera.units_per_pixel(view.card.size().y())
+                                  .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
 }  // namespace
@@ -288,15 +297,15 @@ Vector2d to_view(const LessonPictures::Stage& stage, const Point& p) {
 void Player::press(const Point& at) {
   drag_.reset();
   const Subject subject = subject_at(session_.picture(), fonts_, at, 2.0 * kSlack);
-  const std::optional<std::size_t> stage = stage_at(session_, at);
-  if (!stage) return;
-  const bool in_world = session_.views()[*stage].kind == ViewKind::world;
+  const std::optional<std::size_t> view = view_at(session_, at);
+  if (!view) return;
+  const bool in_world = session_.views()[*view].kind == ViewKind::world;
   const bool of_shapes = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y ||
                          subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
   const bool of_difference =
       subject.kind == Kind::difference || subject.kind == Kind::difference_vertex;
   if (in_world ? of_shapes : of_difference)
-    drag_ = std::make_shared<Drag>(Drag{subject, *stage, at});
+    drag_ = std::make_shared<Drag>(Drag{subject, *view, at});
 }
 
 void Player::move(const Point& at) {
@@ -308,8 +317,8 @@ void Player::move(const Point& at) {
   const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
   if (!std::exchange(drag.moved, true))
     session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
-  const LessonPictures::Stage stage = session_.views()[drag.stage];
-  const Vector2d by = to_view(stage, at) - to_view(stage, drag.last);
+  const LessonPictures::ShownView view = session_.views()[drag.view];
+  const Vector2d by = to_view(view, at) - to_view(view, drag.last);
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
   const std::size_t body = of_x ? 0 : 1;
   const PositionedRun& run = session_.run().run(session_.frame());
@@ -317,7 +326,7 @@ void Player::move(const Point& at) {
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? subject.x : subject.y;
-    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(stage, at));
+    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(view, at));
   });
   drag.last = at;
 }
@@ -342,6 +351,15 @@ double coordinate(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+std::runtime_error no_vertex(int index, std::size_t count) {
+  return std::runtime_error(
+      fmt::format("the shape has no vertex {}; expected 0 to {}", index, count - 1));
+}
+
+}  // namespace
+
 /// Typed coordinates are read as those of a case: decimal, or hex like 0x1.8p-1.
 void Player::put_vertex(const Asked& asked) {
   const std::size_t body = asked.shape();
@@ -349,7 +367,7 @@ void Player::put_vertex(const Asked& asked) {
   Lesson lesson = session_.lesson();
   std::vector<Vector2d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
-    throw std::runtime_error("there is no such vertex");
+    throw no_vertex(index, vertices.size());
   const std::string& vertex = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
   vertices[static_cast<std::size_t>(index)] = {coordinate(asked.text("x"), "x of " + vertex),
                                                coordinate(asked.text("y"), "y of " + vertex)};
@@ -361,13 +379,13 @@ void Player::put_vertex(const Asked& asked) {
 void Player::nudge(const Asked& asked) {
   const std::size_t body = asked.shape();
   const int index = asked.whole("index");
-  const std::vector<LessonPictures::Stage> stages = session_.views();
-  const LessonPictures::Stage& stage = stages.front();
-  const Vector2d by = stage.camera.units_per_pixel(stage.card.size().y())
+  const std::vector<LessonPictures::ShownView> views = session_.views();
+  const LessonPictures::ShownView& view = views.front();
+  const Vector2d by = view.camera.units_per_pixel(view.card.size().y())
                           .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
-  if (index >= static_cast<int>(world.size())) throw std::runtime_error("there is no such vertex");
+  if (index >= static_cast<int>(world.size())) throw no_vertex(index, world.size());
   Lesson lesson = session_.lesson();
   if (index < 0 || world.size() == 1) {
     edit::move_shape(lesson, body, by);

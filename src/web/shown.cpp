@@ -24,8 +24,8 @@ constexpr double kTimelineHeight = 66.0;
 
 /// Whether all texts of a panel are within it and apart.
 bool fits(const Picture& picture, const Fonts& fonts) {
-  constexpr double kEdge = 6.0;
-  constexpr double kGap = 2.0;
+  constexpr double kEdge = 10.0;
+  constexpr double kGap = 6.0;
   constexpr double kTouching = 0.01;
   std::vector<Rect> boxes;
   for (const Mark& mark : picture.marks) {
@@ -179,16 +179,16 @@ Picture Player::timeline() const {
 
 /// The shortest way out of the other shape, where the world is shown.
 void Player::draw_depth(Picture& picture) {
-  const LessonPictures::Stage stage = session_.views().front();
+  const LessonPictures::ShownView view = session_.views().front();
   const LessonRun& run = session_.run();
-  if (stage.kind != ViewKind::world) return;
+  if (view.kind != ViewKind::world) return;
   const depth::Result<double>* depth = depth_on_overlap(session_.effects(), run, session_.frame());
   if (depth == nullptr) return;
-  const StageMap map(stage.card, stage.camera);
+  const StageMap map(view.card, view.camera);
   const Point from = map(depth->x);
   const Point to = map(depth->x + depth->translation);
   picture.marks.push_back({"direction", Arrow{from, to}, 0, {}});
-  const Text label{{stage.card.min.x() + 14.0, stage.card.max.y() - 14.0},
+  const Text label{{view.card.min.x() + 14.0, view.card.max.y() - 14.0},
                    "Arrow: the shortest way out for " + run.lesson.x().name,
                    type::kViewTitle};
   picture.marks.push_back({"direction.label", label, -1, {}});

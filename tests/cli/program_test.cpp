@@ -111,6 +111,27 @@ TEST(Program, CheckPrintsPlacesAndEndsWithOne) {
   EXPECT_TRUE(holds(ran.out, "bad.toml:2:"));
 }
 
+TEST(Program, CheckReadsOutlines) {
+  const test::TemporaryFolder folder;
+  const std::string good =
+      R"({"outlines_a":[[[0,0],[4,4],[4,0],[0,4]],{"open":[[9,9],[8,7]]}],"outlines_b":[[[6,1],[9,1]]]})";
+  const Ran done = run_program("check " + folder.file("good.json", good));
+  EXPECT_EQ(kDone, done.exit_code) << done.out;
+  EXPECT_TRUE(done.out.empty());
+  const Ran few = run_program("check " + folder.file("few.json",
+                                                     "{\"outlines_a\":[[[0,0],[1,0]],\n[[2,2]]],"
+                                                     "\"outlines_b\":[[[6,1],[9,1]]]}"));
+  EXPECT_EQ(kProblem, few.exit_code);
+  EXPECT_TRUE(holds(few.out, "few.json:2:1: /outlines_a/1: too few points")) << few.out;
+  const Ran far = run_program(
+      "check " +
+      folder.file(
+          "far.json",
+          R"({"outlines_a":[[[-1.7e308,0],[-1.6e308,0]]],"outlines_b":[[[1.7e308,0],[1.6e308,0]]]})"));
+  EXPECT_EQ(kProblem, far.exit_code);
+  EXPECT_TRUE(holds(far.out, "refused: overflow")) << far.out;
+}
+
 TEST(Program, CheckComparesWithWhatTheLessonExpects) {
   const test::TemporaryFolder folder;
   std::string text = test::read_file(GJKSCOPE_SOURCE_DIR "/lessons/polygon-evolution.toml");

@@ -21,13 +21,14 @@ struct Solved {
   std::string err;
 };
 
-Solved solve(const std::string& text, ScalarKind scalar = ScalarKind::double_) {
+Solved solve(const std::string& text, ScalarKind scalar = ScalarKind::double_,
+             ModelMethod method = ModelMethod::boxes) {
   std::istringstream in(text);
   std::ostringstream out;
   std::ostringstream err;
   const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
   Solved solved;
-  solved.exit_code = solve_command(env, {"-"}, {scalar});
+  solved.exit_code = solve_command(env, {"-"}, {scalar, method});
   for (const std::string& line : test::lines_of(out.str()))
     solved.answers.push_back(json::parse(line));
   solved.err = err.str();
@@ -265,6 +266,60 @@ TEST(Solve, FilesAreReadAndMissingOnesNamed) {
   EXPECT_EQ(1u, test::lines_of(out.str()).size());
   EXPECT_NE(std::string::npos, err.str().find(".missing"));
   EXPECT_NE(std::string::npos, err.str().find("Is a directory"));
+}
+
+TEST(SolveOutlines, EveryMethodGivesTheSameAnswer) {
+  const std::string text =
+      R"({"outlines_a":[[[0,0],[4,0],[4,4],[0,4]]],"outlines_b":[[[6,1],[9,0],[9,3]]]})";
+  for (const auto& [name, method] : Named<ModelMethod>::kTable) {
+    SCOPED_TRACE(name);
+    const Solved solved = solve(text, ScalarKind::double_, method);
+    ASSERT_EQ(kDone, solved.exit_code) << solved.err;
+    const json& answer = solved.answers[0];
+    EXPECT_EQ(name, answer["method"]);
+    EXPECT_EQ(2.0, answer["distance"]);
+    EXPECT_EQ(false, answer["overlap"]);
+    EXPECT_EQ(json({4.0, 1.0}), answer["a"]);
+    EXPECT_EQ(json({6.0, 1.0}), answer["b"]);
+    EXPECT_EQ(json({{"kind", "segment"}, {"outline", 0}, {"index", 1}}), answer["features"]["a"]);
+    EXPECT_EQ(json({{"kind", "vertex"}, {"outline", 0}, {"index", 0}}), answer["features"]["b"]);
+    EXPECT_LE(1, answer["visits"]);
+  }
+}
+
+TEST(SolveOutlines, AHoleAndAChainHaveNoMatter) {
+  const std::string frame = R"([[0,0],[10,0],[10,10],[0,10]])";
+  const std::string hole = R"([[2,2],[2,8],[8,8],[8,2]])";
+  const auto answer = [&](const std::string& a) {
+    return solve(R"({"outlines_a":[)" + a + R"(],"outlines_b":[[[4,4],[5,4],[5,5]]]})").answers[0];
+  };
+  EXPECT_EQ(true, answer(frame)["overlap"]);
+  EXPECT_EQ(2.0, answer(frame + "," + hole)["distance"]);
+  EXPECT_EQ(4.0, answer(R"({"open":)" + frame + "}")["distance"]);
+}
+
+TEST(SolveOutlines, WhatAMethodDoesNotTakeIsSaidWithItsPlace) {
+  struct Bad {
+    std::string outline;
+    ModelMethod method;
+    std::string said;
+  };
+  const Bad bads[] = {
+      {"[[0,0],[4,4],[4,0],[0,4]]", ModelMethod::pieces, "1:17: /outlines_a/0/0: not simple"},
+      {"[[0,0],[4,0],[1,1],[0,4]]", ModelMethod::lin_canny, "1:16: /outlines_a/0: not convex"},
+      {R"({"open":[[0,0],[4,0]]})", ModelMethod::pieces, "/outlines_a/0/open: open chain"},
+      {"[[0,0]]", ModelMethod::boxes, "1:16: /outlines_a/0: too few points"},
+      {R"([[0,0],[1,"nan"]])", ModelMethod::boxes, R"(1:26: /outlines_a/0/1/1 is "nan")"},
+  };
+  for (const Bad& bad : bads) {
+    SCOPED_TRACE(bad.outline);
+    const Solved solved =
+        solve(R"({"outlines_a":[)" + bad.outline + R"(],"outlines_b":[[[6,1],[9,0],[9,3]]]})",
+              ScalarKind::double_, bad.method);
+    EXPECT_EQ(kProblem, solved.exit_code);
+    EXPECT_NE(std::string::npos, solved.err.find(bad.said)) << solved.err;
+    EXPECT_TRUE(solved.answers[0].contains("error"));
+  }
 }
 
 }  // namespace

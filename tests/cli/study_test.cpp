@@ -79,6 +79,22 @@ TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
   EXPECT_NE(read_file(folder.path() / "time-steps.csv").find("\nsegment-balance,"),
             std::string::npos);
 
+  std::string text = read_file(GJKSCOPE_SOURCE_DIR "/lessons/general-growth.toml");
+  const std::size_t sizes = text.find("vertices = [10,");
+  ASSERT_NE(sizes, std::string::npos);
+  text.replace(sizes, text.find(']', sizes) - sizes, "vertices = [10, 400");
+  const std::size_t times = text.find("[growth.times]");
+  const std::size_t next = text.find("[[views]]");
+  text.erase(times, next - times);
+  const std::string small = folder.file("small.toml", text);
+  const auto models = run_program("study models polygons-gjk " + small + out);
+  EXPECT_EQ(models.exit_code, 0) << models.err;
+  EXPECT_EQ(models.out.find("polygons-gjk"), std::string::npos) << "it measures no outlines";
+  text.insert(times, read_file(folder.path() / "models.toml") + "\n");
+  const auto timed = run_program("transcript --no-questions " + folder.file("timed.toml", text));
+  EXPECT_EQ(timed.exit_code, 0) << timed.err;
+  EXPECT_NE(timed.out.find("n = 400: all pairs take "), std::string::npos) << timed.out;
+
   const auto hull = run_program("study effects polygon-evolution" + out);
   EXPECT_EQ(hull.exit_code, 0) << hull.err;
   EXPECT_NE(hull.out.find("(all others)"), std::string::npos) << hull.out;

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "command_line.hpp"
+#include "lessons.hpp"
 
 namespace gjkscope {
 namespace {
@@ -20,12 +21,13 @@ struct Traced {
   std::string err;
 };
 
-Traced trace(const std::string& input, bool as_json, ScalarKind scalar = ScalarKind::double_) {
+Traced trace(const std::string& input, bool as_json, ScalarKind scalar = ScalarKind::double_,
+             ModelMethod method = ModelMethod::boxes) {
   std::istringstream in(input);
   std::ostringstream out;
   std::ostringstream err;
   const Environment env{GJKSCOPE_SOURCE_DIR, in, out, err};
-  const int exit_code = trace_command(env, "-", scalar, as_json);
+  const int exit_code = trace_command(env, "-", {scalar, method}, as_json);
   return {exit_code, out.str(), err.str()};
 }
 
@@ -33,6 +35,13 @@ const std::string kPentagon = R"({"a":[[-3,4]],"b":[[6,2],[5,6],[1,5],[0,1],[3,-
 const std::string kOverlap = R"({"a":[[-1,-1],[1,-1],[1,1]],"b":[[0.1,-0.6],[3,2],[2,-3]]})";
 const std::string kInSpace =
     R"({"dimension":3,"a":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"b":[[2,2,2],[3,2,2],[2,3,2]]})";
+
+/// A square with a square hole, and a triangle in the hole.
+const std::string kOutlines =
+    R"({"outlines_a":[[[0,0],[10,0],[10,10],[0,10]],[[2,2],[2,8],[8,8],[8,2]]],)"
+    R"("outlines_b":[[[4,4],[5,4],[5,5]]]})";
+const std::string kConvexOutlines =
+    R"({"outlines_a":[[[0,0],[4,0],[4,4],[0,4]]],"outlines_b":[[[6,1],[9,1],[8,3]]]})";
 
 void collect_keys(const json& value, std::set<std::string>& keys) {
   if (value.is_object()) {
@@ -45,10 +54,29 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
   }
 }
 
+/// Of the first shipped lesson with an act.
+std::string trace_of_lesson_with(std::string_view act) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    if (lesson.act != act) continue;
+    std::istringstream in;
+    std::ostringstream out;
+    std::ostringstream err;
+    EXPECT_EQ(0, trace_command({GJKSCOPE_SOURCE_DIR, in, out, err}, lesson.id, {}, true))
+        << err.str();
+    return out.str();
+  }
+  ADD_FAILURE() << "no lesson has the act " << act;
+  return "{}";
+}
+
 TEST(TraceJson, EveryKeyIsDocumented) {
   std::set<std::string> keys;
-  for (const std::string& text : {kPentagon, kOverlap, kInSpace}) {
+  for (const std::string& text : {kPentagon, kOverlap, kInSpace, kOutlines}) {
     collect_keys(json::parse(trace(text, true).out), keys);
+  }
+  for (const StagedAct* staged : registered_acts()) {
+    if (staged->act.algorithm == nullptr) continue;
+    collect_keys(json::parse(trace_of_lesson_with(staged->act.name)), keys);
   }
   EXPECT_GT(keys.size(), 50u);
   const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/trace-format.md");
@@ -103,6 +131,46 @@ TEST(TraceJson, IsCompleteFromStartToStop) {
     EXPECT_TRUE(run["steps"].back()["after"]["next_phase"].is_null());
     EXPECT_EQ(run["result"]["stop"], run["steps"].back()["after"]["stop"]);
   }
+}
+
+TEST(TraceJson, OutlinesAreTracedByEachMethod) {
+  const std::pair<ModelMethod, const char*> methods[] = {
+      {ModelMethod::boxes, "hierarchy-distance"},
+      {ModelMethod::circles, "hierarchy-distance"},
+      {ModelMethod::pieces, "convex-pieces"},
+      {ModelMethod::lin_canny, "lin-canny"}};
+  for (const auto& [method, key] : methods) {
+    SCOPED_TRACE(name_of(method));
+    const Traced traced = trace(kConvexOutlines, true, ScalarKind::double_, method);
+    ASSERT_EQ(kDone, traced.exit_code) << traced.err;
+    const json run = json::parse(traced.out)["runs"][0];
+    EXPECT_EQ(2.0, run[key]["distance"]["value"]);
+    EXPECT_FALSE(run[key]["steps"].empty());
+    if (method == ModelMethod::circles) {
+      EXPECT_EQ("circles", run[key]["volumes"]);
+    }
+  }
+  const json document = json::parse(trace(kOutlines, true).out);
+  EXPECT_EQ(json({4, 4}), document["x"]["outlines"]);
+  EXPECT_EQ(2.0, document["runs"][0]["hierarchy-distance"]["distance"]["value"]);
+  EXPECT_NE(std::string::npos, trace(kOutlines, false).out.find("\n  distance   2\n"));
+}
+
+TEST(TraceJson, OutlinesThatAreNotTracedAreSaidWithTheirPlace) {
+  const std::string chain =
+      R"({"outlines_a":[{"open":[[0,0],[1,0]]}],"outlines_b":[[[6,1],[9,1],[8,3]]]})";
+  const Traced open = trace(chain, true);
+  EXPECT_EQ(kProblem, open.exit_code);
+  EXPECT_TRUE(open.out.empty());
+  EXPECT_EQ(0u, open.err.find("<stdin>:1:24: /outlines_a/0/open: open chain")) << open.err;
+  const Traced hole = trace(kOutlines, true, ScalarKind::double_, ModelMethod::lin_canny);
+  EXPECT_EQ(kProblem, hole.exit_code);
+  EXPECT_NE(std::string::npos, hole.err.find("more than one outline")) << hole.err;
+  const Traced far = trace(
+      R"({"outlines_a":[[[-1.7e308,0],[-1.6e308,0]]],"outlines_b":[[[1.7e308,0],[1.6e308,0]]]})",
+      true);
+  EXPECT_EQ(kProblem, far.exit_code);
+  EXPECT_NE(std::string::npos, far.err.find("refused: overflow")) << far.err;
 }
 
 TEST(TraceJson, ARefusedQueryIsSaid) {

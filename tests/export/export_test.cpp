@@ -382,7 +382,7 @@ TEST_F(Export, WhatLeadsToAFrameComesBeforeItAndNothingIsLeftOfOthers) {
   EXPECT_LT(names(0).size(), all / 2);
   moving.format = Format::pdf;
   moving.fps = 10;
-  EXPECT_EQ(error_of(moving), "in a pdf nothing moves; in png, svg and films it can");
+  EXPECT_EQ(error_of(moving), "--fps is for png, svg and films; in a pdf nothing moves");
 }
 
 TEST_F(Export, AStepInWhichNothingMovesIsDrawnOnce) {

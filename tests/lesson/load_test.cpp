@@ -478,6 +478,20 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
   expect_refused(text, refused);
 }
 
+TEST(Load, GrowthHasATimeForEachSize) {
+  const std::string text = testing::file_text(testing::lessons_folder() / "general-growth.toml");
+  const LoadedLesson loaded = parse(text);
+  ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
+  ASSERT_TRUE(loaded.lesson->growth->times);
+  EXPECT_EQ(loaded.lesson->growth->times->pieces.size(), 4u);
+  EXPECT_EQ(loaded.lesson->growth->times->build.size(), 9u);
+  const Edits refused = {{"vertices = [10, 30,", "vertices = [30,", "9 times for 8 sizes"},
+                         {"pieces = [", "pieces = [1, 2, 3, 4, 5, 6, ", "10 times for 9 sizes"},
+                         {"boxes = [", "boxes = [-1, ", "entry 1 of 'boxes' is -1"},
+                         {"circles = ", "circle = ", "'circles'"}};
+  expect_refused(text, refused);
+}
+
 TEST(Load, AStudyShowsWhatItsFileHolds) {
   const std::filesystem::path file = testing::lessons_folder() / "accuracy-cost.toml";
   const std::string text = testing::file_text(file);

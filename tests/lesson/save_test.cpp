@@ -396,6 +396,13 @@ Lesson any_lesson(Random& random) {
     growth.runs = 1 + static_cast<int>(below(random, 200));
     growth.seed = static_cast<int>(below(random, 3));
     if (one_in(random, 2)) growth.tolerance = std::uniform_real_distribution<double>()(random);
+    if (one_in(random, 2)) {
+      growth.times.emplace().machine = "a \"machine\"";
+      for (const auto& [name, member] : kGrowthTimes) {
+        for (std::size_t i = 0; i < growth.vertices.size(); ++i)
+          (*growth.times.*member).push_back(1.0 + std::abs(any_number(random, 1e9)));
+      }
+    }
   }
   if (out.act == "study") {
     static const LessonStudy kShipped =

@@ -13,13 +13,6 @@ namespace {
 
 using namespace models;
 
-template <class Volume>
-SearchResult searched(const Model& a, const Model& b, const SearchOptions& options = {}) {
-  const auto tree_a = build_hierarchy<Volume>(items_of(a));
-  const auto tree_b = build_hierarchy<Volume>(items_of(b));
-  return search<Volume>({a, b, tree_a, tree_b}, options);
-}
-
 void expect_same(const Answer& expected, const Answer& actual, const std::string& what) {
   EXPECT_EQ(expected.overlap, actual.overlap) << what;
   EXPECT_EQ(expected.distance, actual.distance) << what;
@@ -49,10 +42,10 @@ TEST(Models, BruteForceIsExactAndHierarchiesAnswerTheSame) {
     for (const bool nearer : {false, true}) {
       SearchOptions options;
       options.nearer_first = nearer;
-      expect_same(answer, searched<Box>(a, b, options).answer, what + " boxes");
-      expect_same(answer, searched<Circle>(a, b, options).answer, what + " circles");
+      expect_same(answer, search<Box>(a, b, options).answer, what + " boxes");
+      expect_same(answer, search<Circle>(a, b, options).answer, what + " circles");
       options.goal = Goal::collide;
-      EXPECT_EQ(answer.overlap, searched<Box>(a, b, options).answer.overlap) << what;
+      EXPECT_EQ(answer.overlap, search<Box>(a, b, options).answer.overlap) << what;
     }
   }
   EXPECT_LE(500, overlaps);
@@ -68,10 +61,10 @@ TEST(Models, ARememberedPairSavesVisits) {
     std::vector<Outline> moved = {scenes.comb(200)};
     for (Point& p : moved[0].points) p += Point(0.3, 0.1 * (i + 1));
     const Model b = model_of(moved);
-    const SearchResult cold = searched<Box>(a, b);
+    const SearchResult cold = search<Box>(a, b);
     SearchOptions options;
     options.remembered = cold.segments;
-    const SearchResult warm = searched<Box>(a, b, options);
+    const SearchResult warm = search<Box>(a, b, options);
     expect_same(cold.answer, warm.answer, "warm");
     EXPECT_LE(warm.visits, cold.visits);
     cold_visits += cold.visits;
@@ -260,6 +253,110 @@ TEST(Pieces, AreConvexFillTheMatterAndAnswerAsBruteForceDoes) {
   }
   EXPECT_LE(800, used);
   EXPECT_LE(200, overlaps);
+}
+
+/// Corners at which the outline turns right.
+int reflex_corners(const Outline& outline) {
+  const Ring ring = ring_of(outline);
+  const auto at = [&](int i) { return ring.points[static_cast<std::size_t>(i)]; };
+  int out = 0;
+  for (int i = 0; i < ring.size(); ++i)
+    out += turn(at(ring.previous(i)), at(i), at(ring.next(i))) < 0;
+  return out;
+}
+
+/// Puts a round cap on an outline, counter-clockwise: corners of a half ellipse that ends a little
+/// inside of both ends, and whose top is at `up` from the middle between them.
+void add_cap(Outline& outline, const Point& from, const Point& to, const Point& up) {
+  constexpr int kCorners = 10;
+  for (int i = 1; i < kCorners; ++i) {
+    const double angle = std::numbers::pi * i / kCorners;
+    const Point across = 0.5 * std::cos(angle) * (from - to);
+    outline.points.push_back(0.5 * (from + to) + across + std::sin(angle) * up);
+  }
+}
+
+/// Pieces of an outline whose optimum is known: k.
+int pieces_within_four_times(const Outline& outline, int k) {
+  const auto count = static_cast<int>(pieces_of(model_of({outline})).pieces.size());
+  EXPECT_EQ(Fault::none, check({outline}, Needs::simple).fault) << k;
+  EXPECT_LE(k, count);
+  EXPECT_LE(count, 4 * k);
+  // Without merging there would be more: so many triangles make up the outline.
+  EXPECT_GT(static_cast<int>(outline.points.size()) - 2, 4 * k);
+  return count;
+}
+
+TEST(Pieces, OfAConvexOutlineIsOne) {
+  test::Scenes scenes(21);
+  for (int n = 7; n < 60; ++n) EXPECT_EQ(1, pieces_within_four_times(scenes.star(n, 1.0), 1)) << n;
+}
+
+// Caps on the steps of a staircase with k steps. Optimum k: no two caps see each other's top, and a
+// cut to the lower left from each of the k - 1 corners between them is enough.
+TEST(Pieces, OfAStaircaseAreAtMostFourTimesTheOptimum) {
+  for (int k = 1; k < 25; ++k) {
+    Outline stairs{{{0, 0}, {k, 0}}};
+    for (int i = 0; i < k; ++i) {
+      add_cap(stairs, Point(k - i, i), Point(k - i - 1, i + 1), Point(0.9, 0.9));
+      stairs.points.emplace_back(k - i - 1, i + 1);
+    }
+    pieces_within_four_times(stairs, k);
+  }
+}
+
+// Round teeth on a bar. Optimum k, the number of teeth: no two see each other's top, and a cut down
+// from each of the k - 1 corners between them is enough.
+TEST(Pieces, OfACombAreAtMostFourTimesTheOptimum) {
+  for (int k = 1; k < 25; ++k) {
+    Outline comb{{{0, -1}, {k, -1}}};
+    for (int i = k; i > 0; --i) {
+      comb.points.emplace_back(i, 0);
+      add_cap(comb, Point(i, 0), Point(i - 1, 0), Point(0, 3));
+    }
+    comb.points.emplace_back(0, 0);
+    pieces_within_four_times(comb, k);
+  }
+}
+
+// Beads on a string. Optimum k, the number of beads, with 2 (k - 1) reflex corners: no two beads
+// see each other's top, and a cut across each neck, which ends at two reflex corners, is enough.
+TEST(Pieces, OfBeadsAreAtMostFourTimesTheOptimum) {
+  for (int k = 1; k < 25; ++k) {
+    Outline beads;
+    for (int i = 0; i < k; ++i) {
+      beads.points.emplace_back(i, -0.2);
+      add_cap(beads, Point(i, -0.2), Point(i + 1, -0.2), Point(0, -1));
+    }
+    beads.points.emplace_back(k, -0.2);
+    for (int i = k; i > 0; --i) {
+      beads.points.emplace_back(i, 0.2);
+      add_cap(beads, Point(i, 0.2), Point(i - 1, 0.2), Point(0, 1));
+    }
+    beads.points.emplace_back(0, 0.2);
+    EXPECT_EQ(2 * (k - 1), reflex_corners(beads));
+    pieces_within_four_times(beads, k);
+  }
+}
+
+// Hertel and Mehlhorn's proof: a diagonal stays for a reflex corner, and no corner keeps more than
+// two, so r reflex corners leave at most 2 r + 1 pieces; a cut ends at no more than two of them, so
+// the optimum has at least r / 2 + 1.
+TEST(Pieces, AreAtMostTwoForEachReflexCornerAndOneMore) {
+  test::Scenes scenes(22);
+  int used = 0;
+  int merged = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const std::string_view family = test::kSceneFamilies[i % test::kSceneFamilies.size()];
+    const std::vector<Outline> outlines = scenes.scene(family, 60).a;
+    if (outlines.size() > 1 || check(outlines, Needs::simple).fault != Fault::none) continue;
+    ++used;
+    const auto count = static_cast<int>(pieces_of(model_of(outlines)).pieces.size());
+    EXPECT_LE(count, 2 * reflex_corners(outlines[0]) + 1) << family << " " << i;
+    merged += count < static_cast<int>(ring_of(outlines[0]).points.size()) - 2;
+  }
+  EXPECT_LE(700, used);
+  EXPECT_LE(300, merged);
 }
 
 TEST(Pieces, AUIsThree) {

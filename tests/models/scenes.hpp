@@ -57,9 +57,9 @@ class Scenes {
   /// Star-shaped, counter-clockwise: radii between `inner` and 1.
   models::Outline star(int n, double inner) {
     models::Outline out;
-    const double turned = real(0.0, 6.0);
+    const double first = real(0.0, 6.0);
     for (int i = 0; i < n; ++i) {
-      const double angle = turned + 2.0 * std::numbers::pi * (i + real(0.0, 0.9)) / n;
+      const double angle = first + 2.0 * std::numbers::pi * (i + real(0.0, 0.9)) / n;
       out.points.push_back(real(inner, 1.0) * models::Point(std::cos(angle), std::sin(angle)));
     }
     return out;
@@ -98,6 +98,12 @@ class Scenes {
     for (models::Point& p : outline.points) p *= by;
     return outline;
   }
+  static models::Outline turned(models::Outline outline, double angle) {
+    const models::Point way(std::cos(angle), std::sin(angle));
+    for (models::Point& p : outline.points)
+      p = models::Point(way.x() * p.x() - way.y() * p.y(), way.y() * p.x() + way.x() * p.y());
+    return outline;
+  }
   static models::Outline reversed(models::Outline outline) {
     std::reverse(outline.points.begin(), outline.points.end());
     return outline;
@@ -108,10 +114,10 @@ class Scenes {
     const int n = count(most);
     if (family == "convex") return {star(n, 1.0)};
     if (family == "needles") {
-      models::Outline needle = star(n, 0.9);
+      models::Outline needle = star(n, chance(0.5) ? 1.0 : 0.9);
       const double thin = std::pow(10.0, real(-12.0, -1.0));
       for (models::Point& p : needle.points) p.y() *= thin;
-      return {needle};
+      return {chance(0.5) ? needle : turned(needle, real(0.0, 6.3))};
     }
     if (family == "holes") {
       std::vector<models::Outline> out = {scaled(star(std::max(n, 8), 0.8), 4.0)};
@@ -134,32 +140,38 @@ class Scenes {
   void place(Scene& scene, std::string_view family, double unit) {
     double far = chance(0.5) ? real(1.0, 4.0) : real(0.0, 2.0);
     if (family == "holes") far *= 3.0;
+    // Needles that are placed anywhere hardly ever meet: three in four are brought together.
+    const int together = family == "needles" ? among(0, 3) : 0;
+    const bool inside = together == 1;
+    const bool touches = together == 2;
+    if (together == 3) far *= 0.1;
     const double angle = real(0.0, 6.3);
     models::Point by = unit * far * models::Point(std::cos(angle), std::sin(angle));
     if (unit != 1.0) by = by.array().round().matrix();
     if (family == "identical" && chance(0.5)) by.setZero();
-    if (family == "nested") {
+    if (inside) scene.b = scene.a;
+    if (family == "nested" || inside) {
       const double small = unit == 1.0 ? std::pow(10.0, real(-4.0, -0.3)) : 0.125;
       for (models::Outline& outline : scene.b) outline = scaled(outline, small);
-      by *= 0.2;
+      by *= inside ? 0.0 : 0.2;
     }
-    if (family == "touching") {
-      const auto& points = scene.a.front().points;
-      const models::Point& p =
-          points[static_cast<std::size_t>(among(0, static_cast<int>(points.size()) - 1))];
-      const models::Point& next =
-          points[static_cast<std::size_t>(among(0, static_cast<int>(points.size()) - 1))];
-      // A vertex of b is put on a vertex or on the middle of two vertices of a.
-      const models::Point at = chance(0.5) ? p : models::Point(0.5 * (p + next));
-      by = at - scene.b.front().points.front();
-      scene.b.front().points.front() = at;
-      for (std::size_t i = 1; i < scene.b.front().points.size(); ++i)
-        scene.b.front().points[i] += by;
-      return;
-    }
+    if (family == "touching" || touches) return touch(scene);
     for (models::Outline& outline : scene.b) {
       for (models::Point& p : outline.points) p += by;
     }
+  }
+
+  /// Puts a vertex of b on a vertex of a, or on the middle of two of them.
+  void touch(Scene& scene) {
+    const auto& points = scene.a.front().points;
+    const int last = static_cast<int>(points.size()) - 1;
+    const models::Point& p = points[static_cast<std::size_t>(among(0, last))];
+    const models::Point& q = points[static_cast<std::size_t>(among(0, last))];
+    const models::Point at = chance(0.5) ? p : models::Point(0.5 * (p + q));
+    auto& moved = scene.b.front().points;
+    const models::Point by = at - moved.front();
+    moved.front() = at;
+    for (std::size_t i = 1; i < moved.size(); ++i) moved[i] += by;
   }
 
   std::mt19937_64 bits_;

@@ -10,12 +10,14 @@
 #include <map>
 #include <ostream>
 #include <set>
+#include <sstream>
 
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 #include "picture/scene.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
+#include "picture/timeline.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {
@@ -151,6 +153,177 @@ TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
 INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
                          ::testing::Values(page_of(1280, 720), page_of(1024, 768),
                                            page_of(2560, 1080), page_of(720, 1280)));
+
+/// A sum as a text has it: "1.5 − 0.5 = 1.0".
+struct WrittenSum {
+  std::vector<std::string> terms;
+  std::string total;
+  bool says_rounded = false;
+};
+
+std::vector<WrittenSum> sums_in(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream in(text);
+  for (std::string word; in >> word;) words.push_back(word);
+  const auto number = [&](std::size_t i) {  // without a full stop, or nothing
+    if (i >= words.size()) return std::string();
+    std::string word = words[i].substr(0, words[i].find_last_of("0123456789") + 1);
+    const bool is_number = word.find_first_not_of("−.0123456789") == std::string::npos;
+    return is_number ? word : std::string();
+  };
+  std::vector<WrittenSum> sums;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (number(i).find('.') == std::string::npos) continue;
+    WrittenSum sum{{number(i)}, ""};
+    std::size_t at = i + 1;
+    for (; at < words.size() && (words[at] == "+" || words[at] == "−"); at += 2) {
+      if (number(at + 1).empty()) break;
+      sum.terms.push_back((words[at] == "−" ? "−" : "") + number(at + 1));
+    }
+    if (sum.terms.size() < 2 || at >= words.size() || words[at] != "=") continue;
+    sum.total = number(at + 1);
+    sum.says_rounded = at + 2 < words.size() && words[at + 2] == "before";
+    sums.push_back(std::move(sum));
+    i = at;
+  }
+  return sums;
+}
+
+TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  int in_words = 0;
+  int in_panels = 0;
+  int rounded = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+      SCOPED_TRACE(lesson.id + ": " + frame.text.caption);
+      std::vector<WrittenSum> sums = sums_in(frame.text.caption);
+      for (WrittenSum& sum : sums_in(frame.text.detail)) sums.push_back(std::move(sum));
+      in_words += static_cast<int>(sums.size());
+      // Weights stand each in a row: letter, number; then the row of their sum.
+      WrittenSum weights;
+      std::string row;
+      for (const Mark& mark : frame.picture.marks) {
+        const Text* text = std::get_if<Text>(&mark.shape);
+        if (!text) continue;
+        if (mark.role == "code.current" && (row == "u" || row == "v" || row == "w"))
+          weights.terms.push_back(text->text);
+        if (mark.role == "code" && row.starts_with("u + v")) {
+          weights.total = text->text;
+          weights.says_rounded = row.ends_with("before rounding");
+          sums.push_back(weights);
+          ++in_panels;
+        }
+        row = text->text;
+      }
+      for (const WrittenSum& sum : sums) {
+        rounded += sum.says_rounded ? 1 : 0;
+        EXPECT_EQ(adds_up(sum.terms, sum.total), !sum.says_rounded)
+            << ::testing::PrintToString(sum.terms) << " = " << sum.total;
+      }
+    }
+  }
+  EXPECT_GT(in_words, 10);
+  EXPECT_GT(in_panels, 10);
+  EXPECT_GT(rounded, 2);
+}
+
+std::vector<std::string> timeline_words(const LessonRun& run, int current) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  std::vector<std::string> words;
+  for (const Mark& mark : timeline_marks(run, current, fonts, {{32.0, 644.0}, {1248.0, 696.0}})) {
+    if (const Text* text = std::get_if<Text>(&mark.shape)) words.push_back(text->text);
+  }
+  return words;
+}
+
+TEST(Timeline, SaysInWordsWhatHappenedAndWhereQuestionsAre) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-gjk"));
+  const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
+  int dropped = 0;
+  int questions = 0;
+  for (const Frame& frame : run.frames) {
+    if (frame.question >= 0) {
+      ++questions;
+    } else if (frame.step >= 0 && !run.step(frame).record.dropped.empty()) {
+      ++dropped;
+    }
+  }
+  const auto count = [&](const std::string& word) {
+    return std::count(words.begin(), words.end(), word);
+  };
+  EXPECT_GT(dropped, 0);
+  EXPECT_EQ(count("drop"), dropped);
+  EXPECT_GT(questions, 1);
+  EXPECT_EQ(count("?"), questions);
+  EXPECT_EQ(count("after the question"), 0);
+  const auto at_start = timeline_words(run, 0);
+  EXPECT_EQ(std::count(at_start.begin(), at_start.end(), "after the question"), 1);
+}
+
+TEST(Timeline, ManyGroupsAreNumbered) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-circles"));
+  const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
+  for (const char* number : {"1", "2", "9", "10", "30"})
+    EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
+}
+
+TEST(Timeline, NarrowGroupsHaveShortNames) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-motion"));
+  const auto words = timeline_words(run, 0);
+  EXPECT_EQ(words.front(), "vertex C – vertex K") << "the current one's is whole";
+  const auto is_short = [](const std::string& word) {
+    return word.find(" – ") != std::string::npos && word.find("vertex") == std::string::npos &&
+           word.find("edge") == std::string::npos;
+  };
+  EXPECT_GE(std::count_if(words.begin(), words.end(), is_short), 1);
+}
+
+TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  const LessonRun run = run_lesson(testing::shipped_lesson("convex-pieces"));
+  EffectGraph effects(run);
+  int stands = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+    const auto& marks = frame.picture.marks;
+    const bool has_boxes = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+      return mark.role == "piece.box" && mark.clip >= 0;
+    });
+    const bool is_told = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text && text->text == "box around a piece";
+    });
+    EXPECT_EQ(is_told, has_boxes) << frame.text.caption;
+    stands += is_told ? 1 : 0;
+  }
+  EXPECT_GT(stands, 1);
+}
+
+TEST(Legend, OnAStageHidesNoVertex) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  int boxes = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const FramePicture& frame :
+         lesson_pictures(run, effects, fonts, {360.0, 620.0, 1.0, true})) {
+      for (const Mark& box : frame.picture.marks) {
+        if (box.role != "legend.box") continue;
+        ++boxes;
+        for (const Mark& mark : frame.picture.marks) {
+          const Disk* disk = std::get_if<Disk>(&mark.shape);
+          const Rect room = std::get<Box>(box.shape).rect;
+          if (!disk || mark.clip < 0) continue;
+          EXPECT_FALSE(inside(room, {disk->center, disk->center}))
+              << lesson.id << ", " << mark.role << ": " << frame.text.caption;
+        }
+      }
+    }
+  }
+  EXPECT_GT(boxes, 20);
+}
 
 TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
   const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0}, 2.0, 10.0});
@@ -340,8 +513,8 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
 TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
   const std::vector<std::string> texts = texts_of_frame("stop-repeated", 6);
   EXPECT_EQ(after(texts, "Q inside S"), "2 vertices, needs 3");
-  EXPECT_EQ(after(texts, "Q inside S", 2), "·") << "of the next test: there is no P before";
-  EXPECT_EQ(after(texts, "P no closer"), "✗");
+  EXPECT_EQ(after(texts, "Q inside S", 2), "✗") << "of the next test, which is decided";
+  EXPECT_EQ(after(texts, "P no closer"), "no P before");
   EXPECT_EQ(after(texts, "d = 0", 2), "✓") << "of the next test";
   EXPECT_EQ(after(texts, "V in S"), "C is in S");
   EXPECT_EQ(after(texts, "V in S", 2), "·");
@@ -349,11 +522,11 @@ TEST(Panel, StopTestsAreTickedInOrderAndTheUntriedLeftOpen) {
 }
 
 TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
-  const std::vector<std::string> closest = texts_of_frame("stop-repeated", 1);
+  const std::vector<std::string> closest = texts_of_frame("stop-repeated", 2);
   EXPECT_EQ(after(closest, "Stop tests (V: support point)"), "·") << "nothing is tested yet";
-  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 2);
+  const std::vector<std::string> direction = texts_of_frame("stop-repeated", 3);
   EXPECT_EQ(after(direction, "Q inside S"), "2 vertices, needs 3");
-  EXPECT_EQ(after(direction, "P no closer"), "·") << "of d = 0, which is asked of the next phase";
+  EXPECT_EQ(after(direction, "P no closer", 2), "·") << "of d = 0, asked of the next phase";
   const std::vector<std::string> support = texts_of_frame("stop-repeated", 5);
   EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
   EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";

@@ -139,6 +139,14 @@ TEST(QuestionFrames, OfARegionDrawOnlyRegionsThatAreRuledOut) {
   EXPECT_EQ(count(6, "region.active"), 1);
 }
 
+TEST(QuestionFrames, AskForNoSupportPointWhereTwoVerticesLieEquallyFar) {
+  EXPECT_TRUE(asked(asking("stop-repeated", {{"support", {}}})).empty());
+  EXPECT_TRUE(asked(asking("stop-edge-left", {{"support", {}}})).empty());
+  const Lesson lesson = asking("polygons-gjk", {{"support", {}}});
+  EXPECT_EQ(run_lesson(lesson).runs[0].trace.result.iterations, 4);
+  EXPECT_EQ(asked(lesson).size(), 3u) << "in the last C and D lie equally far along −d";
+}
+
 TEST(QuestionFrames, TheAnswerIsAmongTheChoices) {
   for (const std::string id : {"polygon-evolution", "polygons-gjk", "polygon-pseudocode"}) {
     const std::vector<Asked> all =

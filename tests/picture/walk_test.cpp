@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "algorithms/lin_canny/lesson_trace.hpp"
+#include "algorithms/lin_canny/pictures/shown.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"
@@ -45,6 +45,31 @@ TEST(WalkFrames, AskOnlyWhatAStepAnswers) {
           << text.question->answer;
     }
   }
+}
+
+TEST(WalkFrames, TheFirstBorderThatAPointLiesBeyondIsTheWay) {
+  int crossed = 0;
+  for (const char* id : {"lin-canny", "lin-canny-overlap"}) {
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    for (const Frame& frame : run.frames) {
+      const walks::Shown shown(run, frame);
+      if (!shown.is(models::WalkPhase::regions) || frame.question >= 0) continue;
+      std::optional<std::pair<bool, models::RingFeature>> first;
+      for (const bool of_x : {true, false}) {
+        for (const walks::Border& border : shown.borders(of_x)) {
+          const bool is_beyond = border.beyond(of_x ? shown.closest().b : shown.closest().a) > 0.0;
+          if (is_beyond && !first) first = {of_x, border.neighbour};
+        }
+      }
+      const models::RegionTest& found = shown.state.found;
+      ASSERT_EQ(first.has_value(), found.crossed) << id;
+      if (!first) continue;
+      ++crossed;
+      EXPECT_EQ(first->first, found.of_a) << id;
+      EXPECT_EQ(first->second, found.neighbour) << id;
+    }
+  }
+  EXPECT_GE(crossed, 5);
 }
 
 TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {

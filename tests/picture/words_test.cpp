@@ -23,6 +23,16 @@ TEST(Words, DigitsOfLargeNumbersAreGrouped) {
   EXPECT_EQ(grouped(1e12), "1,000,000,000,000");
 }
 
+TEST(Words, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
+  EXPECT_TRUE(adds_up({"+1.053", "+0.401", "−0.454"}, "1.000"));
+  EXPECT_TRUE(adds_up({"0.1", "0.2"}, "0.3"));
+  EXPECT_FALSE(adds_up({"+1.996", "+0.098", "−1.093"}, "1.000"));
+  EXPECT_FALSE(adds_up({"0.28366947", "0.71633047"}, "1"));
+  EXPECT_EQ(difference_as_written("2.367", "1.181", "1.186"), "2.367 − 1.181 = 1.186");
+  EXPECT_EQ(difference_as_written("3.612", "0.478", "3.135"),
+            "3.612 − 0.478 = 3.135 before rounding");
+}
+
 TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
   Lesson lesson;
   lesson.scalar = ScalarKind::single;

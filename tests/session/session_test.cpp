@@ -400,7 +400,7 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   session.begin_drag("drag");
   for (int i = 0; i < 40; ++i) {
     session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
-    const LessonPictures::Stage view = session.views()[1];
+    const LessonPictures::ShownView view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
     for (const Vector2d& y : run.y().world) {
       for (const Vector2d& x : run.x().world) {
@@ -427,6 +427,51 @@ TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
   }
   session.end_drag();
   EXPECT_GT(counts.size(), 2u) << "runs of different lengths";
+}
+
+/// Lessons of algorithms on outlines, which a drag can make cross themselves.
+std::vector<Lesson> lessons_of_outlines() {
+  std::vector<Lesson> out;
+  for (Lesson& lesson : testing::shipped_lessons()) {
+    const Act* act = vocabulary().act(lesson.act);
+    if (act->algorithm != nullptr && !act->algorithm->follows_gjk && !lesson.growth)
+      out.push_back(std::move(lesson));
+  }
+  return out;
+}
+
+TEST(Session, ACornerOfAnOutlineMayBeDraggedAnywhere) {
+  std::set<std::string> refusing;
+  for (const Lesson& lesson : lessons_of_outlines()) {
+    SCOPED_TRACE(lesson.id);
+    Session session(fonts());
+    ASSERT_TRUE(session.open(lesson, {}));
+    for (const size_t body : {0, 1}) {
+      session.begin_drag("drag");
+      // Across its own outline, onto another corner, far away.
+      for (const Vector2d& to : {Vector2d(0.0, 0.0), Vector2d(-5.0, 3.0), Vector2d(5.0, -3.0),
+                                 Vector2d(lesson.bodies[body].vertices[1]), Vector2d(1e6, 1.0)}) {
+        session.drag([&](Lesson& edited) {
+          edit::put_vertex(edited, body, 0, session.run().runs[0].bodies[body].placement, to);
+        });
+        EXPECT_EQ("", session.problem());
+        for (const int place : {0, session.frame_count() / 2, session.frame_count() - 1}) {
+          session.go_to(place);
+          EXPECT_FALSE(session.picture().marks.empty());
+          EXPECT_FALSE(session.text().caption.empty());
+        }
+        if (session.frame_count() == 1) refusing.insert(session.text().caption);
+      }
+      session.end_drag();
+      EXPECT_TRUE(session.undo());
+      EXPECT_EQ(lesson, session.lesson());
+    }
+  }
+  for (const char* words : {"not simple", "not convex"}) {
+    EXPECT_TRUE(std::any_of(refusing.begin(), refusing.end(), [&](const std::string& caption) {
+      return caption.find(words) != std::string::npos;
+    })) << words;
+  }
 }
 
 TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {

@@ -59,6 +59,52 @@ TEST(App, StepsByKeys) {
   EXPECT_EQ(session.frame_count() - 1, session.index());
 }
 
+TEST(App, RunsUntilSomethingHappens) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const auto until = [&](const char* what) {
+    const int before = session.index();
+    EXPECT_TRUE(window.app().run_command(what));
+    window.settle();
+    return session.index() > before;
+  };
+  const auto pairs = [&] {
+    const auto& simplex = session.run().state(session.frame()).simplex;
+    std::set<std::string> names;
+    for (int i = 0; i < simplex.count; ++i)
+      names.insert(session.run().pair_name(simplex.vertices[i].pair));
+    return names;
+  };
+  std::vector<std::set<std::string>> seen = {pairs()};
+  while (until("Run until the simplex changes")) {
+    EXPECT_NE(seen.back(), pairs());
+    seen.push_back(pairs());
+  }
+  EXPECT_EQ(seen.back(), pairs()) << "there is no change after the last";
+  EXPECT_GT(seen.size(), 4u);
+  window.key("Home");
+  ASSERT_TRUE(until("Run until a vertex is dropped"));
+  EXPECT_FALSE(session.run().step(session.frame()).record.dropped.empty());
+  ASSERT_TRUE(until("Run until the run ends"));
+  EXPECT_EQ(session.frame_count() - 1, session.index());
+}
+
+TEST(App, TheTableOfStepsLeadsToThem) {
+  HeadlessApp window;
+  window.app().show_drawer("Steps");
+  window.settle();
+  window.key("Right");
+  window.key("Right");
+  const Rect& area = window.app().picture().area();
+  // The rows stand below three buttons and the head of the table.
+  std::set<int> reached;
+  for (double y = area.min.y(); y < area.max.y(); y += 6.0) {
+    window.click({area.max.x() + 60.0, y});
+    reached.insert(window.session().index());
+  }
+  EXPECT_GT(reached.size(), 15u);
+}
+
 TEST(App, PlaysAndStopsAtTheEnd) {
   HeadlessApp window;
   window.key("Home");

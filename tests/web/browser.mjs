@@ -565,6 +565,25 @@ claim("nothing scrolls sideways and no type is below 14 pixels, at any size", as
   }
 });
 
+claim("what a step says is in sight without scrolling", async () => {
+  for (const size of ["laptop", "projector"]) {
+    for (const name of ["polygons-gjk", "triangle-obtuse", "segment-balance", "penetration-nested", "accuracy-cost"]) {
+      const page = await open(url(name), size);
+      const below = await page.evaluate(() => {
+        const hidden = [];
+        for (let step = 0; step < state.count; ++step) {
+          act({ do: "go", to: step });
+          const words = document.getElementById(state.detail ? "detail" : "caption").getBoundingClientRect();
+          if (words.bottom > innerHeight) hidden.push(step + 1);
+        }
+        return hidden;
+      });
+      assert.deepEqual(below, [], `steps of ${name} at ${size}`);
+      await close(page);
+    }
+  }
+});
+
 claim("without a script there are the first frame and all words, and no type is below 14 pixels", async () => {
   for (const name of ["polygons-gjk", "stop-vertex", "hierarchy-distance"]) {
     const program = await startProgram();

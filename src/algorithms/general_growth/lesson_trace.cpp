@@ -14,7 +14,7 @@ namespace {
 using fields::Json;
 using general_growth::Sample;
 
-constexpr std::array<std::string_view, 2> kPhases = {"size", "claim"};
+constexpr std::array<std::string_view, 3> kPhases = {"size", "time", "claim"};
 constexpr std::array<std::string_view, 2> kAnswers = {"visits", "pairs"};
 constexpr std::array<PlaceholderInfo, 1> kValues = {
     {{"n", "segments of each outline that the frame is about"}}};
@@ -32,14 +32,34 @@ std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const Run
 
 }  // namespace
 
-GeneralGrowthTrace::GeneralGrowthTrace(const LessonGrowth& growth) {
+GeneralGrowthTrace::GeneralGrowthTrace(const LessonGrowth& growth) : times(growth.times) {
   for (const int n : growth.vertices)
     samples.push_back(general_growth::measure(n, growth.runs, growth.seed));
 }
 
+GrowthPhase GeneralGrowthTrace::phase(int step) const {
+  if (step < sizes()) return GrowthPhase::size;
+  return times && step == sizes() ? GrowthPhase::time : GrowthPhase::claim;
+}
+
 StepInfo GeneralGrowthTrace::info(int step) const {
-  const bool is_claim = step >= static_cast<int>(samples.size());
-  return {step + 1, kPhases[is_claim ? 1 : 0], is_claim};
+  const GrowthPhase at = phase(step);
+  return {step + 1, kPhases[static_cast<std::size_t>(at)], at != GrowthPhase::size};
+}
+
+bool GeneralGrowthTrace::agrees(Claim claim) const {
+  const Sample& last = samples.back();
+  switch (claim) {
+    case Claim::brute_force:
+      return times ? times->boxes.back() < times->pairs.back() : last.boxes < last.pairs();
+    case Claim::wider_search:
+      return last.boxes > last.collide;
+    case Claim::coherence:
+      return last.remembered >= last.boxes;
+    case Claim::spheres:
+      return times ? times->circles.back() < times->boxes.back() : last.circles < last.boxes;
+  }
+  return false;
 }
 
 double GeneralGrowthTrace::answer(std::string_view name) const {

@@ -3,6 +3,7 @@
 // not convex and lie apart. Nothing is timed, so counts are the same on every machine; the outlines
 // come of sums, products, quotients and square roots alone.
 
+#include <algorithm>
 #include <random>
 
 #include "models/pieces.hpp"
@@ -30,6 +31,8 @@ struct Sample {
 
 /// Cutting takes O(n^2): larger outlines are not cut.
 inline constexpr int kMostCut = 300;
+/// Of one size, in all runs together: larger outlines have fewer runs.
+inline constexpr int kMostSegments = 300000;
 /// How far Y moves from one position to the next, as a share of its radius.
 inline constexpr double kStep = 0.02;
 
@@ -88,19 +91,34 @@ template <class Volume>
 
 }  // namespace detail
 
+/// Two outlines, and Y at the position before.
+struct Scene {
+  Model x;
+  Model before;
+  Model y;
+};
+/// `bits`, fresh from a seed, gives the first pair of that seed.
+[[nodiscard]] inline Scene scene(std::mt19937_64& bits, int segments) {
+  Scene out;
+  out.x = models::model_of({detail::star(bits, segments, Point(0.0, 0.0))});
+  const double up = detail::real(bits, 1.3, 1.5);
+  out.before = models::model_of({detail::star(bits, segments, Point(1.4, up))});
+  out.y = detail::moved(out.before, {0.0, kStep});
+  return out;
+}
+
 [[nodiscard]] inline Sample measure(int segments, int runs, int seed) {
   using models::Box;
   using models::Circle;
   Sample out;
   out.segments = segments;
-  out.runs = runs;
+  out.runs = std::clamp(kMostSegments / segments, 1, runs);
   std::mt19937_64 bits(static_cast<std::uint64_t>(seed));
-  const double share = 1.0 / runs;
-  for (int run = 0; run < runs; ++run) {
-    const Model x = models::model_of({detail::star(bits, segments, Point(0.0, 0.0))});
-    const double up = detail::real(bits, 1.3, 1.5);
-    const Model before = models::model_of({detail::star(bits, segments, Point(1.4, up))});
-    const Model y = detail::moved(before, {0.0, kStep});
+  const double share = 1.0 / out.runs;
+  for (int run = 0; run < out.runs; ++run) {
+    const Scene pair = scene(bits, segments);
+    const Model& x = pair.x;
+    const Model& y = pair.y;
     const auto x_boxes = detail::tree<Box>(x);
     const auto y_boxes = detail::tree<Box>(y);
     const auto visits = [&](const models::SearchOptions& options) {
@@ -113,7 +131,8 @@ template <class Volume>
     out.collide += visits(options);
     options.goal = models::Goal::distance;
     options.remembered =
-        models::search<Box>({x, before, x_boxes, detail::tree<Box>(before)}, options).segments;
+        models::search<Box>({x, pair.before, x_boxes, detail::tree<Box>(pair.before)}, options)
+            .segments;
     out.remembered += visits(options);
     out.circles += share * static_cast<double>(
                                models::search<Circle>(

@@ -30,14 +30,15 @@ class Told : public OutlineTrace {
 
  protected:
   [[nodiscard]] Json step_json(const Lesson&, int) const override {
-    Json out;
+    Json list = Json::array();
     for (const Method method : kMethods) {
       const auto i = static_cast<std::size_t>(method);
-      out[std::string(name_of(method))] = {{"steps", told_.steps[i]},
-                                           {"unit", unit_of(method)},
-                                           {"distance", fields::number(told_.distances[i])}};
+      list.push_back({{"method", name_of(method)},
+                      {"steps", told_.steps[i]},
+                      {"unit", unit_of(method)},
+                      {"distance", fields::number(told_.distances[i])}});
     }
-    return out;
+    return {{"answers", std::move(list)}};
   }
   [[nodiscard]] Json result_json(const Lesson&) const override {
     return {{"distance", fields::number(told_.answer.distance)}, {"overlap", told_.answer.overlap}};
@@ -101,10 +102,9 @@ class Asking {
     return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
   }
 
-  /// Starts with the pairs at which the last search ended, the nearest on top (Li and Chen 1998,
-  /// "Incremental 3D collision detection with hierarchical data structures"). Trees of as many
-  /// segments have the same nodes, so below these pairs lie all pairs of leaves, as below the
-  /// roots.
+  /// Starts with the pairs at which the last search ended, the nearest on top (FCL calls them the
+  /// front). Trees of as many segments have the same nodes, so below these pairs lie all pairs of
+  /// leaves, as below the roots.
   models::SearchResult search_from_front(const Query& query, const models::SearchOptions& options) {
     models::SearchState state = models::start(query, options);
     const bool starts_at_front =

@@ -75,8 +75,8 @@ std::string relation(const PanelBuilder& panel, const Answer& answer, const Answ
                                      : "support point " + name(mine);
 }
 
-/// A number, its digits that differ from the right ones underlined and bold.
-void number(PanelBuilder& panel, double value, double right, ScalarKind scalar) {
+/// A number, its digits that differ from the right ones underlined and bold; true if some do.
+bool number(PanelBuilder& panel, double value, double right, ScalarKind scalar) {
   const int decimals = decimals_of(std::max(value, right), scalar);
   const std::string text = value == 0.0 ? "0" : fixed(value, decimals);
   const std::string wanted = right == 0.0 ? "0" : fixed(right, decimals);
@@ -89,11 +89,12 @@ void number(PanelBuilder& panel, double value, double right, ScalarKind scalar) 
   // The columns start at one place, so that digits stand below each other.
   const double at = panel.left + 68.0;
   panel.write("code.current", at, same, type::kCode);
-  if (other.empty()) return;
+  if (other.empty()) return false;
   const double from = at + panel.fonts.width(type::kCode, same);
   const double to = from + panel.fonts.width(type::kCodeBold, other);
   panel.write("fail", from, other, type::kCodeBold);
   panel.add("wrong", Polyline{{{from, panel.y + 4.0}, {to, panel.y + 4.0}}});
+  return true;
 }
 
 void scalars(PanelBuilder& panel) {
@@ -117,6 +118,8 @@ void scalars(PanelBuilder& panel) {
   if (unit != 0) title += ", in units of 10" + raised(unit);
   panel.heading(title);
   panel.y += 4.0;
+  bool some_differ = false;
+  bool some_part = false;
   for (const Answer& each : answers) {
     const bool own = each.scalar == panel.run.lesson.scalar;
     if (own) {
@@ -130,8 +133,9 @@ void scalars(PanelBuilder& panel) {
       panel.y += kTightRow;
       panel.write("body.muted", panel.left + 68.0, "a vertex is out of range", type::kBody);
     } else if (started) {
-      number(panel, scale * length_at(each, iteration, ended),
-             scale * length_at(exact, iteration, ended), each.scalar);
+      some_differ |= number(panel, scale * length_at(each, iteration, ended),
+                            scale * length_at(exact, iteration, ended), each.scalar);
+      some_part |= each.parting != 0 && each.parting <= iteration;
       panel.y += kTightRow;
       panel.write("body.muted", panel.left + 68.0, relation(panel, each, exact, iteration, ended),
                   type::kBody);
@@ -141,11 +145,13 @@ void scalars(PanelBuilder& panel) {
     }
     panel.y += kRow + 8.0;
   }
-  panel.write("body.muted", panel.left, "Underlined digits are wrong.", type::kBody);
-  panel.y += kTightRow;
-  panel.write("body.muted", panel.left, "Runs that part on a tie may still answer alike.",
-              type::kBody);
-  panel.y += kTightRow;
+  const auto note = [&](bool applies, const std::string& text) {
+    if (applies) panel.write("body.muted", panel.left, text, type::kBody);
+    panel.y += kTightRow;  // what stands below keeps its place
+  };
+  note(some_differ,
+       ended ? "Underlined digits are wrong." : "Underlined digits are not those of exact.");
+  note(some_part, "Runs that part on a tie may still answer alike.");
 }
 
 }  // namespace

@@ -108,8 +108,9 @@ void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* t
   std::vector<double> lengths;  // of this iteration and the one before
   for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
     if (steps[i].phase == gjk::Phase::closest) lengths.push_back(std::sqrt(steps[i].after.p_sq));
-  if (!is_decided || lengths.size() < 2 || panel.state.stop == StopReason::origin_inside)
+  if (!is_decided || panel.state.stop == StopReason::origin_inside)
     return row(panel, TestMark::untried, name, "");
+  if (lengths.size() < 2) return row(panel, TestMark::fails, name, "no P before");
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   const std::string length =
       panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|";

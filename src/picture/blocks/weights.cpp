@@ -36,9 +36,11 @@ void weights(PanelBuilder& panel) {
   const double x0 = panel.left + 28.0;
   const double x1 = panel.right - 84.0;
   double sum = 0.0;
+  std::vector<std::string> terms;
   for (int i = 0; i < count; ++i) {
     const double weight = value.weights[i];
     sum += weight;
+    terms.push_back(panel.numbers.weight(weight));
     panel.subject = subject_of(panel.run, value.simplex.vertices[i].pair);
     panel.write("strong", panel.left,
                 point_query ? std::string(kLetters[i])
@@ -59,15 +61,14 @@ void weights(PanelBuilder& panel) {
                 type::kTick, Align::center);
   }
   panel.y += kRow + 2.0;
+  const std::string total = panel.numbers.weight(sum);
   panel.write("body.muted", panel.left,
-              count == 3   ? "u + v + w"
-              : count == 2 ? "u + v"
-                           : "u",
+              std::string(count == 3   ? "u + v + w"
+                          : count == 2 ? "u + v"
+                                       : "u") +
+                  (adds_up(terms, total) ? "" : " before rounding"),
               type::kBody);
-  panel.write(
-      "code", panel.right,
-      panel.run.lesson.scalar == ScalarKind::double_ ? fixed(sum, 3) : panel.numbers.weight(sum),
-      type::kCode, Align::right);
+  panel.write("code", panel.right, total, type::kCode, Align::right);
   panel.y += kRow;
   if (!point_query || count != 2) return;
   const std::string a = panel.run.pair_name(value.simplex.vertices[0].pair);

@@ -112,11 +112,11 @@ void areas(const Story& story, FrameText& text) {
   std::string edges;
   std::string sum;
   int count = 0;
-  long thousandths = 0;  // of the sum as it is written
+  std::vector<std::string> terms;
   for (int i = 0; i < 3; ++i) {
     const double weight = coordinates.numerator[i] / coordinates.denominator;
     const std::string number = story.numbers.weight(weight);
-    thousandths += std::lround(1000.0 * weight);
+    terms.push_back(number);
     sum += sum.empty() ? number : weight < 0.0 ? " − " + fixed(-weight, 3) : " + " + number;
     if (weight >= 0.0) continue;
     const std::string edge =
@@ -126,7 +126,7 @@ void areas(const Story& story, FrameText& text) {
     edges += (count > 0 ? " and " : "") + edge;
     ++count;
   }
-  sum += thousandths == 1000 ? " = 1" : " = 1 before rounding";
+  sum += adds_up(terms, "1") ? " = 1" : " = 1 before rounding";
   if (count == 0) {
     text.caption = format("{} lies inside: all three areas are positive and together fill {}.",
                           story.q, whole);

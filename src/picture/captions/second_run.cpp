@@ -60,17 +60,17 @@ double degrees_between(const Vector2d& a, const Vector2d& b) {
 
 /// How the other run finds the query point inside, and whether the first one does with the other
 /// way to build d.
-std::string inside(const Story& story, const PositionedRun& beside, const std::string& in_first) {
+std::string inside(const Story& story, const SecondRun::Value& second,
+                   const std::string& in_first) {
   const auto triangle = [&](const PositionedRun& run) {
     const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
     return SimplexWords(story.run, simplex).face(simplex.all());
   };
-  std::string out = format("It ends with {} inside {}, at distance 0.", story.q, triangle(beside));
-  gjk::Options options = story.run.lesson.options;
-  options.direction_rule = gjk::DirectionRule::perpendicular;
-  const PositionedRun mended = run_again(story.positioned, options, story.run.lesson.scalar);
-  if (mended.trace.result.stop == gjk::StopReason::origin_inside &&
-      triangle(mended) == triangle(beside)) {
+  const std::string found = triangle(second.run);
+  std::string out = format("It ends with {} inside {}, at distance 0.", story.q, found);
+  const std::optional<PositionedRun>& mended = second.mended;
+  if (mended && mended->trace.result.stop == gjk::StopReason::origin_inside &&
+      triangle(*mended) == found) {
     out += format(" So does {} with d = cross({} − {}, z).", in_first, story.words.vertex(1),
                   story.words.vertex(0));
   }
@@ -155,7 +155,7 @@ void second_run(const Story& story, FrameText& text) {
       text.detail =
           second.run.trace.result.distance > 0.0
               ? format("It ends at distance {}.", numbers(second.run.trace.result.distance))
-              : inside(story, second.run, in_first);
+              : inside(story, second, in_first);
       return;
     default:
       return;

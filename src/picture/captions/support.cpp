@@ -74,11 +74,14 @@ void support_in_parts(const Story& story, FrameText& text) {
       text.detail =
           format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
       return;
-    default:
-      text.caption =
-          format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}.", name, name,
-                 story.numbers(along_y), along_x < 0.0 ? "−" : "+",
-                 story.numbers(std::abs(along_x)), story.numbers(story.state.support_value));
+    default: {
+      const std::string total = story.numbers(story.state.support_value);
+      text.caption = format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}{}.", name,
+                            name, story.numbers(along_y), along_x < 0.0 ? "−" : "+",
+                            story.numbers(std::abs(along_x)), total,
+                            adds_up({story.numbers(along_y), story.numbers(along_x)}, total)
+                                ? ""
+                                : " before rounding");
       text.detail =
           next.stop == gjk::StopReason::repeated_support
               ? format(
@@ -88,6 +91,7 @@ void support_in_parts(const Story& story, FrameText& text) {
                     "None of the {} differences lies beyond its line. {} + {} dot products found "
                     "it.",
                     of_x * of_y, of_y, of_x);
+    }
   }
 }
 
@@ -142,10 +146,9 @@ void slab(const Story& story, FrameText& text) {
     text.caption =
         format("The bounds still differ by {}, so {} joins the simplex.",
                story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
-    text.detail = format(
-        "{} − {} = {}. The slab may get wider and the closest points closer, until the bounds "
-        "meet.",
-        high, low, story.numbers(upper - lower));
+    text.detail =
+        format("{}. The slab may get wider and the closest points closer, until the bounds meet.",
+               difference_as_written(high, low, story.numbers(upper - lower)));
     return;
   }
   text.caption =

@@ -236,8 +236,12 @@ void corner_names(SceneBuilder& scene) {
                                          sizes::kSimplexRadius, point - middle);
     if (hull_is_ghost(scene)) label.tones.clear();
     auto& labels = scene.labels_of_difference();
-    const bool named = std::any_of(labels.begin(), labels.end(),
-                                   [&](const auto& other) { return other.id == label.id; });
+    // Corners that are one point to the eye have one name.
+    constexpr double kOnePoint = 3.0;
+    const bool named = std::any_of(labels.begin(), labels.end(), [&](const auto& other) {
+      return other.id == label.id ||
+             (other.id.starts_with("cloud:") && (other.anchor - point).norm() < kOnePoint);
+    });
     if (!named) labels.push_back(label);
   }
 }

@@ -2,6 +2,7 @@
 // What a stage is drawn of. A layer is a value, defined in one of the files here and listed in
 // list.def. It lies below or above what the act draws; the functions here are what acts draw with.
 
+#include <string>
 #include <string_view>
 
 #include "picture/plot.hpp"
@@ -53,6 +54,11 @@ void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);
 void search_between_shapes(SceneBuilder& scene);
+
+// measured.cpp
+/// Ticks along a line, on the side `towards`, a direction.
+void ticks(SceneBuilder& scene, const std::string& role, const Point& a, const Point& b,
+           const Point& towards);
 
 // support.cpp
 /// d, the support point of Y, that of X, their difference, one after the other.

@@ -45,7 +45,7 @@ void projection(SceneBuilder& scene) {
     scene.out.obstacles.segments.push_back({corner, along_height});
   }
   if (is_p) return;
-  scene.disk("projection.point", foot, kProjectedRadius);
+  scene.square("projection.point", foot, kProjectedRadius);
   scene.out.obstacles.circles.push_back({foot, kOwnRoom});
   scene.out.moving_labels.push_back(
       scene.label("G", "G", "projection.label", type::kVertex, foot, kOwnRoom - 2.0, foot - q));

@@ -79,7 +79,7 @@ void axis(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Less
     if (wins)
       scene.diamond("support", foot, 7.0);
     else
-      scene.disk("support.axis.foot", foot, kFootRadius);
+      scene.square("support.axis.foot", foot, kFootRadius);
     const bool apart = std::none_of(named.begin(), named.end(), [&](double other) {
       return std::abs(other - at) < kNamedApart;
     });
@@ -130,7 +130,7 @@ void tested_foot(SceneBuilder& scene, const TestedFeet::Foot& foot, int row) {
     scene.line("projection.axis", zero, zero - reach * along);
     scene.line("projection.axis", one, one + reach * along);
     if ((q - at).norm() > 1.0) scene.line("projection.line", q, at);
-    scene.disk("projection.point", at, kFootRadius + 1.0);
+    scene.square("projection.point", at, kFootRadius + 1.0);
   }
   const SimplexWords words(scene.run, scene.state.simplex);
   Point normal(along.y(), -along.x());
@@ -150,18 +150,10 @@ void tested_foot(SceneBuilder& scene, const TestedFeet::Foot& foot, int row) {
 
 /// The border of a half-plane through `at`, with ticks on the side `towards`.
 void half_plane(SceneBuilder& scene, const Point& at, const Point& towards) {
-  constexpr double kSpacing = 11.0;
-  constexpr double kLean = 0.6;  // of a tick's height
-  constexpr double kHeight = 9.0;
   const Point along(-towards.y(), towards.x());
-  const double reach = scene.map.area().size().norm();
-  scene.line("condition", at - reach * along, at + reach * along);
-  const Eigen::AlignedBox2d seen(scene.map.area().min, scene.map.area().max);
-  for (double t = -reach; t < reach; t += kSpacing) {
-    const Point from = at + t * along;
-    if (!seen.contains(from)) continue;
-    scene.add("condition.hatch", Polyline{{from, from + kHeight * (towards + kLean * along)}});
-  }
+  const Point reach = scene.map.area().size().norm() * along;
+  scene.line("condition", at - reach, at + reach);
+  ticks(scene, "condition.hatch", at - reach, at + reach, towards);
 }
 
 /// Where each condition of the tested region is met.
@@ -194,6 +186,21 @@ void tested_feet(SceneBuilder& scene) {
 }
 
 }  // namespace
+
+void ticks(SceneBuilder& scene, const std::string& role, const Point& a, const Point& b,
+           const Point& towards) {
+  constexpr double kSpacing = 11.0;
+  constexpr double kLean = 0.6;  // of a tick's height
+  constexpr double kHeight = 9.0;
+  const double length = (b - a).norm();
+  const Point along = (b - a) / length;
+  const Eigen::AlignedBox2d seen(scene.map.area().min, scene.map.area().max);
+  for (double t = 0.0; t < length; t += kSpacing) {
+    const Point from = a + t * along;
+    if (seen.contains(from))
+      scene.add(role, Polyline{{from, from + kHeight * (towards + kLean * along)}});
+  }
+}
 
 const Layer kSupportAxis{.effect = gjkscope::SupportAxis::kName,
                          .on = Layer::On::world,

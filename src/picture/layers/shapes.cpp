@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "geometry/polygon.hpp"
@@ -17,6 +19,8 @@ constexpr std::size_t kMostNamed = 256;
 /// disks of more vertices hide the line.
 constexpr std::size_t kMostLabels = 8;
 constexpr std::size_t kMostDisks = 64;
+
+constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
 
 /// Without the points that are less than half a pixel from the one before.
 std::vector<Point> told_apart(const std::vector<Point>& points) {
@@ -105,6 +109,15 @@ const Layer kShapes{.effect = {}, .on = Layer::On::world, .order = 60, .draw = s
 
 namespace {
 
+/// The end of a way, as an arrow: long enough to be seen, however short the last step is.
+void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
+  constexpr double kLeast = 16.0;
+  const auto before = std::find_if(points.rbegin(), points.rend(), [&](const Point& point) {
+    return (point - points.back()).norm() >= kLeast;
+  });
+  if (before != points.rend()) scene.add("path.end", Arrow{*before, points.back()});
+}
+
 void path(SceneBuilder& scene) {
   // Arrows stand in place of a way.
   if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
@@ -112,6 +125,16 @@ void path(SceneBuilder& scene) {
   // Without a number of frames a path is a set of places to be in, not a way between them.
   if (path.frames == 0) return;
   for (std::size_t body = 0; body < path.motions.size(); ++body) {
+    const Lesson& lesson = scene.run.lesson;
+    if (!scene.run.point_query()) {
+      const Point middle = scene.at(centroid(scene.positioned.bodies[body].world));
+      const std::string& name = lesson.bodies[body].name;
+      const bool moves = !path.motions[body].points.empty();
+      auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+      labels.push_back(scene.label("shape:" + name, name,
+                                   body == 0 ? "shape.x.label" : "shape.y.label", type::kVertex,
+                                   middle, kPathNow));
+    }
     if (path.motions[body].points.empty()) continue;
     std::vector<Point> points;
     for (const PositionedRun& run : scene.run.runs)
@@ -120,6 +143,9 @@ void path(SceneBuilder& scene) {
     for (std::size_t i = 1; i < points.size(); ++i)
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     for (const Point& point : points) scene.disk("path.point", point, 3.0);
+    end_of_way(scene, points);
+    if (!scene.run.point_query())
+      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
   }
 }
 

@@ -6,7 +6,7 @@ namespace gjkscope::parts {
 namespace {
 
 void listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool pairs = shown.is(PiecesPhase::pair);
   const bool merges = shown.is(PiecesPhase::merge);
   const bool merged =
@@ -25,7 +25,7 @@ void listing(PanelBuilder& panel) {
 }
 
 void counts(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Pieces");
   if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
   panel.row("triangles", std::to_string(shown.over(PiecesPhase::triangle)));

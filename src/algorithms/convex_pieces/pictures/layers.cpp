@@ -88,7 +88,7 @@ void pair(SceneBuilder& scene, const Shown& shown) {
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.told.refusal || shown.step == nullptr) return;
   if (shown.is(PiecesPhase::triangle)) {
     for (const bool of_x : {true, false}) triangles(scene, shown, of_x);

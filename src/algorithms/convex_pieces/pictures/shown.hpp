@@ -2,6 +2,7 @@
 // Convex pieces in pictures: what a frame shows of them, and what its act draws and says.
 
 #include "algorithms/convex_pieces/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 

@@ -67,7 +67,7 @@ void pair(const Story& story, const Shown& shown, FrameText& text) {
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   if (shown.told.refusal) {
     text.caption = format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
     text.detail = "It needs closed outlines that do not meet themselves or each other.";
@@ -93,7 +93,7 @@ void words(const Story& story, FrameText& text) {
 }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const PiecesStep& step = shown.told.told[static_cast<std::size_t>(story.frame.answering_step)];
   if (step.phase == PiecesPhase::merge) {
     const models::Merge& merge =
@@ -118,7 +118,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

@@ -82,8 +82,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   if (shown.is_answer) return {.group = "answer", .label = "t", .event = true};
   return {.group = fmt::format("iteration {}", at.iteration),
           .label = std::string(kWords[static_cast<std::size_t>(shown.step->phase)]),
-          .event = at.is_event,
-          .phase = std::string(at.phase)};
+          .event = at.is_event};
 }
 
 const StagedAct kAct{

@@ -17,7 +17,7 @@ using namespace rows;
 
 /// Van den Bergen 2001, in the plane.
 void depth_listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const depth::State<double>& state = shown.state;
   const auto write = [&](const std::string& text, std::optional<Phase> phase, bool current,
                          std::string value = {}) {
@@ -56,7 +56,7 @@ void depth_listing(PanelBuilder& panel) {
 }
 
 void edges(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const depth::State<double>& state = shown.state;
   panel.write("heading", panel.left, "Edges of the polygon", type::kHeading);
   panel.write("heading", panel.right, "distance from O", type::kHeading, Align::right);
@@ -91,7 +91,7 @@ void edges(PanelBuilder& panel) {
 }
 
 void bounds(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.write("heading", panel.left, "Depth lies in", type::kHeading);
   const bool known = shown.step != nullptr;
   const double lower = shown.is_answer ? shown.trace.result.lower

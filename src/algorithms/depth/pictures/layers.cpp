@@ -114,7 +114,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.state.polygon.count == 0) return layers::answer(scene);
   scene.shows_difference ? in_difference(scene, shown) : in_world(scene, shown);
 }

@@ -1,9 +1,10 @@
 #pragma once
-// Penetration depth in pictures: what a frame shows of the expanding polygon (src/depth), and what
-// its act draws and says.
+// Penetration depth in pictures: what a frame shows of the expanding polygon (algorithms/depth),
+// and what its act draws and says.
 
 #include "algorithms/depth/lesson_trace.hpp"
 #include "algorithms/depth/names.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 

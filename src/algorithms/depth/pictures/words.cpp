@@ -23,7 +23,7 @@ class Telling {
       : story_(story),
         text_(text),
         run_(story.run),
-        shown_(story.run, story.frame),
+        shown_(shown_in<Shown>(story)),
         state_(shown_.state) {}
 
   void tell() {
@@ -184,7 +184,7 @@ class Telling {
   const Story& story_;
   FrameText& text_;
   const LessonRun& run_;
-  Shown shown_;
+  const Shown& shown_;
   const depth::State<double>& state_;
 };
 
@@ -207,7 +207,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

@@ -10,36 +10,58 @@ namespace {
 
 std::string position(const LessonRun& run, int index) {
   const Shown shown(run, run.frames[static_cast<std::size_t>(index)]);
-  const std::string what = shown.is_size() ? fmt::format("n = {}", grouped(shown.sample().segments))
-                           : shown.is_claim() ? "what Larsen says"
-                           : shown.over == 0  ? "start"
-                                              : "outcome";
+  const std::string what = shown.is(GrowthPhase::size)
+                               ? fmt::format("n = {}", grouped(shown.sample().segments))
+                           : shown.is(GrowthPhase::time)  ? "times"
+                           : shown.is(GrowthPhase::claim) ? "what Larsen says"
+                           : shown.over == 0              ? "start"
+                                                          : "outcome";
   return fmt::format("{} · {} of {}", what, index + 1, run.frames.size());
 }
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   if (shown.over == 0) return {.group = "start", .label = "S"};
-  if (shown.is_size()) return {.group = "segments n", .label = grouped(shown.sample().segments)};
-  if (shown.is_claim())
-    return {.group = "what Larsen says", .label = std::to_string(shown.over - shown.sizes())};
+  if (shown.is(GrowthPhase::size))
+    return {.group = "segments n", .label = grouped(shown.sample().segments)};
+  if (shown.is(GrowthPhase::time)) return {.group = "times", .label = "all n"};
+  if (shown.is(GrowthPhase::claim))
+    return {.group = "what Larsen says", .label = std::to_string(shown.claim_number())};
   return {.group = "outcome", .label = "all n", .event = true};
+}
+
+constexpr std::array kAsks = {kAskVisits, kAskAgrees};
+
+/// What was not exploited in 1998 is no claim that counts could bear out.
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, frame);
+  const auto is_asked = [&](int number) { return question.at.value_or(number) == number; };
+  const bool answers = question.ask == kAskVisits.name
+                           ? shown.is(GrowthPhase::size) && shown.over > 1 && is_asked(shown.over)
+                           : shown.is(GrowthPhase::claim) && shown.claim() != Claim::coherence &&
+                                 is_asked(shown.claim_number());
+  return answers ? shown.over - 1 : -1;
 }
 
 const StagedAct kAct{
     .act = {.name = "general-growth",
-            .meaning = "number of segments in [growth], then what Larsen says of the methods",
+            .meaning = "number of segments in [growth], then their times, then what Larsen says of "
+                       "the methods",
             .needs = {.table = "growth",
                       .takes_path = false,
                       .why_no_until = "frames show all sizes"},
             .add_frames = add_algorithm_frames,
+            .asks = kAsks,
+            .answering_step = answering_step,
             .algorithm = &kGeneralGrowthAlgorithm},
     .position = position,
     .tick = tick,
     .words = words,
+    .question = question,
     .values = values,
     .fill = fill,
-    .plot_title = [](const LessonRun&) { return std::string("Pairs visited as outlines grow"); },
+    .plot_title = [](const LessonRun&) { return std::string("As outlines grow"); },
 };
 
 constexpr std::array kActs = {&kAct};

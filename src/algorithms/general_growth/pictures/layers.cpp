@@ -11,6 +11,7 @@ namespace {
 
 using general_growth::Sample;
 using namespace sizes;
+using Times = std::vector<double> GrowthTimes::*;
 
 constexpr std::size_t kMostDrawn = 700;  // points of an outline: more are thinned evenly
 
@@ -46,13 +47,41 @@ PlotSeries series(const Shown& shown, PlotStyle style, std::string name, double 
   return out;
 }
 
-void plot(SceneBuilder& scene, const Shown& shown, const Fonts& fonts) {
+PlotSeries series(const Shown& shown, PlotStyle style, std::string name, Times times) {
+  PlotSeries out{style, std::move(name), {}};
+  const std::vector<double>& all = (*shown.told.times).*times;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    out.points.emplace_back(shown.told.samples[i].segments, all[i]);
+  return out;
+}
+
+double power_of_ten_from(double value) { return std::pow(10.0, std::ceil(std::log10(value))); }
+
+Plot against_segments(const Shown& shown, double most, std::string title) {
   Plot plot;
-  const Sample& last = shown.told.samples.back();
-  const auto end = [](double value) { return std::pow(10.0, std::ceil(std::log10(value))); };
-  plot.x = {10.0, std::max(100.0, end(last.segments)), true, "segments n of each outline"};
-  plot.y = {1.0, std::max(100.0, end(last.pairs())), true, ""};
-  if (shown.is_size()) plot.current = shown.sample().segments;
+  const double largest = shown.told.samples.back().segments;
+  plot.x = {10.0, std::max(100.0, power_of_ten_from(largest)), true, "segments n of each outline"};
+  plot.y = {1.0, std::max(100.0, power_of_ten_from(most)), true, std::move(title)};
+  if (shown.is(GrowthPhase::size)) plot.current = shown.sample().segments;
+  return plot;
+}
+
+Plot times_plot(const Shown& shown) {
+  const GrowthTimes& times = *shown.told.times;
+  Plot plot = against_segments(shown, times.pairs.back(), "nanoseconds for one distance");
+  plot.y.low = 10.0;
+  PlotSeries all = series(shown, PlotStyle::limit, "all n · n pairs", &GrowthTimes::pairs);
+  all.has_symbols = false;
+  plot.series = {
+      series(shown, PlotStyle::first, "boxes", &GrowthTimes::boxes),
+      series(shown, PlotStyle::second, "circles", &GrowthTimes::circles),
+      series(shown, PlotStyle::third, "boxes, from the last pair", &GrowthTimes::remembered),
+      series(shown, PlotStyle::fourth, "convex pieces", &GrowthTimes::pieces), std::move(all)};
+  return plot;
+}
+
+Plot visits_plot(const Shown& shown) {
+  Plot plot = against_segments(shown, shown.told.samples.back().pairs(), "pairs visited");
   PlotSeries all{PlotStyle::limit, "all n · n pairs", {}, PlotJoin::lines, false};
   for (const Sample& sample : shown.told.samples) {
     if (sample.segments <= shown.sample().segments)
@@ -63,14 +92,18 @@ void plot(SceneBuilder& scene, const Shown& shown, const Fonts& fonts) {
                  series(shown, PlotStyle::third, "boxes, from the last pair", &Sample::remembered),
                  series(shown, PlotStyle::fourth, "convex pieces", &Sample::pieces),
                  std::move(all)};
-  layers::add_plot(scene, plot, fonts);
+  return plot;
 }
 
 }  // namespace
 
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
-  const Shown shown(scene.run, scene.frame);
-  scene.view.kind == ViewKind::plot ? plot(scene, shown, fonts) : example(scene, shown);
+  const Shown& shown = shown_in<Shown>(scene);
+  if (scene.view.kind == ViewKind::plot) {
+    layers::add_plot(scene, shown.plots_times() ? times_plot(shown) : visits_plot(shown), fonts);
+  } else {
+    example(scene, shown);
+  }
   return true;
 }
 

@@ -2,12 +2,18 @@
 // Costs of general models in pictures: what a frame shows of them, and what its act draws and says.
 
 #include "algorithms/general_growth/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 
 namespace gjkscope::costs {
 
-/// What a frame is about: a size, or something that Larsen says.
+inline constexpr AskInfo kAskVisits{
+    "visits", "how many times the visits of the last size a size takes", "about size"};
+inline constexpr AskInfo kAskAgrees{
+    "agrees", "whether what Larsen says agrees with what was measured", "about claim"};
+
+/// What a frame is about: a size, the times of all sizes, or something that Larsen says.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : told(general_growth_told(run.algorithm_trace(frame))), over(*frame.steps_over) {}
@@ -15,14 +21,24 @@ struct Shown {
   const GeneralGrowthTrace& told;
   int over = 0;  ///< Steps.
 
-  [[nodiscard]] int sizes() const { return static_cast<int>(told.samples.size()); }
-  /// The newest size; at the start the first.
-  [[nodiscard]] const general_growth::Sample& sample() const {
-    return told.samples[static_cast<std::size_t>(std::clamp(over - 1, 0, sizes() - 1))];
+  [[nodiscard]] int sizes() const { return told.sizes(); }
+  [[nodiscard]] bool is(GrowthPhase phase) const {
+    return over >= 1 && over <= told.steps() && told.phase(over - 1) == phase;
   }
-  [[nodiscard]] bool is_size() const { return over >= 1 && over <= sizes(); }
-  [[nodiscard]] bool is_claim() const { return over > sizes() && over <= sizes() + kClaims; }
-  [[nodiscard]] Claim claim() const { return static_cast<Claim>(over - sizes() - 1); }
+  /// The newest size; at the start the first.
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(std::clamp(over - 1, 0, sizes() - 1));
+  }
+  [[nodiscard]] const general_growth::Sample& sample() const { return told.samples[size()]; }
+  /// Of a claim, counted from 1.
+  [[nodiscard]] int claim_number() const { return over - (told.steps() - kClaims); }
+  [[nodiscard]] Claim claim() const { return static_cast<Claim>(claim_number() - 1); }
+  /// The plot is of times: where they are what the frame is about.
+  [[nodiscard]] bool plots_times() const {
+    return told.times &&
+           (is(GrowthPhase::time) || (is(GrowthPhase::claim) && (claim() == Claim::brute_force ||
+                                                                 claim() == Claim::spheres)));
+  }
 };
 
 // blocks.cpp
@@ -33,6 +49,7 @@ bool fill(SceneBuilder& scene, const Fonts& fonts);
 
 // words.cpp
 void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
 void values(const Story& story, FrameText& text);
 
 }  // namespace gjkscope::costs

@@ -145,8 +145,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
       shown.is(SearchPhase::contain) ? "inside?" : fmt::format("visit {}", shown.state.visits);
   return {.group = group_of_position(run, frame, group),
           .label = shown.is_cut() ? "cut" : std::string(at.phase),
-          .event = at.is_event,
-          .phase = std::string(at.phase)};
+          .event = at.is_event};
 }
 
 const StagedAct kCollide{

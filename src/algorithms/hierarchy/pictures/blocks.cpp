@@ -11,7 +11,7 @@ using models::SearchPhase;
 
 /// Larsen 1998, "Hierarchical Collision Detection".
 void collide_listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool leaf = shown.is(SearchPhase::leaf);
   const bool into_a = shown.is(SearchPhase::descend) && !shown.step->record.takes_b_apart;
   const bool into_b = shown.is(SearchPhase::descend) && shown.step->record.takes_b_apart;
@@ -31,7 +31,7 @@ void collide_listing(PanelBuilder& panel) {
 
 /// Larsen 1998, "Hierarchical Distance Computation".
 void distance_listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool leaf = shown.is(SearchPhase::leaf);
   const bool descends = shown.is(SearchPhase::descend);
   blocks::listing_line(panel,
@@ -65,7 +65,7 @@ void collide_counters(PanelBuilder& panel) { counters(panel, Shown(panel.run, pa
 
 /// The other order only where the search has ended: what it costs is the point of the end.
 void distance_counters(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   counters(panel, shown);
   if (shown.is_refused()) return;
   panel.row("candidate δ",

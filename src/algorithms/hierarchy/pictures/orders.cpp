@@ -124,7 +124,7 @@ void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, cons
 
 bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return true;
   const std::array<Order, 2> orders = {Order(shown, true), Order(shown, false)};
   double leaves = 1.0;
@@ -151,7 +151,7 @@ std::string orders_title(const LessonRun&) { return "Pairs of boxes, as visited"
 
 /// The candidates of both searches; once they are the same one of them is enough.
 void candidates(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return;
   const Order nearer(shown, true);
   const Order left(shown, false);
@@ -195,7 +195,7 @@ Tick order_tick(const LessonRun& run, const Frame& frame) {
 }
 
 void tell_orders(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   if (shown.is_refused()) return words(story, text);
   const Order nearer(shown, true);
   const Order left(shown, false);
@@ -220,7 +220,7 @@ void tell_orders(const Story& story, FrameText& text) {
 }
 
 void order_counters(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   if (shown.is_refused()) return panel.heading("Refused");
   const std::array<Order, 2> orders = {Order(shown, true), Order(shown, false)};
   const double second = panel.right;

@@ -2,6 +2,7 @@
 // The search over two trees in pictures: what a frame shows of it, and what its acts draw and say.
 
 #include "algorithms/hierarchy/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 

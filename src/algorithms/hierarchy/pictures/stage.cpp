@@ -60,7 +60,7 @@ std::pair<Vector2d, Vector2d> gap_of(const Volume& a, const Volume& b) {
 
 class Stage {
  public:
-  explicit Stage(SceneBuilder& scene) : scene_(scene), shown_(scene.run, scene.frame) {}
+  explicit Stage(SceneBuilder& scene) : scene_(scene), shown_(shown_in<Shown>(scene)) {}
 
   void draw() {
     if (shown_.is_refused()) return;
@@ -179,7 +179,7 @@ class Stage {
   }
 
   SceneBuilder& scene_;
-  Shown shown_;
+  const Shown& shown_;
   std::vector<Mark> below_;
 };
 

@@ -76,6 +76,13 @@ class TreePicture {
   [[nodiscard]] bool is_current(std::size_t i) const {
     return shown_.has_pair() && shown_.node_index(of_x_) == static_cast<int>(i);
   }
+  /// What is visited lies below a node that stands for it, too.
+  [[nodiscard]] bool is_current_below(std::size_t i) const {
+    if (!is_heap(i) || !shown_.has_pair()) return false;
+    const auto current = static_cast<std::size_t>(shown_.node_index(of_x_));
+    return i < current && tree_[i].first <= tree_[current].first &&
+           tree_[current].first + tree_[current].count <= tree_[i].first + tree_[i].count;
+  }
   /// Of what a mark stands for, the liveliest.
   [[nodiscard]] NodeState state(std::size_t i) const {
     if (!is_heap(i)) return states_[i];
@@ -101,29 +108,33 @@ class TreePicture {
     const Subject subject = of_x_ ? Subject{Subject::Kind::tree_node, index}
                                   : Subject{Subject::Kind::tree_node, -1, index};
     if (is_heap(i)) {
-      const double below = 2.2 * radius_;
-      scene_.out.marks.push_back(
-          {states_[i] == NodeState::off ? "tree.heap.off" : "tree.heap",
-           Polygon{{at, at + Point(radius_, below), at + Point(-radius_, below)}}, -1, subject});
+      const bool holds_current = is_current_below(i);
+      const double half = holds_current ? kCurrent : radius_;
+      const double below = 2.2 * half;
+      scene_.out.marks.push_back({holds_current                  ? "tree.current"
+                                  : states_[i] == NodeState::off ? "tree.heap.off"
+                                                                 : "tree.heap",
+                                  Polygon{{at, at + Point(half, below), at + Point(-half, below)}},
+                                  -1, subject});
+      if (holds_current) name(at + Point(0.0, below - kCurrent), true);
     }
     Mark mark = node_mark(state(i), at, radius_);
     if (is_current(i)) {
       mark = current_mark(at, shown_.is_cut());
-      name(i, at);
+      name(at, tree_[i].is_leaf());
     }
     mark.subject = subject;
     scene_.out.marks.push_back(std::move(mark));
   }
 
-  /// The letter of the node that is visited: below a leaf, else beside it.
-  void name(std::size_t i, const Point& at) {
-    const bool is_leaf = tree_[i].is_leaf();
+  /// The letter of the node that is visited: below one at the foot of the tree, else beside it.
+  void name(const Point& at, bool is_below) {
     const bool is_left = at.x() < area_.center().x();
     const Point beside(is_left ? kCurrent + 5.0 : -kCurrent - 5.0, 5.0);
     scene_.out.marks.push_back({of_x_ ? "volume.x.label" : "volume.y.label",
-                                Text{at + (is_leaf ? Point(0.0, kCurrent + 15.0) : beside),
+                                Text{at + (is_below ? Point(0.0, kCurrent + 15.0) : beside),
                                      of_x_ ? "a" : "b", type::kVertex,
-                                     is_leaf   ? Align::center
+                                     is_below  ? Align::center
                                      : is_left ? Align::left
                                                : Align::right}});
   }
@@ -184,7 +195,7 @@ void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entr
 std::array<Rect, 2> tree_areas(const Rect& card) {
   constexpr double kTitle = 62.0;
   constexpr double kBetween = 46.0;
-  constexpr double kBelow = 22.0;  // a letter under the lowest leaves
+  constexpr double kBelow = 38.0;  // a letter under the lowest marks
   const double height = 0.5 * (card.size().y() - kTitle - kBetween - kBelow - kKey);
   const Point corner = card.min + Point(kSide, kTitle);
   const Point size(card.size().x() - 2.0 * kSide, height);
@@ -194,7 +205,7 @@ std::array<Rect, 2> tree_areas(const Rect& card) {
 
 bool trees(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return true;
   const auto [above, below] = tree_areas(scene.map.area());
   TreePicture(scene, shown, true, above).draw();

@@ -18,7 +18,7 @@ std::string counted(long count, std::string_view what) {
 class Telling {
  public:
   Telling(const Story& story, FrameText& text)
-      : story_(story), text_(text), shown_(story.run, story.frame) {}
+      : story_(story), text_(text), shown_(shown_in<Shown>(story)) {}
 
   void tell() {
     if (shown_.is_refused()) return refused();
@@ -209,7 +209,7 @@ class Telling {
 
   const Story& story_;
   FrameText& text_;
-  Shown shown_;
+  const Shown& shown_;
 };
 
 }  // namespace
@@ -217,7 +217,7 @@ class Telling {
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const models::SearchRecord& record =
       shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
   const bool is_distance = shown.is_distance();
@@ -243,7 +243,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

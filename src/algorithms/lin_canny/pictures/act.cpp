@@ -15,6 +15,21 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
       state(step == nullptr ? walk.trace.start : step->after),
       is_answer(*frame.steps_over > static_cast<int>(walk.trace.steps.size())) {}
 
+std::vector<Border> Shown::borders(bool of_x) const {
+  const models::RingFeature& at = feature(of_x);
+  const auto corner = [&](int i) { return ring(of_x).points[static_cast<std::size_t>(i)]; };
+  const Eigen::Vector2d a = corner(at.index);
+  const int next = ring(of_x).next(at.index);
+  const Eigen::Vector2d way = corner(next) - a;
+  if (at.is_vertex) {
+    const int before = ring(of_x).previous(at.index);
+    return {{{a, way}, {false, at.index}}, {{a, corner(before) - a}, {false, before}}};
+  }
+  return {{{a, -way}, {true, at.index}},
+          {{corner(next), way}, {true, next}},
+          {{a, Eigen::Vector2d(-way.y(), way.x())}, at}};
+}
+
 namespace {
 
 constexpr std::array kAsks = {kAskFeature};
@@ -45,7 +60,9 @@ const StagedAct kAct{
 };
 
 constexpr std::array kLegend = {LegendEntry{"feature.vertex", "current feature"},
-                                LegendEntry{"feature.edge", "current feature"}};
+                                LegendEntry{"feature.edge", "current feature"},
+                                LegendEntry{"walk.region.x", "region of fx: beside the ticks"},
+                                LegendEntry{"walk.region.y", "region of fy: beside the ticks"}};
 constexpr std::array kActs = {&kAct};
 constexpr std::array kBlocks = {&kFeatures};
 constexpr std::array kListings = {&kListing};

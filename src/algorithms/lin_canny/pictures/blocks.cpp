@@ -1,5 +1,7 @@
 #include "picture/blocks/blocks.hpp"
 
+#include <fmt/format.h>
+
 #include "algorithms/lin_canny/pictures/shown.hpp"
 
 namespace gjkscope::walks {
@@ -11,7 +13,7 @@ using namespace rows;
 
 /// Lin and Canny 1991; Larsen 1998, "Lin-Canny".
 void listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool looked = shown.is(WalkPhase::regions);
   const bool met =
       shown.state.stop == WalkStop::overlap && (shown.is_answer || shown.is(WalkPhase::closest));
@@ -33,24 +35,40 @@ void listing(PanelBuilder& panel) {
   blocks::listing_line(panel, "  else stop: x, y are closest", ended || (shown.is_answer && !met));
 }
 
+/// "y beyond edge CD"
+std::string beyond(const Shown& shown, bool of_x, const Border& border) {
+  const bool is_back = border.neighbour == shown.feature(of_x);
+  const std::string name = shown.name(of_x, border.neighbour);
+  return fmt::format("{} {} {}", of_x ? "y" : "x", is_back ? "behind" : "beyond",
+                     name.substr(0, name.rfind(" of ")));
+}
+
 void features(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.write("heading", panel.left, "Features", type::kHeading);
   panel.y += kRow + 2.0;
   if (!shown.walk.query)
     return panel.row("refused", std::string(models::name_of(shown.walk.trace.result.flaw.fault)));
   panel.row("fx", shown.name(true));
   panel.row("fy", shown.name(false));
-  panel.row("distance", shown.knows_pair() ? panel.numbers(shown.closest().distance) : "–");
-  panel.row("swaps", std::to_string(shown.state.swaps));
-  panel.row("pairs of features there are", std::to_string(shown.walk.query->pairs()));
+  panel.row("swaps", fmt::format("{}, of {} pairs", shown.state.swaps, shown.walk.query->pairs()));
+  if (!shown.knows_pair() || shown.is_answer) return;
+  for (const bool of_x : {true, false}) {
+    for (const Border& border : shown.borders(of_x)) {
+      if (border.neighbour == shown.feature(of_x) && !shown.walk.query->convex) continue;
+      panel.row(beyond(shown, of_x, border),
+                panel.numbers(border.beyond(of_x ? shown.closest().b : shown.closest().a)));
+    }
+  }
 }
 
 }  // namespace
 
 const Block kFeatures{
     .name = "features",
-    .meaning = "the pair of features that the walk is at, their distance, and swaps",
+    .meaning =
+        "the pair of features that the walk is at, swaps, and how far each closest point lies "
+        "beyond the borders of the other's region",
     .write = features,
     .act = "lin-canny"};
 

@@ -1,7 +1,6 @@
 #include "picture/layers/layers.hpp"
 
 #include "algorithms/lin_canny/pictures/shown.hpp"
-#include "geometry/polygon.hpp"
 
 namespace gjkscope::walks {
 namespace {
@@ -11,68 +10,51 @@ using models::RingFeature;
 using models::WalkPhase;
 using namespace sizes;
 
-const Vector2d& corner(const models::Ring& ring, int i) {
-  return ring.points[static_cast<std::size_t>(i)];
-}
-
-/// A half-plane each for the borders of a feature's external Voronoi region (Larsen 1998,
-/// "Lin-Canny"), and beyond each the neighbour.
-std::vector<std::pair<HalfPlane, RingFeature>> borders(const models::Ring& ring,
-                                                       const RingFeature& feature) {
-  const int i = feature.index;
-  const Vector2d& a = corner(ring, i);
-  const Vector2d& after = corner(ring, ring.next(i));
-  if (feature.is_vertex) {
-    const int before = ring.previous(i);
-    return {{{a, after - a}, {false, i}}, {{a, corner(ring, before) - a}, {false, before}}};
-  }
-  const Vector2d way = after - a;
-  return {{{a, -way}, {true, i}},
-          {{after, way}, {true, ring.next(i)}},
-          {{a, Vector2d(-way.y(), way.x())}, feature}};
-}
-
-/// The region of the feature, as far as the view reaches; the border that was crossed stands out.
+/// The borders of the feature's region, with ticks on its side. A fill would cover the other shape
+/// as if they overlapped. A region that was left is hatched; the border that was crossed stands
+/// out.
 void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
-  const models::Ring& ring = shown.ring(of_x);
   const bool looked = shown.is(WalkPhase::regions);
   const models::RegionTest& found = shown.state.found;
   const bool left = looked && found.crossed && found.of_a == of_x;
-  std::vector<Vector2d> seen = scene.map.visible();
-  const auto all = borders(ring, shown.feature(of_x));
-  for (const auto& [border, neighbour] : all) seen = clip(seen, border);
-  std::vector<Point> area;
-  for (const Vector2d& point : seen) area.push_back(scene.at(point));
-  if (area.size() > 2) {
-    if (left) scene.hatched("region.hatch", area);
-    scene.area(left ? "region.hidden" : of_x ? "walk.region.x" : "walk.region.y", area);
+  const std::vector<Border> all = shown.borders(of_x);
+  if (left) {
+    std::vector<Vector2d> seen = scene.map.visible();
+    for (const Border& border : all) seen = clip(seen, border.line);
+    std::vector<Point> area;
+    for (const Vector2d& point : seen) area.push_back(scene.at(point));
+    if (area.size() > 2) scene.hatched("region.hatch", area);
   }
+  const std::string role = of_x ? "walk.region.x" : "walk.region.y";
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
-  for (const auto& [border, neighbour] : all) {
-    if (neighbour == shown.feature(of_x)) continue;  // the edge itself
-    Vector2d out(border.normal.y(), -border.normal.x());
-    const bool inside = std::any_of(all.begin(), all.end(), [&](const auto& other) {
-      return other.first.normal.dot(out) > 1e-9 * other.first.normal.norm() * out.norm();
+  for (const Border& border : all) {
+    if (border.neighbour == shown.feature(of_x)) continue;  // the edge itself
+    const HalfPlane& line = border.line;
+    Vector2d out(line.normal.y(), -line.normal.x());
+    const bool inside = std::any_of(all.begin(), all.end(), [&](const Border& other) {
+      return other.line.normal.dot(out) > 1e-9 * other.line.normal.norm() * out.norm();
     });
     if (inside) out = -out;
-    const bool is_crossed = left && neighbour == found.neighbour;
-    scene.line(is_crossed ? "sign.border" : "region.border", scene.at(border.point),
-               scene.at(border.point + reach * out.normalized()));
+    const bool is_crossed = left && border.neighbour == found.neighbour;
+    const Point from = scene.at(line.point);
+    const Point to = scene.at(line.point + reach * out.normalized());
+    scene.line(is_crossed ? "sign.border" : role, from, to);
+    layers::ticks(scene, role + ".tick", from, to, scene.map.direction(-line.normal));
   }
 }
 
 void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const models::Ring& ring = shown.ring(of_x);
   const RingFeature& at = shown.feature(of_x);
-  const Point a = scene.at(corner(ring, at.index));
-  if (at.is_vertex) return scene.disk("feature.vertex", a, kSimplexRadius);
-  scene.line("feature.edge", a, scene.at(corner(ring, ring.next(at.index))));
+  const auto corner = [&](int i) { return scene.at(ring.points[static_cast<std::size_t>(i)]); };
+  if (at.is_vertex) return scene.disk("feature.vertex", corner(at.index), kSimplexRadius);
+  scene.line("feature.edge", corner(at.index), corner(ring.next(at.index)));
 }
 
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (!shown.walk.query) return;
   const bool shows_regions = !shown.is_answer && shown.state.stop != models::WalkStop::overlap;
   for (const bool of_x : {true, false}) {
@@ -91,7 +73,18 @@ void stage(SceneBuilder& scene) {
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
   scene.line("closest.line", x, y);
-  for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
+  const auto name = [&](const char* letter, const Point& point, const Point& other) {
+    scene.disk("closest", point, kClosestRadius);
+    scene.out.moving_labels.push_back(scene.label(std::string("closest:") + letter, letter,
+                                                  "closest.label", type::kVertex, point,
+                                                  kPointRadius, point - other));
+  };
+  if ((y - x).norm() < 1.0) {
+    name("x = y", y, y);
+  } else {
+    name("x", x, y);
+    name("y", y, x);
+  }
   layers::length_label(scene, "distance", closest.distance, x, y);
 }
 

@@ -2,6 +2,8 @@
 // The walk on features in pictures: what a frame shows of it, and what its act draws and says.
 
 #include "algorithms/lin_canny/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
+#include "geometry/polygon.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/legend.hpp"
@@ -9,6 +11,16 @@
 namespace gjkscope::walks {
 
 inline constexpr AskInfo kAskFeature{"feature", "which feature the walk on features goes to next"};
+
+/// A border of a feature's external Voronoi region (Larsen 1998, "Lin-Canny").
+struct Border {
+  HalfPlane line;                 ///< The region lies within.
+  models::RingFeature neighbour;  ///< Beyond it; of the back of an edge, the edge itself.
+  /// How far beyond it a point lies; negative within.
+  [[nodiscard]] double beyond(const Eigen::Vector2d& point) const {
+    return line.normal.normalized().dot(point - line.point);
+  }
+};
 
 /// The part of the walk that a frame shows.
 struct Shown {
@@ -41,6 +53,8 @@ struct Shown {
     return feature_name(lesson, *walk.query, of_x, feature);
   }
   [[nodiscard]] std::string name(bool of_x) const { return name(of_x, feature(of_x)); }
+  /// Of the feature of X or Y, in the order in which the walk looks at them.
+  [[nodiscard]] std::vector<Border> borders(bool of_x) const;
 };
 
 // blocks.cpp

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "algorithms/lin_canny/pictures/shown.hpp"
 
 namespace gjkscope::walks {
@@ -13,7 +15,7 @@ using models::WalkStop;
 class Telling {
  public:
   Telling(const Story& story, FrameText& text)
-      : story_(story), text_(text), shown_(story.run, story.frame) {}
+      : story_(story), text_(text), shown_(shown_in<Shown>(story)) {}
 
   void tell() {
     if (!shown_.walk.query) return refused();
@@ -85,8 +87,9 @@ class Telling {
       text_.caption = format("The closest point on {} lies outside the region of {}.",
                              point_of(!found.of_a), shown_.name(found.of_a));
       text_.detail =
-          format("It lies beyond the border to {}, which is closer to it. Next: go there.",
-                 shown_.name(found.of_a, found.neighbour));
+          format("It lies beyond the border to {}, which is closer to it. {}Next: go there.",
+                 shown_.name(found.of_a, found.neighbour),
+                 crosses_another() ? "Of two borders crossed the first counts. " : "");
       return;
     }
     text_.caption = "Each closest point lies in the Voronoi region of the other feature.";
@@ -99,6 +102,16 @@ class Telling {
     } else {
       text_.detail = "So no point of either shape is closer to the other: stop.";
     }
+  }
+
+  /// Besides the border that was found.
+  [[nodiscard]] bool crosses_another() const {
+    const models::RegionTest& found = shown_.state.found;
+    const models::Answer pair = shown_.closest();
+    const std::vector<Border> all = shown_.borders(found.of_a);
+    return std::any_of(all.begin(), all.end(), [&](const Border& border) {
+      return border.neighbour != found.neighbour && border.beyond(found.of_a ? pair.b : pair.a) > 0;
+    });
   }
 
   void swap() {
@@ -142,7 +155,7 @@ class Telling {
 
   const Story& story_;
   FrameText& text_;
-  Shown shown_;
+  const Shown& shown_;
 };
 
 }  // namespace
@@ -150,7 +163,7 @@ class Telling {
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const models::WalkStep& step =
       shown.walk.trace.steps[static_cast<std::size_t>(story.frame.answering_step)];
   FrameQuestion& asked =
@@ -166,12 +179,12 @@ void question(const Story& story, FrameText& text) {
   asked.choices.emplace_back("none: stop");
   const models::RegionTest& found = step.after.found;
   asked.answer = found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
-  text.caption = "Question: where does the walk go now?";
+  text.caption = "Question: where does the walk go now? The first border crossed counts.";
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

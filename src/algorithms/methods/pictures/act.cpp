@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,7 @@ void words(const Story& story, FrameText& text) {
                sum(Method::tree_cold) - sum(Method::tree_front), sum(Method::tree_cold));
     text.detail = format(
         "The last pair alone saves {}: nearer first finds a small δ at once. What helps is to "
-        "start "
-        "where the last search ended (Li and Chen 1998).",
+        "start where the last search ended: at its front, as FCL calls it.",
         sum(Method::tree_cold) - sum(Method::tree_pair));
     return;
   }
@@ -83,6 +83,58 @@ void words(const Story& story, FrameText& text) {
                         pairs(at.at(Method::lin_canny)), pairs(at.at(Method::tree_front)));
   text.detail = format("From scratch: GJK {}, trees {}.", iterations(at.at(Method::gjk_cold)),
                        pairs(at.at(Method::tree_cold)));
+}
+
+constexpr AskInfo kAskFront{
+    "front", "whether a search from the last front visits fewer pairs than one from the roots",
+    "at position"};
+constexpr AskInfo kAskMemory{"memory", "which method saves the largest share of its steps",
+                             "at position"};
+constexpr std::array kAsks = {kAskFront, kAskMemory};
+
+/// A position answers, from the second on, or the sum.
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  if (told(run, frame).is_refused()) return -1;
+  if (question.ask == kAskMemory.name) return is_sum(frame) && !question.at ? 0 : -1;
+  return !is_sum(frame) && question.at.value_or(frame.run + 1) == frame.run + 1 ? 0 : -1;
+}
+
+void ask_about_front(const MethodsTold& at, FrameText& text, FrameQuestion& asked) {
+  const long front = at.at(Method::tree_front);
+  const long roots = at.at(Method::tree_cold);
+  asked.choices = {"fewer", "as many", "more"};
+  asked.answer = asked.choices[front < roots ? 0 : front == roots ? 1 : 2];
+  text.caption =
+      "Question: next, does a search from the last front visit fewer pairs than one from the "
+      "roots?";
+}
+
+void ask_about_memory(const Story& story, FrameText& text, FrameQuestion& asked) {
+  constexpr std::array<std::pair<Method, Method>, 3> kPairs = {
+      {{Method::gjk_warm, Method::gjk_cold},
+       {Method::tree_pair, Method::tree_cold},
+       {Method::tree_front, Method::tree_cold}}};
+  double least = 2.0;
+  for (const auto& [warm, cold] : kPairs) {
+    const double share = static_cast<double>(total(story.run, story.frame, warm)) /
+                         static_cast<double>(total(story.run, story.frame, cold));
+    asked.choices.emplace_back(name_of(warm));
+    if (share < least) asked.answer = asked.choices.back();
+    least = std::min(least, share);
+  }
+  text.caption = "Question: whose memory saves the largest share of its steps?";
+}
+
+void question(const Story& story, FrameText& text) {
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  if (asked.ask == kAskFront.name) {
+    ask_about_front(*methods_told(story.run, story.frame.run + 1), text, asked);
+  } else {
+    ask_about_memory(story, text, asked);
+  }
+  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {
@@ -172,11 +224,15 @@ const StagedAct kAct{
                 "position of two convex shapes, at which all methods are asked; then the sum",
             .needs = {.why_no_until = "frames show how all methods end"},
             .add_frames = add_frames,
+            .sweeps = true,
+            .asks = kAsks,
+            .answering_step = answering_step,
             .algorithm = &kMethodsAlgorithm},
     .position = position,
     .tick = tick,
     .words = words,
     .stage = stage,
+    .question = question,
     .values = values,
     .fill = fill,
     .plot_title = plot_title,

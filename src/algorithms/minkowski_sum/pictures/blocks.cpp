@@ -11,7 +11,7 @@ using minkowski_sum::Phase;
 using minkowski_sum::Source;
 
 void listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool takes = shown.is(Phase::edge);
   blocks::listing_line(panel, "Y − X = Y + (−X)", shown.step == nullptr);
   blocks::listing_line(panel, "z ← lowest vertex of Y", false);
@@ -28,7 +28,7 @@ void listing(PanelBuilder& panel) {
 }
 
 void counts(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Edges");
   if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
   const minkowski_sum::State state =

@@ -112,7 +112,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (shown.told.refusal) return;
   scene.view.kind == ViewKind::world ? in_world(scene, shown) : in_difference(scene, shown);
 }

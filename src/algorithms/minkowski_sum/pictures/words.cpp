@@ -65,7 +65,7 @@ void inside(const Shown& shown, FrameText& text) {
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const int sums = static_cast<int>(shown.merge.corners.size());
   if (shown.told.refusal) return refused(shown, text);
   if (shown.step == nullptr) {
@@ -91,7 +91,7 @@ void words(const Story& story, FrameText& text) {
 }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const minkowski_sum::Step& step =
       shown.merge.steps[static_cast<std::size_t>(story.frame.answering_step)];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
@@ -104,7 +104,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };

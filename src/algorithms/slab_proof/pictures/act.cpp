@@ -33,7 +33,7 @@ const StagedAct kAct{
     .values = values,
 };
 
-constexpr std::array kLegend = {LegendEntry{"slab", "slab(x, y)"},
+constexpr std::array kLegend = {LegendEntry{"slab.side", "side of the slab"},
                                 LegendEntry{"slab.vertex", "vertex in the slab"},
                                 LegendEntry{"slab.was", "where it was"}};
 constexpr std::array kActs = {&kAct};

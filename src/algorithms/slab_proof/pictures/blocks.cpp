@@ -9,7 +9,7 @@ using slab_proof::Phase;
 using slab_proof::Reach;
 
 void listing(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   const bool is_empty = shown.is(Phase::slab) && shown.step->reaches.empty();
   const bool moves = shown.is(Phase::closer);
   blocks::listing_line(panel, "x, y ← any points of X, of Y",
@@ -26,7 +26,7 @@ void listing(PanelBuilder& panel) {
 }
 
 void reaches(PanelBuilder& panel) {
-  const Shown shown(panel.run, panel.frame);
+  const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Slab(x, y)");
   if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
   if (!shown.has_points()) return panel.row("the shapes overlap", "");

@@ -37,7 +37,7 @@ void point(SceneBuilder& scene, const std::string& name, const Vector2d& at,
 }  // namespace
 
 void stage(SceneBuilder& scene) {
-  const Shown shown(scene.run, scene.frame);
+  const Shown& shown = shown_in<Shown>(scene);
   if (!shown.has_points()) return;
   const slab_proof::State& now = shown.state();
   if (shown.is(Phase::slab) || shown.is_answer) strip(scene, now.x, now.y);

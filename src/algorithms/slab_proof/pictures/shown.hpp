@@ -2,6 +2,7 @@
 // The proof by slabs in pictures: what a frame shows of it, and what its act draws and says.
 
 #include "algorithms/slab_proof/lesson_trace.hpp"
+#include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
 

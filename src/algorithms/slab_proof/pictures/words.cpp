@@ -51,7 +51,7 @@ void closer(const Story& story, const Shown& shown, FrameText& text) {
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   if (shown.told.refusal) {
     text.caption =
         format("The proof does not take {}.", words_of(*shown.told.refusal, shown.lesson));
@@ -81,7 +81,7 @@ void words(const Story& story, FrameText& text) {
 }
 
 void question(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const slab_proof::Step& step =
       shown.told.descent.steps[static_cast<std::size_t>(story.frame.answering_step)];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskVertex.name), {}, {}});
@@ -93,7 +93,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const Shown shown(story.run, story.frame);
+  const Shown& shown = shown_in<Shown>(story);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
