@@ -53,7 +53,7 @@ TEST_F(Site, APageHoldsTheFirstFrameAndAllWords) {
   const std::string text = page(lesson);
   lesson.questions.clear();
   EXPECT_EQ(count(text, "<li><a href=\"#step="), run_lesson(lesson).frames.size());
-  EXPECT_EQ(count(text, "<svg "), 2u) << "stage and panel";
+  EXPECT_EQ(count(text, "<svg "), 4u) << "stage and panel, in two sizes";
   EXPECT_NE(text.find(">aGk=</script>"), std::string::npos) << "the program, in base64";
   EXPECT_EQ(text.find("{{"), std::string::npos);
   for (const char* fetched : {"<script src", "<img ", "<link ", "@import", "url(http"})
