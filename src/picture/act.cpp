@@ -47,7 +47,7 @@ std::string position_in_lesson(const LessonRun& run, int index) {
 }
 
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
-  if (frame.step < 0) return {.group = "start", .label = "S"};
+  if (frame.step < 0) return {.group = "start", .label = "start"};
   const gjk::Step<double, 2>& step = run.step(frame);
   const std::string phase(name_of(step.phase));
   std::string dropped;
@@ -108,7 +108,7 @@ std::string position_in_algorithm(const LessonRun& run, int index) {
 Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
   const AlgorithmPart part = part_of(run, frame);
   if (part == AlgorithmPart::start)
-    return {.group = group_of_position(run, frame, "start"), .label = "S"};
+    return {.group = group_of_position(run, frame, "start"), .label = "start"};
   if (part == AlgorithmPart::answer)
     return {.group = group_of_position(run, frame, "answer"),
             .label = "answer",

@@ -78,7 +78,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   const StepInfo at = run.info(frame);
   if (shown.step == nullptr)
-    return {.group = group_of_position(run, frame, "GJK's end"), .label = "S"};
+    return {.group = group_of_position(run, frame, "GJK's end"), .label = "start"};
   if (shown.is_answer) return {.group = "answer", .label = "t", .event = true};
   return {.group = fmt::format("iteration {}", at.iteration),
           .label = std::string(kWords[static_cast<std::size_t>(shown.step->phase)]),

@@ -21,7 +21,7 @@ std::string position(const LessonRun& run, int index) {
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
-  if (shown.over == 0) return {.group = "start", .label = "S"};
+  if (shown.over == 0) return {.group = "start", .label = "start"};
   if (shown.is(GrowthPhase::size))
     return {.group = "segments n", .label = grouped(shown.sample().segments)};
   if (shown.is(GrowthPhase::time)) return {.group = "times", .label = "all n"};

@@ -134,7 +134,8 @@ std::string position(const LessonRun& run, int index) {
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
-  if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
+  if (shown.step == nullptr)
+    return {.group = group_of_position(run, frame, "start"), .label = "start"};
   if (shown.is_answer)
     return {.group = group_of_position(run, frame, "answer"),
             .label = "answer",

@@ -187,7 +187,8 @@ std::string order_position(const LessonRun& run, int index) {
 
 Tick order_tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
-  if (shown.step == nullptr) return {.group = group_of_position(run, frame, "start"), .label = "S"};
+  if (shown.step == nullptr)
+    return {.group = group_of_position(run, frame, "start"), .label = "start"};
   if (shown.is_answer)
     return {.group = group_of_position(run, frame, "answer"), .label = "answer", .event = true};
   return {.group = group_of_position(run, frame, "visits"),
@@ -240,8 +241,8 @@ void order_counters(PanelBuilder& panel) {
   row("pairs visited", [](const Order& order) { return std::to_string(order.visited); });
   row("pairs cut", [](const Order& order) { return std::to_string(order.cuts); });
   row("pairs that wait", [](const Order& order) {
-    return std::to_string(order.state != nullptr && !order.has_ended() ? order.state->waiting.size()
-                                                                       : 0);
+    if (order.has_ended()) return std::string("0");
+    return std::to_string(order.state == nullptr ? 1 : order.state->waiting.size());
   });
   row("segments measured", [](const Order& order) {
     return std::to_string(order.state != nullptr ? order.state->measured : 0);

@@ -179,7 +179,8 @@ void question(const Story& story, FrameText& text) {
   asked.choices.emplace_back("none: stop");
   const models::RegionTest& found = step.after.found;
   asked.answer = found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
-  text.caption = "Question: where does the walk go now? The first border crossed counts.";
+  text.caption =
+      "Question: where does the walk go now? Of borders crossed, the first in the list counts.";
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
