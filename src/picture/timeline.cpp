@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "picture/registry.hpp"
@@ -131,6 +133,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   const double label_y = area.min.y() + 4.0;
   const double bar_y = area.min.y() + 14.0;
   double label_end = -1e9;
+  std::optional<std::size_t> last_label;  // its mark
   double hidden_from = area.max.x();
   std::vector<PlacedTick> ticks;
   for (const Group& group : groups) {
@@ -170,6 +173,11 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
           group_x > label_end && label_width <= group_end - group_x + kGroupGap - kBetween;
       if (label.empty() || !(holds_current || has_room)) continue;
       const double label_x = std::min(group_x, area.max.x() - label_width);
+      // The current one stands, wherever it does; a label that it would touch gives way.
+      if (label_x < label_end && last_label) {
+        marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*last_label));
+      }
+      last_label = marks.size();
       marks.push_back({holds_current ? "timeline.label.current" : "timeline.label",
                        Text{{label_x, label_y}, label, style, Align::left}});
       label_end = label_x + label_width + kBetween;
