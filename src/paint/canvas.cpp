@@ -144,6 +144,7 @@ struct Canvas::Context {
   }
 
   void draw(const ImDrawList& list, int top) const {
+    if (list.VtxBuffer.empty()) return;
     const Gl& gl = gl_context->gl();
     const ImDrawVert* const vertices = list.VtxBuffer.Data;
     constexpr GLsizei kStride = sizeof(ImDrawVert);
