@@ -82,7 +82,7 @@ class OsMesaContext : public GlContext {
                                             kMajor,  2,          kMinor,     1,        0};
     context_ = mesa_.create(attributes.data(), nullptr);
     if (!context_) throw Unavailable("no context (RGBA, compatibility profile, 2.1)");
-    find_functions(gl_, mesa_.function);
+    find_functions(functions, mesa_.function);
   }
   ~OsMesaContext() override {
     if (context_) mesa_.destroy(context_);
@@ -100,7 +100,7 @@ class OsMesaContext : public GlContext {
     }
     mesa_.pixel_store(kYUp, 0);
   }
-  void end(Image& /*image*/) override { gl_.Finish(); }
+  void end(Image& /*image*/) override { functions.Finish(); }
 
  private:
   OsMesa mesa_;
@@ -169,7 +169,7 @@ class EglContext : public GlContext {
       close();
       throw Unavailable(fmt::format("no context of OpenGL with {}x{} pixels", width, height));
     }
-    find_functions(gl_, egl_.GetProcAddress);
+    find_functions(functions, egl_.GetProcAddress);
   }
   ~EglContext() override { close(); }
   EglContext(const EglContext&) = delete;
@@ -186,8 +186,8 @@ class EglContext : public GlContext {
   }
   void end(Image& image) override {
     constexpr GLenum kPackInvert = 0x8758;  // GL_MESA_pack_invert: rows from top to bottom
-    gl_.PixelStorei(kPackInvert, 1);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    functions.PixelStorei(kPackInvert, 1);
+    functions.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   }
 
  private:

@@ -48,7 +48,7 @@ enum class Renderer { osmesa, egl };
 
 /// The functions of OpenGL 2.1 that drawing here uses, under their names without "gl".
 struct Gl {
-#define GJKSCOPE_MEMBER(name) decltype(&::gl##name) name = nullptr;
+#define GJKSCOPE_MEMBER(name) decltype (&::gl##name)(name) = nullptr;
   GJKSCOPE_GL_FUNCTIONS(GJKSCOPE_MEMBER)
 #undef GJKSCOPE_MEMBER
 };
@@ -65,10 +65,10 @@ class GlContext {
   virtual void begin(Image& image) = 0;
   /// All that was drawn is in the image of `begin`.
   virtual void end(Image& image) = 0;
-  [[nodiscard]] const Gl& gl() const { return gl_; }
+  [[nodiscard]] const Gl& gl() const { return functions; }
 
  protected:
-  Gl gl_;
+  Gl functions;
 };
 
 /// The wanted renderer, or the first of the list that is there. Throws std::runtime_error saying
