@@ -48,7 +48,8 @@ enum class Renderer { osmesa, egl };
 
 /// The functions of OpenGL 2.1 that drawing here uses, under their names without "gl".
 struct Gl {
-#define GJKSCOPE_MEMBER(name) decltype (&::gl##name)(name) = nullptr;
+// A declared name cannot stand in parentheses.
+#define GJKSCOPE_MEMBER(name) decltype(&::gl##name) name{};  // NOLINT(bugprone-macro-parentheses)
   GJKSCOPE_GL_FUNCTIONS(GJKSCOPE_MEMBER)
 #undef GJKSCOPE_MEMBER
 };
