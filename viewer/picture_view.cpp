@@ -291,8 +291,9 @@ void PictureView::press(const Subject& subject, const Point& page) {
       return;
     }
   }
-  drag_ = Drag{subject, *view, page, to_view(*view, page)};
-  selected = is_vertex(subject) || is_shape(subject) ? subject : Subject{};
+  const Subject taken = held(subject);
+  drag_ = Drag{taken, *view, page, to_view(*view, page)};
+  selected = is_vertex(taken) || is_shape(taken) ? taken : Subject{};
 }
 
 void PictureView::continue_drag(const Point& page) {

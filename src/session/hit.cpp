@@ -92,6 +92,11 @@ Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, d
   return best;
 }
 
+Subject held(const Subject& subject) {
+  if (subject.kind != Kind::tree_node) return subject;
+  return {subject.x >= 0 ? Kind::shape_x : Kind::shape_y};
+}
+
 bool is_linked(const Subject& a, const Subject& b) {
   if (a == b) return a.kind != Kind::none;
   const auto made_of = [](const Subject& pair, const Subject& vertex) {

@@ -11,6 +11,9 @@ namespace gjkscope {
 [[nodiscard]] Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p,
                                  double slack);
 
+/// What a hand takes there: with a volume of a tree the shape that it bounds a part of.
+[[nodiscard]] Subject held(const Subject& subject);
+
 /// True when the two are parts of the same thing: a vertex of the difference and the vertices that
 /// made it.
 [[nodiscard]] bool is_linked(const Subject& a, const Subject& b);

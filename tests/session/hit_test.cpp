@@ -36,6 +36,13 @@ TEST(Hit, TheNearerOfTwoPointsIsMeant) {
   EXPECT_EQ(1, subject_at(picture, fonts(), {45, 40}, 7.0).x);
 }
 
+TEST(Hit, WithAVolumeOfATreeItsShapeIsTaken) {
+  EXPECT_EQ(held({Kind::tree_node, 3}).kind, Kind::shape_x);
+  EXPECT_EQ(held({Kind::tree_node, -1, 3}).kind, Kind::shape_y);
+  const Subject vertex{Kind::vertex_of_x, 2};
+  EXPECT_EQ(held(vertex), vertex);
+}
+
 TEST(Hit, WhatIsCutOffIsNotHit) {
   Picture picture;
   picture.clips.push_back({{0, 0}, {20, 20}});
