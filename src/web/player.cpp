@@ -296,7 +296,7 @@ Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
 
 void Player::press(const Point& at) {
   drag_.reset();
-  const Subject subject = held(subject_at(session_.picture(), fonts_, at, 2.0 * kSlack));
+  const Subject subject = gjkscope::held(subject_at(session_.picture(), fonts_, at, 2.0 * kSlack));
   const std::optional<std::size_t> view = view_at(session_, at);
   if (!view) return;
   const bool in_world = session_.views()[*view].kind == ViewKind::world;
