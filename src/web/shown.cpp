@@ -24,8 +24,8 @@ constexpr double kTimelineHeight = 66.0;
 
 /// Whether all texts of a panel are within it and apart.
 bool fits(const Picture& picture, const Fonts& fonts) {
-  constexpr double kEdge = 10.0;
-  constexpr double kGap = 6.0;
+  constexpr double kEdge = 8.0;
+  constexpr double kGap = 5.0;
   constexpr double kTouching = 0.01;
   std::vector<Rect> boxes;
   for (const Mark& mark : picture.marks) {
@@ -157,8 +157,10 @@ void Player::measure_panel() {
   panel_height_ = 0.0;
   panel_width_ = panel_room_;
   constexpr double kFiner = 2.0;
+  constexpr double kLeastType = 14.0;
+  const double widest = panel_room_ * type::kBody.size / kLeastType;
   for (const Frame& frame : frames) {
-    while (panel_width_ < kWidePanel && !fits(panel(frame, panel_width_), fonts_))
+    while (panel_width_ + kFiner <= widest && !fits(panel(frame, panel_width_), fonts_))
       panel_width_ += kFiner;
   }
   constexpr double kPad = 14.0;
