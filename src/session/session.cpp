@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
@@ -230,7 +231,6 @@ Lesson Session::lesson_as_seen() const {
 }
 
 bool Session::show(LabelScope scope) {
-  const Moment was = shown_ ? moments()[static_cast<std::size_t>(index_)] : Moment{};
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
@@ -240,6 +240,7 @@ bool Session::show(LabelScope scope) {
   if (problem_.empty() && run.frames.empty()) problem_ = "the run has no frame to show";
   if (!problem_.empty()) return false;
   const bool first = !shown_;
+  const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
   shown_ = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
   index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
   lay_out(scope);
@@ -258,17 +259,15 @@ EffectGraph& Session::effects() { return shown_->effects; }
 
 std::vector<Session::Moment> Session::moments() const {
   const std::vector<std::string_view> phases = run().phases();
+  std::map<std::tuple<int, int, int>, int> steps;  // of a phase in an iteration, so far
   std::vector<Moment> list;
   for (const Frame& frame : run().frames) {
     const StepInfo info = run().info(frame);
     const auto phase = std::find(phases.begin(), phases.end(), info.phase);
     Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part()});
     if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
-    if (!frame.steps_over) continue;
     // Another run comes there in another number of steps.
-    now.part = static_cast<int>(std::count_if(list.begin(), list.end() - 1, [&](const Moment& m) {
-      return std::tie(m.run, m.iteration, m.phase) == std::tie(now.run, now.iteration, now.phase);
-    }));
+    if (frame.steps_over) now.part = steps[{now.run, now.iteration, now.phase}]++;
   }
   return list;
 }
@@ -329,23 +328,28 @@ bool Session::go_to_next(std::string_view phase) {
 }
 
 std::optional<int> Session::next(Event event) const {
+  if (event != Event::run_ends && run().act->algorithm != nullptr) return std::nullopt;
   const std::vector<Frame>& frames = run().frames;
-  const bool is_gjk = run().act->algorithm == nullptr;
-  const gjk::Simplex<double, 2>& simplex = run().state(frame()).simplex;
-  for (int i = index_ + 1; i < frame_count(); ++i) {
-    const Frame& later = frames[static_cast<std::size_t>(i)];
-    if (later.question >= 0) continue;
-    const bool ends =
-        i + 1 == frame_count() || frames[static_cast<std::size_t>(i) + 1].run != later.run;
-    const bool is_dropped = is_gjk && later.step >= 0 && !run().step(later).record.dropped.empty();
-    if (event == Event::run_ends && ends) return i;
-    if (event == Event::vertex_dropped && is_dropped) return i;
-    const gjk::Simplex<double, 2>& other = run().state(later).simplex;
-    const bool is_same =
-        other.count == simplex.count &&
-        std::all_of(other.vertices.begin(), other.vertices.begin() + other.count,
-                    [&](const auto& vertex) { return has_pair(simplex, vertex.pair); });
-    if (event == Event::simplex_changes && is_gjk && !is_same) return i;
+  const gjk::Simplex<double, 2>& now = run().state(frame()).simplex;
+  const auto is_another = [&](const gjk::Simplex<double, 2>& later) {
+    return later.count != now.count ||
+           std::any_of(later.vertices.begin(), later.vertices.begin() + later.count,
+                       [&](const auto& vertex) { return !has_pair(now, vertex.pair); });
+  };
+  const auto shows = [&](const Frame& later, const Frame* after) {
+    switch (event) {
+      case Event::simplex_changes:
+        return is_another(run().state(later).simplex);
+      case Event::vertex_dropped:
+        return later.step >= 0 && !run().step(later).record.dropped.empty();
+      case Event::run_ends:
+        return after == nullptr || after->run != later.run;
+    }
+    return false;
+  };
+  for (std::size_t i = static_cast<std::size_t>(index_) + 1; i < frames.size(); ++i) {
+    const Frame* const after = i + 1 < frames.size() ? &frames[i + 1] : nullptr;
+    if (frames[i].question < 0 && shows(frames[i], after)) return static_cast<int>(i);
   }
   return std::nullopt;
 }

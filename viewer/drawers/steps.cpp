@@ -31,7 +31,8 @@ std::vector<std::string> columns_of(const std::vector<FrameText>& texts) {
   return names;
 }
 
-void draw_steps(App& app) {
+/// `shown`: the frame that was in sight when it was drawn last.
+void draw_steps(App& app, int& shown) {
   Session& session = app.session();
   for (const RunUntil& each : kRunUntil) app.draw_button(each.name, -1.0f);
   const std::vector<FrameText>& texts = session.texts();
@@ -46,7 +47,6 @@ void draw_steps(App& app) {
   ImGui::TableHeadersRow();
   // What is asked before it is told is not in the table before it was told.
   const int count = session.is_predicting() ? session.index() + 1 : session.frame_count();
-  static int shown = -1;
   for (int i = 0; i < count; ++i) {
     const FrameText& text = texts[static_cast<std::size_t>(i)];
     const bool is_now = i == session.index();
@@ -72,7 +72,7 @@ void draw_steps(App& app) {
 
 Drawer steps_drawer(App& app) {
   Drawer drawer{"Steps", "J", "All steps in a table, and how to run to the one you look for",
-                [&app] { draw_steps(app); }};
+                [&app, shown = -1]() mutable { draw_steps(app, shown); }};
   for (const RunUntil& each : kRunUntil) {
     drawer.commands.push_back(
         {each.name,
