@@ -104,9 +104,7 @@ struct Canvas::Context {
   }
 
   void paint(const Picture& picture, Image& image) {
-    image.width = options.width;
-    image.height = options.height;
-    image.pixels.resize(static_cast<std::size_t>(options.width) * options.height * kChannels);
+    image.resize(options.width, options.height);
     const std::size_t list_count = build_lists(picture);
     for (int top = 0; top < height; top += band_rows) {
       gl_context->begin(band);

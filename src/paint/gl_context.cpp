@@ -92,9 +92,7 @@ class OsMesaContext : public GlContext {
 
   void begin(Image& image) override {
     constexpr GLint kYUp = 0x11;
-    image.width = width_;
-    image.height = height_;
-    image.pixels.resize(static_cast<std::size_t>(width_) * height_ * 4);
+    image.resize(width_, height_);
     if (!mesa_.make_current(context_, image.pixels.data(), GL_UNSIGNED_BYTE, width_, height_)) {
       throw Unavailable(fmt::format("no drawing on {}x{} pixels", width_, height_));
     }
@@ -176,9 +174,7 @@ class EglContext : public GlContext {
   EglContext& operator=(const EglContext&) = delete;
 
   void begin(Image& image) override {
-    image.width = width_;
-    image.height = height_;
-    image.pixels.resize(static_cast<std::size_t>(width_) * height_ * 4);
+    image.resize(width_, height_);
     egl_.BindAPI(EGL_OPENGL_API);
     if (!egl_.MakeCurrent(display_, surface_, surface_, context_)) {
       throw Unavailable(fmt::format("no drawing on {}x{} pixels", width_, height_));

@@ -1,6 +1,7 @@
 #pragma once
 // Pixels.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,13 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
+
+  void resize(int new_width, int new_height) {
+    width = new_width;
+    height = new_height;
+    pixels.resize(std::size_t{4} * static_cast<std::size_t>(width) *
+                  static_cast<std::size_t>(height));
+  }
 };
 
 /// Averages squares of `factor` x `factor` pixels, rounded to nearest, from row `first` of `small`
