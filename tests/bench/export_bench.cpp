@@ -11,28 +11,19 @@
 
 #include "effects/graph.hpp"
 #include "export/export.hpp"
-#include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "sample_picture.hpp"
+#include "shipped_lessons.hpp"
 
 namespace {
 
 using namespace gjkscope;
 
 const std::filesystem::path kSource = GJKSCOPE_SOURCE_DIR;
-
-std::vector<Lesson> shipped_lessons() {
-  std::vector<Lesson> lessons;
-  for (LoadedLesson& loaded : load_lessons(kSource / "lessons", vocabulary())) {
-    if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
-    lessons.push_back(std::move(*loaded.lesson));
-  }
-  return lessons;
-}
 
 /// A canvas and a frame painted on it.
 struct Studio {
@@ -51,7 +42,7 @@ BENCHMARK(prepare_canvas)->Unit(benchmark::kMillisecond);
 
 void build_pictures(benchmark::State& state) {
   const Fonts fonts(kSource / "assets" / "fonts.toml");
-  const std::vector<Lesson> lessons = shipped_lessons();
+  const std::vector<Lesson> lessons = bench::shipped_lessons();
   std::size_t frames = 0;
   for ([[maybe_unused]] auto _ : state) {
     for (const Lesson& lesson : lessons) {
@@ -81,7 +72,7 @@ void encode(benchmark::State& state) {
 BENCHMARK(encode)->Unit(benchmark::kMillisecond);
 
 void export_all_lessons(benchmark::State& state) {
-  const std::vector<Lesson> lessons = shipped_lessons();
+  const std::vector<Lesson> lessons = bench::shipped_lessons();
   ExportOptions options;
   options.out_dir = std::filesystem::temp_directory_path() / "gjkscope-export-bench";
   options.assets_dir = kSource / "assets";

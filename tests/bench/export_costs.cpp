@@ -23,13 +23,13 @@
 #include "document.hpp"
 #include "export/export.hpp"
 #include "lesson/file.hpp"
-#include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
 #include "picture/registry.hpp"
 #include "sample_picture.hpp"
+#include "shipped_lessons.hpp"
 #include "study/interleave.hpp"
 
 namespace {
@@ -89,20 +89,11 @@ void stay_on_one_core() {
   ::sched_setaffinity(0, sizeof set, &set);
 }
 
-std::vector<Lesson> shipped_lessons() {
-  std::vector<Lesson> lessons;
-  for (LoadedLesson& loaded : load_lessons(kSource / "lessons", vocabulary())) {
-    if (!loaded.lesson) throw std::runtime_error(to_string(loaded.problems.front()));
-    lessons.push_back(std::move(*loaded.lesson));
-  }
-  return lessons;
-}
-
 class Bench {
  public:
   explicit Bench(const fs::path& folder)
       : folder_(folder),
-        lessons_(shipped_lessons()),
+        lessons_(bench::shipped_lessons()),
         fonts_(kSource / "assets" / "fonts.toml"),
         theme_(Theme::load(kSource / "assets" / "themes", "light")) {
     write_whole(folder_ / "plain.svg",
