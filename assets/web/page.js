@@ -127,8 +127,9 @@ function layout(theme = themeName($("theme").value)) {
   root.dataset.theme = theme;
   const width = $("stage").clientWidth / zoom;
   const top = ($("stage").getBoundingClientRect().top + scrollY) / zoom;
-  // Of controls and timeline, and of the longest words, so that they are in sight.
-  const below = 194 + 27 * Math.ceil((8.9 * longest) / Math.min(width, 1080));
+  // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
+  const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
+  const below = controls + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
   const fit = Math.max(330, innerHeight / zoom - top - below);
   const two = data.views > 1;
   const height = width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);

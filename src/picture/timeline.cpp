@@ -87,18 +87,17 @@ void name_ticks(std::vector<Mark>& marks, const std::vector<PlacedTick>& ticks, 
       place(placed, tick.label, true);
       return;
     }
-    const std::string& brief = tick.short_label.empty() ? tick.label : tick.short_label;
     const bool is_told = placed.is_named && !tick.question && place(placed, tick.label, false);
-    if (!is_told) place(placed, brief, placed.is_event());
+    if (is_told) return;
+    place(placed, tick.short_label.empty() ? tick.label : tick.short_label, placed.is_event());
   };
-  for (const PlacedTick& placed : ticks) {
-    if (placed.is_current) name(placed);
-  }
-  for (const PlacedTick& placed : ticks) {
-    if (!placed.is_current && placed.is_event()) name(placed);
-  }
-  for (const PlacedTick& placed : ticks) {
-    if (!placed.is_current && !placed.is_event() && placed.is_named) name(placed);
+  const auto rank = [](const PlacedTick& placed) {
+    return placed.is_current ? 0 : placed.is_event() ? 1 : placed.is_named ? 2 : 3;
+  };
+  for (int now = 0; now < 3; ++now) {
+    for (const PlacedTick& placed : ticks) {
+      if (rank(placed) == now) name(placed);
+    }
   }
 }
 

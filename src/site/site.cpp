@@ -232,7 +232,7 @@ class SiteWriter {
                {"name", data["name"]},
                {"files", data["files"]}});
     const bool two = lesson.views.size() > 1;
-    // In two sizes: of the narrowest pages with one column and with two, so that type never
+    // In two sizes: those of the narrowest page with one column and with two, so that type never
     // shrinks.
     for (const auto& [name, width, height, panel] :
          {std::tuple("narrow", 360, two ? 620 : 325, 360),

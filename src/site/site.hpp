@@ -20,9 +20,8 @@ struct SiteOptions {
 
 /// Writes `<lesson>.html` for each lesson; with `index` also index.html, playground.html and
 /// about.html. Each file appears whole or not at all; the same lessons give the same bytes. Throws
-/// std::runtime_error, naming the path, when something cannot be read or written, or
-/// would replace what was not exported; when there is no program for browsers it says how to build
-/// it.
+/// std::runtime_error, naming the path, when something cannot be read or written, or would replace
+/// what was not exported; when there is no program for browsers it says how to build it.
 [[nodiscard]] std::vector<std::filesystem::path> export_site(const std::vector<Lesson>& lessons,
                                                              const SiteOptions& options);
 
