@@ -26,6 +26,8 @@ struct StagedAct {
   /// Where in the lesson a frame that asks nothing is: "iteration 2 of 4 · support".
   std::string (*position)(const LessonRun& run, int index) = nullptr;
   Tick (*tick)(const LessonRun& run, const Frame& frame) = nullptr;
+  /// The words of a frame that shows the start of a run of GJK.
+  void (*start)(const Story& story, FrameText& text) = captions::start;
   /// The words of a frame that shows a step.
   void (*words)(const Story& story, FrameText& text) = nullptr;
   /// Draws what the step adds to a view; layers below and above it do the rest (layers/).

@@ -21,12 +21,12 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
     text.phase = "question";
     text.iteration = run.answering_iteration(frame);
   } else if (frame.step < 0 && !frame.steps_over) {
-    captions::start(story, text);
+    act.start(story, text);
   } else {
     act.words(story, text);
     if (run.lesson.has_block(blocks::kDirectionRules.name)) captions::direction_rules(story, text);
     if (story.shows(SecondRun::kName)) captions::second_run(story, text);
-    if (story.shows(ShapeHull::kName)) captions::shape_hull(story, text);
+    if (run.act->follows_run && story.shows(ShapeHull::kName)) captions::shape_hull(story, text);
   }
   act.values(story, text);
   text.prose = expand(run.lesson.prose,

@@ -8,13 +8,15 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 17> kEntries = {
+constexpr std::array<LegendEntry, 19> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
      {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
      {"closest", "closest point"},
      {"dropped", "dropped vertex"},
      {"support.plane", "support line, normal to d"},
+     {"query.earlier", "an earlier place of Q"},
+     {"support.best", "best support line so far"},
      {"support.axis.foot", "foot: how far along"},
      {"projection.point", "foot of the perpendicular from Q"},
      {"closest.circle", "as far away as P"},
@@ -28,8 +30,8 @@ constexpr std::array<LegendEntry, 17> kEntries = {
      {"path.now", "middle of a shape, on its way"}}};
 
 constexpr double kGlyph = 28.0;
-constexpr double kPad = 12.0;
-constexpr double kRow = 24.0;
+constexpr double kLegendPad = 12.0;
+constexpr double kLegendRow = 24.0;
 
 /// A mark like those of the scene, of the size of a letter.
 struct Glyph {
@@ -114,19 +116,19 @@ const Mark* mark_of(const Scene& scene, std::string_view role) {
 Point legend_size(const std::vector<LegendRow>& rows, const Fonts& fonts) {
   double width = 0.0;
   for (const LegendRow& row : rows)
-    width = std::max(width, kGlyph + fonts.width(type::kText, row.text) + 2.0 * kPad);
-  return {width, kRow * static_cast<double>(rows.size()) + kPad};
+    width = std::max(width, kGlyph + fonts.width(type::kText, row.text) + 2.0 * kLegendPad);
+  return {width, kLegendRow * static_cast<double>(rows.size()) + kLegendPad};
 }
 
 std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, const Fonts& fonts) {
   std::vector<Mark> marks = {{"legend.box", Box{{at, at + legend_size(rows, fonts)}, 9.0}}};
-  const double x = at.x() + kPad;
-  double y = at.y() + 0.5 * (kRow + kPad);
+  const double x = at.x() + kLegendPad;
+  double y = at.y() + 0.5 * (kLegendRow + kLegendPad);
   for (const LegendRow& row : rows) {
     marks.push_back({row.mark->role, std::visit(Glyph{{x + 10.0, y}}, row.mark->shape)});
     const double base = y + 0.5 * fonts.cap_height(type::kText);
     marks.push_back({"legend", Text{{x + kGlyph, base}, std::string(row.text), type::kText}});
-    y += kRow;
+    y += kLegendRow;
   }
   return marks;
 }

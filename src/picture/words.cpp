@@ -218,6 +218,28 @@ std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& si
   return out;
 }
 
+std::string stop_test(const LessonRun& run, const Frame& frame) {
+  const gjk::StopReason stop = run.state(frame).stop;
+  switch (stop) {
+    case gjk::StopReason::running:
+      return "no";
+    case gjk::StopReason::repeated_support:
+      return "V in S";
+    case gjk::StopReason::no_progress:
+      return run.run(frame).follows_support(frame.step) ? "V no farther" : "P no closer";
+    case gjk::StopReason::origin_inside:
+      return query_name(run) + " inside S";
+    case gjk::StopReason::zero_direction:
+      return "d = 0";
+    default:
+      return std::string(name_of(stop));
+  }
+}
+
+std::vector<std::string> stop_tests(const LessonRun& run) {
+  return {"V in S", "V no farther", "P no closer", query_name(run) + " inside S", "d = 0"};
+}
+
 std::string query_name(const LessonRun& run) {
   return run.point_query() ? run.lesson.x().vertex_names[0] : "O";
 }

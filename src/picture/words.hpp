@@ -79,6 +79,11 @@ class SimplexWords {
 [[nodiscard]] std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex,
                                        bool of_x);
 
+/// The test that ends a run in a stop step: "V in S", "P no closer"; "no" where none does.
+[[nodiscard]] std::string stop_test(const LessonRun& run, const Frame& frame);
+/// All there are in lessons.
+[[nodiscard]] std::vector<std::string> stop_tests(const LessonRun& run);
+
 /// The query point: "Q", or "O" between polygons.
 [[nodiscard]] std::string query_name(const LessonRun& run);
 

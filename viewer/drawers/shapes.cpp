@@ -8,6 +8,7 @@
 namespace gjkscope {
 namespace {
 
+using Kind = Subject::Kind;
 using Eigen::Vector2d;
 
 /// The coordinates of a vertex in two fields; where one was typed, the vertex it makes.
@@ -33,7 +34,6 @@ std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
 }
 
 void draw_shape(App& app, std::size_t body) {
-  using Kind = Subject::Kind;
   const bool is_x = body == 0;
   const LessonShape& shape = app.session().lesson().bodies[body];
   ImGui::Separator();

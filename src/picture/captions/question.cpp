@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "lesson/names.hpp"
 #include "lesson/questions.hpp"
 #include "picture/captions/story.hpp"
 
@@ -97,9 +96,10 @@ class Asking {
   }
 
   void stop() {
-    asked_.choices = {"no",   "V in S", "V no farther", "P no closer", story_.q + " inside S",
-                      "d = 0"};
-    asked_.answer = stop_test();
+    asked_.choices = stop_tests(run_);
+    asked_.choices.insert(asked_.choices.begin(), "no");
+    asked_.answer =
+        stop_test(run_, {.run = story_.frame.run, .step = story_.frame.answering_step + 1});
     if (std::find(asked_.choices.begin(), asked_.choices.end(), asked_.answer) ==
         asked_.choices.end())
       asked_.choices.push_back(asked_.answer);
@@ -109,25 +109,6 @@ class Asking {
   }
 
  private:
-  /// The test that ends the run in this iteration, or "no".
-  [[nodiscard]] std::string stop_test() const {
-    const gjk::StopReason stop = next_step().after.stop;
-    switch (stop) {
-      case gjk::StopReason::running:
-        return "no";
-      case gjk::StopReason::repeated_support:
-        return "V in S";
-      case gjk::StopReason::no_progress:
-        return step_.phase == gjk::Phase::support ? "V no farther" : "P no closer";
-      case gjk::StopReason::origin_inside:
-        return story_.q + " inside S";
-      case gjk::StopReason::zero_direction:
-        return "d = 0";
-      default:
-        return std::string(name_of(stop));
-    }
-  }
-
   /// Where what is asked for happens, if not in the step that tells it.
   [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];

@@ -80,6 +80,13 @@ void direction_rules(const Story& story, FrameText& text);
 // second_run.cpp: where the two runs part
 void second_run(const Story& story, FrameText& text);
 
+// issues.cpp
+/// What could go wrong where Q stands.
+void issue(const Story& story, FrameText& text);
+/// What GJK does about it.
+void issue_solved(const Story& story, FrameText& text);
+void issue_question(const Story& story, FrameText& text);
+
 // shape_hull.cpp: what a vertex inside of the hull is to GJK
 void shape_hull(const Story& story, FrameText& text);
 

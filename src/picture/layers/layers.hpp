@@ -30,6 +30,10 @@ namespace layers {
 /// How the difference is built, in both views.
 void building(SceneBuilder& scene);
 
+// issues.cpp
+/// The step, with the whole triangle where it holds Q, and d where that is the question.
+void issue(SceneBuilder& scene);
+
 // run.cpp
 /// The support line that the lower bound comes from, where it is not that of the frame's search.
 void best_support_line(SceneBuilder& scene);

@@ -17,7 +17,7 @@ void shape_hull(SceneBuilder& scene) {
   };
   draw(hulls.x, scene.positioned.x().world);
   draw(hulls.y, scene.positioned.y().world);
-  if (scene.run.point_query() && !hulls.y.inside.empty() &&
+  if (scene.run.point_query() && !hulls.y.inside.empty() && hulls.outline_distance > 0.0 &&
       scene.state.stop != gjk::StopReason::running) {
     const Point q = scene.at(scene.positioned.x().world[0]);
     scene.line("outline.line", q, scene.at(hulls.outline_point));

@@ -140,7 +140,7 @@ bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   constexpr std::array<KeyEntry, 5> kEntries = {
       {{[](const Point& at) { return current_mark(at); }, "now"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
-       {[](const Point& at) { return better_mark(at, kNodeRadius); }, "new δ"},
+       {[](const Point& at) { return better_mark(at, kNodeRadius); }, "new candidate"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
        {[](const Point& at) { return node_mark(NodeState::cut, at, kNodeRadius); }, "cut"}}};
   key(scene, fonts, kEntries);

@@ -97,10 +97,11 @@ class Telling {
 
   void cut() {
     const bool is_one = pairs_below() == 1;
-    const std::string spared =
-        is_one ? format("The pair of {}s is not tested.", content())
-               : format("{} · {} pairs of {}s are spared.", shown_.node(true).count,
-                        shown_.node(false).count, content());
+    const std::string spared = is_one
+                                   ? format("The pair of {}s is not tested.", content())
+                                   : format("{} pairs of {}s are spared: {} in a times {} in b.",
+                                            grouped(static_cast<double>(pairs_below())), content(),
+                                            shown_.node(true).count, shown_.node(false).count);
     if (shown_.is_distance()) {
       text_.caption = format("{} are {} apart, farther than {}: cut.", visited(), bound(), delta());
       text_.detail = "No segment in a is nearer to one in b than the candidate. " + spared;
@@ -134,7 +135,8 @@ class Telling {
       text_.caption = format("Visit {}: both are leaves. Their segments are {} apart, too.",
                              shown_.state.visits, length);
       text_.detail =
-          "They share the closest vertex. Of equal pairs the first in the outlines counts.";
+          "They share the closest vertex. Of equally close pairs the first in the outlines is "
+          "taken.";
     } else if (record.better) {
       text_.caption =
           format("Visit {}: both are leaves. Their segments are {} apart: that is δ now.",

@@ -59,8 +59,8 @@ const StagedAct kAct{
     .values = values,
 };
 
-constexpr std::array kLegend = {LegendEntry{"feature.vertex", "current feature"},
-                                LegendEntry{"feature.edge", "current feature"},
+constexpr std::array kLegend = {LegendEntry{"feature.vertex", "current feature, a vertex"},
+                                LegendEntry{"feature.edge", "current feature, an edge"},
                                 LegendEntry{"walk.region.x", "region of fx: beside the ticks"},
                                 LegendEntry{"walk.region.y", "region of fy: beside the ticks"}};
 constexpr std::array kActs = {&kAct};
