@@ -241,10 +241,6 @@ const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
 }
 
-double LessonRun::seconds(const Frame& frame) const {
-  return lesson.time->at(frame.run)[static_cast<std::size_t>(*frame.moment)];
-}
-
 std::string pair_name(const std::vector<std::string>& x_names,
                       const std::vector<std::string>& y_names, gjk::VertexPair pair) {
   const std::string& y = y_names[pair.y];

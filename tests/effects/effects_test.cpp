@@ -181,7 +181,7 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   EXPECT_EQ(second.run.x().world, run.runs[0].x().world);
   EXPECT_EQ(second.run.y().world, run.runs[0].y().world);
   ASSERT_GE(second.parting, 0);
-  const Frame parting{0, second.parting, -1};
+  const Frame parting{0, second.parting};
   EXPECT_EQ(run.step(parting).iteration, 1);
   EXPECT_EQ(run.pair_name(run.state(parting).support.pair), "B");
   const gjk::Step<double, 2>* beside = step_beside(second, run, parting);
@@ -211,7 +211,7 @@ TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
   const LessonRun run = run_lesson(lesson);
   EffectGraph graph(run);
   EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);
-  EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {0, -1, -1}), nullptr);
+  EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {}), nullptr);
 }
 
 TEST(EveryScalar, RoundsTheVerticesOfTheFileAndSaysWhereRunsPart) {
