@@ -121,6 +121,8 @@ TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
           << lesson.path << ": [expect] needs 'stop', 'supports' and 'distance'";
     } else {
       EXPECT_FALSE(expect.answers.empty()) << lesson.path << ": [expect] needs 'answer'";
+      EXPECT_EQ(expect.stop.has_value(), !run.act->algorithm->stops.empty())
+          << lesson.path << ": [expect] needs 'stop' where the algorithm has stop reasons";
     }
     for (const Problem& problem : check_expectation(run)) ADD_FAILURE() << to_string(problem);
   }

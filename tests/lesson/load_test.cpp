@@ -116,7 +116,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
   EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
   EXPECT_EQ(lesson.listing, "gjk");
-  EXPECT_EQ(lesson.expect.stop, gjk::StopReason::no_progress);
+  EXPECT_EQ(lesson.expect.stop, "no-progress");
   EXPECT_EQ(lesson.expect.supports, (std::vector<std::string>{"K-B"}));
   EXPECT_EQ(lesson.expect.distance, 2.5);
 }

@@ -103,7 +103,8 @@ Lines gjk_lines(const LessonRun& run) {
   Lines lines = {
       {"S ← initial simplex"},
       {"loop"},
-      {point ? "  P ← closest point to Q on S" : "  P ← closest point on S", Phase::closest},
+      {point ? format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
+       Phase::closest},
       {"  drop vertices without weight", Phase::cull},
       {format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
        {},

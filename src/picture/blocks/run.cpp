@@ -226,8 +226,10 @@ void direction_rules(PanelBuilder& panel) {
   for (const gjk::DirectionRule rule :
        {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
     const bool towards = rule == gjk::DirectionRule::towards_origin;
-    panel.write("strong", panel.left, towards ? "d = Q − P" : format("d = cross({}, z)", edge),
-                type::kStrong);
+    panel.write(
+        "strong", panel.left,
+        towards ? format("d = {} − P", query_name(panel.run)) : format("d = cross({}, z)", edge),
+        type::kStrong);
     const bool used = panel.run.lesson.options.direction_rule == rule;
     panel.write("body.muted", panel.right, used ? "used by this run" : "for comparison",
                 type::kTick, Align::right);

@@ -112,8 +112,9 @@ void orders(const Story& story, FrameText& text) {
   if (stage == OrderStage::numbers) {
     text.caption = format(
         "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
-    text.detail =
-        "A short edge test asks for the sign of one area: for AB, wABC ≤ 0. Next: vertices first.";
+    text.detail = format(
+        "A short edge test asks for the sign of one area: for {}, {} ≤ 0. Next: vertices first.",
+        story.words.face(0b011), story.words.coordinate(story.state.simplex.all(), 2));
     return;
   }
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
