@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lesson/load.hpp"
-#include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"
 
 namespace gjkscope {

@@ -2,14 +2,12 @@
 // as text, a few pictures as lists of marks, and fewer still as pixels. A change that is meant is
 // taken over by `scripts/golden`, and shows in the diff.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 #include <sstream>
 

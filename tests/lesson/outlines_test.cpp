@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"

@@ -12,7 +12,6 @@
 
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
-#include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"

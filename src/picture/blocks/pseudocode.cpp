@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <string_view>
 
 #include "effects/barycentric.hpp"
 #include "picture/acts/pairs.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "effects/rounded_pair.hpp"
 #include "picture/blocks/blocks.hpp"

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "effects/rounded_pair.hpp"
-#include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
 #include "picture/study_words.hpp"
 
