@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "app.hpp"
-#include "files.hpp"
 #include "imgui_vec.hpp"
 #include "widgets.hpp"
 

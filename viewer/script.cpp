@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "lesson/file.hpp"
-#include "lesson/names.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {

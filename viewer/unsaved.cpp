@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <random>
 #include <span>
-#include <stdexcept>
 
 #include "lesson/file.hpp"
 #include "lesson/save.hpp"

@@ -45,7 +45,7 @@ std::vector<Problem> problems_of_run(const Lesson& lesson) {
   std::vector<Problem> problems = check_expectation(run_lesson(lesson));
   for (const auto& [key, text] : texts_of(lesson)) {
     if (const char32_t missing = Fonts::first_missing(text); missing != 0) {
-      const Place place = place_of(lesson.path, key);
+      const Place place = place_of_key(lesson.path, key);
       problems.push_back({lesson.path, place.line, place.column,
                           fmt::format("no font has the character U+{:04X} of \"{}\"",
                                       static_cast<std::uint32_t>(missing), text),

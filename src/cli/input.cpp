@@ -8,7 +8,6 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "effects/registry.hpp"
 #include "lesson/file.hpp"
 #include "picture/registry.hpp"
 

@@ -100,6 +100,11 @@ std::array<double, 2> arms_of(const Beam& beam) {
           (1.0 - beam.support) * std::cos(beam.angle) + sideways};
 }
 
+double seconds_of(const LessonRun& run, const Frame& frame) {
+  const int moment = frame.part.as<BeamMoment>()->index;
+  return run.lesson.time->at(frame.run)[static_cast<std::size_t>(moment)];
+}
+
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
                         const LessonTime& time, int position, double step) {
   const Swing pulls{masses, balance_point, time};

@@ -15,6 +15,13 @@ struct Beam {
   bool on_ground = false;  ///< The ground keeps an end from going lower.
 };
 
+/// Part of a step that a beam is shown at several moments of: an index into those of its position.
+struct BeamMoment {
+  int index = 0;
+};
+/// Of a frame with such a part.
+[[nodiscard]] double seconds_of(const LessonRun& run, const Frame& frame);
+
 /// How high a level beam is over the ground, as a fraction of the beam's length.
 inline constexpr double kBeamHeight = 0.19;
 /// How high the axle that the beam hangs from is over it, in the same unit. A beam that hangs has a

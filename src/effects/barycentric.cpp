@@ -23,7 +23,7 @@ EffectKey BarycentricWeights::key(const LessonRun& run, const Frame& frame) {
 BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const LessonRun& run,
                                                       const Frame& frame) {
   Value value;
-  value.simplex = run.state({frame.run, closest_step(run, frame), -1}).simplex;
+  value.simplex = run.state({frame.run, closest_step(run, frame)}).simplex;
   if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
     const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex, run.run(frame).exponent);

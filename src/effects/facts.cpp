@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "effects/region_orders.hpp"
 #include "effects/registry.hpp"
 
 namespace gjkscope {
@@ -12,20 +13,20 @@ using gjk::Phase;
 /// P is found by a step that measures or uses it; where frames take such a step apart, by the last.
 bool knows_closest_point(const Frame& frame, const FrameFacts::Value& facts) {
   if (!facts.phase || facts.phase_is(Phase::add)) return false;
-  if (frame.order) return frame.order > OrderStage::numbers;
-  if (!frame.tests) return true;
-  return frame.tests > 0 && facts.region_tests[static_cast<std::size_t>(*frame.tests - 1)].holds;
+  if (const auto* stage = frame.part.as<OrderStage>()) return *stage > OrderStage::numbers;
+  if (!facts.gradual) return true;
+  return facts.tests_reached >= 0 &&
+         facts.region_tests[static_cast<std::size_t>(facts.tests_reached)].holds;
 }
 
 }  // namespace
 
 int steps_over(const Frame& frame) {
-  return frame.support_part.value_or(SupportPart::of_z) < SupportPart::of_z ? frame.step
-                                                                            : frame.step + 1;
+  return frame.part.value_or(SupportPart::of_z) < SupportPart::of_z ? frame.step : frame.step + 1;
 }
 
 EffectKey FrameFacts::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part()};
+  return {frame.run, frame.step, frame.part.index()};
 }
 
 FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
@@ -38,14 +39,16 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   const gjk::Step<double, 2>& step = run.step(frame);
   facts.phase = step.phase;
   if (facts.phase_is(Phase::closest)) facts.region_tests = step.record.region_tests;
-  facts.tests_reached = frame.tests.value_or(static_cast<int>(facts.region_tests.size())) - 1;
+  const auto* tried = frame.part.as<TriedTests>();
+  facts.gradual = tried != nullptr;
+  facts.tests_reached = (tried ? tried->count : static_cast<int>(facts.region_tests.size())) - 1;
   facts.stop_follows_scan =
       facts.phase_is(Phase::stop) && run.run(frame).follows_support(frame.step);
   facts.closest_point = knows_closest_point(frame, facts);
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;
   facts.support = facts.phase_is(Phase::support) || facts.stop_follows_scan;
-  facts.whole_support =
-      frame.support_part ? frame.support_part == SupportPart::of_z : facts.support;
+  const auto* part = frame.part.as<SupportPart>();
+  facts.whole_support = part ? *part == SupportPart::of_z : facts.support;
   facts.direction = facts.phase_is(Phase::direction) || facts.support;
   facts.has_ended = step.after.stop != gjk::StopReason::running;
   return facts;

@@ -6,6 +6,16 @@
 
 namespace gjkscope {
 
+/// Part of a closest-point step whose region tests are shown one by one: so many of them are tried;
+/// 0: their numbers.
+struct TriedTests {
+  int count = 0;
+};
+
+/// Parts of one support step: d, the support point of Y along d, that of X along -d, their
+/// difference.
+enum class SupportPart { direction, of_y, of_x, of_z };
+
 /// What is known when a frame is shown. Stage, panel and words all read it here.
 struct FrameFacts {
   static constexpr std::string_view kName = "facts";
@@ -20,6 +30,7 @@ struct FrameFacts {
     bool stop_follows_scan = false;   ///< The step is a stop test of a support point just found.
     bool has_ended = false;           ///< The step ends the run.
     std::span<const gjk::RegionTest<double>> region_tests;  ///< Of a closest-point step.
+    bool gradual = false;                                   ///< Frames show them one by one.
     int tests_reached = -1;                                 ///< Index of the last one shown.
     int support_calls = 0;                                  ///< Up to here.
 

@@ -15,8 +15,10 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lesson/run.hpp"
@@ -40,6 +42,7 @@ class EffectGraph {
 
   template <class E>
   const typename E::Value& get(const Frame& frame) {
+    if (!computing_.empty()) pulls_.emplace(computing_.back(), E::kName);
     EffectCount& count = counts_[E::kName];
     ++count.pulls;
     std::map<EffectKey, std::any>& values = values_[E::kName];
@@ -47,7 +50,9 @@ class EffectGraph {
     auto found = values.find(key);
     if (found == values.end()) {
       const auto begin = std::chrono::steady_clock::now();
+      computing_.push_back(E::kName);
       typename E::Value value = E::compute(*this, run_, frame);
+      computing_.pop_back();
       count.seconds +=
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       ++count.runs;
@@ -69,10 +74,17 @@ class EffectGraph {
     return found == counts_.end() ? EffectCount{} : found->second;
   }
 
+  /// Which effect has pulled which, by their names.
+  [[nodiscard]] const std::set<std::pair<std::string_view, std::string_view>>& pulls() const {
+    return pulls_;
+  }
+
  private:
   const LessonRun& run_;
   std::map<std::string_view, std::map<EffectKey, std::any>> values_;
   std::map<std::string_view, EffectCount> counts_;
+  std::vector<std::string_view> computing_;  ///< The one being computed last.
+  std::set<std::pair<std::string_view, std::string_view>> pulls_;
 };
 
 }  // namespace gjkscope

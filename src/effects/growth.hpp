@@ -3,6 +3,12 @@
 
 namespace gjkscope {
 
+/// Part of the last step, after which runs of other sizes are shown: an index into
+/// LessonGrowth::vertices; as many as there are: all sizes.
+struct ShownSize {
+  int index = 0;
+};
+
 /// What GJK costs as polygons grow: traced runs on pairs of random convex polygons that lie apart,
 /// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,
 /// and start from the first vertices, or centre to centre where the lesson does. The same on every

@@ -19,7 +19,7 @@ SupportAxis::Side side_of(const std::vector<Vector2d>& vertices, const Vector2d&
 }  // namespace
 
 EffectKey SupportAxis::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part()};
+  return {frame.run, frame.step, frame.part.index()};
 }
 
 SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run,
@@ -33,7 +33,7 @@ SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run
 }
 
 EffectKey ClosestCircle::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part()};
+  return {frame.run, frame.step, frame.part.index()};
 }
 
 ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun& run,
@@ -45,15 +45,17 @@ ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun&
 }
 
 EffectKey TestedFeet::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part()};
+  return {frame.run, frame.step, frame.part.index()};
 }
 
-TestedFeet::Value TestedFeet::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,
+                                      const Frame& frame) {
   Value feet;
-  if (!frame.tests || *frame.tests == 0) return feet;
+  const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
+  if (!knows.gradual || knows.tests_reached < 0) return feet;
   const gjk::Simplex<double, 2>& simplex = state_before(run.run(frame).trace, frame.step).simplex;
   const gjk::RegionTest<double>& test =
-      run.step(frame).record.region_tests[static_cast<std::size_t>(*frame.tests - 1)];
+      knows.region_tests[static_cast<std::size_t>(knows.tests_reached)];
   for (const gjk::RegionTerm<double>& term : test.terms) {
     if (gjk::vertex_count(term.face) != 2 || !(term.denominator > 0.0)) continue;
     Foot foot{term.vertex, 0, term.numerator / term.denominator};

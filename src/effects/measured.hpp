@@ -41,7 +41,7 @@ struct ClosestCircle {
 /// (Catto 2010, slides "Projection", "Voronoi regions"). Of frames that go through region tests.
 struct TestedFeet {
   static constexpr std::string_view kName = "tested-feet";
-  static constexpr std::string_view kNeeds = "";
+  static constexpr std::string_view kNeeds = "facts";
   struct Foot {
     int vertex = 0;                                ///< The coordinate's, in the simplex.
     int other = 0;                                 ///< The edge's other end.

@@ -25,7 +25,7 @@ LastPosition::Value LastPosition::compute(EffectGraph& graph, const LessonRun& r
   const PositionedRun& last = run.runs[frame.run - 1];
   return Positions{last.x().world,
                    last.y().world,
-                   hull_corners(graph, {frame.run - 1, -1, -1}, Eigen::Vector2d::Zero()),
+                   hull_corners(graph, {.run = frame.run - 1}, Eigen::Vector2d::Zero()),
                    now.x().placement.translate - last.x().placement.translate,
                    now.y().placement.translate - last.y().placement.translate,
                    now.x().placement.rotate_degrees != last.x().placement.rotate_degrees ||

@@ -6,6 +6,10 @@
 
 namespace gjkscope {
 
+/// A triangle's numbers, then one chain of region tests each. Short tests leave out that an edge's
+/// own coordinates must be positive.
+enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
+
 /// The region tests of a triangle in three chains, one for each OrderStage after the numbers: short
 /// tests with vertices first and with edges first, whole tests with edges first. A short test of an
 /// edge asks for the sign of the area alone, as is enough once the vertices are ruled out (Catto

@@ -20,7 +20,7 @@ SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Fr
   const std::vector<gjk::Step<double, 2>>& steps = first.trace.steps;
   for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
     if (steps[i].phase != gjk::Phase::support) continue;
-    const gjk::Step<double, 2>* beside = step_beside(value, run, {frame.run, i, -1});
+    const gjk::Step<double, 2>* beside = step_beside(value, run, {frame.run, i});
     if (!beside || beside->after.support.pair != steps[i].after.support.pair) value.parting = i;
   }
   return value;

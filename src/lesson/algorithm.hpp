@@ -27,6 +27,8 @@ class AlgorithmTrace {
   [[nodiscard]] virtual StepInfo info(int step) const = 0;
   /// What it comes to, by the name of one of Algorithm::answers; NaN where it has no such answer.
   [[nodiscard]] virtual double answer(std::string_view name) const = 0;
+  /// Why it ended: one of Algorithm::stops; empty where it has no stop reasons.
+  [[nodiscard]] virtual std::string_view stop() const { return {}; }
   [[nodiscard]] virtual nlohmann::ordered_json json(const Lesson& lesson,
                                                     const RunIn<2>& run) const = 0;
   /// Lines of trace/fields.hpp, with a heading for each iteration.
@@ -45,6 +47,8 @@ struct Algorithm {
   /// It goes on where a run of GJK ends. Others have no such run: they ask about the outlines of
   /// the shapes, convex or not.
   bool follows_gjk = false;
+  /// The names of its stop reasons, which `expect.stop` can check where no run of GJK is made.
+  std::span<const std::string_view> stops = {};
   /// It builds trees of the volumes that a lesson chooses (`query.volumes`).
   bool has_volumes = false;
 };

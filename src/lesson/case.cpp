@@ -115,14 +115,14 @@ class CaseReader {
 
   ReadCase& add(std::size_t at) {
     ReadCase& added = cases_.emplace_back();
-    added.place = place_of(at);
+    added.place = place_at(at);
     added.name = cases_.size() == 1 ? file_ : fmt::format("{}#{}", file_, cases_.size());
     return added;
   }
 
   void report(ReadCase& to, std::size_t at, std::string what, std::string_view expected) const {
     if (to.problems.size() == kListedProblems) return;
-    const Place place = place_of(at);
+    const Place place = place_at(at);
     to.problems.push_back(
         {file_, place.line, place.column, std::move(what), std::string(expected), ""});
   }
@@ -134,7 +134,7 @@ class CaseReader {
       report(to, find_value(text_, at, path), std::move(what), expected);
   }
 
-  [[nodiscard]] Place place_of(std::size_t at) const {
+  [[nodiscard]] Place place_at(std::size_t at) const {
     at = std::min(at, text_.size());
     const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - 1;
     if (counted_to_ < *line || counted_to_ > at) {

@@ -1,65 +1,14 @@
 #pragma once
-// What one frame of a lesson shows: a run, a step of it, and, where frames take a step apart, how
-// much of it.
+// What one frame of a lesson shows: a run, a step of it, and, where frames take a step apart, which
+// part of it.
 
+#include <any>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace gjkscope {
-
-/// Parts of one support step: d, the support point of Y along d, that of X along -d, their
-/// difference.
-enum class SupportPart { direction, of_y, of_x, of_z };
-
-/// Parts of one answer: P and its weights, the same weights on the vertices of Y, on those of X,
-/// and the distance between what they give.
-enum class WitnessPart { p, on_y, on_x, distance };
-
-/// Maps of a triangle's plane.
-enum class MapStage {
-  voronoi,
-  interior,
-  negative_u,
-  negative_v,
-  negative_w,
-  signs,
-  blended,
-  difference
-};
-
-/// A triangle's numbers, then one chain of region tests each. Short tests leave out that an edge's
-/// own coordinates must be positive.
-enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
-
-/// How a Minkowski difference is built: the first difference, a copy of Y for each vertex of X, −X,
-/// and −X at each vertex of Y; the hull, where its edges come from; any difference, the shortest.
-enum class BuildPart { start, pair, copy, mirror, slide, hull, edges, any, shortest };
-struct BuildFrame {
-  BuildPart part = BuildPart::start;
-  int made = 0;  ///< So many differences, those of the first vertex of X before those of the next.
-};
-
-/// What a study shows. First X and Y themselves: from afar, then their gap enlarged, with the
-/// answer of a run in float, and of one in double, and what an error is. Then a plot: its axis of
-/// errors with two marks, its axis of times, the other marks one by one. At last the front of these
-/// marks, that of all dots, and what to take.
-enum class StudyStage {
-  shapes,
-  gap,
-  in_float,
-  in_double,
-  error,
-  error_axis,
-  time_axis,
-  mark,
-  front,
-  all,
-  choice
-};
-struct StudyFrame {
-  StudyStage stage = StudyStage::shapes;
-  int marks = 0;  ///< The first so many marks of the lesson have been introduced.
-};
 
 /// Where in its algorithm a step is.
 struct StepInfo {
@@ -68,21 +17,41 @@ struct StepInfo {
   bool is_event = false;   ///< A vertex dropped, containment, the end.
 };
 
+/// Which part of a step a frame shows, where an act takes steps apart: a value of a type that the
+/// act names.
+class FramePart {
+ public:
+  FramePart() = default;  ///< The whole step.
+  /// `index`: from 0, of the frames of the step in their order.
+  template <class T>
+  FramePart(T value, int index) : value_(std::move(value)), index_(index) {}
+  /// One of the stages that the act goes through.
+  template <class Stage>
+  requires std::is_enum_v<Stage>
+  explicit FramePart(Stage stage) : FramePart(stage, static_cast<int>(stage)) {}
+
+  /// nullptr where the part is of another type.
+  template <class T>
+  [[nodiscard]] const T* as() const {
+    return std::any_cast<T>(&value_);
+  }
+  template <class T>
+  [[nodiscard]] T value_or(T otherwise) const {
+    return as<T>() != nullptr ? *as<T>() : otherwise;
+  }
+  /// -1 of a whole step. Effects, sessions and searches tell frames of a step apart by it.
+  [[nodiscard]] int index() const { return index_; }
+
+ private:
+  std::any value_;
+  int index_ = -1;
+};
+
 struct Frame {
   int run = 0;    ///< Index into LessonRun::runs.
   int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
 
-  // Where frames take a step apart one of these says what of it is shown.
-  std::optional<int> tests = {};  ///< Region tests tried so far; 0: their numbers.
-  std::optional<BuildFrame> build = {};
-  std::optional<SupportPart> support_part = {};
-  std::optional<WitnessPart> witness_part = {};
-  std::optional<int> moment = {};  ///< Index into the moments of the position.
-  std::optional<MapStage> map = {};
-  std::optional<OrderStage> order = {};
-  std::optional<int> size =
-      {};  ///< Index into LessonGrowth::vertices; as many as there are: all sizes.
-  std::optional<StudyFrame> study = {};
+  FramePart part = {};
   std::optional<int> steps_over = {};  ///< Of an algorithm that is not GJK; one more than there
                                        ///< are: the answer.
 
@@ -90,21 +59,6 @@ struct Frame {
                             ///< frame before it shows; the next frame that asks nothing answers.
   int answering_step = -1;  ///< Of a frame that asks: index of the step that answers, among those
                             ///< of the algorithm that the act shows.
-
-  /// Which of the frames of its step this is, from 0; -1 where a step has one frame.
-  [[nodiscard]] int part() const {
-    if (tests) return *tests;
-    if (build) return 100 * static_cast<int>(build->part) + build->made;
-    if (support_part) return static_cast<int>(*support_part);
-    if (witness_part) return static_cast<int>(*witness_part);
-    if (moment) return *moment;
-    if (map) return static_cast<int>(*map);
-    if (order) return static_cast<int>(*order);
-    if (size) return *size;
-    if (steps_over) return *steps_over;
-    if (study) return 100 * static_cast<int>(study->stage) + study->marks;
-    return -1;
-  }
 };
 
 }  // namespace gjkscope

@@ -197,7 +197,7 @@ struct LessonQuestion {
 
 /// What the run must come to; the last run of a path. `check` and the tests compare.
 struct Expectation {
-  std::optional<gjk::StopReason> stop;
+  std::optional<std::string> stop;  ///< Of GJK; where it is not run, of the act's algorithm.
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.

@@ -872,7 +872,16 @@ void LessonReader::read_answers(const Field& answers) {
 void LessonReader::read_expect(const Table& expect, Place place) {
   const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
   if (algorithm != nullptr && !algorithm->follows_gjk) {
-    for (const char* key : {"stop", "distance", "supports"}) {
+    const std::vector<std::string> stops(algorithm->stops.begin(), algorithm->stops.end());
+    std::vector<std::string_view> of_gjk = {"distance", "supports"};
+    if (stops.empty()) {
+      of_gjk.emplace_back("stop");
+    } else {
+      Field ends = expect["stop"];
+      ends.expected = one_of(stops);
+      lesson_.expect.stop = reader_.name(ends, "stop reason", stops);
+    }
+    for (const std::string_view key : of_gjk) {
       if (const Field field = expect[key]) {
         problems_.add(field.place(), fmt::format("'{}' with granularity '{}'", key, lesson_.act),
                       "'answer': GJK is not run");
@@ -885,9 +894,7 @@ void LessonReader::read_expect(const Table& expect, Place place) {
   std::erase(outcomes, name_of(gjk::StopReason::failed));  // a lesson needs shapes that GJK accepts
   const Field ends = expect["stop"];
   if (!ends) problems_.add(place, "missing key 'stop'", ends.expected);
-  if (const auto stop = reader_.name(ends, "stop reason", outcomes)) {
-    lesson_.expect.stop = value_of<gjk::StopReason>(*stop);
-  }
+  lesson_.expect.stop = reader_.name(ends, "stop reason", outcomes);
   lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);
   read_answers(expect["answer"]);
 
@@ -959,7 +966,7 @@ LoadedLesson load_lesson(const std::filesystem::path& file, const Vocabulary& vo
   return {std::nullopt, problems.sorted()};
 }
 
-Place place_of(const std::filesystem::path& file, std::string_view dotted_key) {
+Place place_of_key(const std::filesystem::path& file, std::string_view dotted_key) {
   const FileText read = read_file(file, limits::kFileBytes);
   Problems problems(file.string());
   const std::optional<toml::table> root = parse_toml(read.text.value_or(""), problems);

@@ -39,7 +39,7 @@ struct LoadedLesson {
 /// Where a key of a lesson file stands; for problems found only after loading. Keys are dotted,
 /// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2".
 /// Where the file has no such key: its nearest parent that is there, at last 1, 1.
-[[nodiscard]] Place place_of(const std::filesystem::path& file, std::string_view dotted_key);
+[[nodiscard]] Place place_of_key(const std::filesystem::path& file, std::string_view dotted_key);
 
 /// Lesson files (*.toml) of a folder in teaching order (chapter, order, id), then those that have
 /// problems, by name.
@@ -51,8 +51,8 @@ struct LoadedLesson {
 [[nodiscard]] std::vector<std::string> default_vertex_names(const LessonShape& shape,
                                                             std::string_view key);
 
-/// A text that frames show, and its key for `place_of`. The loader cannot know which characters the
-/// fonts can draw (picture/type.hpp, Fonts::first_missing): whoever knows both checks these.
+/// A text that frames show, and its key for `place_of_key`. The loader cannot know which characters
+/// the fonts can draw (picture/type.hpp, Fonts::first_missing): whoever knows both checks these.
 struct LessonText {
   std::string key;
   std::string text;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lesson/load.hpp"
-#include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
@@ -86,7 +85,7 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
                                       [&](const Frame& frame) { return frame.question == q; });
     if (is_asked) continue;
     const LessonQuestion& question = lesson.questions[q];
-    const Place place = place_of(lesson.path, fmt::format("questions.{}.ask", q));
+    const Place place = place_of_key(lesson.path, fmt::format("questions.{}.ask", q));
     problems.push_back(
         {lesson.path, place.line, place.column,
          fmt::format("no frame asks '{}'{}", question.ask,

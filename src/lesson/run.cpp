@@ -241,10 +241,6 @@ const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
   return run(frame).bounds[frame.step];
 }
 
-double LessonRun::seconds(const Frame& frame) const {
-  return lesson.time->at(frame.run)[static_cast<std::size_t>(*frame.moment)];
-}
-
 std::string pair_name(const std::vector<std::string>& x_names,
                       const std::vector<std::string>& y_names, gjk::VertexPair pair) {
   const std::string& y = y_names[pair.y];
@@ -310,7 +306,7 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
   const Lesson& lesson = run.lesson;
   const gjk::Trace<double, 2>& trace = run.runs.back().trace;
   const auto differ = [&](std::string_view key, std::string what, std::string expected) {
-    const Place place = place_of(lesson.path, key);
+    const Place place = place_of_key(lesson.path, key);
     problems.push_back(
         {lesson.path, place.line, place.column, std::move(what), std::move(expected), ""});
   };
@@ -338,11 +334,12 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
       }
     }
   }
-  if (expect.stop && *expect.stop != trace.result.stop) {
-    differ("expect.stop",
-           fmt::format("iteration {}, stop: '{}'", trace.result.iterations,
-                       name_of(trace.result.stop)),
-           fmt::format("'{}'", name_of(*expect.stop)));
+  const std::string_view stop =
+      run.has_gjk() ? name_of(trace.result.stop) : run.algorithm_traces.back()->stop();
+  if (expect.stop && *expect.stop != stop) {
+    const std::string at =
+        run.has_gjk() ? fmt::format("iteration {}, ", trace.result.iterations) : std::string();
+    differ("expect.stop", fmt::format("{}stop: '{}'", at, stop), fmt::format("'{}'", *expect.stop));
   }
   for (const auto& [name, wanted] : expect.answers) {
     const double found = run.algorithm_traces.back()->answer(name);

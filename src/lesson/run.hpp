@@ -103,9 +103,6 @@ struct LessonRun {
   /// The iteration of the step that answers a frame's question.
   [[nodiscard]] int answering_iteration(const Frame& frame) const;
 
-  /// Time of a frame; only where frame.moment is set.
-  [[nodiscard]] double seconds(const Frame& frame) const;
-
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".
   [[nodiscard]] std::string pair_name(gjk::VertexPair pair) const;

@@ -289,7 +289,7 @@ void write_view(TomlText& out, const LessonView& view, const std::string& act) {
 
 void write_expect(TomlText& out, const Expectation& expect) {
   out.table("[expect]");
-  if (expect.stop) out.key("stop", as_text(name_of(*expect.stop)));
+  if (expect.stop) out.key("stop", as_text(*expect.stop));
   if (expect.supports) out.list("supports", as_texts(*expect.supports));
   if (expect.distance) out.key("distance", decimal(*expect.distance));
   if (!expect.answers.empty()) {

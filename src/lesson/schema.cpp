@@ -194,7 +194,9 @@ std::vector<LessonKey> make_keys() {
       {"expect", "stop",
        "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "
        "iteration-cap",
-       "required where GJK runs", "why the run ends; the last run of a path"},
+       "required where GJK runs",
+       "why the run ends; the last run of a path. Where GJK is not run, a stop reason of the "
+       "granularity's own algorithm, as `gjkscope trace` names it"},
       {"expect", "supports", "list of simplex vertices", "not checked",
        "support points in the order found, as in `query.start`"},
       {"expect", "distance", "number of at least 0", "not checked",

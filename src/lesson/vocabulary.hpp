@@ -29,7 +29,7 @@ struct AskInfo {
   std::string_view counted = "in iteration";  ///< How LessonQuestion::at counts.
 };
 
-/// How runs become frames (`steps.granularity`): a lesson is told act by act.
+/// How runs become frames. Files, and messages about them, call an act the `granularity` of steps.
 struct Act {
   std::string_view name;     ///< "phase"
   std::string_view meaning;  ///< What one frame is for, after "one frame for each".

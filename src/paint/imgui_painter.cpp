@@ -9,7 +9,6 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
-#include <string>
 
 #include "paint/arrow.hpp"
 #include "picture/text_box.hpp"

@@ -20,15 +20,17 @@ Plot against_vertices(const LessonRun& run, const Frame& frame) {
   const std::vector<int>& sizes = run.lesson.growth->vertices;
   Plot plot;
   plot.x = {1.0, power_of_ten_from(sizes.back()), true, "vertices n of each polygon"};
-  if (frame.size && *frame.size < static_cast<int>(sizes.size()))
-    plot.current = sizes[static_cast<std::size_t>(*frame.size)];
+  const int size = frame.part.value_or(ShownSize{-1}).index;
+  if (size >= 0 && size < static_cast<int>(sizes.size()))
+    plot.current = sizes[static_cast<std::size_t>(size)];
   return plot;
 }
 
 /// Up to the frame's n: what comes is the question. The outcome shows them all.
 std::span<const Sample> measured_by(EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> all(effects.get<Growth>(frame));
-  return all.first(std::min(all.size(), static_cast<std::size_t>(frame.size.value_or(-1) + 1)));
+  const int size = frame.part.value_or(ShownSize{-1}).index;
+  return all.first(std::min(all.size(), static_cast<std::size_t>(size + 1)));
 }
 
 PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::string name,

@@ -8,9 +8,8 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 19> kEntries = {
+constexpr std::array<LegendEntry, 18> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
-     {"polygon.vertex", "corner of the polygon"},
      {"support.vertex", "support point"},
      {"closest", "closest point"},
      {"dropped", "dropped vertex"},

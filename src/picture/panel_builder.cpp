@@ -1,7 +1,6 @@
 #include "picture/panel_builder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "picture/hatch.hpp"
 

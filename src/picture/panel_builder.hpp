@@ -41,8 +41,6 @@ struct PanelBuilder {
   /// A bar from zero, on a track from `low` to `high`.
   void bar(double x0, double x1, double low, double high, double value, const std::string& role);
 
-  /// True where frames step through the region tests.
-  [[nodiscard]] bool gradual() const { return frame.tests.has_value(); }
   /// The numbers that decide a region test.
   [[nodiscard]] std::string test_values(const gjk::RegionTest<double>& test) const;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "picture/acts/study.hpp"
 #include "picture/study_words.hpp"
 
 namespace gjkscope {

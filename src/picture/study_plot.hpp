@@ -2,6 +2,7 @@
 // Error against time, as the study of accuracy has measured them.
 
 #include "lesson/run.hpp"
+#include "picture/acts/study.hpp"
 #include "picture/plot.hpp"
 
 namespace gjkscope {

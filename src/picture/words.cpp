@@ -7,8 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "lesson/names.hpp"
-
 namespace gjkscope {
 namespace {
 

@@ -156,7 +156,8 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   lesson.path_of_shapes.reset();
   lesson.questions.clear();
   lesson.expect = {};
-  lesson.expect.stop = gjk::StopReason::repeated_support;  // saving writes what it comes to
+  lesson.expect.stop =
+      name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to
   const bool are_few = shapes.a.size() * shapes.b.size() <= kMostPairs;
   for (LessonView& view : lesson.views) {
     view.camera.reset();

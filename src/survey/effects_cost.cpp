@@ -7,9 +7,7 @@
 #include <memory>
 
 #include "effects/registry.hpp"
-#include "lesson/names.hpp"
 #include "picture/frame.hpp"
-#include "study/report.hpp"
 
 namespace gjkscope {
 namespace {

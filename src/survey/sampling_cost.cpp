@@ -8,7 +8,6 @@
 
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
-#include "study/report.hpp"
 
 namespace gjkscope {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "effects/balance.hpp"
 #include "picture/registry.hpp"
-#include "study/report.hpp"
 
 namespace gjkscope {
 namespace {

@@ -1,7 +1,5 @@
 #include "trace/trace_json.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "lesson/names.hpp"

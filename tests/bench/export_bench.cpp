@@ -5,8 +5,6 @@
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "effects/graph.hpp"

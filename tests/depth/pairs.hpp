@@ -6,11 +6,60 @@
 
 namespace test {
 
+/// Families of the plane, and two that depths are asked of alone.
+enum class DepthFamily : std::uint8_t {
+  round = families::kFamilyCount,  ///< Polygons of 16 to 40 vertices on ellipses.
+  extreme,  ///< A pair of another family times 2^498 or 2^-498: about 1e150 or 1e-150.
+};
+inline constexpr int kDepthFamilyCount = families::kFamilyCount + 2;
+[[nodiscard]] inline std::string_view name_of(DepthFamily family) {
+  if (family == DepthFamily::round) return "round";
+  if (family == DepthFamily::extreme) return "extreme";
+  return families::kFamilyNames[static_cast<std::size_t>(family)];
+}
+
+/// The last of all families; it knows no other size.
+inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::denormals);
+
+/// The pair times 2^exponent; as it is where a coordinate would come near the ends of the range.
+[[nodiscard]] inline Pair scaled(const Pair& pair, int exponent) {
+  Pair out = pair;
+  bool has_room = true;
+  const auto scale = [&](Eigen::Vector2d& v) {
+    for (int i = 0; i < 2; ++i) {
+      v[i] = std::ldexp(v[i], exponent);
+      has_room = has_room && (v[i] == 0 || (1e-200 < std::abs(v[i]) && std::abs(v[i]) < 1e200));
+    }
+  };
+  for (std::vector<Eigen::Vector2d>* points : {&out.x, &out.y}) {
+    for (Eigen::Vector2d& p : *points) scale(p);
+  }
+  scale(out.x_pose.translation);
+  scale(out.y_pose.translation);
+  return has_room ? out : pair;
+}
+
+[[nodiscard]] inline Pair pair_of(families::Source& source, DepthFamily family,
+                                  families::Representation representation) {
+  if (family == DepthFamily::round) {
+    const Pair pair = source.polygons(source.among(16, 40));
+    return representation == families::Representation::float_values
+               ? families::rounded_to_floats(pair)
+               : pair;
+  }
+  return source.pair<double>(static_cast<families::Family>(family), representation);
+}
+
 /// A pair of the family; one that is apart is moved so that the shapes meet: in a common vertex
 /// (but for rounding), somewhat deeper than that, or with their means in one place.
-[[nodiscard]] inline Pair meeting_pair(families::Source& source, families::Family family,
+[[nodiscard]] inline Pair meeting_pair(families::Source& source, DepthFamily family,
                                        families::Representation representation) {
-  Pair pair = source.pair<double>(family, representation);
+  if (family == DepthFamily::extreme) {
+    const auto of = static_cast<DepthFamily>(source.among(0, static_cast<int>(kDenormals) - 1));
+    const Pair pair = meeting_pair(source, of, representation);
+    return scaled(pair, source.with_chance(0.5) ? 498 : -498);
+  }
+  Pair pair = pair_of(source, family, representation);
   const bool as_it_is = source.with_chance(0.25);
   if (as_it_is && gjk::distance(pair.query()).verdict != gjk::Verdict::separated) return pair;
   const auto one_of = [&](const std::vector<Eigen::Vector2d>& points,
@@ -63,25 +112,13 @@ template <class R>
                                                  const depth::Result<double>& result,
                                                  int exponent) {
   if (result.error != gjk::Error::none || !(1e-150 < result.depth)) return true;
-  Pair larger = pair;
-  bool has_room = true;
-  const auto scale = [&](Eigen::Vector2d& v) {
-    for (int i = 0; i < 2; ++i) {
-      v[i] = std::ldexp(v[i], exponent);
-      has_room = has_room && (v[i] == 0 || (1e-200 < std::abs(v[i]) && std::abs(v[i]) < 1e200));
-    }
-  };
-  for (std::vector<Eigen::Vector2d>* points : {&larger.x, &larger.y}) {
-    for (Eigen::Vector2d& p : *points) scale(p);
-  }
-  scale(larger.x_pose.translation);
-  scale(larger.y_pose.translation);
-  if (!has_room) return true;
-  const auto scaled = depth::penetration<double>(larger.query());
+  const Pair larger = scaled(pair, exponent);
+  if (larger.x == pair.x && larger.y == pair.y) return true;
+  const auto other = depth::penetration<double>(larger.query());
   const auto as_before = [&](double a) { return std::ldexp(a, exponent); };
-  return scaled.depth == as_before(result.depth) && scaled.lower == as_before(result.lower) &&
-         scaled.upper == as_before(result.upper) && scaled.direction == result.direction &&
-         scaled.settled == result.settled && scaled.iterations == result.iterations;
+  return other.depth == as_before(result.depth) && other.lower == as_before(result.lower) &&
+         other.upper == as_before(result.upper) && other.direction == result.direction &&
+         other.settled == result.settled && other.iterations == result.iterations;
 }
 
 }  // namespace test

@@ -121,7 +121,8 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
   for (const Frame& frame : run.frames) {
     const Balance::Value& value = graph.get<Balance>(frame);
     ASSERT_EQ(value.moments.size(), run.lesson.time->at(frame.run).size());
-    EXPECT_DOUBLE_EQ(value.moments[*frame.moment].seconds, run.seconds(frame));
+    EXPECT_DOUBLE_EQ(value.moments[frame.part.as<BeamMoment>()->index].seconds,
+                     seconds_of(run, frame));
     EXPECT_GE(value.masses[0], 0.0);
     EXPECT_GE(value.masses[1], 0.0);
   }
@@ -141,7 +142,7 @@ TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
   EffectGraph graph(run);
   int tilted = 0;
   for (const Frame& frame : run.frames) {
-    if (frame.moment > 0) continue;
+    if (frame.part.as<BeamMoment>()->index > 0) continue;
     const Balance::Value& value = graph.get<Balance>(frame);
     const std::vector<Beam> fine =
         swing(value.masses, value.weights[1], *run.lesson.time, frame.run, 0x1p-16);
@@ -168,14 +169,15 @@ TEST(Balance, EachFrameShowsAnotherBeamAndTheLastOfEachPositionOneAtRest) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const Frame& frame = run.frames[i];
     const Balance::Value& value = graph.get<Balance>(frame);
-    const Beam& beam = value.moments[static_cast<std::size_t>(*frame.moment)];
+    const Beam& beam = value.moments[static_cast<std::size_t>(frame.part.as<BeamMoment>()->index)];
     const bool is_last = i + 1 == run.frames.size() || run.frames[i + 1].run != frame.run;
     if (is_last) {
       constexpr double kShown = 0.1 * kLevel;  // prints as 0.0 degrees
       EXPECT_TRUE(beam.on_ground || std::abs(beam.angle) < kShown) << i;
       EXPECT_LT(std::abs(beam.rate), kLevel) << i;
     } else if (value.masses[0] != value.masses[1]) {
-      const Beam& next = value.moments[static_cast<std::size_t>(*frame.moment) + 1];
+      const Beam& next =
+          value.moments[static_cast<std::size_t>(frame.part.as<BeamMoment>()->index) + 1];
       EXPECT_GT(std::abs(next.angle - beam.angle), kLevel) << "frame " << i + 2;
     }
   }

@@ -8,6 +8,7 @@
 #include "effects/barycentric.hpp"
 #include "effects/direction_rules.hpp"
 #include "effects/every_scalar.hpp"
+#include "effects/facts.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
 #include "effects/other_normal.hpp"
@@ -45,6 +46,38 @@ TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
   EXPECT_EQ(graph.count("minkowski-cloud").runs, 1) << "pulled by the hull";
   EXPECT_EQ(graph.count("minkowski-cloud").pulls, 1);
   EXPECT_EQ(graph.count("voronoi-regions").pulls, 0);
+}
+
+/// What an act that is not in the program shows of a support step.
+enum class Half { before, after };
+
+TEST(FramePart, AnActTakesStepsApartByATypeOfItsOwn) {
+  const Act halves{.name = "halves",
+                   .meaning = "half of a support step",
+                   .add_frames = [](LessonRun& run, int index) {
+                     const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+                     for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+                       if (trace.steps[i].phase != gjk::Phase::support) continue;
+                       for (const Half half : {Half::before, Half::after})
+                         run.frames.push_back({.run = index, .step = i, .part = FramePart(half)});
+                     }
+                   }};
+  const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"), halves);
+  ASSERT_EQ(run.frames.size(), 2u * run.runs[0].trace.result.iterations);
+  EffectGraph graph(run);
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const Frame& frame = run.frames[i];
+    const auto half = i % 2 == 0 ? Half::before : Half::after;
+    ASSERT_NE(frame.part.as<Half>(), nullptr);
+    EXPECT_EQ(*frame.part.as<Half>(), half);
+    EXPECT_EQ(frame.part.index(), static_cast<int>(half));
+    EXPECT_EQ(frame.part.as<SupportPart>(), nullptr) << "the parts of another act";
+    EXPECT_EQ(run.info(frame).phase, "support");
+    EXPECT_TRUE(graph.get<FrameFacts>(frame).support);
+  }
+  EXPECT_EQ(graph.count("facts").runs, static_cast<long>(run.frames.size()))
+      << "each part has facts of its own";
+  EXPECT_EQ(Frame().part.index(), -1);
 }
 
 TEST(EffectRegistry, EffectsNeedOnlyWhatIsRegisteredBeforeThem) {
@@ -181,7 +214,7 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   EXPECT_EQ(second.run.x().world, run.runs[0].x().world);
   EXPECT_EQ(second.run.y().world, run.runs[0].y().world);
   ASSERT_GE(second.parting, 0);
-  const Frame parting{0, second.parting, -1};
+  const Frame parting{0, second.parting};
   EXPECT_EQ(run.step(parting).iteration, 1);
   EXPECT_EQ(run.pair_name(run.state(parting).support.pair), "B");
   const gjk::Step<double, 2>* beside = step_beside(second, run, parting);
@@ -211,7 +244,7 @@ TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
   const LessonRun run = run_lesson(lesson);
   EffectGraph graph(run);
   EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);
-  EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {0, -1, -1}), nullptr);
+  EXPECT_EQ(step_beside(graph.get<SecondRun>(run.frames[0]), run, {}), nullptr);
 }
 
 TEST(EveryScalar, RoundsTheVerticesOfTheFileAndSaysWhereRunsPart) {

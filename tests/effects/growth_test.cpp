@@ -149,8 +149,9 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   const LessonRun run = run_lesson(small_lesson());
   const auto& steps = run.runs[0].trace.steps;
   const int last = static_cast<int>(steps.size()) - 1;
-  const auto sizes = std::find_if(run.frames.begin(), run.frames.end(),
-                                  [](const Frame& frame) { return frame.size.has_value(); });
+  const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [](const Frame& frame) {
+    return frame.part.as<ShownSize>() != nullptr;
+  });
   ASSERT_EQ(run.frames.end() - sizes, 4);
   EXPECT_EQ(sizes - run.frames.begin(), support_calls(run.runs[0].trace) + 2);
   EXPECT_EQ(run.frames.front().step, -1);

@@ -5,7 +5,6 @@
 #include "effects/barycentric.hpp"
 #include "effects/region_orders.hpp"
 #include "effects/sign_map.hpp"
-#include "lessons.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope {

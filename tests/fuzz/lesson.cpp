@@ -14,7 +14,6 @@
 
 #include "claims.hpp"
 #include "effects/graph.hpp"
-#include "effects/registry.hpp"
 #include "lesson/load.hpp"
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"

@@ -3,8 +3,6 @@
 
 #include "gjk/direction.hpp"
 
-#include <cstring>
-
 #include "check.hpp"
 #include "gjk/gjk.hpp"
 

@@ -1,7 +1,6 @@
 // No absolute length is hidden in the core: input times 2^k gives output times 2^k, bit for bit.
 
 #include <cstring>
-#include <string>
 
 #include "check.hpp"
 #include "study/families.hpp"

@@ -2,14 +2,12 @@
 // as text, a few pictures as lists of marks, and fewer still as pixels. A change that is meant is
 // taken over by `scripts/golden`, and shows in the diff.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 #include <sstream>
 
@@ -121,6 +119,8 @@ TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
           << lesson.path << ": [expect] needs 'stop', 'supports' and 'distance'";
     } else {
       EXPECT_FALSE(expect.answers.empty()) << lesson.path << ": [expect] needs 'answer'";
+      EXPECT_EQ(expect.stop.has_value(), !run.act->algorithm->stops.empty())
+          << lesson.path << ": [expect] needs 'stop' where the algorithm has stop reasons";
     }
     for (const Problem& problem : check_expectation(run)) ADD_FAILURE() << to_string(problem);
   }

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <ostream>
 
+#include "effects/balance.hpp"
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
+#include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
 #include "temporary_folder.hpp"
 
@@ -114,7 +116,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
   EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
   EXPECT_EQ(lesson.listing, "gjk");
-  EXPECT_EQ(lesson.expect.stop, gjk::StopReason::no_progress);
+  EXPECT_EQ(lesson.expect.stop, "no-progress");
   EXPECT_EQ(lesson.expect.supports, (std::vector<std::string>{"K-B"}));
   EXPECT_EQ(lesson.expect.distance, 2.5);
 }
@@ -416,9 +418,9 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   ASSERT_EQ(loaded.lesson->time->moments.size(), 4u);
   const LessonRun run = run_lesson(*loaded.lesson);
   ASSERT_EQ(run.frames.size(), 2u + 4u + 1u + 3u);
-  EXPECT_EQ(run.seconds(run.frames[1]), 3.0);
-  EXPECT_EQ(run.seconds(run.frames[2]), 0.0);
-  EXPECT_EQ(run.seconds(run.frames[5]), 6.0);
+  EXPECT_EQ(seconds_of(run, run.frames[1]), 3.0);
+  EXPECT_EQ(seconds_of(run, run.frames[2]), 0.0);
+  EXPECT_EQ(seconds_of(run, run.frames[5]), 6.0);
   const std::string list = "[0.0, 3.0],";
   const Edits refused = {
       {"seconds = 6.0", "seconds = 0", "'seconds' is 0"},
@@ -442,8 +444,8 @@ TEST(Load, TimeMayHaveItsMomentsAtEqualSteps) {
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const LessonRun run = run_lesson(*loaded.lesson);
   ASSERT_EQ(run.frames.size(), 9 * run.runs.size());
-  EXPECT_EQ(run.seconds(run.frames[1]), 0.75);
-  EXPECT_EQ(run.seconds(run.frames[8]), 6.0);
+  EXPECT_EQ(seconds_of(run, run.frames[1]), 0.75);
+  EXPECT_EQ(seconds_of(run, run.frames[8]), 6.0);
   const std::string problems = all_of(parse(replaced(text, "frames = 9", "frames = 300")).problems);
   EXPECT_NE(problems.find("300 frames at each of 4 positions"), std::string::npos) << problems;
 }
@@ -503,8 +505,8 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   EXPECT_FALSE(study.processor.empty());
   const LessonRun run = run_lesson(*loaded.lesson);
   EXPECT_EQ(run.frames.size(), 5 + study.marks.size() + 3 + loaded.lesson->questions.size());
-  EXPECT_EQ(run.frames.front().study->stage, StudyStage::shapes);
-  EXPECT_EQ(run.frames.back().study->stage, StudyStage::choice);
+  EXPECT_EQ(run.frames.front().part.as<StudyFrame>()->stage, StudyStage::shapes);
+  EXPECT_EQ(run.frames.back().part.as<StudyFrame>()->stage, StudyStage::choice);
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
   const Edits refused = {

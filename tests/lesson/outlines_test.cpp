@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
@@ -63,6 +61,19 @@ TEST(Outlines, AFileExpectsWhatItsAlgorithmComesTo) {
   EXPECT_EQ(
       problem(lesson_text(x, "lin-canny", "distance = 1.0")),
       "x.toml:14:12: 'distance' with granularity 'lin-canny'; expected 'answer': GJK is not run");
+  const LoadedLesson stops = load(lesson_text(x, "lin-canny", "stop = \"local-minimum\""));
+  ASSERT_TRUE(stops.lesson);
+  EXPECT_EQ(load(lesson_toml(*stops.lesson)).lesson->expect, stops.lesson->expect);
+  const std::vector<Problem> differ = check_expectation(run_lesson(*stops.lesson));
+  ASSERT_EQ(differ.size(), 1u);
+  EXPECT_EQ(differ[0].what, "stop: 'closest'");
+  EXPECT_EQ(differ[0].expected, "'local-minimum'");
+  EXPECT_EQ(problem(lesson_text(x, "slab-proof", "stop = \"empty slab\"")),
+            "x.toml:14:8: unknown stop reason 'empty slab'; expected one of: empty-slab, overlap, "
+            "iteration-cap; did you mean 'empty-slab'?");
+  EXPECT_EQ(
+      problem(lesson_text(x, "minkowski-sum", "stop = \"repeated-support\"")),
+      "x.toml:14:8: 'stop' with granularity 'minkowski-sum'; expected 'answer': GJK is not run");
   EXPECT_EQ(problem(lesson_text(x, "phase", "distance = 1.0")).substr(0, 33),
             "x.toml:13:1: missing key 'stop'; ");
 }

@@ -52,7 +52,7 @@ std::vector<Frame> asking(const LessonRun& run) {
       continue;
     }
     EXPECT_EQ(run.frames[i - 1].step, frame.step) << "shows what the last frame showed";
-    EXPECT_EQ(run.frames[i - 1].part(), frame.part());
+    EXPECT_EQ(run.frames[i - 1].part.index(), frame.part.index());
     EXPECT_LT(frame.step, frame.answering_step);
   }
   return out;

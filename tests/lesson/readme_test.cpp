@@ -12,7 +12,6 @@
 
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
-#include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/run.hpp"
 #include "lesson/schema.hpp"
@@ -143,7 +142,7 @@ TEST(Chapters, SayWhereTheirFileIsWrong) {
 
 /// What files define and what is registered: nothing may be left out of the tables, and each table
 /// is documented (above, and in `explain`).
-TEST(Registries, HoldEveryActBlockListingLayerAndEffectThatIsDefined) {
+TEST(Registries, HoldEveryActBlockListingLayerEffectAndDrawerThatIsDefined) {
   const auto defined = [](std::string_view kind, const std::filesystem::path& folder) {
     const std::regex definition(fmt::format("^const {}( |\\n)+(\\w+::)?k(\\w+)", kind));
     std::multiset<std::string> names;
@@ -158,7 +157,7 @@ TEST(Registries, HoldEveryActBlockListingLayerAndEffectThatIsDefined) {
     return names;
   };
   const auto listed = [](const std::filesystem::path& list) {
-    const std::regex entry(R"(^GJKSCOPE_\w+\((\w+)\)$)");
+    const std::regex entry(R"(^[A-Z_]+\((\w+)\)$)");
     std::multiset<std::string> names;
     std::ifstream lines(list);
     for (std::string line; std::getline(lines, line);) {
@@ -174,6 +173,12 @@ TEST(Registries, HoldEveryActBlockListingLayerAndEffectThatIsDefined) {
   EXPECT_EQ(defined("Listing", picture), listed(picture / "blocks" / "listings.def"));
   EXPECT_EQ(defined("Layer", picture), listed(picture / "layers" / "list.def"));
   EXPECT_EQ(defined("EffectInfo", source / "effects"), listed(source / "effects" / "list.def"));
+  const std::filesystem::path viewer = source.parent_path() / "viewer";
+  std::multiset<std::string> drawers;
+  for (const auto& entry : std::filesystem::directory_iterator(viewer / "drawers")) {
+    if (entry.path().extension() == ".cpp") drawers.insert(entry.path().stem());
+  }
+  EXPECT_EQ(drawers, listed(viewer / "drawers.def"));
   // Each algorithm hands on what its folder defines.
   const std::filesystem::path algorithms = source / "algorithms";
   std::multiset<std::string> folders;

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "algorithms/depth/lesson_trace.hpp"
-#include "lesson/case.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"

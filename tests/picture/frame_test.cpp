@@ -685,12 +685,25 @@ TEST(Panel, TheMapsComeBeforeWhatTheySayOfQ) {
   EXPECT_TRUE(told(7));
 }
 
-TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
+/// The names in a list with commas between them.
+std::vector<std::string_view> names_in(std::string_view list) {
+  std::vector<std::string_view> names;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    names.push_back(list.substr(0, end));
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return names;
+}
+
+TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
   const Fonts fonts(kAssets / "fonts.toml");
+  std::set<std::pair<std::string_view, std::string_view>> pulls;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     (void)lesson_pictures(run, effects, fonts);
+    pulls.insert(effects.pulls().begin(), effects.pulls().end());
     std::set<std::string> called;
     for (const LessonView& view : lesson.views)
       called.insert(view.effects.begin(), view.effects.end());
@@ -701,7 +714,8 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
     if (counts) wanted.insert("touched-points");
     const auto& registered = registered_effects();
     for (auto effect = registered.rbegin(); effect != registered.rend(); ++effect) {
-      if (wanted.contains(std::string(effect->name))) wanted.insert(std::string(effect->needs));
+      if (!wanted.contains(std::string(effect->name))) continue;
+      for (const std::string_view name : names_in(effect->needs)) wanted.emplace(name);
     }
     for (const EffectInfo& effect : registered_effects()) {
       const bool wanted_by_view = called.contains(std::string(effect.name));
@@ -715,6 +729,14 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputed) {
       }
       EXPECT_LE(runs, effects.count(effect.name).pulls);
     }
+  }
+  for (const EffectInfo& effect : registered_effects()) {
+    std::set<std::string_view> pulled;
+    for (const auto& [from, to] : pulls) {
+      if (from == effect.name) pulled.insert(to);
+    }
+    const std::vector<std::string_view> needs = names_in(effect.needs);
+    EXPECT_EQ(pulled, std::set<std::string_view>(needs.begin(), needs.end())) << effect.name;
   }
 }
 

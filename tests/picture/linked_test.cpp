@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 
+#include "effects/facts.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
@@ -43,7 +44,7 @@ TEST(Linked, TheSupportPairLightsUpInAllThreePlaces) {
   ASSERT_EQ(frames.size(), 18u) << "four parts in four iterations, two questions";
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE(i + 1);
-    const SupportPart part = *run.frames[i].support_part;
+    const SupportPart part = *run.frames[i].part.as<SupportPart>();
     EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 0).size(),
               static_cast<std::size_t>(std::min(static_cast<int>(part), 2)));
     EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 1).size(),

@@ -3,14 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "lessons.hpp"
 #include "picture/frame.hpp"
+#include "picture/registry.hpp"
 #include "picture/theme.hpp"
 
 namespace gjkscope {
@@ -85,6 +90,69 @@ bool are_told_apart(const Look& a, const Look& b) {
     if (contrast(seen_a, seen_b) < 2.0) return false;
   }
   return true;
+}
+
+/// The roles of the theme of reference.
+std::set<std::string> roles_of_theme() {
+  const std::regex role(R"re(^"?([\w.-]+)"? = \{.*)re");
+  std::set<std::string> roles;
+  std::ifstream file(kAssets / "themes" / "light.toml");
+  std::smatch found;
+  for (std::string line; std::getline(file, line);) {
+    if (std::regex_match(line, found, role)) roles.insert(found[1]);
+  }
+  return roles;
+}
+
+/// What the program's sources say.
+std::string sources() {
+  std::string all;
+  for (const char* folder : {"src", "viewer"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(GJKSCOPE_SOURCE_DIR) / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".cpp" && ending != ".hpp") continue;
+      std::ifstream file(entry.path());
+      all.append(std::istreambuf_iterator<char>(file), {});
+    }
+  }
+  return all;
+}
+
+/// A role is drawn as it is, or with more parts.
+bool is_drawn(const std::set<std::string>& drawn, const std::string& role) {
+  const auto next = drawn.lower_bound(role);
+  if (next != drawn.end() && *next == role) return true;
+  return std::any_of(next, drawn.end(),
+                     [&](const std::string& other) { return other.starts_with(role + "."); });
+}
+
+TEST(Roles, AreDrawnAndTheLegendSpeaksOfNoOther) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  std::set<std::string> drawn;
+  std::map<std::string, bool> explained;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    std::set<std::string> here;
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+      for (const Mark& mark : frame.picture.marks) here.insert(mark.role);
+    }
+    for (const LegendEntry& entry : legend_entries(run)) {
+      bool& is_seen = explained[std::string(entry.role)];
+      is_seen = is_seen || here.contains(std::string(entry.role));
+    }
+    drawn.merge(here);
+  }
+  for (const auto& [role, is_seen] : explained)
+    EXPECT_TRUE(is_seen) << "the legend explains " << role << ", and nothing draws it";
+  const std::string text = sources();
+  const std::set<std::string> roles = roles_of_theme();
+  EXPECT_GT(roles.size(), 200u);
+  for (const std::string& role : roles) {
+    EXPECT_TRUE(is_drawn(drawn, role) || text.find('"' + role + '"') != std::string::npos)
+        << "light.toml has " << role << ", and nothing draws it";
+  }
 }
 
 TEST(Roles, AreToldApartByEveryEye) {

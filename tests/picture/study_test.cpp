@@ -1,6 +1,8 @@
 // The lesson that shows the study of accuracy: one pair, its plot, and what captions and panels
 // say.
 
+#include "picture/acts/study.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,10 +71,10 @@ TEST(StudyPicture, MarksComeOneByOneAndStayWhereTheyAre) {
   std::size_t named = 0;
   std::set<std::string> names;
   for (const Frame& frame : shown.run.frames) {
-    const StudyStage stage = frame.study->stage;
+    const StudyStage stage = frame.part.as<StudyFrame>()->stage;
     if (frame.question >= 0 || (stage != StudyStage::time_axis && stage != StudyStage::mark))
       continue;
-    const Plot plot = study_plot(shown.study(), *frame.study);
+    const Plot plot = study_plot(shown.study(), *frame.part.as<StudyFrame>());
     ASSERT_EQ(plot.notes.size(), std::max<std::size_t>(2, named + 1));
     named = plot.notes.size();
     for (const PlotNote& note : plot.notes) {
@@ -103,8 +105,8 @@ TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
   int told = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Frame& frame = shown.run.frames[i];
-    if (frame.question >= 0 || frame.study->stage != StudyStage::mark) continue;
-    const StudyDot dot = introduced(shown.study(), frame.study->marks).back();
+    if (frame.question >= 0 || frame.part.as<StudyFrame>()->stage != StudyStage::mark) continue;
+    const StudyDot dot = introduced(shown.study(), frame.part.as<StudyFrame>()->marks).back();
     SCOPED_TRACE(texts[i].caption);
     EXPECT_TRUE(
         holds(texts[i].caption, dot.configuration + ": " + time_text(dot.ns) + " for a pair"));

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "study/report.hpp"
-
 namespace gjkscope::study {
 namespace {
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <random>
-#include <set>
 
 #include "picture/text_box.hpp"
 #include "study/small_study.hpp"

@@ -7,7 +7,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
 
 #include "bars.hpp"
 #include "study/families.hpp"

@@ -17,6 +17,7 @@
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lessons.hpp"
+#include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
@@ -724,7 +725,8 @@ TEST(Study, EnterOpensTheRunOfTheConfigurationThatTheFrameIntroduces) {
   const std::vector<StudyMark> marks = session.lesson().study->marks;
   int opened = 0;
   for (int i = 0; i < session.frame_count(); ++i) {
-    const StudyFrame shown = *session.run().frames[static_cast<std::size_t>(i)].study;
+    const StudyFrame shown =
+        *session.run().frames[static_cast<std::size_t>(i)].part.as<StudyFrame>();
     if (shown.stage != StudyStage::mark) continue;
     session.go_to(i);
     window.settle();

@@ -13,6 +13,7 @@
 #include "app.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
+#include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
 #include "study/configuration.hpp"
 #include "widgets.hpp"
@@ -129,7 +130,7 @@ struct Study {
 
   void open_introduced() {
     const auto& study = session().lesson().study;
-    const StudyFrame shown = session().frame().study.value_or(StudyFrame{});
+    const StudyFrame shown = session().frame().part.value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
     const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];

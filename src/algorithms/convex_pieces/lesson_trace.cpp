@@ -1,7 +1,5 @@
 #include "algorithms/convex_pieces/lesson_trace.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <limits>
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/depth/names.hpp"

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 5> kPhases = {"visit", "bound", "leaf", "
 constexpr std::array<std::string_view, 2> kCollideAnswers = {"visits", "tests"};
 constexpr std::array<std::string_view, 4> kDistanceAnswers = {"distance", "visits", "tests",
                                                               "looked-up"};
+constexpr std::array<std::string_view, 4> kStops = {"running", "meet", "contained", "apart"};
 constexpr std::array<PlaceholderInfo, 4> kValues = {
     {{"visits", "pairs of volumes that were visited by now"},
      {"tests", "pairs of segments that were tested by now"},
@@ -50,6 +51,9 @@ class Told : public OutlineTrace {
   }
 
  protected:
+  [[nodiscard]] std::string_view stop() const override {
+    return refusal ? std::string_view() : name_of(search_.trace.result.stop);
+  }
   [[nodiscard]] Json step_json(const Lesson&, int index) const override {
     const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
     const models::SearchState& after = step.after;
@@ -176,16 +180,14 @@ std::shared_ptr<const AlgorithmTrace> search_for(const Lesson& lesson, const Pos
 
 std::string_view name_of(SearchPhase phase) { return kPhases[static_cast<std::size_t>(phase)]; }
 
-std::string_view name_of(SearchStop stop) {
-  constexpr std::array<std::string_view, 4> kNames = {"running", "meet", "contained", "apart"};
-  return kNames[static_cast<std::size_t>(stop)];
-}
+std::string_view name_of(SearchStop stop) { return kStops[static_cast<std::size_t>(stop)]; }
 
 const Algorithm kHierarchyCollide{.name = "hierarchy-collide",
                                   .phases = kPhases,
                                   .answers = kCollideAnswers,
                                   .values = kValues,
                                   .run = search_for<Goal::collide>,
+                                  .stops = std::span(kStops).subspan(1),
                                   .has_volumes = true};
 
 const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
@@ -193,6 +195,7 @@ const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .answers = kDistanceAnswers,
                                    .values = kValues,
                                    .run = search_for<Goal::distance>,
+                                   .stops = std::span(kStops).subspan(1),
                                    .has_volumes = true};
 
 const SearchTold* search_told(const LessonRun& run, int index) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "algorithms/outline_trace.hpp"
@@ -22,6 +21,8 @@ using models::WalkStop;
 
 constexpr std::array<std::string_view, 3> kPhases = {"closest", "regions", "swap"};
 constexpr std::array<std::string_view, 2> kAnswers = {"distance", "swaps"};
+constexpr std::array<std::string_view, 6> kStops = {"running", "closest", "local-minimum",
+                                                    "overlap", "refused", "pair-cap"};
 constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the closest features, once the walk has stopped"},
      {"swaps", "features that the walk has swapped by now"}}};
@@ -43,6 +44,7 @@ class Told : public AlgorithmTrace {
       return std::numeric_limits<double>::quiet_NaN();
     return name == "swaps" ? walk_.trace.result.steps - 1 : walk_.trace.result.answer.distance;
   }
+  [[nodiscard]] std::string_view stop() const override { return name_of(walk_.trace.result.stop); }
   [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
     Json out;
     out["stop"] = name_of(walk_.trace.result.stop);
@@ -168,11 +170,7 @@ std::string_view name_of(models::WalkPhase phase) {
   return kPhases[static_cast<std::size_t>(phase)];
 }
 
-std::string_view name_of(models::WalkStop stop) {
-  constexpr std::array<std::string_view, 6> kNames = {"running", "closest", "local-minimum",
-                                                      "overlap", "refused", "pair-cap"};
-  return kNames[static_cast<std::size_t>(stop)];
-}
+std::string_view name_of(models::WalkStop stop) { return kStops[static_cast<std::size_t>(stop)]; }
 
 std::string feature_name(const Lesson& lesson, const models::WalkQuery& query, bool of_x,
                          const models::RingFeature& feature) {
@@ -190,7 +188,8 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .phases = kPhases,
                                    .answers = kAnswers,
                                    .values = kValues,
-                                   .run = run_walk};
+                                   .run = run_walk,
+                                   .stops = std::span(kStops).subspan(1)};
 
 const WalkTold* walk_told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;

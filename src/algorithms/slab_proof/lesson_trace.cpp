@@ -18,8 +18,8 @@ using slab_proof::Step;
 using slab_proof::Stop;
 
 constexpr std::array<std::string_view, 2> kPhases = {"slab", "closer"};
-constexpr std::array<std::string_view, 4> kStops = {"running", "empty-slab", "overlap",
-                                                    "iteration-cap"};
+/// By their numbers, from the one after `running` on.
+constexpr std::array<std::string_view, 3> kStops = {"empty-slab", "overlap", "iteration-cap"};
 constexpr std::array<std::string_view, 2> kAnswers = {"distance", "slabs"};
 constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the points by now"},
@@ -62,6 +62,10 @@ double SlabTrace::answer(std::string_view name) const {
   return name == "slabs" ? descent.result.iteration : descent.result.distance();
 }
 
+std::string_view SlabTrace::stop() const {
+  return refusal ? std::string_view() : kStops[static_cast<std::size_t>(descent.result.stop) - 1];
+}
+
 Json SlabTrace::step_json(const Lesson& lesson, int index) const {
   const Step& step = descent.steps[static_cast<std::size_t>(index)];
   Json out = {{"x", fields::point<2>(step.after.x)}, {"y", fields::point<2>(step.after.y)}};
@@ -79,7 +83,7 @@ Json SlabTrace::step_json(const Lesson& lesson, int index) const {
 
 Json SlabTrace::result_json(const Lesson&) const {
   const slab_proof::State& end = descent.result;
-  Json out = {{"stop", kStops[static_cast<std::size_t>(end.stop)]}};
+  Json out = {{"stop", stop()}};
   if (end.stop == Stop::overlap) return out;
   out["distance"] = fields::number(end.distance());
   out["closest_x"] = fields::point<2>(end.x);
@@ -91,6 +95,7 @@ const Algorithm kSlabProofAlgorithm{.name = "slab-proof",
                                     .phases = kPhases,
                                     .answers = kAnswers,
                                     .values = kValues,
-                                    .run = run_slab};
+                                    .run = run_slab,
+                                    .stops = kStops};
 
 }  // namespace gjkscope

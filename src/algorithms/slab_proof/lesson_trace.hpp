@@ -16,6 +16,7 @@ class SlabTrace final : public OutlineTrace {
   [[nodiscard]] int steps() const override { return static_cast<int>(descent.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override;
   [[nodiscard]] double answer(std::string_view name) const override;
+  [[nodiscard]] std::string_view stop() const override;
 
   slab_proof::Descent descent;  ///< Of shapes that overlap without steps.
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "effects/region_orders.hpp"
 #include "picture/acts/acts.hpp"
 
 namespace gjkscope::acts {
@@ -12,14 +13,14 @@ void orders_frames(LessonRun& run, int index) {
   if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
   for (const OrderStage stage :
        {numbers, vertices_first_short, edges_first_short, edges_first_whole})
-    run.frames.push_back({.run = index, .step = 0, .order = stage});
+    run.frames.push_back({.run = index, .step = 0, .part = FramePart(stage)});
 }
 
 Tick orders_tick(const LessonRun&, const Frame& frame) {
   constexpr std::array<std::string_view, 4> kLabels = {"numbers", "vertices first", "edges first",
                                                        "whole tests"};
   return {.group = fmt::format("position {}", frame.run + 1),
-          .label = std::string(kLabels[static_cast<std::size_t>(*frame.order)])};
+          .label = std::string(kLabels[static_cast<std::size_t>(*frame.part.as<OrderStage>())])};
 }
 
 }  // namespace

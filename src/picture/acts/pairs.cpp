@@ -1,3 +1,5 @@
+#include "picture/acts/pairs.hpp"
+
 #include <fmt/format.h>
 
 #include "picture/acts/acts.hpp"
@@ -13,8 +15,9 @@ void pairs_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   const int per_x = static_cast<int>(run.lesson.y().vertices.size());
   const int all = per_x * static_cast<int>(run.lesson.x().vertices.size());
+  int count = 0;
   const auto add = [&](BuildPart part, int made) {
-    run.frames.push_back({.run = index, .step = last, .build = BuildFrame{part, made}});
+    run.frames.push_back({.run = index, .step = last, .part = {BuildFrame{part, made}, count++}});
   };
   add(start, 0);
   add(pair, 1);
@@ -28,7 +31,7 @@ std::string pairs_position(const LessonRun& run, int index) {
 
 Tick pairs_tick(const LessonRun& run, const Frame& frame) {
   using enum BuildPart;
-  const auto [part, made] = *frame.build;
+  const auto [part, made] = *frame.part.as<BuildFrame>();
   const std::string& x = run.lesson.x().name;
   const std::string& y = run.lesson.y().name;
   const int per_x = static_cast<int>(run.lesson.y().vertices.size());

@@ -1,3 +1,5 @@
+#include "picture/acts/study.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +21,9 @@ void study_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   const int all_marks = static_cast<int>(run.lesson.study->marks.size());
   const int first = std::min(2, all_marks);
+  int count = 0;
   const auto add = [&](StudyStage stage, int marks) {
-    run.frames.push_back({.run = index, .step = last, .study = StudyFrame{stage, marks}});
+    run.frames.push_back({.run = index, .step = last, .part = {StudyFrame{stage, marks}, count++}});
   };
   for (const StudyStage stage : {shapes, gap, in_float, in_double, error}) add(stage, 0);
   for (const StudyStage stage : {error_axis, time_axis}) add(stage, first);
@@ -31,16 +34,17 @@ void study_frames(LessonRun& run, int index) {
 int study_answer(const LessonRun&, const Frame&, const Frame& frame,
                  const LessonQuestion& question) {
   using enum StudyStage;
+  const auto [stage, marks] = *frame.part.as<StudyFrame>();
   const bool answers = question.ask == kStudyAsks[0].name
-                           ? frame.study->stage == gap
-                           : question.ask == kStudyAsks[1].name && frame.study->stage == mark &&
-                                 (!question.at || *question.at == frame.study->marks);
+                           ? stage == gap
+                           : question.ask == kStudyAsks[1].name && stage == mark &&
+                                 (!question.at || *question.at == marks);
   return answers ? frame.step : -1;
 }
 
 Tick study_tick(const LessonRun& run, const Frame& frame) {
   using enum StudyStage;
-  const auto [stage, marks] = *frame.study;
+  const auto [stage, marks] = *frame.part.as<StudyFrame>();
   Tick tick{.group = stage < error_axis ? "one pair"
                      : stage < front    ? "time and error"
                                         : "the front",
@@ -58,7 +62,8 @@ void study_values(const Story& story, FrameText& text) {
   using enum StudyStage;
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
-  for (const StudyDot& dot : introduced(*story.run.lesson.study, story.frame.study->marks)) {
+  for (const StudyDot& dot :
+       introduced(*story.run.lesson.study, story.frame.part.as<StudyFrame>()->marks)) {
     text.values.emplace_back(dot.configuration,
                              fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
   }

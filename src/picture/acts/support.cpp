@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "effects/facts.hpp"
 #include "lesson/questions.hpp"
 #include "picture/acts/acts.hpp"
 #include "picture/layers/layers.hpp"
@@ -17,7 +18,7 @@ void support_frames(LessonRun& run, int index) {
   for (int i = 0; i <= last; ++i) {
     if (trace.steps[i].phase != gjk::Phase::support) continue;
     for (const SupportPart part : {direction, of_y, of_x, of_z})
-      run.frames.push_back({.run = index, .step = i, .support_part = part});
+      run.frames.push_back({.run = index, .step = i, .part = FramePart(part)});
   }
   // A run that needs no support point shows how it ends.
   if (run.frames.size() == before) run.frames.push_back({.run = index, .step = last});
@@ -25,32 +26,34 @@ void support_frames(LessonRun& run, int index) {
 
 std::string support_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  if (!frame.support_part) return position_in_lesson(run, index);
+  const auto* part = frame.part.as<SupportPart>();
+  if (!part) return position_in_lesson(run, index);
   constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
                                                       "support of Z"};
   return fmt::format("iteration {} of {} · {}", run.step(frame).iteration,
                      run.run(frame).trace.result.iterations,
-                     kParts[static_cast<std::size_t>(*frame.support_part)]);
+                     kParts[static_cast<std::size_t>(*part)]);
 }
 
 Tick support_tick(const LessonRun& run, const Frame& frame) {
   using enum SupportPart;
-  if (!frame.support_part) return tick_of_step(run, frame);
+  const auto* shown = frame.part.as<SupportPart>();
+  if (!shown) return tick_of_step(run, frame);
   constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
-  const auto part = static_cast<std::size_t>(*frame.support_part);
+  const auto part = static_cast<std::size_t>(*shown);
   return {.group = fmt::format("iteration {}", run.step(frame).iteration),
           .label = std::string(kParts[part]),
           .short_label = std::string(1, "dYXZ"[part]),
-          .event = frame.support_part == of_z};
+          .event = *shown == of_z};
 }
 
 void support_words(const Story& story, FrameText& text) {
-  return story.frame.support_part ? captions::support_in_parts(story, text)
-                                  : captions::step(story, text);
+  return story.frame.part.as<SupportPart>() ? captions::support_in_parts(story, text)
+                                            : captions::step(story, text);
 }
 
 void support_stage(SceneBuilder& scene) {
-  return scene.frame.support_part ? layers::support_in_parts(scene) : stage_step(scene);
+  return scene.frame.part.as<SupportPart>() ? layers::support_in_parts(scene) : stage_step(scene);
 }
 
 constexpr std::array kSupportAsks = {asks::kSupport};
@@ -58,8 +61,8 @@ constexpr std::array kSupportAsks = {asks::kSupport};
 /// Asked where d is known, and answered by the support points of Y and X.
 int support_answer(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
-  const bool answers = question.ask == asks::kSupport.name &&
-                       frame.support_part == SupportPart::of_y &&
+  const auto* part = frame.part.as<SupportPart>();
+  const bool answers = question.ask == asks::kSupport.name && part && *part == SupportPart::of_y &&
                        (!question.at || *question.at == run.step(frame).iteration);
   return answers ? frame.step : -1;
 }

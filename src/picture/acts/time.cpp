@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "effects/balance.hpp"
 #include "picture/acts/acts.hpp"
 
 namespace gjkscope::acts {
@@ -8,11 +9,12 @@ namespace {
 void time_frames(LessonRun& run, int index) {
   if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
   const int moments = static_cast<int>(run.lesson.time->at(index).size());
-  for (int i = 0; i < moments; ++i) run.frames.push_back({.run = index, .step = 0, .moment = i});
+  for (int i = 0; i < moments; ++i)
+    run.frames.push_back({.run = index, .step = 0, .part = {BeamMoment{i}, i}});
 }
 
 std::string time_position(const LessonRun& run, int index) {
-  const double seconds = run.seconds(run.frames[static_cast<std::size_t>(index)]);
+  const double seconds = seconds_of(run, run.frames[static_cast<std::size_t>(index)]);
   return fmt::format("t = {} s · {} of {}", fixed(seconds, 2), index + 1, run.frames.size());
 }
 
@@ -21,7 +23,7 @@ Tick time_tick(const LessonRun& run, const Frame& frame) {
   const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
   const auto weight = [&](int k) { return fixed(weights.numerator[k] / weights.denominator, 2); };
   return {.group = fmt::format("u = {}, v = {}", weight(0), weight(1)),
-          .label = fixed(run.seconds(frame), 2) + " s"};
+          .label = fixed(seconds_of(run, frame), 2) + " s"};
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "picture/acts/witness.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -15,23 +17,25 @@ void witness_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   if (last < 0) return run.frames.push_back({.run = index});
   for (const WitnessPart part : {p, on_y, on_x, distance})
-    run.frames.push_back({.run = index, .step = last, .witness_part = part});
+    run.frames.push_back({.run = index, .step = last, .part = FramePart(part)});
 }
 
 std::string witness_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const auto* part = frame.part.as<WitnessPart>();
   const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
-  if (!frame.witness_part || has_clock) return position_in_lesson(run, index);
+  if (!part || has_clock) return position_in_lesson(run, index);
   return fmt::format("{} · {}", position_on_path(run, index),
-                     kWitnessParts[static_cast<std::size_t>(*frame.witness_part)]);
+                     kWitnessParts[static_cast<std::size_t>(*part)]);
 }
 
 Tick witness_tick(const LessonRun& run, const Frame& frame) {
   using enum WitnessPart;
-  if (!frame.witness_part) return tick_of_step(run, frame);
+  const auto* part = frame.part.as<WitnessPart>();
+  if (!part) return tick_of_step(run, frame);
   return {.group = group_of_position(run, frame, "answer"),
-          .label = std::string(kWitnessParts[static_cast<std::size_t>(*frame.witness_part)]),
-          .event = frame.witness_part == distance};
+          .label = std::string(kWitnessParts[static_cast<std::size_t>(*part)]),
+          .event = *part == distance};
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "effects/cold_start.hpp"
+#include "effects/growth.hpp"
 #include "effects/touched_points.hpp"
+#include "picture/acts/witness.hpp"
 #include "picture/blocks/blocks.hpp"
 
 namespace gjkscope::blocks {
@@ -51,8 +53,8 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
 void witness(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const gjk::Result<double, 2>& result = positioned.trace.result;
-  const bool gradual = panel.frame.witness_part.has_value();
-  const WitnessPart reached = panel.frame.witness_part.value_or(WitnessPart::distance);
+  const bool gradual = panel.frame.part.as<WitnessPart>() != nullptr;
+  const WitnessPart reached = panel.frame.part.value_or(WitnessPart::distance);
   const auto sum = [&](std::string heading, std::string name, WitnessPart part,
                        const Vector2d& value) {
     return Sum{std::move(heading), std::move(name), reached >= part, gradual && reached == part,
@@ -90,7 +92,7 @@ const Block kWitness{
 namespace {
 
 void counters(PanelBuilder& panel) {
-  if (panel.frame.size) return growth_counters(panel);
+  if (panel.frame.part.as<ShownSize>()) return growth_counters(panel);
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
   const int all = static_cast<int>(positioned.x().world.size() * positioned.y().world.size());
@@ -120,7 +122,7 @@ void starts(PanelBuilder& panel) {
   std::vector<int> warm;
   int most = 1;
   for (int i = 0; i <= now; ++i) {
-    cold.push_back(panel.effects.get<ColdStart>({i, -1, -1}).iterations);
+    cold.push_back(panel.effects.get<ColdStart>({.run = i}).iterations);
     warm.push_back(panel.run.runs[static_cast<std::size_t>(i)].trace.result.iterations);
     most = std::max({most, cold.back(), warm.back()});
   }

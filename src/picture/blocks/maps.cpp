@@ -1,3 +1,5 @@
+#include "picture/acts/maps.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -91,11 +93,12 @@ void signs(PanelBuilder& panel) {
     return format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
   // Q's place in the maps is told when the maps are there.
-  const auto told = [&](MapStage stage) { return !panel.frame.map || *panel.frame.map >= stage; };
+  const auto* map = panel.frame.part.as<MapStage>();
+  const auto told = [&](MapStage stage) { return !map || *map >= stage; };
   // The sign that a map of one coordinate shows.
   const auto is_shown = [&](gjk::Face face, int i) {
-    if (!panel.frame.map) return false;
-    switch (*panel.frame.map) {
+    if (!map) return false;
+    switch (*map) {
       case MapStage::negative_u:
         return i == 0 && !gjk::contains(face, i);
       case MapStage::negative_v:
@@ -106,7 +109,7 @@ void signs(PanelBuilder& panel) {
         return false;
     }
   };
-  const bool is_interior = panel.frame.map == MapStage::interior;
+  const bool is_interior = map && *map == MapStage::interior;
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
     const bool holds_q = face == positive && told(MapStage::signs);
@@ -147,7 +150,7 @@ namespace {
 void orders(PanelBuilder& panel) {
   const RegionOrders::Value& chains = panel.effects.get<RegionOrders>(panel.frame);
   if (chains.empty()) return;
-  const OrderStage stage = *panel.frame.order;
+  const OrderStage stage = *panel.frame.part.as<OrderStage>();
   if (stage == OrderStage::numbers) return numbers_of(panel);
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
   panel.heading(format("{} first, {} tests of the edges",

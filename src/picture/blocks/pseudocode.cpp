@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <string_view>
 
 #include "effects/barycentric.hpp"
+#include "picture/acts/pairs.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope::blocks {
@@ -102,7 +102,8 @@ Lines gjk_lines(const LessonRun& run) {
   Lines lines = {
       {"S ← initial simplex"},
       {"loop"},
-      {point ? "  P ← closest point to Q on S" : "  P ← closest point on S", Phase::closest},
+      {point ? format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
+       Phase::closest},
       {"  drop vertices without weight", Phase::cull},
       {format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
        {},
@@ -146,7 +147,8 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
 
 LineView weights_line(const PanelBuilder& panel) {
   if (panel.frame.step < 0) return {};
-  LineView line{panel.frame.tests == 0 ? State::current : State::past};
+  LineView line{panel.knows.gradual && panel.knows.tests_reached < 0 ? State::current
+                                                                     : State::past};
   const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (panel.run.lesson.listing == "segment" && value.weights.size() == 2) {
     line.value = format("{}, {}", panel.numbers.weight(value.weights[0]),
@@ -270,7 +272,7 @@ void support_listing(PanelBuilder& panel) {
 void minkowski_listing(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int per_x = static_cast<int>(positioned.y().world.size());
-  const auto [part, made] = *panel.frame.build;
+  const auto [part, made] = *panel.frame.part.as<BuildFrame>();
   const bool is_pair = part == BuildPart::pair;
   const bool is_copy = part == BuildPart::copy;
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};

@@ -112,7 +112,7 @@ void tests(PanelBuilder& panel) {
   const gjk::FaceList order =
       gjk::tested_faces(before.state.simplex.count, before.run.lesson.options.region_order);
   const auto& tried = before.knows.region_tests;
-  const bool leaves_room = before.gradual() && before.state.simplex.count == 3;
+  const bool leaves_room = before.knows.gradual && before.state.simplex.count == 3;
   bool has_weights = false;
   for (int i = 0; i < order.count; ++i) {
     const bool reached = i <= before.knows.tests_reached && i < static_cast<int>(tried.size());

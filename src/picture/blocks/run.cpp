@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effects/direction_rules.hpp"
+#include "effects/facts.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/scene.hpp"
 
@@ -139,7 +140,7 @@ void scan(PanelBuilder& panel) {
   }
   const double middle = 0.5 * (panel.left + panel.right);
   // A support step in parts looks at one shape after the other.
-  const SupportPart reached = panel.frame.support_part.value_or(SupportPart::of_z);
+  const SupportPart reached = panel.frame.part.value_or(SupportPart::of_z);
   const bool knows_y = record && reached >= SupportPart::of_y;
   const bool knows_x = record && reached >= SupportPart::of_x;
   scan_of(panel, knows_y ? record->scan_y : none, false, panel.left, middle - 14.0, "dot(d, Y)");
@@ -225,8 +226,10 @@ void direction_rules(PanelBuilder& panel) {
   for (const gjk::DirectionRule rule :
        {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
     const bool towards = rule == gjk::DirectionRule::towards_origin;
-    panel.write("strong", panel.left, towards ? "d = Q − P" : format("d = cross({}, z)", edge),
-                type::kStrong);
+    panel.write(
+        "strong", panel.left,
+        towards ? format("d = {} − P", query_name(panel.run)) : format("d = cross({}, z)", edge),
+        type::kStrong);
     const bool used = panel.run.lesson.options.direction_rule == rule;
     panel.write("body.muted", panel.right, used ? "used by this run" : "for comparison",
                 type::kTick, Align::right);

@@ -1,7 +1,8 @@
+#include "picture/acts/study.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "effects/rounded_pair.hpp"
 #include "picture/blocks/blocks.hpp"
@@ -172,7 +173,7 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 
 void study(PanelBuilder& panel) {
   const LessonStudy& study = *panel.run.lesson.study;
-  const StudyFrame frame = *panel.frame.study;
+  const StudyFrame frame = *panel.frame.part.as<StudyFrame>();
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
   if (frame.stage == StudyStage::front) return beaten(panel, study);

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
-#include "effects/balance.hpp"
 #include "effects/barycentric.hpp"
 #include "effects/projection.hpp"
 #include "geometry/polygon.hpp"

@@ -4,6 +4,7 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
+#include "picture/acts/witness.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/captions/story.hpp"
 
@@ -80,7 +81,7 @@ void warm_start(const Story& story, FrameText& text) {
                     : format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
                              story.run.lesson.y().name);
   if (!story.run.lesson.has_block(blocks::kStarts.name)) return;
-  const auto cold = [&](int run) { return story.effects.get<ColdStart>({run, -1, -1}).iterations; };
+  const auto cold = [&](int run) { return story.effects.get<ColdStart>({.run = run}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
   if (story.frame.run < last) {
     if (story.frame.run > 0)
@@ -212,7 +213,7 @@ void witness(const Story& story, FrameText& text) {
   for (int i = 0; i < result.simplex.count; ++i) {
     of_z.push_back(result.simplex.count == 1 ? words.vertex(i) : format("({})", words.vertex(i)));
   }
-  switch (*story.frame.witness_part) {
+  switch (*story.frame.part.as<WitnessPart>()) {
     case WitnessPart::p:
       text.caption =
           format("{}P = {} is the point of Z closest to O.",

@@ -16,7 +16,8 @@ using fmt::format;
 void balance(const Story& story, FrameText& text) {
   const Balance::Value& value = story.effects.get<Balance>(story.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[*story.frame.moment];
+  const int moment = story.frame.part.as<BeamMoment>()->index;
+  const Beam& beam = value.moments[moment];
   const std::string a = story.words.vertex(0);
   const std::string b = story.words.vertex(1);
   const auto& [u, v] = value.weights;
@@ -33,7 +34,7 @@ void balance(const Story& story, FrameText& text) {
                                   number(std::min(turning[0], turning[1])));
   // Q jumps from one position to the next.
   const std::string moved =
-      story.frame.run > 0 && *story.frame.moment == 0 ? story.q + " has moved. " : std::string();
+      story.frame.run > 0 && moment == 0 ? story.q + " has moved. " : std::string();
   const bool missing = u < 0.0 || v < 0.0;
   const int empty = u < 0.0 ? 0 : 1;
   const std::string nobody = empty == 0 ? a : b;

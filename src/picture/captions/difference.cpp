@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "effects/minkowski.hpp"
+#include "picture/acts/pairs.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -54,7 +55,7 @@ void pairs(const Story& story, FrameText& text) {
   const int all = static_cast<int>(story.positioned.x().world.size()) * per_x;
   const std::string& x = story.run.lesson.x().name;
   const std::string& y = story.run.lesson.y().name;
-  const auto [part, made] = *story.frame.build;
+  const auto [part, made] = *story.frame.part.as<BuildFrame>();
   switch (part) {
     case BuildPart::start:
       text.caption =

@@ -1,3 +1,5 @@
+#include "picture/acts/maps.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +58,7 @@ void negative(const Story& story, FrameText& text, int i) {
 
 void maps(const Story& story, FrameText& text) {
   const std::string region = feature(story, story.state.region);
-  switch (*story.frame.map) {
+  switch (*story.frame.part.as<MapStage>()) {
     case MapStage::voronoi:
       text.caption =
           format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
@@ -106,12 +108,13 @@ void maps(const Story& story, FrameText& text) {
 void orders(const Story& story, FrameText& text) {
   const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
   if (chains.empty()) return;
-  const OrderStage stage = *story.frame.order;
+  const OrderStage stage = *story.frame.part.as<OrderStage>();
   if (stage == OrderStage::numbers) {
     text.caption = format(
         "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
-    text.detail =
-        "A short edge test asks for the sign of one area: for AB, wABC ≤ 0. Next: vertices first.";
+    text.detail = format(
+        "A short edge test asks for the sign of one area: for {}, {} ≤ 0. Next: vertices first.",
+        story.words.face(0b011), story.words.coordinate(story.state.simplex.all(), 2));
     return;
   }
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];

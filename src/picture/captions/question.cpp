@@ -67,8 +67,8 @@ class Asking {
     const gjk::FaceList order =
         gjk::tested_faces(before_.simplex.count, run_.lesson.options.region_order);
     // Those that the frame does not rule out.
-    const bool gradual = story_.frame.tests.has_value();
-    for (int i = story_.frame.tests.value_or(0); i < order.count; ++i)
+    const bool gradual = story_.knows.gradual;
+    for (int i = gradual ? story_.knows.tests_reached + 1 : 0; i < order.count; ++i)
       asked_.choices.push_back(words_.face(order.faces[i]));
     // In the order of the tests the first one left would be the answer.
     if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());

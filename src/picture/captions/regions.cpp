@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "effects/barycentric.hpp"
 #include "effects/projection.hpp"
@@ -264,7 +263,7 @@ void closest(const Story& story, FrameText& text) {
 
 void region_test(const Story& story, FrameText& text) {
   const gjk::Simplex<double, 2>& simplex = story.state.simplex;
-  if (story.frame.tests == 0) {
+  if (story.knows.tests_reached < 0) {
     text.caption = format(
         "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
     if (simplex.count == 2) {
@@ -284,7 +283,7 @@ void region_test(const Story& story, FrameText& text) {
     }
     return;
   }
-  const gjk::RegionTest<double>& test = story.knows.region_tests[*story.frame.tests - 1];
+  const gjk::RegionTest<double>& test = story.knows.region_tests[story.knows.tests_reached];
   if (test.holds) {
     text.caption = region_reason(story);
     text.detail =
@@ -300,7 +299,7 @@ void region_test(const Story& story, FrameText& text) {
   text.caption =
       format("Not region {}: {} = {} is {}positive.", story.words.face(test.region), coordinate,
              story.signed_weight(*failed), failed->wants_positive ? "not " : "");
-  const gjk::RegionTest<double>& next = story.knows.region_tests[*story.frame.tests];
+  const gjk::RegionTest<double>& next = story.knows.region_tests[story.knows.tests_reached + 1];
   const bool is_left = next.region == simplex.all();
   text.detail = format(
       "{} {} region {}.", where(story, *failed),

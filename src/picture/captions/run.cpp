@@ -341,7 +341,7 @@ void step(const Story& story, FrameText& text) {
   if (tells_slab(story)) return slab(story, text);
   switch (story.run.step(story.frame).phase) {
     case gjk::Phase::closest:
-      return story.frame.tests ? region_test(story, text) : closest(story, text);
+      return story.knows.gradual ? region_test(story, text) : closest(story, text);
     case gjk::Phase::cull:
       return cull(story, text);
     case gjk::Phase::direction:

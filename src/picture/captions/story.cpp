@@ -1,6 +1,5 @@
 #include "picture/captions/story.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gjkscope {

@@ -1,3 +1,5 @@
+#include "picture/acts/study.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +9,6 @@
 #include <numbers>
 
 #include "effects/rounded_pair.hpp"
-#include "lesson/names.hpp"
 #include "picture/captions/story.hpp"
 #include "picture/study_words.hpp"
 
@@ -216,7 +217,7 @@ std::string ratio_words(double ratio) {
 
 void study_question(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.study;
-  const StudyFrame before = *story.frame.study;
+  const StudyFrame before = *story.frame.part.as<StudyFrame>();
   const std::string& ask =
       story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
@@ -246,7 +247,7 @@ void study_question(const Story& story, FrameText& text) {
 
 void study(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.study;
-  const StudyFrame frame = *story.frame.study;
+  const StudyFrame frame = *story.frame.part.as<StudyFrame>();
   const auto pair = [&]() -> const RoundedPair::Value& {
     return story.effects.get<RoundedPair>(story.frame);
   };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "effects/facts.hpp"
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "picture/captions/story.hpp"
@@ -46,7 +47,7 @@ void support_in_parts(const Story& story, FrameText& text) {
   const gjk::State<double, 2>& next =
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   const double along_x = -story.state.d.dot(story.positioned.x().world[pair.x]);
-  switch (*story.frame.support_part) {
+  switch (*story.frame.part.as<SupportPart>()) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
           story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "effects/motion.hpp"
+#include "picture/acts/witness.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
 
@@ -14,12 +14,12 @@ using Eigen::Vector2d;
 
 /// How much of the answer a frame shows.
 WitnessPart shown(const SceneBuilder& scene) {
-  return scene.frame.witness_part.value_or(WitnessPart::distance);
+  return scene.frame.part.value_or(WitnessPart::distance);
 }
 
 /// Weights are the question, and there is more than one.
 bool shows_weights(const SceneBuilder& scene) {
-  return scene.frame.witness_part && scene.positioned.trace.result.simplex.count > 1;
+  return scene.frame.part.as<WitnessPart>() && scene.positioned.trace.result.simplex.count > 1;
 }
 
 /// The simplex of the result in the difference, and P on it.

@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include "effects/facts.hpp"
 #include "effects/minkowski.hpp"
 #include "geometry/polygon.hpp"
+#include "picture/acts/pairs.hpp"
 #include "picture/layers/layers.hpp"
 
 namespace gjkscope::layers {
@@ -18,14 +20,14 @@ void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
 
 /// Z is what GJK does without while a run is followed, and known once it is built.
 bool hull_is_ghost(const SceneBuilder& scene) {
-  return scene.run.act->follows_run || scene.frame.support_part;
+  return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
-  const std::optional<BuildFrame>& build = scene.frame.build;
+  const auto* build = scene.frame.part.as<BuildFrame>();
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
@@ -188,7 +190,7 @@ void slid_mirror_image(SceneBuilder& scene) {
 }  // namespace
 
 void building(SceneBuilder& scene) {
-  const auto [part, made] = *scene.frame.build;
+  const auto [part, made] = *scene.frame.part.as<BuildFrame>();
   const int per_x = static_cast<int>(scene.positioned.y().world.size());
   const bool in_world = scene.view.kind == ViewKind::world;
   switch (part) {
@@ -221,7 +223,8 @@ void corner_names(SceneBuilder& scene) {
   // Where shapes turn, corners come and go; those of the simplex are named in any case.
   const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x().turns.empty() ||
                                                !lesson.path_of_shapes->y().turns.empty());
-  const bool is_named = scene.frame.build && scene.frame.build->part < BuildPart::any;
+  const auto* build = scene.frame.part.as<BuildFrame>();
+  const bool is_named = build && build->part < BuildPart::any;
   if (is_named || turns) return;
   const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);

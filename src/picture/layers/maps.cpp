@@ -1,3 +1,5 @@
+#include "picture/acts/maps.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -53,9 +55,10 @@ void add_name(SceneBuilder& scene, const std::string& id, const std::string& nam
 
 /// The single coordinate whose sign a map shows, or none.
 std::optional<int> coordinate_of(const SceneBuilder& scene) {
-  if (scene.frame.map == MapStage::negative_u) return 0;
-  if (scene.frame.map == MapStage::negative_v) return 1;
-  if (scene.frame.map == MapStage::negative_w) return 2;
+  const auto* stage = scene.frame.part.as<MapStage>();
+  if (stage && *stage == MapStage::negative_u) return 0;
+  if (stage && *stage == MapStage::negative_v) return 1;
+  if (stage && *stage == MapStage::negative_w) return 2;
   return std::nullopt;
 }
 
@@ -70,11 +73,12 @@ void zero_line(SceneBuilder& scene, int vertex) {
 
 void signs(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  if (scene.frame.map == MapStage::voronoi) return;
+  const auto* stage = scene.frame.part.as<MapStage>();
+  if (stage && *stage == MapStage::voronoi) return;
   const std::optional<int> coordinate = coordinate_of(scene);
-  const bool interior_only = scene.frame.map == MapStage::interior;
+  const bool interior_only = stage && *stage == MapStage::interior;
   // Two fills that shine through each other could not be told apart.
-  const bool lines_only = scene.frame.map >= MapStage::blended;
+  const bool lines_only = stage && *stage >= MapStage::blended;
   for (const SignMap::Region& region : scene.effects.get<SignMap>(scene.frame)) {
     if (lines_only || (interior_only && region.positive != 0b111)) continue;
     std::vector<HalfPlane> half_planes = region.half_planes;
@@ -106,7 +110,7 @@ namespace {
 
 void map_difference(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  if (scene.frame.map && *scene.frame.map != MapStage::difference) return;
+  if (scene.frame.part.value_or(MapStage::difference) != MapStage::difference) return;
   const SimplexWords words(scene.run, scene.state.simplex);
   for (const MapDifference::Part& part : scene.effects.get<MapDifference>(scene.frame)) {
     const std::vector<Point> points = visible_part(scene, part.half_planes);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "effects/facts.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
 
@@ -94,9 +95,10 @@ void axis(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Less
 
 void support_axis(SceneBuilder& scene) {
   const SupportAxis::Value& sides = scene.effects.get<SupportAxis>(scene.frame);
-  if (!sides || !(scene.frame.support_part || scene.knows.phase_is(gjk::Phase::support))) return;
+  const bool is_in_parts = scene.frame.part.as<SupportPart>() != nullptr;
+  if (!sides || !(is_in_parts || scene.knows.phase_is(gjk::Phase::support))) return;
   const Lesson& lesson = scene.run.lesson;
-  const SupportPart reached = scene.frame.support_part.value_or(SupportPart::of_z);
+  const SupportPart reached = scene.frame.part.value_or(SupportPart::of_z);
   if (reached == SupportPart::of_y || reached == SupportPart::of_z)
     axis(scene, scene.positioned.y().world, lesson.y(), sides->y, scene.positioned.x().world,
          sides->d, "along d");
@@ -158,8 +160,7 @@ void half_plane(SceneBuilder& scene, const Point& at, const Point& towards) {
 
 /// Where each condition of the tested region is met.
 void conditions(SceneBuilder& scene, const TestedFeet::Value& feet) {
-  const gjk::Face region =
-      scene.run.step(scene.frame).record.region_tests[*scene.frame.tests - 1].region;
+  const gjk::Face region = scene.knows.region_tests[scene.knows.tests_reached].region;
   const bool of_vertex = gjk::vertex_count(region) == 1;
   for (const TestedFeet::Foot& foot : feet) {
     const Point zero = scene.vertex_at(foot.other);

@@ -12,7 +12,7 @@ using namespace sizes;
 /// The chain of tests that the frame shows; none beside the numbers.
 const RegionOrders::Chain* chain_of(const SceneBuilder& scene) {
   const RegionOrders::Value& chains = scene.effects.get<RegionOrders>(scene.frame);
-  const int index = static_cast<int>(scene.frame.order.value_or(OrderStage::numbers)) - 1;
+  const int index = static_cast<int>(scene.frame.part.value_or(OrderStage::numbers)) - 1;
   if (index < 0 || chains.empty()) return nullptr;
   return &chains[index];
 }

@@ -16,10 +16,9 @@ using namespace sizes;
 /// Frames that go through the region tests show an area only while its sign decides: when the
 /// region of its edge is tested.
 bool measures_tested_edge(const SceneBuilder& scene, const BarycentricParts::Part& part) {
-  if (!scene.frame.tests || part.points.size() != 3) return true;
-  if (scene.frame.tests == 0) return false;
-  const gjk::Face tested =
-      scene.run.step(scene.frame).record.region_tests[*scene.frame.tests - 1].region;
+  if (!scene.knows.gradual || part.points.size() != 3) return true;
+  if (scene.knows.tests_reached < 0) return false;
+  const gjk::Face tested = scene.knows.region_tests[scene.knows.tests_reached].region;
   return gjk::vertex_count(tested) == 2 && !gjk::contains(tested, part.vertex);
 }
 

@@ -5,6 +5,7 @@
 
 #include "effects/voronoi.hpp"
 #include "lesson/questions.hpp"
+#include "picture/acts/maps.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
 
@@ -17,13 +18,12 @@ using namespace sizes;
 /// What the region tests have said of a face so far; frames may reveal them one by one.
 enum class RegionFate { untried, rejected, testing, holds };
 RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
-  const auto& tests = scene.run.step(scene.frame).record.region_tests;
-  const bool gradual = scene.frame.tests.has_value();
-  const int reached = scene.frame.tests.value_or(static_cast<int>(tests.size())) - 1;
+  const auto& tests = scene.knows.region_tests;
+  const int reached = scene.knows.tests_reached;
   for (int i = 0; i <= reached; ++i) {
     if (tests[i].region != face) continue;
     if (tests[i].holds) return RegionFate::holds;
-    return i == reached && gradual ? RegionFate::testing : RegionFate::rejected;
+    return i == reached && scene.knows.gradual ? RegionFate::testing : RegionFate::rejected;
   }
   return RegionFate::untried;
 }
@@ -33,8 +33,7 @@ RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
 bool keeps_answer_back(const SceneBuilder& scene) {
   const LessonRun& run = scene.run;
   const Frame& frame = scene.frame;
-  if (!frame.tests) return false;
-  if (frame.tests > 0 && run.step(frame).record.region_tests[*frame.tests - 1].holds) return false;
+  if (!scene.knows.gradual || scene.knows.closest_point) return false;
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
     return other.run == frame.run && other.question >= 0 &&
            run.lesson.questions[static_cast<std::size_t>(other.question)].ask == asks::kRegion.name;
@@ -70,15 +69,14 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
 
 void regions(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  if (scene.frame.map > MapStage::voronoi && scene.frame.map < MapStage::blended) return;
-  if (scene.frame.map == MapStage::difference)
-    return borders(scene, [](gjk::Face) { return true; });
+  const auto* map = scene.frame.part.as<MapStage>();
+  if (map && *map > MapStage::voronoi && *map < MapStage::blended) return;
+  if (map && *map == MapStage::difference) return borders(scene, [](gjk::Face) { return true; });
   const bool untried_are_drawn = !keeps_answer_back(scene);
   const auto is_drawn = [&](gjk::Face face) {
     return untried_are_drawn || fate_of(scene, face) != RegionFate::untried;
   };
   const SimplexWords words(scene.run, scene.state.simplex);
-  const bool gradual = scene.frame.tests.has_value();
   for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
     std::vector<Vector2d> polygon = scene.map.visible();
     for (const HalfPlane& half_plane : region.half_planes) {
@@ -90,9 +88,8 @@ void regions(SceneBuilder& scene) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     const RegionFate fate = fate_of(scene, region.face);
     std::string role = fmt::format("region.{}", kKinds[gjk::vertex_count(region.face)]);
-    const bool is_map = scene.frame.map.has_value();
-    if (fate == RegionFate::holds && !is_map) role = "region.active";
-    if (gradual && fate == RegionFate::rejected) role = "region.rejected";
+    if (fate == RegionFate::holds && !map) role = "region.active";
+    if (scene.knows.gradual && fate == RegionFate::rejected) role = "region.rejected";
     if (fate == RegionFate::testing) role = "region.testing";
     if (!is_drawn(region.face)) role = "region.hidden";
     const bool is_ruled_out = role == "region.rejected";

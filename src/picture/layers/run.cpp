@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "effects/history.hpp"
 #include "effects/other_normal.hpp"
 #include "effects/projection.hpp"

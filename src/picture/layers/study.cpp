@@ -1,3 +1,5 @@
+#include "picture/acts/study.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -263,7 +265,7 @@ class PairPicture {
 }  // namespace
 
 void study(SceneBuilder& scene, const Fonts& fonts) {
-  const StudyFrame shown = *scene.frame.study;
+  const StudyFrame shown = *scene.frame.part.as<StudyFrame>();
   if (shown.stage < StudyStage::error_axis) return PairPicture(scene, shown.stage).draw();
   add_plot(scene, study_plot(*scene.run.lesson.study, shown), fonts);
 }

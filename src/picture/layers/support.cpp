@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "effects/facts.hpp"
 #include "picture/layers/layers.hpp"
 
 namespace gjkscope::layers {
@@ -55,7 +56,7 @@ void row(SceneBuilder& scene, int y) {
 
 void support_in_parts(SceneBuilder& scene) {
   const gjk::State<double, 2>& state = scene.state;
-  const SupportPart reached = *scene.frame.support_part;
+  const SupportPart reached = *scene.frame.part.as<SupportPart>();
   if (!scene.shows_difference) {
     along(scene, scene.positioned.y().world, state.support.pair.y, state.d, "d",
           reached >= SupportPart::of_y);

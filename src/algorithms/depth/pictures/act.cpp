@@ -106,12 +106,13 @@ const StagedAct kAct{
 constexpr std::array kActs = {&kAct};
 constexpr std::array kBlocks = {&kEdges, &kBounds};
 constexpr std::array kListings = {&kListing};
+constexpr std::array<LegendEntry, 1> kLegend = {{{"polygon.vertex", "corner of the polygon"}}};
 
 }  // namespace
 }  // namespace gjkscope::depths
 
 namespace gjkscope::algorithms {
 
-const ShownAlgorithm depth{depths::kActs, depths::kBlocks, depths::kListings};
+const ShownAlgorithm depth{depths::kActs, depths::kBlocks, depths::kListings, depths::kLegend};
 
 }  // namespace gjkscope::algorithms

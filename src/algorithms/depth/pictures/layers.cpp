@@ -1,7 +1,5 @@
 #include "picture/layers/layers.hpp"
 
-#include <cmath>
-
 #include "algorithms/depth/pictures/shown.hpp"
 
 namespace gjkscope::depths {

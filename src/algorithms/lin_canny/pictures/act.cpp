@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "algorithms/lin_canny/pictures/shown.hpp"

@@ -1,0 +1,14 @@
+#pragma once
+// What the frames of act `pairs` show of a step (Frame::part).
+
+namespace gjkscope {
+
+/// How a Minkowski difference is built: the first difference, a copy of Y for each vertex of X, −X,
+/// and −X at each vertex of Y; the hull, where its edges come from; any difference, the shortest.
+enum class BuildPart { start, pair, copy, mirror, slide, hull, edges, any, shortest };
+struct BuildFrame {
+  BuildPart part = BuildPart::start;
+  int made = 0;  ///< So many differences, those of the first vertex of X before those of the next.
+};
+
+}  // namespace gjkscope

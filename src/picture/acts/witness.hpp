@@ -1,0 +1,10 @@
+#pragma once
+// What the frames of act `witness` show of a step (Frame::part).
+
+namespace gjkscope {
+
+/// Parts of one answer: P and its weights, the same weights on the vertices of Y, on those of X,
+/// and the distance between what they give.
+enum class WitnessPart { p, on_y, on_x, distance };
+
+}  // namespace gjkscope
