@@ -24,7 +24,7 @@ constexpr std::array<LegendEntry, 18> kEntries = {
      {"hull.ghost", "outline of Z, not known to GJK"},
      {"cloud.point", "a difference y − x"},
      {"cloud.touched", "a difference that was computed"},
-     {"pair.link", "a difference: from x to y"},
+     {"pair.link", "joins the two vertices of a difference"},
      {"history.closest", "P of an earlier iteration"},
      {"path.now", "middle of a shape, on its way"}}};
 
@@ -40,7 +40,11 @@ struct Glyph {
     return Disk{center, std::min(disk.radius, 6.0)};
   }
   decltype(Mark::shape) operator()(const Polygon& polygon) const {
-    if (polygon.points.size() == 4) return diamond(center, 7.0);
+    constexpr double kMark = 30.0;  // larger ones are areas
+    const auto [left, right] =
+        std::minmax_element(polygon.points.begin(), polygon.points.end(),
+                            [](const Point& a, const Point& b) { return a.x() < b.x(); });
+    if (polygon.points.size() == 4 && right->x() - left->x() < kMark) return diamond(center, 7.0);
     return Box{{center - Point(8.0, 6.0), center + Point(8.0, 6.0)}, 2.0};
   }
   decltype(Mark::shape) operator()(const Polyline&) const {

@@ -35,6 +35,7 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   switch (test.reason) {
     case StopReason::origin_inside:
+      if (test.holds) return "all weights > 0";
       return format("{:.0f} {}, needs 3", test.left, test.left == 1.0 ? "vertex" : "vertices");
     case StopReason::zero_direction:
       return "|d| = " + number(panel.state.d.norm());

@@ -62,9 +62,9 @@ void warm_start(const Story& story, FrameText& text) {
     text.caption =
         format("No run came before this one: it starts cold from {} and takes {}.", starts, count);
   } else if (is_same) {
-    text.caption =
-        format("Start from {}, where the last run ended. P is still there: {} confirms it.", starts,
-               count);
+    text.caption = format(
+        "Start from {}, where the last run ended. P is still on that simplex: {} confirms it.",
+        starts, count);
   } else if (result.iterations == 1) {
     text.caption =
         format("Start from {}, where the last run ended. The new P lies in it: {} finds it.",

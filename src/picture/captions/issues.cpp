@@ -93,7 +93,7 @@ void issue_solved(const Story& story, FrameText& text) {
           format("dot({} − P, {}) = {}, not 0. GJK takes d = cross({}, z): the dot product is 0.",
                  q, edge, story.numbers(issue.dot_with_edge), edge);
       text.detail =
-          "A slightly wrong d can find a wrong support point. The cross product needs no P.";
+          "z is the normal of the plane. A slightly wrong d can find a wrong support point.";
       return;
     }
     case IssueKind::repeated:
@@ -114,7 +114,7 @@ void issue_solved(const Story& story, FrameText& text) {
       text.caption =
           format("Case 3b: either normal of the edge will do. GJK stops: {}.", why(story));
       text.detail =
-          "Outwards the support point is one of the edge. Inwards it is new, but P stays.";
+          "Outwards the support point is an end of the edge. Inwards it is new, but P stays.";
       return;
     case IssueKind::interior:
       text.caption =

@@ -20,8 +20,8 @@ void line(const Story& story, FrameText& text) {
   const bool on_line = g->norm() < 1e-9 * built->length;
   if (!on_line) {
     text.caption = format(
-        "{0} does it without G: {0} − G is perpendicular to n, so dot({1} − {0}, n) = dot({1} − G, "
-        "n) = {2}.",
+        "{0} gives the same without G: {0} − G is perpendicular to n, so dot({1} − {0}, n) = "
+        "dot({1} − G, n) = {2}.",
         story.q, b, story.numbers(built->of_g.to_b));
     text.detail =
         format("So from {} itself: u = {} / {} = {} and v = {} / {} = {}.", story.q,

@@ -44,16 +44,18 @@ class Asking {
     const LessonShape& y = run_.lesson.y();
     asked_.choices = some_vertices(y, pair.y);
     asked_.answer = run_.pair_name(pair);
+    const std::string d =
+        story_.knows.direction ? "d" : "d = " + story_.numbers.point(step_.after.d);
     if (run_.point_query()) {
       text_.caption =
-          format("Question: which vertex of {} lies farthest along d?", story_.set_name());
+          format("Question: which vertex of {} lies farthest along {}?", story_.set_name(), d);
       text_.detail = listed(asked_.choices);
       return;
     }
     const std::vector<std::string> of_x = some_vertices(x, pair.x);
     text_.caption = format(
-        "Question: which vertex of {} lies farthest along d, and which vertex of {} along −d?",
-        y.name, x.name);
+        "Question: which vertex of {} lies farthest along {}, and which vertex of {} along −d?",
+        y.name, d, x.name);
     text_.detail =
         format("{}: {}      {}: {}", y.name, listed(asked_.choices), x.name, listed(of_x));
     std::vector<std::string> pairs;

@@ -9,6 +9,7 @@
 #include "effects/slab.hpp"
 #include "effects/touched_points.hpp"
 #include "lesson/names.hpp"
+#include "picture/blocks/blocks.hpp"
 #include "picture/captions/story.hpp"
 
 namespace gjkscope::captions {
@@ -27,7 +28,8 @@ void start(const Story& story, FrameText& text) {
                           story.words.face(story.state.simplex.all()));
   } else if (count == 1) {
     text.caption =
-        format("Start with {}. Any vertex will do.", story.words.face(story.state.simplex.all()));
+        format("Start with {}. Any {} will do.", story.words.face(story.state.simplex.all()),
+               story.run.point_query() ? "vertex" : "difference");
   } else {
     text.caption = format("Start with the {} as the simplex S.", story.simplex_name());
   }
@@ -175,22 +177,29 @@ std::string news(const Story& story, const std::string& name) {
 }
 
 /// Why a distance of 0 is one: P is O.
+/// "The distance is 1.2"; where scalars are compared each has an answer of its own.
+std::string distance_is(const Story& story, const std::string& distance) {
+  return story.run.lesson.has_block(blocks::kScalars.name)
+             ? format("In {} the distance is {}", name_of(story.run.lesson.scalar), distance)
+             : "The distance is " + distance;
+}
+
 std::string zero_distance(const Story& story) {
   const gjk::Face all = story.state.simplex.all();
+  const std::string answer = distance_is(story, "0");
   if (gjk::vertex_count(all) == 1)
-    return format("The distance is 0: {} is the vertex {}.", story.q, story.words.face(all));
-  return format("The distance is 0: {} lies on {}.", story.q, story.edge_name(all));
+    return format("{}: {} is the vertex {}.", answer, story.q, story.words.face(all));
+  return format("{}: {} lies on {}.", answer, story.q, story.edge_name(all));
 }
 
 /// How the run ends: the distance, and between which features.
 std::string outcome(const Story& story) {
   if (story.knows.is_at_query) return zero_distance(story);
-  const std::string distance = story.numbers(story.trace.result.distance);
-  if (!story.run.point_query())
-    return format("The distance is {}, between {}.", distance, closest_features(story));
+  const std::string answer = distance_is(story, story.numbers(story.trace.result.distance));
+  if (!story.run.point_query()) return format("{}, between {}.", answer, closest_features(story));
   const gjk::Face all = story.state.simplex.all();
-  return format("The distance is {}: P {} the {}.", distance,
-                gjk::vertex_count(all) == 1 ? "is" : "lies on", story.words.kind_and_face(all));
+  return format("{}: P {} the {}.", answer, gjk::vertex_count(all) == 1 ? "is" : "lies on",
+                story.words.kind_and_face(all));
 }
 
 /// How much farther along d the support point lies than P: a length.
@@ -242,11 +251,12 @@ void support(const Story& story, FrameText& text) {
   if (story.shows(OtherNormal::kName)) {
     if (const OtherNormal::Value& other = story.effects.get<OtherNormal>(story.frame)) {
       const std::string found = story.run.pair_name(other->support);
-      text.detail = format("−d finds {}. {}", found,
-                           known && other->in_simplex ? "Both are in the simplex."
-                           : known || other->in_simplex
-                               ? format("Only {} is in the simplex.", known ? name : found)
-                               : "Neither is in the simplex.");
+      text.detail =
+          format("−d finds {}. {}", found,
+                 known && other->in_simplex   ? "Both are in the simplex."
+                 : known || other->in_simplex ? format("{} is in the simplex, {} is not.",
+                                                       known ? name : found, known ? found : name)
+                                              : "Neither is in the simplex.");
     }
   }
   if (story.run.point_query()) return;
@@ -266,9 +276,10 @@ void stop(const Story& story, FrameText& text) {
                             support, story.numbers(farther_than_p(story)));
       text.detail = story.knows.is_at_query
                         ? format("P = {} already, at distance 0, but GJK has not checked.", story.q)
-                    : lower > 0.0 ? proved(story)
-                                  : format("No line separates {} from {} yet. P is {} from {}.",
-                                           story.q, story.set_name(), story.distance(), story.q);
+                    : lower > 0.0
+                        ? proved(story)
+                        : format("No line found so far separates {} from {}. P is {} from {}.",
+                                 story.q, story.set_name(), story.distance(), story.q);
       return;
     case gjk::StopReason::repeated_support:
       text.caption =

@@ -173,7 +173,7 @@ void front(const LessonStudy& study, FrameText& text) {
   std::vector<std::string> names;
   for (const StudyDot& dot : best) names.push_back(dot.configuration);
   text.caption =
-      "Which would you take? A mark is beaten if another one is no slower and no less accurate.";
+      "Which would you take? A mark is beaten if another is as fast, within 10 %, and as accurate.";
   text.detail = format(
       "The dotted line joins the marks that none beats, the front: {}. A smaller error costs time.",
       fmt::join(names, "; "));
@@ -207,7 +207,7 @@ void choice(const LessonStudy& study, FrameText& text) {
 
 // Questions.
 
-constexpr std::array<double, 6> kRatios = {1.0, 3.0, 10.0, 30.0, 100.0, 300.0};
+constexpr std::array<double, 6> kRatios = {1.0, 3.0, 10.0, 50.0, 200.0, 1000.0};
 
 std::string ratio_words(double ratio) {
   return ratio == 1.0 ? "as long" : format("about {} times", ratio);

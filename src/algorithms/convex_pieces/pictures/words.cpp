@@ -23,8 +23,9 @@ void triangle(const Shown& shown, FrameText& text) {
   }
   text.caption = format("Triangle {} is an ear of {}: cut it off.", name, shape.name);
   text.detail =
-      "An ear is made of three corners in a row. It lies in the shape, and no other corner lies in "
-      "it.";
+      "An ear is made of three corners in a row of what is left. It lies in there, and no other "
+      "corner "
+      "lies in it.";
 }
 
 void merge(const Shown& shown, FrameText& text) {

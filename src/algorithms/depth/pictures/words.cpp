@@ -157,9 +157,8 @@ class Telling {
     }
     std::vector<std::string> names;
     for (const int corner : outgrown) names.push_back(name(corner));
-    text_.detail =
-        format("{} now {} inside the larger polygon and {} dropped.", fmt::join(names, " and "),
-               names.size() == 1 ? "lies" : "lie", names.size() == 1 ? "is" : "are");
+    text_.detail = format("{} {} of the larger polygon: dropped.", fmt::join(names, " and "),
+                          names.size() == 1 ? "is no corner" : "are no corners");
   }
 
   void answer() {

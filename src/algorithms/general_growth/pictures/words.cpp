@@ -120,8 +120,8 @@ void words(const Story& story, FrameText& text) {
         "Each outline has n segments. Counted are pairs: of segments, of convex pieces, of nodes "
         "of two trees.";
   } else if (shown.is(GrowthPhase::size)) {
-    text.caption = format("n = {}: of {} pairs, trees of boxes visit {}.", grouped(sample.segments),
-                          grouped(sample.pairs()), grouped(sample.boxes));
+    text.caption = format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
+                          grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
     text.detail =
         sample.pieces >= 0.0
             ? format("Trees of circles visit {}. Convex pieces: pairs that need a run of GJK: {}.",

@@ -34,6 +34,7 @@ void distance_listing(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   const bool leaf = shown.is(SearchPhase::leaf);
   const bool descends = shown.is(SearchPhase::descend);
+  const bool nearer = leaf && shown.step->record.better && !shown.is_tie();
   blocks::listing_line(panel,
                        shown.search.options.remembered ? "δ ← that of the last pair" : "δ ← ∞",
                        shown.step == nullptr);
@@ -43,8 +44,8 @@ void distance_listing(PanelBuilder& panel) {
   if (shown.has_tiles())
     blocks::listing_line(panel, "    if in the table: return", leaf && shown.step->record.hit);
   blocks::listing_line(panel, "    measure their segments",
-                       leaf && !shown.step->record.better && !shown.step->record.hit);
-  blocks::listing_line(panel, "    if nearer: δ ← that", leaf && shown.step->record.better);
+                       leaf && !nearer && !shown.step->record.hit);
+  blocks::listing_line(panel, "    if nearer: δ ← that", nearer);
   blocks::listing_line(panel, "  else for both children c of the", false);
   blocks::listing_line(panel, "  larger, the nearer one first", descends);
   blocks::listing_line(panel, "    closest(c, the other)", descends);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/hierarchy/pictures/shown.hpp"
 
@@ -20,18 +21,22 @@ struct Visit {
   double first = 0.0;  ///< Pairs without children that lie to the left, and below.
   double count = 0.0;
   bool is_cut = false;
-  bool is_better = false;  ///< Its segments became the candidate.
+  bool is_better = false;  ///< Its segments lowered δ.
 };
 
 /// All visits of a search, in their order. A pair's children are visited before what waited by
 /// then, so this is the order of a walk through the tree.
 std::vector<Visit> visits_of(const models::SearchTrace& trace) {
   std::vector<Visit> visits;
+  double candidate = HUGE_VAL;
   for (const SearchStep& step : trace.steps) {
     if (step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain)
       visits.push_back({step.after.pair.from});
     if (step.phase == SearchPhase::bound) visits.back().is_cut = step.record.cut;
-    if (step.phase == SearchPhase::leaf) visits.back().is_better = step.record.better;
+    if (step.record.better && step.after.candidate->high < candidate) {
+      candidate = step.after.candidate->high;
+      visits.back().is_better = true;
+    }
   }
   for (std::size_t i = visits.size(); i-- > 0;) {
     visits[i].count = std::max(visits[i].count, 1.0);
@@ -140,7 +145,7 @@ bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   constexpr std::array<KeyEntry, 5> kEntries = {
       {{[](const Point& at) { return current_mark(at); }, "now"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
-       {[](const Point& at) { return better_mark(at, kNodeRadius); }, "new candidate"},
+       {[](const Point& at) { return better_mark(at, kNodeRadius); }, "lower δ"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
        {[](const Point& at) { return node_mark(NodeState::cut, at, kNodeRadius); }, "cut"}}};
   key(scene, fonts, kEntries);
@@ -244,7 +249,7 @@ void order_counters(PanelBuilder& panel) {
     if (order.has_ended()) return std::string("0");
     return std::to_string(order.state == nullptr ? 1 : order.state->waiting.size());
   });
-  row("segments measured", [](const Order& order) {
+  row("pairs of segments measured", [](const Order& order) {
     return std::to_string(order.state != nullptr ? order.state->measured : 0);
   });
   row("candidate δ", [&](const Order& order) { return delta(order, panel.numbers); });

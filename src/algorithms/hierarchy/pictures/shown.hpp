@@ -11,7 +11,8 @@ namespace gjkscope::searches {
 inline constexpr AskInfo kAskDescend{"descend", "whether the search descends or cuts", "at visit"};
 inline constexpr AskInfo kAskTable{
     "table", "whether two tiles are measured or their segments are in the table", "at visit"};
-inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes can still win", "at visit"};
+inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes is too far apart to matter",
+                                 "at visit"};
 
 /// Searches with more visits are summed up: frames show their milestones alone.
 inline constexpr long kMostVisits = 40;
@@ -44,6 +45,11 @@ struct Shown {
   /// A pair is visited.
   [[nodiscard]] bool has_pair() const {
     return step != nullptr && !is_answer && !is(models::SearchPhase::contain);
+  }
+  /// A leaf whose segments are as far apart as the candidate that they replace.
+  [[nodiscard]] bool is_tie() const {
+    const auto& before = (step - 1)->after.candidate;
+    return before && models::compare_distances(*before, *state.candidate) == 0;
   }
   [[nodiscard]] bool is_cut() const { return is(models::SearchPhase::bound) && step->record.cut; }
   [[nodiscard]] int node_index(bool of_x) const { return of_x ? state.pair.a : state.pair.b; }

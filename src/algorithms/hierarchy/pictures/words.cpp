@@ -104,7 +104,7 @@ class Telling {
                                             shown_.node(true).count, shown_.node(false).count);
     if (shown_.is_distance()) {
       text_.caption = format("{} are {} apart, farther than {}: cut.", visited(), bound(), delta());
-      text_.detail = "No segment in a is nearer to one in b than the candidate. " + spared;
+      text_.detail = "No segment in a is closer to one in b than δ. " + spared;
     } else {
       text_.caption = format("{} are {} apart: cut.", visited(), bound());
       text_.detail = "No segment in a meets one in b. " + spared;
@@ -131,7 +131,7 @@ class Telling {
           format("Visit {}: both are leaves. Their segments do not meet.", shown_.state.visits);
       text_.detail = format("The {} meet, the segments do not: a {} is larger than its segment.",
                             shown_.volumes(), shown_.volume());
-    } else if (record.better && is_tie()) {
+    } else if (record.better && shown_.is_tie()) {
       text_.caption = format("Visit {}: both are leaves. Their segments are {} apart, too.",
                              shown_.state.visits, length);
       text_.detail =
@@ -141,7 +141,7 @@ class Telling {
       text_.caption =
           format("Visit {}: both are leaves. Their segments are {} apart: that is δ now.",
                  shown_.state.visits, length);
-      text_.detail = "They are the candidate. From now on what is farther apart is cut.";
+      text_.detail = "They are the candidate. From now on pairs that are farther apart are cut.";
     } else {
       text_.caption =
           format("Visit {}: both are leaves. Their segments are {} apart, not less than {}.",
@@ -149,12 +149,6 @@ class Telling {
       text_.detail = format("The {} were near enough, the segments are not. The candidate stays.",
                             shown_.volumes());
     }
-  }
-
-  /// The candidate before was as near.
-  [[nodiscard]] bool is_tie() const {
-    const auto& before = (shown_.step - 1)->after.candidate;
-    return before && models::compare_distances(*before, *shown_.state.candidate) == 0;
   }
 
   void descend() {
@@ -175,9 +169,9 @@ class Telling {
   void contain() {
     text_.caption = shown_.is_distance() ? "Nothing waits: no pair is nearer than the candidate."
                                          : "Nothing waits: no two segments meet.";
-    text_.detail = shown_.state.inside
-                       ? "But one shape lies inside the other, so they overlap."
-                       : "One shape could still lie inside the other: a vertex tells. None does.";
+    text_.detail = shown_.state.inside ? "But one shape lies inside the other, so they overlap."
+                                       : "One shape could still lie inside the other. A vertex of "
+                                         "each is tested: neither does.";
   }
 
   void answer() {
@@ -234,13 +228,12 @@ void question(const Story& story, FrameText& text) {
     return;
   }
   asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
-  asked.choices = is_distance ? std::vector<std::string>{"yes", "no: cut"}
+  asked.choices = is_distance ? std::vector<std::string>{"no", "yes: cut"}
                               : std::vector<std::string>{"descend", "cut"};
   asked.answer = asked.choices[record.cut ? 1 : 0];
-  text.caption = is_distance
-                     ? format("Question: can a and b hold segments that are nearer than δ = {}?",
-                              story.numbers(shown.state.candidate->high))
-                     : format("Question: descend into the {}, or cut?", shown.volumes());
+  text.caption = is_distance ? format("Question: are the {} a and b farther apart than δ = {}?",
+                                      shown.volumes(), story.numbers(shown.state.candidate->high))
+                             : format("Question: descend into the {}, or cut?", shown.volumes());
   text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 

@@ -19,7 +19,11 @@ void listing(PanelBuilder& panel) {
       shown.state.stop == WalkStop::overlap && (shown.is_answer || shown.is(WalkPhase::closest));
   const bool crossed = looked && shown.state.found.crossed;
   const bool ended = looked && !crossed;
-  blocks::listing_line(panel, "fx, fy ← any feature of X, of Y",
+  // Behind an edge no border is crossed.
+  const std::string nearest = shown.step != nullptr && shown.step->asked > 0 ? "nearest edge" : "";
+  blocks::listing_line(panel,
+                       panel.frame.run == 0 ? "fx, fy ← any feature of X, of Y"
+                                            : "fx, fy ← where the last walk ended",
                        shown.step == nullptr && shown.walk.query);
   blocks::listing_line(panel, "loop", false);
   blocks::listing_line(panel, "  x, y ← closest points of fx, fy",
@@ -28,10 +32,10 @@ void listing(PanelBuilder& panel) {
   blocks::listing_line(panel, "  if they meet: overlap, stop", met);
   blocks::listing_line(panel, "  if y not in the region of fx", crossed && shown.state.found.of_a);
   blocks::listing_line(panel, "    fx ← neighbour beyond the border",
-                       shown.is(WalkPhase::swap) && shown.state.found.of_a);
+                       shown.is(WalkPhase::swap) && shown.state.found.of_a, nearest);
   blocks::listing_line(panel, "  else if x not in that of fy", crossed && !shown.state.found.of_a);
   blocks::listing_line(panel, "    fy ← neighbour beyond the border",
-                       shown.is(WalkPhase::swap) && !shown.state.found.of_a);
+                       shown.is(WalkPhase::swap) && !shown.state.found.of_a, nearest);
   blocks::listing_line(panel, "  else stop: x, y are closest", ended || (shown.is_answer && !met));
 }
 
@@ -51,7 +55,7 @@ void features(PanelBuilder& panel) {
     return panel.row("refused", std::string(models::name_of(shown.walk.trace.result.flaw.fault)));
   panel.row("fx", shown.name(true));
   panel.row("fy", shown.name(false));
-  panel.row("swaps", fmt::format("{}, of {} pairs", shown.state.swaps, shown.walk.query->pairs()));
+  panel.row("swaps", std::to_string(shown.state.swaps));
   if (!shown.knows_pair() || shown.is_answer) return;
   for (const bool of_x : {true, false}) {
     for (const Border& border : shown.borders(of_x)) {

@@ -54,6 +54,10 @@ class Telling {
     text_.detail =
         "A feature is a vertex or an edge. Any pair of features will do: a near pair ends sooner. "
         "Next: their closest points.";
+    if (story_.frame.run == 0) return;
+    text_.caption.back() = ',';
+    text_.caption += " where the last walk ended.";
+    text_.detail = "If the shapes moved little, it ends near there. Next: their closest points.";
   }
 
   void closest() {
@@ -100,7 +104,7 @@ class Telling {
       text_.detail =
           "No neighbour is closer. But the shapes overlap elsewhere, and the walk cannot see it.";
     } else {
-      text_.detail = "So no point of either shape is closer to the other: stop.";
+      text_.detail = "No other two points of the shapes are closer: stop.";
     }
   }
 
@@ -124,18 +128,19 @@ class Telling {
     }
     text_.caption = format("{} takes the place of {}.", capitalized(shown_.name(of_x)),
                            shown_.name(of_x, of_x ? before().a : before().b));
-    text_.detail = shown_.step->asked > 0
-                       ? format("Of {} edges it is the nearest. Next: the closest points again.",
-                                shown_.step->asked)
-                       : "The distance falls with each swap, so no pair of features comes twice. "
-                         "Next: the closest points again.";
+    text_.detail =
+        shown_.step->asked > 0
+            ? format("Of {} edges it is the nearest. Next: the closest points again.",
+                     shown_.step->asked)
+            : "While the shapes are apart each swap lowers the distance, so no pair comes twice. "
+              "Next: the closest points again.";
   }
 
   void answer() {
     const models::WalkResult& result = shown_.walk.trace.result;
     const int pairs = result.steps;
     text_.detail =
-        format("The walk looked at {} of {} pairs of features.", pairs, shown_.walk.query->pairs());
+        format("The walk measured {} of {} pairs of features.", pairs, shown_.walk.query->pairs());
     if (result.stop == WalkStop::overlap) {
       text_.caption = format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {
