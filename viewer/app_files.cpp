@@ -15,6 +15,7 @@
 #include "files.hpp"
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"
+#include "lesson/names.hpp"
 #include "lesson/save.hpp"
 #include "picture/registry.hpp"
 #include "session/edit.hpp"

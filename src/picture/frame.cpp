@@ -21,6 +21,7 @@ namespace {
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
 constexpr double kCardCorner = 10.0;
+constexpr double kHaloCorner = 4.0;
 constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
@@ -447,7 +448,10 @@ Picture LessonPictures::picture(int index) {
     };
     const auto place = [&](const LabelRequest& label, bool fixed) {
       const Mark placed = view.placer.place(label, fixed);
-      lead(label, box_of(fonts_, std::get<Text>(placed.shape)));
+      const Rect box = box_of(fonts_, std::get<Text>(placed.shape));
+      lead(label, box);
+      if (view.placer.is_crossed(box))
+        picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
       picture.marks.push_back(placed);
     };
     std::set<std::string> drawn;

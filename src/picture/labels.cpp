@@ -250,6 +250,13 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   return mark_of(request, box);
 }
 
+bool LabelPlacer::is_crossed(const Rect& label) const {
+  const auto crosses = [&](const auto& mark) { return hits(label, mark); };
+  return std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(), crosses) ||
+         std::any_of(obstacles_.passing.begin(), obstacles_.passing.end(), crosses) ||
+         std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(), crosses);
+}
+
 std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, bool in_any_case) {
   const Point size = size_of(request.text, request.style);
   Rect extent{request.polygon[0], request.polygon[0]};

@@ -79,6 +79,8 @@ class LabelPlacer {
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
+  /// Something is drawn where a label stands.
+  [[nodiscard]] bool is_crossed(const Rect& label) const;
   /// No mark when the polygon has no room and there is no other place. `in_any_case`: rather on a
   /// mark than nowhere.
   [[nodiscard]] std::vector<Mark> place_inside(const AreaLabelRequest& request,

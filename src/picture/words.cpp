@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "lesson/names.hpp"
+
 namespace gjkscope {
 namespace {
 

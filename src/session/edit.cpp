@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "geometry/polygon.hpp"
+#include "lesson/names.hpp"
 #include "lesson/schema.hpp"
 #include "picture/registry.hpp"
 

@@ -68,10 +68,11 @@ void edges(PanelBuilder& panel) {
   }
   constexpr std::size_t kMost = 7;
   std::vector<depth::Edge<double>> all = edges_in_order(state.polygon);
-  // In one order for all frames: as the corners were found.
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-  });
+  // Around the polygon, in all frames from its oldest corner.
+  std::rotate(all.begin(),
+              std::min_element(all.begin(), all.end(),
+                               [](const auto& a, const auto& b) { return a.from < b.from; }),
+              all.end());
   for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i) {
     const depth::Edge<double>& edge = all[i];
     const bool current = shown.is_nearest(edge);

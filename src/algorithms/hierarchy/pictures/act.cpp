@@ -191,12 +191,15 @@ const StagedAct kDistance{
 constexpr std::array kActs = {&kCollide, &kDistance, &kOrders};
 constexpr std::array kBlocks = {&kCollideCounters, &kDistanceCounters, &kOrderCounters};
 constexpr std::array kListings = {&kCollideListing, &kDistanceListing};
+constexpr std::array kLegend = {LegendEntry{"volume.child", "volumes of the children"},
+                                LegendEntry{"volume.band", "nearer to a than δ"}};
 
 }  // namespace
 }  // namespace gjkscope::searches
 
 namespace gjkscope::algorithms {
 
-const ShownAlgorithm hierarchy{searches::kActs, searches::kBlocks, searches::kListings};
+const ShownAlgorithm hierarchy{searches::kActs, searches::kBlocks, searches::kListings,
+                               searches::kLegend};
 
 }  // namespace gjkscope::algorithms
