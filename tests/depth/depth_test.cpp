@@ -225,12 +225,18 @@ TEST(Depth, OfManySidedPolygonsTakesAStepForEachCorner) {
 TEST(Depth, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
   families::Source source(11);
   std::array<int, 3> verdicts = {};
+  int tiny = 0;
+  int huge = 0;
   for (int i = 0; i < 100 * kDepthFamilyCount; ++i) {
     const auto family = static_cast<DepthFamily>(i % kDepthFamilyCount);
     const auto representation = i % 2 == 0 && family != DepthFamily::extreme
                                     ? families::Representation::float_values
                                     : families::Representation::full_doubles;
     const Pair pair = meeting_pair(source, family, representation);
+    double size = 0.0;
+    for (const Point& p : pair.x) size = std::max(size, p.cwiseAbs().maxCoeff());
+    tiny += 0.0 < size && size < 1e-140;
+    huge += size > 1e140;
     const auto result = depth::penetration(pair.query());
     if (result.error == gjk::Error::none) {
       ++verdicts[static_cast<std::size_t>(result.verdict)];
@@ -240,6 +246,8 @@ TEST(Depth, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
     EXPECT_TRUE(keeps_bits_when_scaled(pair, result, source.among(-90, 90)));
   }
   for (const int count : verdicts) EXPECT_LT(50, count);
+  EXPECT_LT(20, tiny);
+  EXPECT_LT(20, huge);
 }
 
 }  // namespace
