@@ -107,7 +107,7 @@ void claim_checked(const LessonRun& run, std::string_view text) {
   for (const Problem& problem : check_expectation(run)) claim_located(problem, text);
   for (const LessonText& shown : texts_of(run.lesson)) {
     if (Fonts::first_missing(shown.text) == 0) continue;
-    const Place place = place_of(run.lesson.path, shown.key);
+    const Place place = place_of_key(run.lesson.path, shown.key);
     claim_located({run.lesson.path, place.line, place.column, "missing character", "", ""}, text);
   }
 }

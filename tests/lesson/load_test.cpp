@@ -796,10 +796,10 @@ TEST_F(LessonFolder, PlacesOfKeys) {
                {"nothing.at.all", {1, 1}},
                {"", {1, 1}}};
   for (const auto& [key, place] : cases) {
-    const Place found = place_of(file, key);
+    const Place found = place_of_key(file, key);
     EXPECT_EQ((std::pair{found.line, found.column}), (std::pair{place.line, place.column})) << key;
   }
-  EXPECT_EQ(place_of(folder_ / "none.toml", "title"), Place{});
+  EXPECT_EQ(place_of_key(folder_ / "none.toml", "title"), Place{});
 }
 
 TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
@@ -808,7 +808,7 @@ TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
   ASSERT_TRUE(loaded.lesson);
   std::string listed;
   for (const LessonText& text : texts_of(*loaded.lesson)) {
-    const Place place = place_of(file, text.key);
+    const Place place = place_of_key(file, text.key);
     listed +=
         text.text + "@" + std::to_string(place.line) + ":" + std::to_string(place.column) + " ";
   }

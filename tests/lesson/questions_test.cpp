@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "effects/facts.hpp"
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
 #include "picture/registry.hpp"
@@ -140,7 +141,8 @@ vertices = [[-1.85, -1.05], [1.55, -0.75], [0.0, 1.7]]
   // The weights, regions A, B, C and AB, which fail, the question, and BC.
   ASSERT_EQ(run.frames.size(), 7u);
   EXPECT_EQ(run.frames[5].question, 0);
-  EXPECT_EQ(run.frames[5].tests, 4);
+  ASSERT_NE(run.frames[5].part.as<TriedTests>(), nullptr);
+  EXPECT_EQ(run.frames[5].part.as<TriedTests>()->count, 4);
   EXPECT_TRUE(run.step(run.frames[6]).record.region_tests[4].holds);
 }
 
