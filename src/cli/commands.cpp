@@ -151,13 +151,20 @@ int export_pages_command(const Environment& env, const LessonChoice& choice,
                          const SiteOptions& options, bool json) {
   const FoundLessons found = find_lessons(env, choice);
   if (found.exit_code != kDone) return found.exit_code;
+  if (!options.file_name.empty() && (found.lessons.size() > 1 || options.index)) {
+    env.err << fmt::format(
+        "gjkscope: {} is one file; name one lesson without --index, or a folder\n",
+        options.file_name);
+    return kUsage;
+  }
   const std::vector<fs::path> files = export_site(found.lessons, options);
   if (json) {
     Json list = Json::array();
     for (const fs::path& file : files) list.push_back(file.string());
     env.out << Json{{"files", std::move(list)}}.dump(2) << '\n';
   } else {
-    env.out << fmt::format("{} pages in {}\n", files.size(), options.out_dir.string());
+    env.out << fmt::format("{} pages in {}\n", files.size(),
+                           (options.out_dir / options.file_name).string());
   }
   return flushed(env) ? kDone : kCannot;
 }

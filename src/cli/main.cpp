@@ -344,17 +344,18 @@ int run_export(const Environment& env, Arguments& args) {
   options.caption = args.caption == "none"   ? CaptionPlace::none
                     : args.caption == "file" ? CaptionPlace::file
                                              : CaptionPlace::below;
-  if (args.format == "html")
-    return export_pages_command(env, args.lessons,
-                                {args.out, env.share, options.index, options.force}, args.json);
-  const std::string extension = args.out.extension().string();
-  const std::optional<Format> by_ending =
-      extension.empty() ? std::nullopt : format_of(extension.substr(1));
   options.out_dir = args.out;
-  if (by_ending && !std::filesystem::is_directory(args.out)) {
+  const std::string ending =
+      args.out.has_extension() ? args.out.extension().string().substr(1) : "";
+  if ((ending == "html" || format_of(ending)) && !std::filesystem::is_directory(args.out)) {
     options.out_dir = args.out.has_parent_path() ? args.out.parent_path() : ".";
     options.file_name = args.out.filename().string();
-    options.format = *by_ending;
+    if (args.format.empty()) args.format = ending;
+  }
+  if (args.format == "html") {
+    return export_pages_command(
+        env, args.lessons,
+        {options.out_dir, env.share, options.index, options.force, options.file_name}, args.json);
   }
   if (!args.format.empty()) options.format = *format_of(args.format);
   return export_command(env, args.lessons, options, args.json);

@@ -460,9 +460,11 @@ class Exporter {
     std::vector<PdfFigure> figures;
     for (const RecordedFrame& frame : record.frames) {
       const auto index = static_cast<std::size_t>(frame.step - 1);
+      const FrameText& text = way.texts[index];
       figures.push_back({std::move(way.pictures[index]),
                          fmt::format("{} {}", way.run.lesson.id, frame.step),
-                         fmt::format("{}. {}", frame.step, alternative_text(way.texts[index]))});
+                         fmt::format("{}. {}", frame.step, text.position),
+                         fmt::format("{}. {}", frame.step, alternative_text(text))});
     }
     const double points = options_.dpi > 0.0 ? 72.0 / options_.dpi : 1.0;
     const std::string pdf =

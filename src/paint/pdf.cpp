@@ -295,6 +295,7 @@ class PdfWriter {
 
   void page(const PdfFigure& figure, double scale, bool last) {
     begin_page(scale * figure.picture.width, scale * figure.picture.height, figure.label);
+    bookmark(figure.title, 0.0);
     cairo_save(cairo_.get());
     cairo_scale(cairo_.get(), scale, scale);
     draw(figure.picture);
@@ -308,6 +309,7 @@ class PdfWriter {
     for (std::size_t i = 0; i < figures.size(); ++i) {
       const Picture& picture = figures[i].picture;
       const Rect slot = layout.slot(static_cast<int>(i));
+      bookmark(figures[i].title, slot.min.y());
       const Point size = slot.size();
       const double wide = layout.beside ? kShareBeside * size.x() : size.x();
       const std::vector<std::string> lines =
@@ -343,11 +345,14 @@ class PdfWriter {
   void begin_page(double width, double height, const std::string& label) {
     cairo_pdf_surface_set_size(surface_.get(), width, height);
     cairo_pdf_surface_set_page_label(surface_.get(), label.c_str());
-    cairo_pdf_surface_add_outline(surface_.get(), CAIRO_PDF_OUTLINE_ROOT, label.c_str(),
-                                  fmt::format("page={} pos=[0 0]", ++page_).c_str(),
-                                  static_cast<cairo_pdf_outline_flags_t>(0));
+    ++page_;
     cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
+  }
+  void bookmark(const std::string& title, double top) {
+    cairo_pdf_surface_add_outline(surface_.get(), CAIRO_PDF_OUTLINE_ROOT, title.c_str(),
+                                  fmt::format("page={} pos=[0 {}]", page_, top).c_str(),
+                                  static_cast<cairo_pdf_outline_flags_t>(0));
   }
   void end_page(bool last) {
     if (last) cairo_tag_end(cairo_.get(), "Document");

@@ -21,6 +21,7 @@ struct PdfWords {
 struct PdfFigure {
   Picture picture;
   std::string label;    ///< Of its page: "polygons-gjk 3".
+  std::string title;    ///< Of its bookmark: "3. iteration 1 of 4 · closest".
   std::string caption;  ///< May have several lines.
 };
 

@@ -112,7 +112,7 @@ Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
   if (part == AlgorithmPart::answer)
     return {.group = group_of_position(run, frame, "answer"),
             .label = "answer",
-            .short_label = "A",
+            .short_label = "end",
             .event = true};
   const StepInfo at = run.info(frame);
   return {.group = group_of_position(run, frame, format("iteration {}", at.iteration)),

@@ -95,6 +95,17 @@ std::string transcript_items(const Lesson& lesson) {
   return out;
 }
 
+fs::path file_of(const SiteOptions& options, const std::string& name) {
+  return options.out_dir / (options.file_name.empty() ? name + ".html" : options.file_name);
+}
+
+/// Before anything is written.
+void refuse_foreign_pages(const std::vector<Lesson>& lessons, const SiteOptions& options) {
+  for (const Lesson& lesson : lessons) refuse_foreign(file_of(options, lesson.id));
+  if (!options.index) return;
+  for (const char* name : {"playground", "index", "about"}) refuse_foreign(file_of(options, name));
+}
+
 class SiteWriter {
  public:
   explicit SiteWriter(const SiteOptions& options)
@@ -296,8 +307,7 @@ class SiteWriter {
   }
 
   void write(const std::string& name, const std::string& text) {
-    const fs::path file = options_.out_dir / (name + ".html");
-    if (!options_.force) refuse_foreign(file);
+    const fs::path file = file_of(options_, name);
     write_whole(file, text);
     files_.push_back(file);
   }
@@ -324,6 +334,7 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
                                          error ? error.message() : "there is a file"));
   }
   remove_leftovers(options.out_dir);
+  if (!options.force) refuse_foreign_pages(lessons, options);
   for (std::size_t i = 0; i < lessons.size(); ++i)
     writer.write_lesson(lessons[i],
                         options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr);

@@ -3,6 +3,7 @@
 // and holds all that it needs.
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lesson/lesson.hpp"
@@ -13,9 +14,10 @@ struct SiteOptions {
   std::filesystem::path out_dir;  ///< Made when it is not there.
   std::filesystem::path share;    ///< Holds assets/, and web/ or build/wasm/web/ with the program
                                   ///< for browsers.
-  bool index = false;  ///< Also an index of the lessons, a playground and a page about them all,
-                       ///< and links between the pages.
-  bool force = false;  ///< Replace files that were not exported.
+  bool index = false;     ///< Also an index of the lessons, a playground and a page about them all,
+                          ///< and links between the pages.
+  bool force = false;     ///< Replace files that were not exported.
+  std::string file_name;  ///< In `out_dir`, of the one page that is asked for; empty: by lesson.
 };
 
 /// Writes `<lesson>.html` for each lesson; with `index` also index.html, playground.html and

@@ -48,7 +48,8 @@ TEST(Program, AMistakenCommandLineIsToldOnStderr) {
   for (const char* arguments :
        {"", "lesons", "solve", "solve --scalar quad x.json", "export --all", "export --out x",
         "export --out x --size 12by8 --all", "export --out x --steps 5..2 --all",
-        "export --out x --format bmp --all", "export --all polygons-gjk --out x", "--nonsense",
+        "export --out x --format bmp --all", "export --all polygons-gjk --out x",
+        "export --all --out x.html", "export polygons-gjk --index --out x.html", "--nonsense",
         "transcript", "transcript --all polygons-gjk", "transcript polygons-gjk no-such-lesson",
         "trace no-such-lesson", "explain no-such-lesson", "export --out x no-such-lesson"}) {
     SCOPED_TRACE(arguments);

@@ -87,6 +87,17 @@ TEST_F(Readers, PopplerOnAHandout) {
   EXPECT_TRUE(has(said("pdfinfo -struct " + pdf), "  Caption\n"));
 }
 
+TEST_F(Readers, PopplerFindsABookmarkForEachStep) {
+  for (const int a_page : {1, 4}) {
+    const std::string pdf = exported(Format::pdf, a_page == 1 ? 0 : a_page);
+    const std::string told = said("pdftohtml -q -i -xml -stdout " + pdf);
+    for (int step = 1; step <= frames_; ++step) {
+      const int page = (step - 1) / a_page + 1;
+      EXPECT_TRUE(has(told, fmt::format("<item page=\"{}\">{}. ", page, step))) << told;
+    }
+  }
+}
+
 TEST_F(Readers, Gifsicle) {
   const std::string told = said("gifsicle --info " + exported(Format::gif));
   EXPECT_TRUE(has(told, "logical screen 640x360")) << told;

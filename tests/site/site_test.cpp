@@ -114,6 +114,27 @@ TEST_F(Site, APageOfSomebodyElseIsReplacedOnlyByForce) {
   EXPECT_NE(read_whole(file), "<p>My notes");
 }
 
+TEST_F(Site, NothingIsWrittenWhereAnyPageIsSomebodyElses) {
+  const std::vector<Lesson> lessons = {testing::shipped_lesson("segment-closest"),
+                                       testing::shipped_lesson("stop-vertex")};
+  fs::create_directories(out_);
+  for (const char* name : {"stop-vertex.html", "playground.html", "index.html", "about.html"}) {
+    SCOPED_TRACE(name);
+    std::ofstream(out_ / name) << "<p>My notes";
+    EXPECT_THROW((void)export_site(lessons, {out_, share_, true}), std::runtime_error);
+    EXPECT_EQ(read_whole(out_ / name), "<p>My notes");
+    EXPECT_EQ(std::distance(fs::directory_iterator(out_), {}), 1);
+    fs::remove(out_ / name);
+  }
+}
+
+TEST_F(Site, OnePageMayHaveANameOfItsOwn) {
+  const auto files = export_site({testing::shipped_lesson("stop-vertex")},
+                                 {out_, share_, false, false, "monday.html"});
+  EXPECT_EQ(files, std::vector<fs::path>{out_ / "monday.html"});
+  EXPECT_NE(read_whole(out_ / "monday.html").find("stop-vertex"), std::string::npos);
+}
+
 TEST_F(Site, WithoutTheProgramForBrowsersItSaysHowToBuildIt) {
   fs::remove(share_ / "web" / "fonts.css");
   try {

@@ -52,12 +52,22 @@ namespace {
 
 constexpr std::array kAsks = {kAskEdge};
 
+/// As far as a reader can see, another edge is as near to O as the one that is taken.
+bool is_tie(const Shown& shown) {
+  constexpr double kSeen = 1e-3;
+  const double nearest = shown.distance(shown.state.edge).value_or(0.0);
+  const auto& edges = shown.step->record.edges;
+  return std::count_if(edges.begin(), edges.end(), [&](const depth::Edge<double>& edge) {
+           return shown.distance(edge).value_or(HUGE_VAL) <= (1.0 + kSeen) * nearest;
+         }) > 1;
+}
+
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
   if (question.ask != kAskEdge.name || !shown.is(depth::Phase::nearest)) return -1;
   if (question.at && *question.at != shown.step->iteration) return -1;
-  return shown.step->record.edges.size() > 1 ? *frame.steps_over - 1 : -1;
+  return shown.step->record.edges.size() > 1 && !is_tie(shown) ? *frame.steps_over - 1 : -1;
 }
 
 constexpr std::array<std::string_view, depth::kPhaseCount> kWords = {"nearest edge", "support",

@@ -139,7 +139,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   if (shown.is_answer)
     return {.group = group_of_position(run, frame, "answer"),
             .label = "answer",
-            .short_label = "A",
+            .short_label = "end",
             .event = true};
   const StepInfo at = run.info(frame);
   const std::string group =
