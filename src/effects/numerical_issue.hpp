@@ -9,7 +9,7 @@ namespace gjkscope {
 /// "Collinear vertices").
 struct NumericalIssue {
   static constexpr std::string_view kName = "numerical-issue";
-  static constexpr std::string_view kNeeds = "shape-hull, direction-rules";
+  static constexpr std::string_view kNeeds = "shape-hull,direction-rules";
   enum class Kind {
     direction,  ///< Beyond an edge: d = Q - P is rounded.
     repeated,   ///< Beyond a vertex: the same support point again.

@@ -21,7 +21,7 @@ struct Projection {
 /// to n (Catto 2010, slides "Unit vector", "(u,v) from G", "(u,v) from Q").
 struct UnitVector {
   static constexpr std::string_view kName = "unit-vector";
-  static constexpr std::string_view kNeeds = "projection";
+  static constexpr std::string_view kNeeds = "barycentric-weights,projection";
   struct Lengths {
     double to_b = 0.0;    ///< dot(B - point, n); divided by `length`: u.
     double from_a = 0.0;  ///< dot(point - A, n); divided by `length`: v.
