@@ -9,11 +9,14 @@
 #include <stdexcept>
 
 #include "drawers/study.hpp"
+#include "effects/grid.hpp"
 #include "files.hpp"
 #include "lesson/chapters.hpp"
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"
+#include "paint/svg.hpp"
 #include "picture/registry.hpp"
+#include "widgets.hpp"
 
 namespace gjkscope {
 namespace {
@@ -24,8 +27,18 @@ using Kind = Subject::Kind;
 
 constexpr double kSaveEvery = 1.0;     // seconds; what a crash may cost
 constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
+constexpr double kLooksBeside = 0.1;   // seconds; at what is done beside the window
 constexpr double kSlowest = 0.25;      // frames a second
 constexpr double kFastest = 32.0;
+
+/// Whether there is such a vertex or shape: what was selected may have been undone.
+bool has(const Lesson& lesson, const Subject& subject) {
+  if (subject.kind == Kind::vertex_of_x)
+    return static_cast<std::size_t>(subject.x) < lesson.x().vertices.size();
+  if (subject.kind == Kind::vertex_of_y)
+    return static_cast<std::size_t>(subject.y) < lesson.y().vertices.size();
+  return subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
+}
 
 }  // namespace
 
@@ -93,9 +106,13 @@ void App::tick(double now) {
     if (waits || !session_.step(1)) playing_ = false;
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
-  if (!message_ends_) message_ends_ = message_is_error_ ? HUGE_VAL : now_ + kMessageStays;
+  end_export();
+  const bool stays = message_is_error_ || is_exporting();
+  if (!message_ends_) message_ends_ = stays ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
-  if (now_ >= next_save_ && session_.version() != kept_version_) keep_unsaved();
+  if (keeping_.valid() && is_ready(keeping_)) end_keeping();
+  const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
+  if (is_due && !keeping_.valid()) keep_unsaved_beside();
   note_finished();
 }
 
@@ -105,19 +122,54 @@ std::optional<double> App::wakes_at() const {
   constexpr double kImage = 1.0 / 60.0;
   if (picture_.is_moving()) at = std::min(at, now_ + kImage);
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
-  if (unsaved_.keeps() && session_.version() != kept_version_) at = std::min(at, next_save_);
+  const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
+  if (is_exporting() || keeping_.valid() || (open && open->waits && open->waits()))
+    at = std::min(at, now_ + kLooksBeside);
+  if (unsaved_.keeps() && session_.version() != kept_version_ && !keeping_.valid())
+    at = std::min(at, next_save_);
   if (std::isinf(at)) return std::nullopt;
   return at;
 }
 
 void App::keep_unsaved() {
+  end_keeping();
   kept_version_ = session_.version();
   next_save_ = now_ + kSaveEvery;
   try {
     unsaved_.keep(session_.all_unsaved());
   } catch (const std::runtime_error& error) {
-    say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
+    say_not_kept(error);
   }
+}
+
+void App::keep_unsaved_beside() {
+  kept_version_ = session_.version();
+  next_save_ = now_ + kSaveEvery;
+  struct Work {
+    Lesson lesson;
+    fs::path file;
+  };
+  std::vector<Work> work;
+  for (const Session::Unsaved& each : session_.all_unsaved())
+    work.push_back({each.lesson, each.file});
+  keeping_ = std::async(std::launch::async, [this, work = std::move(work)] {
+    std::vector<Session::Unsaved> all;
+    for (const Work& each : work) all.push_back({each.lesson, each.file});
+    unsaved_.keep(all);
+  });
+}
+
+void App::end_keeping() {
+  if (!keeping_.valid()) return;
+  try {
+    keeping_.get();
+  } catch (const std::runtime_error& error) {
+    say_not_kept(error);
+  }
+}
+
+void App::say_not_kept(const std::runtime_error& error) {
+  say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
 }
 
 // Changes ----------------------------------------------------------------------------------------
@@ -146,8 +198,8 @@ void App::nudge(const Vector2d& pixels) {
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
   const LessonPictures::ShownView view = session_.views().front();
   const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
-  const Vector2d by = snap_ > 0.0 ? Vector2d(snap_ * pixels / pixels.cwiseAbs().maxCoeff())
-                                  : Vector2d(2.0 * units.cwiseProduct(pixels));
+  const Vector2d by = snaps_ ? Vector2d(picture_.grid(0).cwiseProduct(pixels))
+                             : Vector2d(2.0 * units.cwiseProduct(pixels));
   const std::size_t body = of_x ? 0 : 1;
   session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
@@ -181,6 +233,16 @@ void App::note_finished() {
   if (session_.index() + 1 == session_.frame_count() &&
       finished_.insert(session_.lesson().id).second)
     write_lines("finished", {finished_.begin(), finished_.end()});
+}
+
+App::Progress App::progress(std::optional<int> chapter) const {
+  Progress out;
+  for (const ListedLesson& lesson : lessons_) {
+    if (!lesson.problem.empty() || (chapter && lesson.chapter != *chapter)) continue;
+    ++out.of;
+    if (finished_.contains(lesson.id)) ++out.done;
+  }
+  return out;
 }
 
 // Parts of the window ----------------------------------------------------------------------------
@@ -304,7 +366,7 @@ void App::make_commands() {
       [&] { return !session_.redo_name().empty(); });
   add("Edit", "Select the next vertex", {"Tab"}, [&] { select_next(1); });
   add("Edit", "Select the vertex before", {"Shift+Tab"}, [&] { select_next(-1); });
-  const auto has_selected = [&] { return picture_.selected.kind != Kind::none; };
+  const auto has_selected = [&] { return has(session_.lesson(), picture_.selected); };
   for (const auto& [key, by] :
        {std::pair("Right", Vector2d(1, 0)), {"Left", {-1, 0}}, {"Up", {0, 1}}, {"Down", {0, -1}}}) {
     std::string where = key;
@@ -315,14 +377,25 @@ void App::make_commands() {
   }
   add(
       "Edit", "Delete the selected vertex", {"Delete", "Backspace"}, [&] { erase_selected(); },
-      [&] {
+      [&, has_selected] {
         const Kind kind = picture_.selected.kind;
-        return kind == Kind::vertex_of_x || kind == Kind::vertex_of_y;
+        return has_selected() && (kind == Kind::vertex_of_x || kind == Kind::vertex_of_y);
       });
-  add("Edit", "Snap to a grid", {"G"}, [&] { snap_ = snap_ > 0.0 ? 0.0 : 0.25; });
+  add("Edit", "Snap to round numbers", {"G"}, [&] {
+    snaps_ = !snaps_;
+    say(snaps_ ? "what is dragged goes to round numbers" : "what is dragged goes anywhere");
+  });
   add("Edit", "Copy as case", {"Ctrl+C"}, [&] {
     if (copy) copy(case_json(case_of(session_.run().run(session_.frame())), session_.lesson().id));
     say("copied the shapes as a case");
+  });
+  add("Edit", "Copy the frame as SVG text", {"Ctrl+Shift+C"}, [&] {
+    if (copy) copy(to_svg(session_.picture(), fonts_, theme_, alternative_text(session_.text())));
+    say("copied the frame: paste it where SVG is read, or into a text file");
+  });
+  add("Edit", "Copy the frame in words", {}, [&] {
+    if (copy) copy(alternative_text(session_.text()));
+    say("copied what the frame says");
   });
   add("Edit", "Paste a case", {"Ctrl+V"}, [&] {
     if (paste) open_case_text(paste(), "pasted", true);
@@ -359,10 +432,29 @@ void App::make_commands() {
         left_.clear();
       },
       [&] { return !left_.empty(); });
-  add("File", "Export frames", {"Ctrl+E"}, [&] { show_dialog(export_dialog(*this)); });
+  add(
+      "File", "Export frames", {"Ctrl+E"}, [&] { show_dialog(export_dialog(*this)); },
+      [&] { return !is_exporting(); });
   add("File", "Quit", {"Ctrl+Q"}, [&] { quit_ = true; });
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
+  add(
+      "View", "Grid and axes", {"Shift+G"},
+      [&] {
+        const std::string name(Grid::kName);
+        Lesson lesson = session_.lesson();
+        const bool was_on = lesson.calls_for(name);
+        for (LessonView& view : lesson.views) {
+          std::erase(view.effects, name);
+          if (!was_on && shows_shapes(view.kind)) view.effects.push_back(name);
+        }
+        edit("grid and axes", std::move(lesson));
+      },
+      [&] {
+        const std::vector<LessonView>& views = session_.lesson().views;
+        return std::any_of(views.begin(), views.end(),
+                           [](const LessonView& view) { return shows_shapes(view.kind); });
+      });
   add("View", "Lessons", {"L"}, [&] {
     lessons_shown_ = !has_lessons();
     if (lessons_shown_ && drawer_ && !has_lessons()) toggle_drawer(*drawer_);
@@ -468,6 +560,8 @@ std::string App::state_json() {
                                  {"dialog", dialog_ ? dialog_->title : ""},
                                  {"message", message_},
                                  {"left", left_.size()},
+                                 {"pinned", pinned_text()},
+                                 {"exporting", is_exporting()},
                                  {"recent", recent_},
                                  {"question", session_.question() != nullptr},
                                  {"asked", session_.answers().size()},

@@ -2,11 +2,15 @@
 // The window's content: Dear ImGui calls from a session, and from input back to it. Knows no SDL
 // and no GL; window.cpp feeds it, and so do tests.
 
+#include <imgui.h>
+
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +18,7 @@
 #include "command.hpp"
 #include "dialog.hpp"
 #include "drawer.hpp"
+#include "export/export.hpp"
 #include "icon.hpp"
 #include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
@@ -85,6 +90,7 @@ class App {
   [[nodiscard]] PictureView& picture() { return picture_; }
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
+  [[nodiscard]] const std::string& theme_name() const { return theme_name_; }
   [[nodiscard]] bool is_dark() const;
   [[nodiscard]] bool is_presenting() const { return presenting_; }
   [[nodiscard]] const std::filesystem::path& share() const { return paths_.share; }
@@ -93,10 +99,12 @@ class App {
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
   [[nodiscard]] const std::string& message() const { return message_; }
   [[nodiscard]] ImFont* mono_font() const { return mono_; }
-  /// Grid to which a hand is held; 0: none.
-  [[nodiscard]] double snap() const { return snap_; }
+  /// Whether a hand is held to round numbers: the other way round while Shift is down.
+  [[nodiscard]] bool snaps() const { return snaps_ != ImGui::GetIO().KeyShift; }
   /// How drawers write numbers.
   bool hexadecimal = false;
+  /// Names of values (drawers/values.hpp) that stay in sight.
+  std::vector<std::string> pinned;
   /// What drawers point at in the frame that is being drawn.
   Subject pointed_in_panel;
 
@@ -117,6 +125,14 @@ class App {
   [[nodiscard]] bool moves() const { return moves_; }
   [[nodiscard]] double now() const { return now_; }
 
+  /// Lessons of the list that were stepped to their end.
+  struct Progress {
+    int done = 0;
+    int of = 0;
+  };
+  /// Of a chapter; of all, without.
+  [[nodiscard]] Progress progress(std::optional<int> chapter = std::nullopt) const;
+
   /// At the step that an exported file shows.
   void open_exported(const std::filesystem::path& file);
   void open_lesson(const std::filesystem::path& file);
@@ -129,7 +145,10 @@ class App {
   void save_to(const std::filesystem::path& file);
   /// Writes text of the user's; says what was written, or why not.
   void write_text(const std::filesystem::path& file, const std::string& text);
-  void export_to(const std::filesystem::path& folder, bool all);
+  /// This frame, or all: the lesson as it is seen. `options` says where, and how they look. Goes on
+  /// beside the window, which says how it ended.
+  void export_frames(ExportOptions options, bool all);
+  [[nodiscard]] bool is_exporting() const { return exporting_.valid(); }
 
   // For scripts
   [[nodiscard]] std::string state_json();
@@ -143,6 +162,8 @@ class App {
   void draw_dialog();
   void draw_message();
   void draw_status();
+  void draw_pinned(float begin);
+  [[nodiscard]] std::string pinned_text();
   /// The list of lessons gives way where the picture has no room beside it.
   [[nodiscard]] bool has_lessons() const;
   [[nodiscard]] const std::string& said() const;
@@ -164,11 +185,16 @@ class App {
   void focus_next_panel(int by);
   void toggle_drawer(std::size_t index);
   void keep_unsaved();
+  /// The same in a thread of its own: large shapes take their time, and a drag would wait.
+  void keep_unsaved_beside();
+  void end_keeping();
+  void say_not_kept(const std::runtime_error& error);
   void offer_left_work();
   void open_left_work();
   void read_recent();
   void remember_recent(const std::filesystem::path& file);
   void write_lines(const char* name, const std::vector<std::string>& lines) const;
+  void end_export();
   void note_finished();
 
   Paths paths_;
@@ -206,12 +232,18 @@ class App {
   double next_save_ = 0.0;
   long kept_version_ = 0;
   bool quit_ = false;
-  double snap_ = 0.0;
+  bool snaps_ = false;
   std::string message_;
   bool message_is_error_ = false;
   std::optional<double> message_ends_;  ///< Set when it is seen first.
   std::vector<std::string> recent_;
   std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
+  struct Exported {
+    std::string outcome;
+    bool failed = false;
+  };
+  std::future<Exported> exporting_;
+  std::future<void> keeping_;  ///< Uses `unsaved_`.
 };
 
 }  // namespace gjkscope

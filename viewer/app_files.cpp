@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include "app.hpp"
 #include "drawers/study.hpp"
@@ -19,6 +18,7 @@
 #include "lesson/save.hpp"
 #include "picture/registry.hpp"
 #include "session/edit.hpp"
+#include "widgets.hpp"
 
 namespace gjkscope {
 namespace {
@@ -219,12 +219,9 @@ void App::write_text(const fs::path& file, const std::string& text) {
   }
 }
 
-void App::export_to(const fs::path& folder, bool all) {
-  ExportOptions options;
-  options.out_dir = folder;
+void App::export_frames(ExportOptions options, bool all) {
   options.assets_dir = paths_.share / "assets";
-  options.theme = theme_name_;
-  options.index = all;
+  options.index = all && options.format == Format::png;
   options.questions = false;
   Lesson lesson = session_.lesson_as_seen();
   lesson.questions.clear();
@@ -234,20 +231,23 @@ void App::export_to(const fs::path& folder, bool all) {
       step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
     options.first_step = options.last_step = std::max(step, 1);
   }
-  std::string outcome;
-  bool failed = false;
+  say(fmt::format("exporting into {}", options.out_dir.string()));
   // A thread of its own: there the off-screen renderer's context is current, and here the window's.
-  std::thread([&] {
+  exporting_ = std::async(std::launch::async, [lesson = std::move(lesson), options]() -> Exported {
     try {
       const ExportResult result = export_lessons({lesson}, options);
-      outcome = fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                            folder.string());
+      return {fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
+                          options.out_dir.string())};
     } catch (const std::exception& error) {
-      outcome = error.what();
-      failed = true;
+      return {error.what(), true};
     }
-  }).join();
-  say(outcome, failed);
+  });
+}
+
+void App::end_export() {
+  if (!is_exporting() || !is_ready(exporting_)) return;
+  Exported ended = exporting_.get();
+  say(std::move(ended.outcome), ended.failed);
 }
 
 // Between two starts -----------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #include <array>
 
 #include "app.hpp"
+#include "drawers/values.hpp"
+#include "files.hpp"
 #include "imgui_vec.hpp"
 #include "widgets.hpp"
 
@@ -195,9 +197,10 @@ void App::draw_top_bar() {
     ImGui::EndPopup();
   };
   menu("File", {"Open", "Save", "Save as", "Revert to what is saved", "", "Export frames", "",
-                "Copy as case", "Paste a case", "", "Quit"});
-  menu("View", {"Lessons", "Presenter mode", "Fit", "Snap to a grid", "", "Next theme",
-                "Larger panels", "Smaller panels", "", "Any command", "Keys"});
+                "Copy as case", "Copy the frame as SVG text", "Copy the frame in words",
+                "Paste a case", "", "Quit"});
+  menu("View", {"Lessons", "Presenter mode", "Fit", "Grid and axes", "Snap to round numbers", "",
+                "Next theme", "Larger panels", "Smaller panels", "", "Any command", "Keys"});
   const float icon = 1.25f * ImGui::GetFrameHeight();
   for (const auto& [drawn, name] :
        {std::pair(Icon::undo, "Undo"), {Icon::redo, "Redo"}, {Icon::fit, "Fit"}}) {
@@ -272,6 +275,15 @@ void App::draw_transport() {
 
 void App::draw_lessons() {
   begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
+  const auto draw_progress = [](const Progress& count) {
+    const std::string text = fmt::format("{}/{}", count.done, count.of);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextDisabled("%s", text.c_str());
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%d of %d lessons were stepped to their end", count.done, count.of);
+  };
+  ImGui::TextUnformatted("Lessons");
+  draw_progress(progress());
   int chapter = -1;
   for (const ListedLesson& lesson : lessons_) {
     if (lesson.chapter != chapter) {
@@ -283,6 +295,7 @@ void App::draw_lessons() {
       } else {
         ImGui::TextDisabled("%d  %s", chapter, title->second.c_str());
       }
+      draw_progress(progress(chapter));
     }
     ImGui::PushID(lesson.file.c_str());
     draw_lesson(lesson);
@@ -356,6 +369,31 @@ bool App::fits_status(const std::string& text) const {
   return text.find('\n') == std::string::npos && ImGui::CalcTextSize(text.c_str()).x <= room;
 }
 
+std::string App::pinned_text() {
+  if (pinned.empty()) return "";
+  const std::vector<NamedValue> values = values_now(*this);
+  std::string text;
+  for (const std::string& name : pinned) {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&](const NamedValue& value) { return value.name == name; });
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "    ", name,
+                        found == values.end() ? "–" : found->text);
+  }
+  return text;
+}
+
+/// Values that stay in sight, at the right end of a line whose text ends at `begin`.
+void App::draw_pinned(float begin) {
+  const std::string text = pinned_text();
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float at = end - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SameLine(0.0f, 0.0f);
+  ImGui::SetCursorScreenPos(
+      {std::max(at, begin + ImGui::GetFontSize()), ImGui::GetCursorScreenPos().y});
+  ImGui::TextUnformatted(text.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+}
+
 /// What was said last, work that another window left, or where the lesson is saved.
 void App::draw_status() {
   const std::string& text = said();
@@ -382,6 +420,7 @@ void App::draw_status() {
                         session_.file().empty() ? "in no file" : session_.file().filename().c_str(),
                         session_.is_unsaved() ? ", not saved" : "");
   }
+  if (!pinned.empty()) draw_pinned(ImGui::GetItemRectMax().x);
 }
 
 /// What was said last, where it is too long for the line below.

@@ -6,9 +6,13 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 
 #include "app.hpp"
+#include "drawers/shapes.hpp"
+#include "drawers/values.hpp"
 #include "effects/registry.hpp"
 #include "lesson/names.hpp"
 #include "widgets.hpp"
@@ -128,18 +132,61 @@ struct Save {
 
 struct Export {
   App& app;
+  ExportOptions options;
   std::string folder = "frames";
 
   void draw() {
     const bool entered = field(folder, "a folder");
+    if (ImGui::BeginCombo("format", std::string(name_of(options.format)).c_str())) {
+      for (const Format format : all_formats()) {
+        if (ImGui::Selectable(std::string(name_of(format)).c_str(), format == options.format))
+          options.format = format;
+      }
+      ImGui::EndCombo();
+    }
+    if (ImGui::BeginCombo("theme", options.theme.c_str())) {
+      for (const std::string& theme : Theme::names(app.share() / "assets" / "themes")) {
+        if (ImGui::Selectable(theme.c_str(), theme == options.theme)) options.theme = theme;
+      }
+      ImGui::EndCombo();
+    }
+    std::array<int, 2> size = {options.width, options.height};
+    if (ImGui::InputInt2("width and height", size.data())) {
+      options.width = std::clamp(size[0], 1, kMostPixels);
+      options.height = std::clamp(size[1], 1, kMostPixels);
+    }
+    for (const auto& [name, width, height] : kSizes) {
+      if (ImGui::Button(name)) {
+        options.width = width;
+        options.height = height;
+      }
+      ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ImGui::Separator();
+    ImGui::BeginDisabled(is_film(options.format));  // one frame does not move
     const bool frame = ImGui::Button("This frame");
+    ImGui::EndDisabled();
     ImGui::SameLine();
-    const bool all = ImGui::Button("All frames, with an index");
+    const bool all = ImGui::Button("All frames");
     draw_cancel(app);
     if (folder.empty() || (!entered && !frame && !all)) return;
+    options.out_dir = folder;
     app.close_dialog();
-    app.export_to(folder, all);
+    app.export_frames(options, all || is_film(options.format));
   }
+
+ private:
+  struct Size {
+    const char* name;
+    int width;
+    int height;
+  };
+  static constexpr Size kSizes[] = {{"1280x720", 1280, 720},
+                                    {"1920x1080", 1920, 1080},
+                                    {"3840x2160", 3840, 2160},
+                                    {"1080x1080", 1080, 1080}};
+  static constexpr int kMostPixels = 16384;
 };
 
 void draw_keys(App& app) {
@@ -160,8 +207,9 @@ void draw_keys(App& app) {
   ImGui::Spacing();
   ImGui::TextDisabled("Mouse");
   wrapped_text(
-      "Drag a vertex, a shape, the handle of a selected shape, the timeline, or the empty stage. "
-      "Wheel: zoom. Double click an edge: add a vertex; elsewhere: show all. Click a line of the "
+      "Drag a vertex, a shape, the handle of a selected shape, the timeline, or the empty stage; "
+      "with Shift to round numbers. Wheel: zoom. Double click an edge: add a vertex; elsewhere: "
+      "show all. Click a line of the "
       "pseudocode: go to its next run.");
   ImGui::EndChild();
   if (ImGui::Button("Close")) app.close_dialog();
@@ -202,6 +250,18 @@ struct Palette {
         all.push_back(
             {command.name, command.keys.empty() ? "" : command.keys.front(), command.run});
     }
+    // "polygon 7": what is typed says how many corners.
+    int corners = 0;
+    const char* const digits =
+        wanted.c_str() + std::min(wanted.find_first_of("123456789"), wanted.size());
+    std::from_chars(digits, wanted.c_str() + wanted.size(), corners);
+    if (corners >= kFewestCorners && corners <= kMostCorners) {
+      for (const std::size_t body : {0, 1}) {
+        all.push_back(
+            {fmt::format("{} becomes a regular polygon of {} corners", kBodyKeys[body], corners),
+             "", [&to, body, corners] { make_regular(to, body, corners); }});
+      }
+    }
     for (const ListedLesson& lesson : app.lessons()) {
       if (lesson.problem.empty())
         all.push_back({fmt::format("Lesson: {} ({})", lesson.title, lesson.id), "",
@@ -224,8 +284,9 @@ struct Palette {
                        to.edit("numerics", std::move(lesson));
                      }});
     }
-    for (const auto& [name, value] : app.session().text().values)
-      all.push_back({fmt::format("{} = {}", name, value), "", [&to] { to.show_drawer("Values"); }});
+    for (const NamedValue& value : values_now(app))
+      all.push_back({fmt::format("Value {} = {}", value.name, value.text), "",
+                     [&to, name = value.name] { toggle_pin(to, name); }});
     return all;
   }
 
@@ -276,7 +337,11 @@ Dialog save_dialog(App& app, const std::string& title, const std::string& sugges
   return dialog_of(title, Save{app, suggestion, own, std::move(save)});
 }
 
-Dialog export_dialog(App& app) { return dialog_of("Export frames into a folder", Export{app}); }
+Dialog export_dialog(App& app) {
+  ExportOptions options;
+  options.theme = app.theme_name();
+  return dialog_of("Export frames into a folder", Export{app, std::move(options)});
+}
 
 Dialog keys_dialog(App& app) {
   return {"Keys", [&app] { draw_keys(app); }};

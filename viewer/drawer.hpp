@@ -24,6 +24,8 @@ struct Drawer {
   /// What is under the pointer on the picture.
   std::function<void(const Subject&)> pointed = nullptr;
   std::vector<Command> commands = {};
+  /// Whether it waits for what is computed beside the window; it is drawn again until it has it.
+  std::function<bool()> waits = nullptr;
 };
 
 #define DRAWER(name) [[nodiscard]] Drawer name##_drawer(App& app);

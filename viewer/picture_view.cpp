@@ -10,6 +10,7 @@
 #include "app.hpp"
 #include "geometry/polygon.hpp"
 #include "imgui_vec.hpp"
+#include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "picture/tween.hpp"
 #include "session/hit.hpp"
@@ -38,11 +39,15 @@ int index_of(const Subject& subject) {
   return subject.kind == Kind::vertex_of_x ? subject.x : subject.y;
 }
 
+/// The nearest multiple of a round number. Below 1 that is divided by how many make 1: 0.3 is the
+/// double that is nearest to it, and 3 times 0.1 is not.
 double snapped(double value, double grid) {
-  return grid > 0.0 ? grid * std::round(value / grid) : value;
+  if (grid == 0.0) return value;
+  const double steps = std::round(value / grid);
+  return grid < 1.0 ? steps / std::round(1.0 / grid) : steps * grid;
 }
-Vector2d snapped(const Vector2d& value, double grid) {
-  return {snapped(value.x(), grid), snapped(value.y(), grid)};
+Vector2d snapped(const Vector2d& value, const Vector2d& grid) {
+  return {snapped(value.x(), grid.x()), snapped(value.y(), grid.y())};
 }
 
 }  // namespace
@@ -113,6 +118,14 @@ std::optional<Point> PictureView::rotation_handle_at(std::size_t body) const {
   const Rect handle = rotation_handle(body);
   if (handle.size().x() == 0.0) return std::nullopt;
   return to_pixel(handle.center());
+}
+
+Vector2d PictureView::grid(std::size_t view) const {
+  if (!app_.snaps()) return Vector2d::Zero();
+  constexpr double kApart = 8.0;  // frame pixels
+  const LessonPictures::ShownView shown = session_.views()[view];
+  const Vector2d units = shown.camera.units_per_pixel(shown.card.size().y());
+  return {round_step(kApart * units.x()), round_step(kApart * units.y())};
 }
 
 Picture PictureView::picture_now() {
@@ -319,7 +332,7 @@ void PictureView::continue_drag(const Point& page) {
     const Vector2d a = before - middle;
     const Vector2d b = now - middle;
     double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180.0 / std::numbers::pi;
-    if (app_.snap() > 0.0) {
+    if (app_.snaps()) {
       constexpr double kStep = 15.0;
       degrees = snapped(degrees, kStep);
       if (degrees == 0.0) return;
@@ -346,7 +359,7 @@ void PictureView::continue_drag(const Point& page) {
   if (moves_point) {
     const auto& world = run.bodies[body].world;
     const int index = index_of(drag.subject);
-    const Vector2d to = snapped(now, app_.snap());
+    const Vector2d to = snapped(now, grid(drag.view));
     session_.drag([&](Lesson& lesson) {
       if (world.size() == 1) return edit::move_shape(lesson, body, to - world.front());
       edit::put_vertex(lesson, body, index, run.bodies[body].placement, to);
@@ -355,8 +368,8 @@ void PictureView::continue_drag(const Point& page) {
     // Z = Y - X goes where Y goes.
     session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, now - before); });
   } else {
-    const Vector2d by = snapped(Vector2d(now - drag.start_in_view), app_.snap()) -
-                        snapped(Vector2d(before - drag.start_in_view), app_.snap());
+    const Vector2d by = snapped(Vector2d(now - drag.start_in_view), grid(drag.view)) -
+                        snapped(Vector2d(before - drag.start_in_view), grid(drag.view));
     session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, body, by); });
   }
   drag.last = page;
@@ -387,7 +400,7 @@ void PictureView::double_click(const Point& page) {
                                 edit::kMostEditable));
   Lesson lesson = session_.lesson();
   const int index = edit::insert_vertex(lesson, body, edge->edge, run.bodies[body].placement,
-                                        snapped(at, app_.snap()));
+                                        snapped(at, grid(*view)));
   if (!app_.edit("add a vertex", std::move(lesson))) return;
   selected = is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};
 }

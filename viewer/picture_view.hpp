@@ -38,6 +38,8 @@ class PictureView {
   Subject selected;
   /// Where on the window a mark of the subject is; nothing when none is to be seen.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
+  /// Round numbers for a hand, along x and y of a view; 0 where it goes anywhere.
+  [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
   /// Where the handle is that turns a shape.
   [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;
 

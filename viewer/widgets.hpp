@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <chrono>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,12 @@ inline constexpr ImGuiTableFlags kRuled =
 [[nodiscard]] std::string number_text(double value, bool hexadecimal);
 /// A whole text as a number, decimal or hex float ("0x1.8p-1").
 [[nodiscard]] std::optional<double> read_number(const std::string& text);
+
+/// Whether what is done in another thread has ended.
+template <class T>
+[[nodiscard]] bool is_ready(const std::future<T>& future) {
+  return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
 
 void wrapped_text(const std::string& text);
 /// A row of a table with a name and texts.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,7 @@ enum class Format { png, svg, pdf, tex, gif, apng, mp4, webm };
 /// By its name, which is also the ending of its files.
 [[nodiscard]] std::optional<Format> format_of(std::string_view name);
 [[nodiscard]] std::string_view name_of(Format format);
+[[nodiscard]] std::span<const Format> all_formats();
 /// "png, svg, ...": all of them.
 [[nodiscard]] std::string format_names();
 

@@ -110,25 +110,6 @@ std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
   return ticks;
 }
 
-std::vector<PlotTick> equal_steps(const PlotAxis& axis, int most) {
-  const double wanted = (axis.high - axis.low) / most;
-  int exponent = static_cast<int>(std::floor(std::log10(wanted)));
-  double step = std::pow(10.0, exponent);
-  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
-    if (axis.high - axis.low < step * most) break;
-    step *= factor;
-  }
-  exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
-  std::vector<PlotTick> ticks;
-  const auto first = static_cast<long>(std::ceil(axis.low / step - 1e-9));
-  const auto last = static_cast<long>(std::floor(axis.high / step + 1e-9));
-  for (long i = first; i <= last; ++i) {
-    const double value = static_cast<double>(i) * step;
-    ticks.push_back({value, exponent < 0 ? fixed(value, -exponent) : grouped(value)});
-  }
-  return ticks;
-}
-
 /// With as many numbers as stand `gap` apart along `length` pixels. The last one may reach `beyond`
 /// the end.
 template <class SizeOf>
@@ -155,9 +136,31 @@ std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double be
 
 Mark symbol_mark(PlotStyle style, const Point& at) { return {role_of(style), symbol(style, at)}; }
 
+double round_step(double than) {
+  double step = std::pow(10.0, std::floor(std::log10(than)));
+  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
+    if (than < step) break;
+    step *= factor;
+  }
+  return step;
+}
+
+std::vector<PlotTick> round_ticks(double low, double high, double step) {
+  const int exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+  std::vector<PlotTick> ticks;
+  const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
+  const auto last = static_cast<long>(std::floor(high / step + 1e-9));
+  for (long i = first; i <= last; ++i) {
+    const double value = static_cast<double>(i) * step;
+    ticks.push_back({value, exponent < 0 ? fixed(value, -exponent) : grouped(value)});
+  }
+  return ticks;
+}
+
 std::vector<PlotTick> plot_ticks(const PlotAxis& axis, int most) {
   if (!axis.is_shown) return {};
-  return axis.is_logarithmic ? powers_of_ten(axis, most) : equal_steps(axis, most);
+  if (axis.is_logarithmic) return powers_of_ten(axis, most);
+  return round_ticks(axis.low, axis.high, round_step((axis.high - axis.low) / most));
 }
 
 std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& area) {

@@ -28,6 +28,11 @@ struct PlotTick {
 /// apart, or the powers of ten themselves (where they are few, 2 and 5 times each, too).
 [[nodiscard]] std::vector<PlotTick> plot_ticks(const PlotAxis& axis, int most);
 
+/// The smallest of 1, 2 and 5 times a power of ten that is larger than `than`, which is positive.
+[[nodiscard]] double round_step(double than);
+/// The multiples of a round step from `low` to `high`.
+[[nodiscard]] std::vector<PlotTick> round_ticks(double low, double high, double step);
+
 /// How the points of a series look: each has its role in themes ("plot.first", its symbols;
 /// "plot.first.line", whose dash is its own; "plot.first.label") and its symbol: a disk, a hollow
 /// square around it, a diamond, a hollow triangle. `limit` is for a line around the others, `other`

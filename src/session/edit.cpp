@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "effects/second_run.hpp"
 #include "geometry/polygon.hpp"
 #include "lesson/names.hpp"
 #include "lesson/schema.hpp"
@@ -34,6 +36,11 @@ int& outline_of(LessonShape& shape, int index) {
   auto outline = shape.outlines.begin();
   for (; index >= *outline; ++outline) index -= *outline;
   return *outline;
+}
+
+/// The first simplex is that of the first vertices, or none, as the lesson had some or none.
+void forget_start(Lesson& lesson) {
+  lesson.options.start = {.count = std::min(lesson.options.start.count, 1)};
 }
 
 std::string free_name(const Lesson& lesson, std::size_t body) {
@@ -125,9 +132,74 @@ bool erase_vertex(Lesson& lesson, std::size_t body, int index) {
     forgotten = forgotten || named == index;
     if (named > index) --named;
   }
-  if (forgotten) lesson.options.start = {.count = std::min(lesson.options.start.count, 1)};
+  if (forgotten) forget_start(lesson);
   lesson.expect.supports.reset();
   return true;
+}
+
+std::vector<Vector2d> regular_polygon(int corners) {
+  std::vector<Vector2d> unit;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = std::numbers::pi * ((2.0 * i - 1.0) / corners - 0.5);
+    unit.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return unit;
+}
+
+void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit) {
+  const auto box_of = [&](std::size_t of) {
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& vertex : lesson.bodies[of].vertices) box.extend(vertex);
+    return box;
+  };
+  const Vector2d center = box_of(body).center();
+  double radius = 0.5 * box_of(body).sizes().maxCoeff();
+  if (radius == 0.0) radius = 0.5 * box_of(1 - body).sizes().maxCoeff();
+  if (radius == 0.0) radius = 1.0;
+  LessonShape& shape = lesson.bodies[body];
+  shape.outlines.clear();
+  shape.vertices.clear();
+  for (const Vector2d& vertex : unit) shape.vertices.emplace_back(center + radius * vertex);
+  if (shape.vertex_names.size() > unit.size()) shape.vertex_names.resize(unit.size());
+  while (shape.vertex_names.size() < unit.size())
+    shape.vertex_names.push_back(free_name(lesson, body));
+  const auto is_gone = [&](const gjk::VertexPair& pair) {
+    return static_cast<std::size_t>(body == 0 ? pair.x : pair.y) >= unit.size();
+  };
+  const auto& pairs = lesson.options.start.pairs;
+  if (std::any_of(pairs.begin(), pairs.end(), is_gone)) forget_start(lesson);
+  lesson.expect.supports.reset();
+}
+
+void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t seed) {
+  constexpr int kSteps = 8;  // from the middle of a shape to its sides: numbers stay short
+  std::mt19937_64 bits(seed);
+  const auto among = [&](int low, int high) {
+    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  };
+  const auto place = [&] { return 1.0 / kSteps * among(-kSteps, kSteps); };
+  const auto polygon = [&] {
+    std::vector<Vector2d> unit;
+    while (unit.size() < 3) {
+      // As wide as can be, so that pairs made one after the other do not shrink.
+      std::vector<Vector2d> points = {{-1.0, place()}, {1.0, place()}};
+      for (int more = among(1, 6); more > 0; --more) points.emplace_back(place(), place());
+      unit.clear();
+      for (const int corner : convex_hull(points))
+        unit.push_back(points[static_cast<std::size_t>(corner)]);
+    }
+    return unit;
+  };
+  Eigen::AlignedBox2d x;
+  Eigen::AlignedBox2d y;
+  for (const Vector2d& vertex : now.x().world) x.extend(vertex);
+  for (const Vector2d& vertex : now.y().world) y.extend(vertex);
+  const double reach = 0.5 * (x.sizes().maxCoeff() + y.sizes().maxCoeff());
+  for (const std::size_t body : {0, 1}) reshape(lesson, body, polygon());
+  constexpr double kFarthest = 1.5;
+  const double across = kFarthest * place();
+  const double up = kFarthest * place();
+  move_shape(lesson, 1, x.center() + reach * Vector2d(across, up) - y.center());
 }
 
 std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
@@ -195,6 +267,24 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
       const Term* effect = find_term(vocabulary().effects, name);
       return effect == nullptr || !effect->act.empty() || effect->second_run;
     });
+  }
+  return lesson;
+}
+
+Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside) {
+  const bool has_listing = lesson.has_block(blocks::kPseudocode.name);
+  const std::string block(blocks::kTwoRuns.name);
+  const std::string effect(SecondRun::kName);
+  lesson.beside = beside;
+  std::erase(lesson.panel, block);
+  if (beside) lesson.panel = {block};
+  if (beside && has_listing) lesson.panel.emplace(lesson.panel.begin(), blocks::kPseudocode.name);
+  const bool of_point = lesson.x().vertices.size() == 1;
+  for (LessonView& view : lesson.views) {
+    std::erase(view.effects, effect);
+    const bool shows_difference =
+        view.kind == ViewKind::difference || (of_point && view.kind == ViewKind::world);
+    if (beside && shows_difference) view.effects.push_back(effect);
   }
   return lesson;
 }

@@ -3,8 +3,10 @@
 // values; the session (session.hpp) keeps what was before. `body` is an index into Lesson::bodies.
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lesson/case.hpp"
 #include "lesson/run.hpp"
@@ -35,12 +37,29 @@ int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& p
 /// so are the support points that the lesson expects.
 bool erase_vertex(Lesson& lesson, std::size_t body, int index);
 
+/// Corners on the circle of radius 1 around the origin, counter-clockwise; the lowest edge lies
+/// flat.
+[[nodiscard]] std::vector<Eigen::Vector2d> regular_polygon(int corners);
+
+/// The shape becomes `unit`, whose coordinates lie in [-1, 1]: where the shape is, and as large; as
+/// the other one, in the place of a point. What names vertices that are gone is forgotten, as
+/// erase_vertex does it.
+void reshape(Lesson& lesson, std::size_t body, const std::vector<Eigen::Vector2d>& unit);
+
+/// Both shapes become random convex polygons of 3 to 8 vertices, as large as the shapes are, and Y
+/// goes where it is apart from X, close to it or over it. `now`: where they are.
+void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t seed);
+
 /// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects are, too,
 /// where the differences are more than can be drawn one by one.
 [[nodiscard]] Lesson told_of(Lesson lesson, const Case& shapes);
 
 /// The same shapes, told by the act of an algorithm that follows GJK.
 [[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);
+
+/// The lesson with a second run in another scalar beside its own, on the stage and in the panel;
+/// without a scalar, with none. Of the panel's blocks the listing stays: there is no room for more.
+[[nodiscard]] Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside);
 
 /// The edge of a shape's outlines (LessonShape::ranges) nearest to `world`: the index of its first
 /// vertex, and the distance.

@@ -740,5 +740,92 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
   }
 }
 
+TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  for (Lesson lesson : testing::shipped_lessons()) {
+    SCOPED_TRACE(lesson.id);
+    for (LessonView& view : lesson.views) {
+      if (shows_shapes(view.kind)) view.effects.emplace_back("grid");
+    }
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts);
+    const Picture picture = pictures.picture(0);
+    for (const LessonPictures::ShownView& shown : pictures.views()) {
+      std::vector<double> xs;
+      std::vector<double> ys;
+      std::vector<Rect> numbers;
+      for (const Mark& mark : picture.marks) {
+        const auto is_here = [&](const Point& p) { return inside(shown.card, {p, p}); };
+        if (const Polyline* line = std::get_if<Polyline>(&mark.shape);
+            line && mark.role.starts_with("grid.") && is_here(line->points[0])) {
+          const bool is_upright = line->points[0].x() == line->points[1].x();
+          const double at = is_upright ? line->points[0].x() : line->points[0].y();
+          (is_upright ? xs : ys).push_back(at);
+          const StageMap map(shown.card, shown.camera);
+          if (mark.role == "grid.axis") {
+            const Point origin = map(Eigen::Vector2d::Zero());
+            EXPECT_NEAR(is_upright ? origin.x() : origin.y(), at, 1e-6);
+          }
+        }
+        const Text* text = std::get_if<Text>(&mark.shape);
+        if (text && mark.role == "grid.number" && is_here(text->at))
+          numbers.push_back(box_of(fonts, *text));
+      }
+      for (const std::vector<double>* places : {&xs, &ys}) {
+        EXPECT_LT(places->size(), 30u);
+        std::vector<double> apart;
+        for (std::size_t i = 1; i < places->size(); ++i)
+          apart.push_back(std::abs((*places)[i] - (*places)[i - 1]));
+        for (const double each : apart) {
+          EXPECT_GE(each, 63.0);
+          EXPECT_NEAR(apart.front(), each, 1e-3);
+        }
+      }
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        EXPECT_TRUE(inside(shown.card, numbers[i]));
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(numbers[i], numbers[j]));
+      }
+    }
+  }
+}
+
+TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
+  const Fonts fonts(kAssets / "fonts.toml");
+  const LessonRun run = run_lesson(testing::shipped_lesson("direction-half"));
+  EffectGraph effects(run);
+  int differing = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+    std::map<double, std::map<std::string, const Text*>> rows;
+    for (const Mark& mark : frame.picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (text && text->style == type::kCodeBold && (mark.role == "fail" || mark.role == "pass"))
+        rows[text->at.y()][mark.role] = text;
+    }
+    for (const auto& [y, texts] : rows) {
+      if (texts.size() != 2) continue;
+      const std::u32string one = code_points(texts.at("fail")->text);
+      const std::u32string other = code_points(texts.at("pass")->text);
+      if (one == U"–" || other == U"–") continue;
+      std::size_t same = 0;
+      while (same < std::min(one.size(), other.size()) && one[same] == other[same]) ++same;
+      for (const auto& [role, text] : texts) {
+        const std::size_t length = code_points(text->text).size();
+        double underlined = 0.0;
+        for (const Mark& mark : frame.picture.marks) {
+          const Box* box = std::get_if<Box>(&mark.shape);
+          if (box && mark.role == role && box->rect.max.x() == text->at.x() &&
+              std::abs(box->rect.min.y() - y) < 6.0)
+            underlined = box->rect.size().x();
+        }
+        EXPECT_NEAR(fonts.width(type::kCodeBold, std::string(length - same, '0')), underlined, 1e-6)
+            << texts.at("fail")->text << " | " << texts.at("pass")->text;
+        ++differing;
+      }
+    }
+  }
+  EXPECT_GT(differing, 10);
+}
+
 }  // namespace
 }  // namespace gjkscope

@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "algorithms/depth/lesson_trace.hpp"
+#include "geometry/polygon.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
+#include "session/session.hpp"
 
 namespace gjkscope {
 namespace {
@@ -97,6 +100,105 @@ TEST(Edit, AStartVertexThatGoesIsForgotten) {
 TEST(Edit, TheLastVertexStays) {
   Lesson lesson = shipped_lesson("segment-closest");
   EXPECT_FALSE(edit::erase_vertex(lesson, 0, 0));
+}
+
+TEST(Edit, AShapeBecomesAnotherInItsPlaceAndAsLarge) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  lesson.x().vertices = {{1, 1}, {5, 1}, {3, 2}};
+  lesson.x().vertex_names = {"R", "S", "T"};
+  edit::reshape(lesson, 0, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  const std::vector<Vector2d> box = {{1, -0.5}, {5, -0.5}, {5, 3.5}, {1, 3.5}};
+  EXPECT_EQ(box, lesson.x().vertices);
+  EXPECT_EQ("T", lesson.x().vertex_names[2]);
+  EXPECT_EQ(4u, lesson.x().vertex_names.size());
+  edit::reshape(lesson, 0, {{0, 0}});
+  EXPECT_EQ(std::vector<Vector2d>({{3, 1.5}}), lesson.x().vertices);
+  lesson.y().vertices = {{0, 0}, {6, 0}, {0, 2}, {1, 1}};
+  edit::reshape(lesson, 0, {{-1, 0}, {1, 0}});
+  EXPECT_EQ(std::vector<Vector2d>({{0, 1.5}, {6, 1.5}}), lesson.x().vertices)
+      << "a point has no size: that of Y";
+  EXPECT_EQ(gjk::Error::none, run_lesson(lesson).runs.front().trace.result.error);
+}
+
+TEST(Edit, ARegularPolygonHasEqualSidesAndALevelLowestOne) {
+  for (const int corners : {3, 4, 5, 6, 17}) {
+    SCOPED_TRACE(corners);
+    const std::vector<Vector2d> unit = edit::regular_polygon(corners);
+    ASSERT_EQ(static_cast<size_t>(corners), unit.size());
+    EXPECT_NEAR(unit[0].y(), unit[1].y(), 1e-15);
+    EXPECT_TRUE(is_convex(unit));
+    EXPECT_GT(signed_area(unit), 0.0);
+    for (size_t i = 0; i < unit.size(); ++i) {
+      EXPECT_NEAR(1.0, unit[i].norm(), 1e-15);
+      EXPECT_GE(unit[i].y(), unit[0].y() - 1e-15);
+      EXPECT_NEAR((unit[1] - unit[0]).norm(), (unit[(i + 1) % unit.size()] - unit[i]).norm(),
+                  1e-14);
+    }
+  }
+}
+
+TEST(Edit, RandomPairsAreConvexKeepTheirSizeAndOverlapOrNot) {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  const LessonRun first = run_lesson(lesson);
+  const auto width = [](const std::vector<Vector2d>& vertices) {
+    const auto [low, high] =
+        std::minmax_element(vertices.begin(), vertices.end(),
+                            [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+    return high->x() - low->x();
+  };
+  int overlapping = 0;
+  std::set<size_t> counts;
+  double x_width = 0.0;
+  constexpr int kPairs = 100;
+  for (int seed = 1; seed <= kPairs; ++seed) {
+    SCOPED_TRACE(seed);
+    edit::make_random_pair(lesson, run_lesson(lesson).runs.front(),
+                           static_cast<std::uint64_t>(seed));
+    ASSERT_TRUE(why_not_said(lesson).empty()) << to_string(why_not_said(lesson));
+    for (const LessonShape& shape : lesson.bodies) {
+      EXPECT_TRUE(is_convex(shape.vertices));
+      counts.insert(shape.vertices.size());
+    }
+    if (seed > 1) EXPECT_NEAR(x_width, width(lesson.x().vertices), 1e-9);
+    x_width = width(lesson.x().vertices);
+    if (run_lesson(lesson).runs.front().trace.result.distance == 0.0) ++overlapping;
+  }
+  EXPECT_GT(overlapping, kPairs / 10);
+  EXPECT_LT(overlapping, 9 * kPairs / 10);
+  EXPECT_GE(counts.size(), 4u);
+}
+
+TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
+  int told = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    if (run.act->algorithm != nullptr || !run.act->follows_run || lesson.growth) continue;
+    SCOPED_TRACE(lesson.id);
+    const ScalarKind other =
+        lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact;
+    const Lesson twice = edit::told_twice(lesson, other);
+    EXPECT_TRUE(why_not_said(twice).empty()) << to_string(why_not_said(twice));
+    EXPECT_EQ(twice, edit::told_twice(twice, other));
+    const Lesson once = edit::told_twice(twice, std::nullopt);
+    EXPECT_TRUE(why_not_said(once).empty()) << to_string(why_not_said(once));
+    EXPECT_FALSE(once.calls_for("second-run") || once.has_block("two-runs"));
+    ++told;
+  }
+  EXPECT_GT(told, 10);
+}
+
+TEST(Edit, AnyLessonTakesABoxOrSaysWhatItNeeds) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    for (const size_t body : {0, 1}) {
+      SCOPED_TRACE(lesson.id + (body == 0 ? " X" : " Y"));
+      Lesson boxed = lesson;
+      edit::reshape(boxed, body, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+      const std::vector<Problem> why = why_not_said(boxed);
+      EXPECT_TRUE(why.empty()) << to_string(why);
+      if (why.empty() && run_lesson(boxed).has_gjk())
+        EXPECT_EQ(gjk::Error::none, run_lesson(boxed).runs.front().trace.result.error);
+    }
+  }
 }
 
 TEST(Edit, TheNearestEdgeIsFoundByDistance) {

@@ -6,19 +6,24 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "command_line.hpp"
+#include "golden/pixels.hpp"
 #include "headless_app.hpp"
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lessons.hpp"
 #include "picture/acts/study.hpp"
+#include "picture/frame.hpp"
 #include "picture/registry.hpp"
+#include "picture/theme.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
 
@@ -90,6 +95,26 @@ TEST(App, RunsUntilSomethingHappens) {
   EXPECT_EQ(session.frame_count() - 1, session.index());
 }
 
+TEST(App, TheTableOfStepsGoesWhereOneStands) {
+  HeadlessApp window;
+  window.app().show_drawer("Steps");
+  window.key("Home");
+  const auto scrolled = [] {
+    for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+      if (each->WasActive && std::string(each->Name).find("##steps") != std::string::npos)
+        return each->Scroll.y;
+    }
+    ADD_FAILURE() << "there is no table";
+    return 0.0f;
+  };
+  EXPECT_EQ(0.0f, scrolled());
+  window.resize(1440.0, 400.0);
+  window.key("End");
+  EXPECT_GT(scrolled(), 0.0f);
+  window.key("Home");
+  EXPECT_EQ(0.0f, scrolled());
+}
+
 TEST(App, TheTableOfStepsLeadsToThem) {
   HeadlessApp window;
   window.app().show_drawer("Steps");
@@ -149,6 +174,97 @@ TEST(App, AVertexFollowsTheHandAndTheRunFollowsTheVertex) {
   EXPECT_EQ(after, session.lesson().y().vertices);
 }
 
+TEST(App, AHandIsHeldToRoundNumbersByGAndByShift) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const auto is_round = [&] {
+    const double step = window.app().picture().grid(0).x();
+    const Eigen::Vector2d& at = session.lesson().y().vertices[0];
+    return at.x() == std::round(at.x() / step) / std::round(1.0 / step) &&
+           at.y() == std::round(at.y() / step) / std::round(1.0 / step);
+  };
+  const auto drag = [&] {
+    const Point at = window.at(kK);
+    window.drag(at, at + Point(31.3, 17.7));
+  };
+  EXPECT_EQ(Eigen::Vector2d::Zero(), window.app().picture().grid(0));
+  window.key("G");
+  ASSERT_GT(window.app().picture().grid(0).x(), 0.0);
+  ASSERT_LT(window.app().picture().grid(0).x(), 1.0);
+  drag();
+  EXPECT_TRUE(is_round()) << session.lesson().y().vertices[0];
+  ImGui::GetIO().KeyShift = true;
+  drag();
+  ImGui::GetIO().KeyShift = false;
+  EXPECT_FALSE(is_round()) << "Shift lets go";
+  window.key("G");
+  ImGui::GetIO().KeyShift = true;
+  drag();
+  EXPECT_TRUE(is_round()) << "and Shift holds";
+  ImGui::GetIO().KeyShift = false;
+}
+
+TEST(App, TheGridIsPartOfThePictureAndOfTheHistory) {
+  HeadlessApp window;
+  const auto lines = [&] {
+    const std::vector<Mark>& marks = window.session().picture().marks;
+    return std::count_if(marks.begin(), marks.end(), [](const Mark& mark) {
+      return mark.role == "grid.line" || mark.role == "grid.axis";
+    });
+  };
+  EXPECT_EQ(0, lines());
+  window.key("G", false, true);
+  EXPECT_GT(lines(), 10);
+  window.key("G", false, true);
+  EXPECT_EQ(0, lines());
+  EXPECT_EQ("grid and axes", window.session().undo_name());
+}
+
+TEST(App, PinnedValuesStayInSight) {
+  HeadlessApp window;
+  for (int i = 0; i < 3; ++i) window.key("Right");
+  const auto pinned = [&] {
+    return nlohmann::json::parse(window.app().state_json())["pinned"].get<std::string>();
+  };
+  window.key("/");
+  window.type("value upper bound");
+  window.key("Enter");
+  const std::string before = pinned();
+  EXPECT_TRUE(before.starts_with("upper bound = ")) << before;
+  window.key("End");
+  EXPECT_TRUE(pinned().starts_with("upper bound = ")) << pinned();
+  EXPECT_NE(before, pinned());
+  window.key("Home");
+  EXPECT_EQ("upper bound = –", pinned()) << "there is none yet";
+  window.app().pinned.clear();
+  EXPECT_EQ("", pinned());
+}
+
+TEST(App, TwoRunsStandOnTheStage) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const std::string kBoth = "Second run on the stage, or none";
+  const auto has_marks_of_second = [&] {
+    for (int i = 0; i < session.frame_count(); ++i) {
+      session.go_to(i);
+      const std::vector<Mark>& marks = session.picture().marks;
+      if (std::any_of(marks.begin(), marks.end(),
+                      [](const Mark& mark) { return mark.role.starts_with("second."); }))
+        return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(has_marks_of_second());
+  window.app().run_command(kBoth);
+  EXPECT_EQ(ScalarKind::exact, session.lesson().beside);
+  EXPECT_TRUE(session.lesson().has_block("two-runs"));
+  EXPECT_TRUE(has_marks_of_second());
+  window.app().run_command(kBoth);
+  EXPECT_FALSE(session.lesson().beside);
+  EXPECT_FALSE(has_marks_of_second());
+  EXPECT_EQ("", window.app().message()) << "both were lessons";
+}
+
 TEST(App, AShapeAndTheDifferenceMoveAsAWhole) {
   HeadlessApp window;
   Session& session = window.session();
@@ -186,6 +302,80 @@ TEST(App, VerticesAreAddedAndDeleted) {
   EXPECT_EQ(4u, session.lesson().y().vertices.size());
   window.key("Z", true);
   EXPECT_EQ(5u, session.lesson().y().vertices.size());
+}
+
+TEST(App, WhatIsSelectedAndWasUndoneIsNotMoved) {
+  HeadlessApp window;
+  const Point a = window.at({Kind::vertex_of_y, -1, 3});
+  const Point b = window.at({Kind::vertex_of_y, -1, 0});
+  window.click(0.5 * (a + b), 2);
+  ASSERT_EQ(5u, window.session().lesson().y().vertices.size());
+  window.key("Z", true);
+  const Lesson before = window.session().lesson();
+  window.key("Right", true);
+  window.key("Delete");
+  EXPECT_EQ(before, window.session().lesson());
+}
+
+TEST(App, ShapesAreMadeByNameAndByTheListOfCommands) {
+  HeadlessApp window;
+  Session& session = window.session();
+  const auto count = [&](int body) {
+    return session.lesson().bodies[static_cast<std::size_t>(body)].vertices.size();
+  };
+  for (const auto& [command, vertices] : {std::pair("Y becomes a point", 1u),
+                                          {"Y becomes a segment", 2u},
+                                          {"Y becomes a box", 4u},
+                                          {"Y becomes a regular polygon", 6u}}) {
+    EXPECT_TRUE(window.app().run_command(command));
+    window.settle();
+    EXPECT_EQ(vertices, count(1)) << command;
+    EXPECT_EQ(command, session.undo_name());
+  }
+  window.key("/");
+  window.type("x polygon of 9");
+  window.key("Enter");
+  EXPECT_EQ(9u, count(0));
+  const Lesson before = session.lesson();
+  window.key("/");
+  window.type("random pair");
+  window.key("Enter");
+  EXPECT_NE(before, session.lesson());
+  window.key("Z", true);
+  EXPECT_EQ(before, session.lesson());
+}
+
+TEST(App, ButtonsOfTheDrawerMakeShapes) {
+  HeadlessApp window;
+  window.app().show_drawer("Shapes");
+  window.settle();
+  // Whatever stands where: points, segments, boxes, polygons and pairs come of clicks.
+  std::set<std::string> done;
+  const Rect& area = window.app().picture().area();
+  for (double y = area.min.y() + 60.0; y < area.min.y() + 240.0; y += 10.0) {
+    for (double x = 30.0; x < 300.0; x += 38.0) {
+      window.click({area.max.x() + x, y});
+      if (const std::string name = window.session().undo_name(); !name.empty()) done.insert(name);
+      window.key("Escape");
+      while (window.session().undo()) continue;
+      window.settle();
+    }
+  }
+  for (const char* name : {"X becomes a point", "X becomes a segment", "X becomes a box",
+                           "X becomes a regular polygon", "random pair"})
+    EXPECT_TRUE(done.contains(name)) << name;
+}
+
+TEST(App, AWarmStartIsOffered) {
+  HeadlessApp of_one_position;
+  const std::string kWarm = "Warm start along the path, or none";
+  of_one_position.app().run_command(kWarm);
+  EXPECT_FALSE(of_one_position.session().lesson().warm_start);
+  HeadlessApp window("segment-regions");
+  window.app().run_command(kWarm);
+  EXPECT_TRUE(window.session().lesson().warm_start);
+  window.key("Z", true);
+  EXPECT_FALSE(window.session().lesson().warm_start);
 }
 
 TEST(App, TheTimelineAndThePseudocodeLeadToTheirSteps) {
@@ -357,6 +547,22 @@ TEST(App, DiscardedWorkIsGone) {
   EXPECT_EQ(0u, files);
 }
 
+TEST(App, LessonsThatWereSteppedToTheirEndAreCounted) {
+  const TemporaryFolder state;
+  {
+    HeadlessApp window("polygons-gjk", state.path());
+    EXPECT_EQ(0, window.app().progress().done);
+    EXPECT_EQ(static_cast<int>(window.app().lessons().size()), window.app().progress().of);
+    window.key("End");
+    EXPECT_EQ(1, window.app().progress().done);
+  }
+  HeadlessApp again("stop-vertex", state.path());
+  EXPECT_EQ(1, again.app().progress().done);
+  int of = 0;
+  for (int chapter = 0; chapter < 100; ++chapter) of += again.app().progress(chapter).of;
+  EXPECT_EQ(again.app().progress().of, of);
+}
+
 TEST(App, RecentFilesAreThereAfterAnotherStart) {
   const TemporaryFolder folder;
   const fs::path lessons = fs::path(GJKSCOPE_SOURCE_DIR) / "lessons";
@@ -391,6 +597,27 @@ TEST(App, WhatWasPastedIsKeptAndSoIsWorkOnALessonThatWasLeft) {
   EXPECT_NE(std::string::npos, kept().find("0.125"));
 }
 
+TEST(App, WorkIsKeptWhileTheWindowLives) {
+  const TemporaryFolder folder;
+  HeadlessApp window("polygons-gjk", folder.path());
+  constexpr double kMessagesAreGone = 10.0;
+  window.frame(kMessagesAreGone);
+  Lesson lesson = window.session().lesson();
+  lesson.title = "Not saved";
+  ASSERT_TRUE(window.app().edit("title", lesson));
+  constexpr int kMost = 6000;
+  for (int i = 0; i < kMost && window.app().wakes_at(); ++i) {
+    usleep(1'000);
+    window.frame(1.0);
+  }
+  ASSERT_FALSE(window.app().wakes_at()) << "it comes to rest";
+  std::string kept;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (entry.path().extension() == ".toml") kept += test::read_file(entry.path());
+  }
+  EXPECT_NE(std::string::npos, kept.find("Not saved"));
+}
+
 TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
   const TemporaryFolder folder;
   std::vector<Lesson> edited;
@@ -413,6 +640,86 @@ TEST(App, AllWorkThatWasNotSavedIsThereAgain) {
   EXPECT_EQ(2u, again.session().all_unsaved().size());
   while (again.session().lesson().id == edited[1].id) again.key("Z", true);
   EXPECT_EQ(edited[0].y().vertices, again.session().lesson().y().vertices);
+}
+
+TEST(App, CopiesTheFrameAsSvgTextAndInWords) {
+  HeadlessApp window;
+  std::string clipboard;
+  window.app().copy = [&](const std::string& text) { clipboard = text; };
+  window.key("Right");
+  window.key("C", true, true);
+  EXPECT_TRUE(clipboard.starts_with("<svg")) << clipboard.substr(0, 40);
+  EXPECT_NE(std::string::npos, clipboard.find(window.session().lesson().title));
+  window.app().run_command("Copy the frame in words");
+  EXPECT_EQ(alternative_text(window.session().text()), clipboard);
+}
+
+/// Frames until the export that was begun has ended.
+void end_export(HeadlessApp& window) {
+  constexpr int kMost = 6000;
+  for (int i = 0; i < kMost && window.app().is_exporting(); ++i) {
+    EXPECT_TRUE(window.app().wakes_at());
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_FALSE(window.app().is_exporting());
+}
+
+TEST(App, ExportsBesideTheWindowInTheSizeThemeAndFormatAsked) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  window.key("Right");
+  ExportOptions options;
+  options.out_dir = folder.path();
+  options.theme = "dark";
+  options.width = 640;
+  options.height = 480;
+  const int index = window.session().index();
+  window.app().export_frames(options, false);
+  EXPECT_TRUE(window.app().is_exporting());
+  window.key("Right");
+  EXPECT_EQ(index + 1, window.session().index()) << "the window goes on";
+  window.key("E", true);
+  EXPECT_FALSE(window.app().has_dialog()) << "one export at a time";
+  end_export(window);
+  EXPECT_EQ(0u, window.app().message().find("1 frame in ")) << window.app().message();
+  const Image image = golden::decoded(test::read_file(folder.path() / "polygons-gjk-0002.png"));
+  ASSERT_EQ(640, image.width);
+  EXPECT_EQ(480, image.height);
+  const Color paper =
+      Theme::load(fs::path(GJKSCOPE_SOURCE_DIR) / "assets" / "themes", "dark").background();
+  EXPECT_EQ(paper.r, image.pixels[0]);
+  EXPECT_EQ(paper.b, image.pixels[2]);
+  options.format = Format::svg;
+  window.app().export_frames(options, true);
+  end_export(window);
+  EXPECT_TRUE(test::read_file(folder.path() / "polygons-gjk-0003.svg").starts_with("<svg"));
+  EXPECT_FALSE(fs::exists(folder.path() / "index.html")) << "that is for images";
+}
+
+TEST(App, AnExportThatFailsSaysWhy) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  ExportOptions options;
+  options.out_dir = folder.path();
+  options.format = Format::svg;
+  options.width = 1;
+  window.app().export_frames(options, false);
+  end_export(window);
+  EXPECT_NE(std::string::npos, window.app().message().find("too small")) << window.app().message();
+}
+
+TEST(App, TheExportDialogWritesTheFrameThatIsShown) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  window.key("E", true);
+  ASSERT_TRUE(window.app().has_dialog());
+  window.type(folder.path().string());
+  window.key("Enter");
+  EXPECT_FALSE(window.app().has_dialog());
+  end_export(window);
+  EXPECT_TRUE(test::read_file(folder.path() / "polygons-gjk-0001.png").starts_with("\x89PNG"))
+      << window.app().message();
 }
 
 TEST(App, SaveAsAsksBeforeItOverwritesAndKeepsWhatWasThere) {
@@ -667,19 +974,42 @@ TEST(App, InANarrowWindowButtonsStandInMoreRows) {
   EXPECT_GT(lower_end(), 1.5f * wide);
 }
 
-TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {
-  const TemporaryFolder folder;
+/// A case of a triangle and a polygon of `count` vertices.
+std::string case_of_many(int count) {
   std::string json = R"({"a": [[-3, 0], [-2, 0], [-2, 1]], "b": [)";
-  constexpr int kCount = 100'000;
-  for (int i = 0; i < kCount; ++i) {
-    const double angle = 6.283185307179586 * i / kCount;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count;
     json += fmt::format("{}[{}, {}]", i ? ", " : "", std::cos(angle), std::sin(angle));
   }
-  const std::string file = folder.file("many.json", json + "]}");
-  HeadlessApp window(file);
+  return json + "]}";
+}
+
+TEST(App, APolygonOfManyVerticesIsDrawnAndDragged) {
+  const TemporaryFolder folder;
+  HeadlessApp window(folder.file("many.json", case_of_many(100'000)));
   const Point from = window.at({Kind::vertex_of_x, 0});
   window.drag(from, from + Point(20, 0));
   EXPECT_GT(window.session().lesson().x().vertices[0].x(), -3.0);
+}
+
+TEST(App, AnExactRunOfManyVerticesDoesNotHoldUpTheWindow) {
+  const TemporaryFolder folder;
+  HeadlessApp window(folder.file("many.json", case_of_many(100'000)));
+  constexpr double kMessagesAreGone = 10.0;
+  window.frame(kMessagesAreGone);
+  window.frame();
+  ASSERT_FALSE(window.app().wakes_at());
+  window.app().show_drawer("Numerics");
+  window.frame();
+  EXPECT_TRUE(window.app().wakes_at()) << "it looks whether the run has ended";
+  window.key("Right");
+  EXPECT_EQ(1, window.session().index()) << "and goes on";
+  constexpr int kMost = 6000;
+  for (int i = 0; i < kMost && window.app().wakes_at(); ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_FALSE(window.app().wakes_at());
 }
 
 TEST(Study, ADotOpensItsWorstRunAndBReturns) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "command.hpp"
 #include "command_line.hpp"
 #include "headless_app.hpp"
 #include "lesson/save.hpp"
@@ -28,7 +29,7 @@ class Monkey {
         "S",     "T",    "V",    "Y",   "Z",      "1",        "2",     "3",   "/",
         "?",     "F5",   "[",    "]",   "Escape", "Up",       "Down"};
     ImGuiIO& io = ImGui::GetIO();
-    switch (below(8)) {
+    switch (below(9)) {
       case 0:
       case 1:
         io.MousePos = ImVec2(static_cast<float>(below(1500)), static_cast<float>(below(950)));
@@ -47,10 +48,17 @@ class Monkey {
       case 5:
         if (below(40) == 0) window_.resize(1 + below(1600), 1 + below(1000));
         break;
+      case 6: {
+        const std::vector<Command>& all = window_.app().commands();
+        const Command& command = all[static_cast<std::size_t>(below(all.size()))];
+        // Files are written where the test does not look.
+        if (command.group != "File" && !window_.app().has_dialog())
+          window_.app().run_command(std::string(command.name));
+        break;
+      }
       default: {
         const std::string key = kKeys[static_cast<std::size_t>(below(kKeys.size()))];
         const bool ctrl = below(4) == 0;
-        // Files are written where the test does not look.
         if (ctrl && (key == "S" || key == "E")) break;
         if (!io.WantTextInput || key == "Escape") window_.app().press({key, ctrl, below(4) == 0});
       }

@@ -4,6 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
+#include <future>
+#include <memory>
 
 #include "app.hpp"
 #include "lesson/names.hpp"
@@ -115,6 +118,30 @@ struct Beside {
   };
   From from;
   std::optional<PositionedRun> run;
+  /// Exact runs of large shapes take seconds: they are computed beside the window.
+  std::future<PositionedRun> pending;
+  From pending_from;
+
+  /// Whether `run` is the one that is wanted; where it is not, it will be. One that is wanted no
+  /// longer ends by itself, and is forgotten.
+  bool has(const PositionedRun& here, const From& wanted) {
+    constexpr std::chrono::milliseconds kAtOnce(5);
+    take(std::chrono::milliseconds(0));
+    if (!pending.valid() && !(run && from == wanted)) {
+      pending_from = wanted;
+      pending = std::async(std::launch::async, [here, wanted] {
+        return run_again(here, wanted.options, wanted.scalar);
+      });
+      take(kAtOnce);
+    }
+    return run && from == wanted;
+  }
+
+  void take(std::chrono::milliseconds patience) {
+    if (!pending.valid() || pending.wait_for(patience) != std::future_status::ready) return;
+    run = pending.get();
+    from = pending_from;
+  }
 
   [[nodiscard]] gjk::Options options_for(const gjk::Options& here) const {
     if (!options) return here;
@@ -126,11 +153,33 @@ struct Beside {
   }
 };
 
+/// The scalar beside, which is another one than the lesson's.
+ScalarKind scalar_beside(const Lesson& lesson, ScalarKind wanted) {
+  if (wanted != lesson.scalar) return wanted;
+  return lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact;
+}
+
+/// Whether frames show steps of GJK, beside which those of another run can stand.
+bool can_tell_twice(const Session& session) {
+  const Act& act = *session.run().act;
+  return act.algorithm == nullptr && act.follows_run;
+}
+
+void tell_twice(App& app, ScalarKind wanted) {
+  const Lesson& lesson = app.session().lesson();
+  const std::optional<ScalarKind> scalar =
+      lesson.beside ? std::nullopt : std::optional(scalar_beside(lesson, wanted));
+  app.edit("second run", edit::told_twice(lesson, scalar));
+}
+
 void draw_numerics(App& app, Beside& beside) {
   Session& session = app.session();
   ImGui::Text("How the run computes");
   Lesson wanted = session.lesson();
-  if (choose_options(wanted.scalar, wanted.options)) app.edit("numerics", std::move(wanted));
+  bool changed = choose_options(wanted.scalar, wanted.options);
+  if (wanted.path_of_shapes)
+    changed |= ImGui::Checkbox("start from the simplex of the position before", &wanted.warm_start);
+  if (changed) app.edit("numerics", std::move(wanted));
 
   ImGui::Separator();
   ImGui::PushID("beside");
@@ -152,16 +201,22 @@ void draw_numerics(App& app, Beside& beside) {
     beside.options.reset();
   }
   ImGui::PopID();
+  if (can_tell_twice(session)) {
+    const std::optional<ScalarKind>& told = run.lesson.beside;
+    bool on = told.has_value();
+    const std::string label = fmt::format("both runs on the stage{}###stage",
+                                          told ? fmt::format(" ({})", name_of(*told)) : "");
+    if (ImGui::Checkbox(label.c_str(), &on)) return tell_twice(app, beside.scalar);
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("A second run in the scalar beside, with the options of this one");
+  }
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
 
   if (!run.has_gjk()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const PositionedRun& here = run.run(session.frame());
   const Beside::From from{session.version(), session.frame().run, beside.scalar,
                           beside.options_for(run.lesson.options)};
-  if (!beside.run || beside.from != from) {
-    beside.run = run_again(here, from.options, from.scalar);
-    beside.from = from;
-  }
+  if (!beside.has(here, from)) return ImGui::TextDisabled("The run beside it is being computed.");
   const gjk::Result<double, 2>& a = here.trace.result;
   const gjk::Result<double, 2>& b = beside.run->trace.result;
   draw_pair(app, "distance: this run, and the one beside it", a.distance, b.distance);
@@ -195,8 +250,25 @@ void draw_numerics(App& app, Beside& beside) {
 }  // namespace
 
 Drawer numerics_drawer(App& app) {
-  return {"Numerics", "N", "Scalar, rules and stops, and another run beside this one",
-          [&app, beside = Beside{}]() mutable { draw_numerics(app, beside); }};
+  const auto beside = std::make_shared<Beside>();
+  Drawer drawer{"Numerics", "N", "Scalar, rules and stops, and another run beside this one",
+                [&app, beside] { draw_numerics(app, *beside); }};
+  drawer.waits = [beside] { return beside->pending.valid(); };
+  drawer.commands = {{"Second run on the stage, or none",
+                      "Edit",
+                      {},
+                      [&app, beside] { tell_twice(app, beside->scalar); },
+                      [&app] { return can_tell_twice(app.session()); }},
+                     {"Warm start along the path, or none",
+                      "Edit",
+                      {},
+                      [&app] {
+                        Lesson lesson = app.session().lesson();
+                        lesson.warm_start = !lesson.warm_start;
+                        app.edit("warm start", std::move(lesson));
+                      },
+                      [&app] { return app.session().lesson().path_of_shapes.has_value(); }}};
+  return drawer;
 }
 
 }  // namespace gjkscope

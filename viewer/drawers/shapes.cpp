@@ -1,6 +1,12 @@
+#include "drawers/shapes.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
 
 #include "app.hpp"
 #include "widgets.hpp"
@@ -10,6 +16,60 @@ namespace {
 
 using Kind = Subject::Kind;
 using Eigen::Vector2d;
+
+struct Kit {
+  int corners = 6;
+  std::uint64_t pairs = 0;  ///< Random ones so far.
+};
+
+struct NamedShape {
+  const char* name;
+  std::vector<Vector2d> unit;  ///< As edit::reshape takes it.
+};
+const std::vector<NamedShape>& named_shapes() {
+  static const std::vector<NamedShape> shapes = {
+      {"point", {{0, 0}}},
+      {"segment", {{-1, 0}, {1, 0}}},
+      {"box", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}},
+  };
+  return shapes;
+}
+
+std::string becomes(std::size_t body, std::string_view name) {
+  return fmt::format("{} becomes a {}", kBodyKeys[body], name);
+}
+
+void reshape(App& app, std::size_t body, const char* name, const std::vector<Vector2d>& unit) {
+  Lesson lesson = app.session().lesson();
+  edit::reshape(lesson, body, unit);
+  if (app.edit(becomes(body, name), std::move(lesson))) app.picture().selected = {};
+}
+
+void make_random_pair(App& app, std::uint64_t seed) {
+  Session& session = app.session();
+  Lesson lesson = session.lesson();
+  edit::make_random_pair(lesson, session.run().run(session.frame()), seed);
+  if (!app.edit("random pair", std::move(lesson))) return;
+  app.picture().selected = {};
+  session.fit();
+}
+
+/// What a shape is, and buttons that make it another one.
+void draw_kit(App& app, std::size_t body, Kit& kit) {
+  const LessonShape& now = app.session().lesson().bodies[body];
+  ImGui::Text("%s: %zu %s", now.name.c_str(), now.vertices.size(),
+              now.vertices.size() == 1 ? "point" : "vertices");
+  for (const NamedShape& shape : named_shapes()) {
+    if (ImGui::Button(shape.name)) reshape(app, body, shape.name, shape.unit);
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("regular")) make_regular(app, body, kit.corners);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(static_cast<float>(96.0 * app.ui_scale()));
+  ImGui::InputInt("##corners", &kit.corners);
+  kit.corners = std::clamp(kit.corners, kFewestCorners, kMostCorners);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("corners of a regular polygon");
+}
 
 /// The coordinates of a vertex in two fields; where one was typed, the vertex it makes.
 std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
@@ -33,12 +93,11 @@ std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
   return typed;
 }
 
-void draw_shape(App& app, std::size_t body) {
+void draw_shape(App& app, std::size_t body, Kit& kit) {
   const bool is_x = body == 0;
-  const LessonShape& shape = app.session().lesson().bodies[body];
   ImGui::Separator();
-  ImGui::Text("%s: %zu %s", shape.name.c_str(), shape.vertices.size(),
-              shape.vertices.size() == 1 ? "point" : "vertices");
+  draw_kit(app, body, kit);
+  const LessonShape& shape = app.session().lesson().bodies[body];
   if (shape.vertices.size() > edit::kMostEditable) return ImGui::TextDisabled("too many to list");
   std::optional<std::pair<std::size_t, Vector2d>> typed;
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
@@ -63,20 +122,40 @@ void draw_shape(App& app, std::size_t body) {
 
 }  // namespace
 
+void make_regular(App& app, std::size_t body, int corners) {
+  reshape(app, body, "regular polygon", edit::regular_polygon(corners));
+}
+
 Drawer shapes_drawer(App& app) {
-  return {"Shapes", "S", "Vertices as numbers", [&app] {
-            wrapped_text(
-                "Drag vertices, shapes and the handle of a selected shape on the stage. Double "
-                "click an edge to add a vertex. Or type: decimal, or hex like 0x1.8p-1.");
-            ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
-            for (const std::size_t body : {0, 1}) {
-              ImGui::PushID(static_cast<int>(body));
-              draw_shape(app, body);
-              ImGui::PopID();
-            }
-            ImGui::Separator();
-            app.draw_button("Delete the selected vertex");
-          }};
+  const auto kit = std::make_shared<Kit>();
+  Drawer drawer{"Shapes", "S", "Shapes by name, and their vertices as numbers", [&app, kit] {
+                  wrapped_text(
+                      "Drag vertices, shapes and the handle of a selected shape on the stage. "
+                      "Double click an edge to add a vertex. Or type: decimal, or hex like "
+                      "0x1.8p-1.");
+                  ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
+                  app.draw_button("Random pair");
+                  for (const std::size_t body : {0, 1}) {
+                    ImGui::PushID(static_cast<int>(body));
+                    draw_shape(app, body, *kit);
+                    ImGui::PopID();
+                  }
+                  ImGui::Separator();
+                  app.draw_button("Delete the selected vertex");
+                }};
+  for (const std::size_t body : {0, 1}) {
+    for (const NamedShape& shape : named_shapes()) {
+      drawer.commands.push_back({becomes(body, shape.name), "Edit", {}, [&app, body, &shape] {
+                                   reshape(app, body, shape.name, shape.unit);
+                                 }});
+    }
+    drawer.commands.push_back({becomes(body, "regular polygon"), "Edit", {}, [&app, body, kit] {
+                                 make_regular(app, body, kit->corners);
+                               }});
+  }
+  drawer.commands.push_back(
+      {"Random pair", "Edit", {}, [&app, kit] { make_random_pair(app, ++kit->pairs); }});
+  return drawer;
 }
 
 }  // namespace gjkscope

@@ -1,4 +1,8 @@
+#include "drawers/values.hpp"
+
 #include <imgui.h>
+
+#include <algorithm>
 
 #include "app.hpp"
 #include "effects/penetration.hpp"
@@ -10,13 +14,39 @@ namespace gjkscope {
 namespace {
 
 void draw_values(App& app) {
+  wrapped_text("Click a value to keep it in sight below the picture, whatever else is open.");
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
+  const LessonRun& run = app.session().run();
+  if (ImGui::BeginTable("##values", 2, kRuled)) {
+    for (const NamedValue& value : values_now(app)) {
+      ImGui::TableNextColumn();
+      const bool is_pinned =
+          std::find(app.pinned.begin(), app.pinned.end(), value.name) != app.pinned.end();
+      if (ImGui::Selectable(value.name.c_str(), is_pinned, ImGuiSelectableFlags_SpanAllColumns))
+        toggle_pin(app, value.name);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(value.text.c_str());
+    }
+    ImGui::EndTable();
+  }
+  if (run.has_gjk() && run.act->algorithm == nullptr &&
+      depth_on_overlap(app.session().effects(), run, app.session().frame()) != nullptr &&
+      ImGui::Button("Show how it is found"))
+    app.edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
+}
+
+}  // namespace
+
+std::vector<NamedValue> values_now(App& app) {
   const LessonRun& run = app.session().run();
   const Frame& frame = app.session().frame();
   const gjk::State<double, 2>& state = run.state(frame);
-  if (!ImGui::BeginTable("##values", 2, kRuled)) return;
+  std::vector<NamedValue> values;
+  const auto text = [&](std::string name, std::string written) {
+    values.push_back({std::move(name), std::move(written)});
+  };
   const auto value = [&](const std::string& name, double v) {
-    table_row(name, {number_text(v, app.hexadecimal)});
+    text(name, number_text(v, app.hexadecimal));
   };
   const auto point = [&](const std::string& name, const Eigen::Vector2d& v) {
     value(name + ".x", v.x());
@@ -34,17 +64,17 @@ void draw_values(App& app) {
     value("upper bound", run.bounds(frame).upper);
   }
   if (run.act->algorithm != nullptr) {
-    for (const auto& [name, text] : app.session().text().values) table_row(name, {text});
+    for (const auto& [name, written] : app.session().text().values) text(name, written);
     for (const std::string_view name : run.act->algorithm->answers)
       value(std::string(name) + " in the end", run.algorithm_trace(frame).answer(name));
   }
-  if (!run.has_gjk()) return ImGui::EndTable();
+  if (!run.has_gjk()) return values;
   const gjk::Result<double, 2>& result = run.run(frame).trace.result;
   value("distance in the end", result.distance);
-  table_row("stop in the end", {std::string(name_of(result.stop))});
-  table_row("verdict in the end", {std::string(name_of(result.verdict))});
-  table_row("decided by", {result.settled ? "exact arithmetic" : "the run itself"});
-  table_row("iterations", {std::to_string(result.iterations)});
+  text("stop in the end", std::string(name_of(result.stop)));
+  text("verdict in the end", std::string(name_of(result.verdict)));
+  text("decided by", result.settled ? "exact arithmetic" : "the run itself");
+  text("iterations", std::to_string(result.iterations));
   const depth::Result<double>* deep = depth_on_overlap(app.session().effects(), run, frame);
   if (deep != nullptr) {
     value("penetration depth", deep->depth);
@@ -52,13 +82,12 @@ void draw_values(App& app) {
     value("its upper bound", deep->upper);
     point("shortest way out of X", deep->translation);
   }
-  ImGui::EndTable();
-  if (deep != nullptr && run.act->algorithm == nullptr && ImGui::Button("Show how it is found")) {
-    app.edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
-  }
+  return values;
 }
 
-}  // namespace
+void toggle_pin(App& app, const std::string& name) {
+  if (std::erase(app.pinned, name) == 0) app.pinned.push_back(name);
+}
 
 Drawer values_drawer(App& app) {
   return {"Values", "V", "All numbers of this frame", [&app] { draw_values(app); }};

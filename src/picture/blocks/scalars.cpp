@@ -151,7 +151,7 @@ void scalars(PanelBuilder& panel) {
   };
   note(some_differ,
        ended ? "Underlined digits are wrong." : "Underlined digits are not those of exact.");
-  note(some_part, "Runs that take different vertices of a tie can answer alike.");
+  note(some_part, "Runs that differ at a tie may still agree.");
 }
 
 }  // namespace

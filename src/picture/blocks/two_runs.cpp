@@ -1,4 +1,6 @@
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +46,17 @@ void two_runs(PanelBuilder& panel) {
   const auto known = [&](Phase since) {
     return panel.knows.phase && *panel.knows.phase >= since && *panel.knows.phase != Phase::add;
   };
+  // From its first digit that differs on a text has a line below it.
+  const auto underline = [&](const std::string& role, double right, const std::string& text,
+                             const std::string& compared) {
+    const std::u32string mine = code_points(text);
+    const std::u32string its = code_points(compared);
+    const auto same = std::mismatch(mine.begin(), mine.end(), its.begin(), its.end()).first;
+    const double width =
+        panel.fonts.width(type::kCodeBold, "0") * static_cast<double>(mine.end() - same);
+    if (width > 0.0)
+      panel.add(role, Box{{{right - width, panel.y + 3.0}, {right, panel.y + 5.0}}, 0.0});
+  };
   // What differs stands out: the values themselves, which have their own digits in each column.
   const auto row = [&](const std::string& name, bool since, auto value, auto words) {
     panel.write("code", panel.left, name, type::kCode);
@@ -53,10 +66,10 @@ void two_runs(PanelBuilder& panel) {
     const bool both = columns[0].state && columns[1].state;
     const bool differ = since && (!both || value(columns[0]) != value(columns[1]));
     for (int i = 0; i < 2; ++i) {
-      panel.write(!differ  ? "code"
-                  : i == 0 ? "fail"
-                           : "pass",
-                  columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode, Align::right);
+      const char* const role = !differ ? "code" : i == 0 ? "fail" : "pass";
+      panel.write(role, columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode,
+                  Align::right);
+      if (differ && both) underline(role, columns[i].x, texts[i], texts[1 - i]);
     }
     panel.y += kRow;
   };
