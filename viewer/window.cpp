@@ -27,14 +27,14 @@ constexpr int kHeight = 900;
 constexpr int kFramesAfterEvent = 3;
 
 /// What the window itself calls of OpenGL; all else is Dear ImGui's back end.
-struct Gl {
+struct WindowGl {
   decltype(&glViewport) viewport = nullptr;
   decltype(&glClearColor) clear_color = nullptr;
   decltype(&glClear) clear = nullptr;
   decltype(&glReadPixels) read_pixels = nullptr;
   decltype(&glFinish) finish = nullptr;
 
-  Gl() {
+  WindowGl() {
     const auto load = [](auto& function, const char* name) {
       void* address = SDL_GL_GetProcAddress(name);
       if (!address) throw NoWindow(fmt::format("OpenGL has no {}", name));
@@ -158,7 +158,7 @@ struct Window::Impl {
       throw NoWindow(
           fmt::format("there is no OpenGL 3 ({})", errors.any() ? "X refuses it" : SDL_GetError()));
     SDL_GL_SetSwapInterval(0);
-    gl = std::make_unique<Gl>();
+    gl = std::make_unique<WindowGl>();
     hand.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND));
     arrow.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW));
 
@@ -420,7 +420,7 @@ struct Window::Impl {
   std::unique_ptr<void, DeleteContext> context;
   std::unique_ptr<SDL_Cursor, DeleteCursor> hand;
   std::unique_ptr<SDL_Cursor, DeleteCursor> arrow;
-  std::unique_ptr<Gl> gl;
+  std::unique_ptr<WindowGl> gl;
   ImGuiContext* imgui = nullptr;
   std::unique_ptr<AtlasFonts> atlas_fonts;
   double ui_scale = 0.0;

@@ -159,7 +159,9 @@ TEST(Edit, RandomPairsAreConvexKeepTheirSizeAndOverlapOrNot) {
       EXPECT_TRUE(is_convex(shape.vertices));
       counts.insert(shape.vertices.size());
     }
-    if (seed > 1) EXPECT_NEAR(x_width, width(lesson.x().vertices), 1e-9);
+    if (seed > 1) {
+      EXPECT_NEAR(x_width, width(lesson.x().vertices), 1e-9);
+    }
     x_width = width(lesson.x().vertices);
     if (run_lesson(lesson).runs.front().trace.result.distance == 0.0) ++overlapping;
   }
@@ -188,17 +190,25 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
 }
 
 TEST(Edit, AnyLessonTakesABoxOrSaysWhatItNeeds) {
+  int taken = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     for (const size_t body : {0, 1}) {
       SCOPED_TRACE(lesson.id + (body == 0 ? " X" : " Y"));
       Lesson boxed = lesson;
       edit::reshape(boxed, body, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
       const std::vector<Problem> why = why_not_said(boxed);
-      EXPECT_TRUE(why.empty()) << to_string(why);
-      if (why.empty() && run_lesson(boxed).has_gjk())
-        EXPECT_EQ(gjk::Error::none, run_lesson(boxed).runs.front().trace.result.error);
+      if (!why.empty()) {
+        EXPECT_FALSE(why[0].what.empty());
+        continue;
+      }
+      ++taken;
+      const LessonRun run = run_lesson(boxed);
+      if (run.has_gjk()) {
+        EXPECT_EQ(gjk::Error::none, run.runs.front().trace.result.error);
+      }
     }
   }
+  EXPECT_GT(taken, 60);
 }
 
 TEST(Edit, TheNearestEdgeIsFoundByDistance) {

@@ -51,7 +51,6 @@ void make_random_pair(App& app, std::uint64_t seed) {
   edit::make_random_pair(lesson, session.run().run(session.frame()), seed);
   if (!app.edit("random pair", std::move(lesson))) return;
   app.picture().selected = {};
-  session.fit();
 }
 
 /// What a shape is, and buttons that make it another one.

@@ -78,8 +78,10 @@ void two_runs(PanelBuilder& panel) {
         name, known(since), [&](const Column& column) { return vector(column)[axis]; },
         [](const Column& column, double value) { return column.numbers(value); });
   };
-  const auto p = [](const Column& column) {
-    return Eigen::Vector2d(column.state->p + column.run.x().world[0]);
+  // A point query's difference is the polygon seen from Q.
+  const auto p = [&](const Column& column) {
+    return panel.run.point_query() ? Eigen::Vector2d(column.state->p + column.run.x().world[0])
+                                   : column.state->p;
   };
   const auto d = [](const Column& column) { return column.state->d; };
   coordinate("P.x", Phase::closest, p, 0);
