@@ -24,7 +24,7 @@ std::string named(const Story& story, const std::vector<int>& vertices) {
 /// Why the run ended: what the panel's short words mean.
 std::string why(const Story& story) {
   const std::string support = story.run.pair_name(story.state.support.pair);
-  const std::string test = stop_test(story.run, story.frame);
+  std::string test = stop_test(story.run, story.frame);
   if (test == "V in S") return format("{} is in S already", support);
   if (test == "V no farther") return format("{} lies no farther along d than S", support);
   if (test == "P no closer") return "P came no closer";
