@@ -99,7 +99,7 @@ std::optional<int> in_container(const std::function<int()>& content) {
   return WEXITSTATUS(status);
 }
 
-TEST(UnsavedWork, OfAContainerIsLeftToTheNextOneThoughBothAreProcess1) {
+TEST(UnsavedWork, WhereThereAreContainersIsLeftToTheNextOneThoughBothAreProcess1) {
   const TemporaryFolder folder;
   const Lesson lesson = testing::shipped_lesson("polygons-gjk");
   const fs::path file = "/tmp/mine.toml";
