@@ -31,19 +31,6 @@ ShapeHull::Hull hull_of(const std::vector<Vector2d>& points) {
   return hull;
 }
 
-/// Whether a ray from `point` to the right crosses the outline an odd number of times.
-bool is_inside(const Vector2d& point, const std::vector<Vector2d>& outline) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vector2d a = outline[i] - point;
-    const Vector2d b = outline[(i + 1) % outline.size()] - point;
-    if ((a.y() > 0.0) == (b.y() > 0.0)) continue;
-    const double turn = a.x() * b.y() - a.y() * b.x();
-    inside ^= (turn > 0.0) == (b.y() > a.y());
-  }
-  return inside;
-}
-
 }  // namespace
 
 EffectKey ShapeHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
@@ -54,7 +41,7 @@ ShapeHull::Value ShapeHull::compute(EffectGraph&, const LessonRun& run, const Fr
   const Vector2d& x = positioned.x().world[0];
   Value value{hull_of(positioned.x().world), hull_of(y), Vector2d::Zero(),
               std::numeric_limits<double>::infinity()};
-  if (is_inside(x, y)) {
+  if (is_inside(y, x)) {
     value.outline_point = x;
     value.outline_distance = 0.0;
   }

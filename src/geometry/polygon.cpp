@@ -51,6 +51,18 @@ double signed_area(std::span<const Vector2d> polygon) {
   return 0.5 * twice;
 }
 
+bool is_inside(std::span<const Vector2d> outline, const Vector2d& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d a = outline[i] - point;
+    const Vector2d b = outline[(i + 1) % outline.size()] - point;
+    if ((a.y() > 0.0) == (b.y() > 0.0)) continue;
+    const double turn = a.x() * b.y() - a.y() * b.x();
+    inside ^= (turn > 0.0) == (b.y() > a.y());
+  }
+  return inside;
+}
+
 std::vector<std::array<int, 3>> triangles(std::span<const Vector2d> polygon) {
   std::vector<int> left(polygon.size());
   std::iota(left.begin(), left.end(), 0);

@@ -25,6 +25,10 @@ struct HalfPlane {
 /// True for a polygon that turns in one direction only (collinear corners allowed) and once around.
 [[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> polygon);
 
+/// Whether a ray from `point` crosses the outline, convex or not, an odd number of times.
+[[nodiscard]] bool is_inside(std::span<const Eigen::Vector2d> outline,
+                             const Eigen::Vector2d& point);
+
 /// Indices of the triangles that fill a simple polygon, ear by ear (Meisters 1975). None where no
 /// ear is left, as in some polygons that cross themselves.
 [[nodiscard]] std::vector<std::array<int, 3>> triangles(std::span<const Eigen::Vector2d> polygon);

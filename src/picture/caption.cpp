@@ -18,6 +18,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   text.iteration = info.iteration;
   if (frame.question >= 0) {
     act.question(story, text);
+    if (text.detail.empty()) text.detail = listed_choices(text.question->choices);
     text.phase = "question";
     text.iteration = run.answering_iteration(frame);
   } else if (frame.step < 0 && !frame.steps_over) {

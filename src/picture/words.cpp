@@ -1,6 +1,7 @@
 #include "picture/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -91,6 +92,16 @@ std::string grouped(double value) {
   const std::size_t begin = digits.find_first_of("0123456789");
   for (std::size_t at = digits.size(); at > begin + 3;) digits.insert(at -= 3, 1, ',');
   return digits;
+}
+
+std::string and_list(std::vector<std::string> names) {
+  const std::string last = names.back();
+  names.pop_back();
+  return names.empty() ? last : fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
+std::string listed_choices(const std::vector<std::string>& choices) {
+  return fmt::format("{}", fmt::join(choices, "  ·  "));
 }
 
 std::string capitalized(std::string text) {

@@ -11,19 +11,7 @@ namespace {
 
 using Kind = Subject::Kind;
 
-bool is_inside(const std::vector<Point>& polygon, const Point& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Point& a = polygon[i];
-    const Point& b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-      inside = !inside;
-  }
-  return inside;
-}
-
-bool is_inside(const Rect& rect, const Point& p, double slack = 0.0) {
+bool is_in(const Rect& rect, const Point& p, double slack = 0.0) {
   return (p.array() >= rect.min.array() - slack).all() &&
          (p.array() <= rect.max.array() + slack).all();
 }
@@ -43,9 +31,9 @@ struct Aim {
     return off <= disk.radius + slack ? off : kMiss;
   }
   double operator()(const Text& text) const {
-    return is_inside(box_of(fonts, text), p, 5.0) ? kLine : kMiss;
+    return is_in(box_of(fonts, text), p, 5.0) ? kLine : kMiss;
   }
-  double operator()(const Box& box) const { return is_inside(box.rect, p, 3.0) ? kLine : kMiss; }
+  double operator()(const Box& box) const { return is_in(box.rect, p, 3.0) ? kLine : kMiss; }
   double operator()(const Polyline& line) const {
     double nearest = kMiss;
     for (std::size_t i = 1; i < line.points.size(); ++i)
@@ -81,8 +69,7 @@ Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, d
   double best_score = kMiss;
   for (const Mark& mark : picture.marks) {
     if (mark.subject.kind == Kind::none) continue;
-    if (mark.clip >= 0 && !is_inside(picture.clips[static_cast<std::size_t>(mark.clip)], p))
-      continue;
+    if (mark.clip >= 0 && !is_in(picture.clips[static_cast<std::size_t>(mark.clip)], p)) continue;
     const double score = std::visit(Aim{fonts, p, slack}, mark.shape);
     if (score < kMiss && score <= best_score) {
       best_score = score;

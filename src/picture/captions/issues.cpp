@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "effects/numerical_issue.hpp"
 #include "effects/shape_hull.hpp"
@@ -16,19 +15,22 @@ std::string named(const Story& story, const std::vector<int>& vertices) {
   std::vector<std::string> names;
   for (const int i : vertices)
     names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(i)]);
-  const std::string last = names.back();
-  names.pop_back();
-  return format("{} and {}", fmt::join(names, ", "), last);
+  return and_list(std::move(names));
 }
 
 /// Why the run ended: what the panel's short words mean.
 std::string why(const Story& story) {
   const std::string support = story.run.pair_name(story.state.support.pair);
-  std::string test = stop_test(story.run, story.frame);
-  if (test == "V in S") return format("{} is in S already", support);
-  if (test == "V no farther") return format("{} lies no farther along d than S", support);
-  if (test == "P no closer") return "P came no closer";
-  return test;
+  switch (story.state.stop) {
+    case gjk::StopReason::repeated_support:
+      return format("{} is in S already", support);
+    case gjk::StopReason::no_progress:
+      return story.positioned.follows_support(story.frame.step)
+                 ? format("{} lies no farther along d than S", support)
+                 : "P came no closer";
+    default:
+      return stop_test(story.run, story.frame);
+  }
 }
 
 }  // namespace
@@ -143,7 +145,6 @@ void issue_question(const Story& story, FrameText& text) {
       "Question: which test will stop GJK, with {} there? V is the support point, "
       "S the simplex.",
       story.q);
-  text.detail = format("{}", fmt::join(text.question->choices, "  ·  "));
 }
 
 }  // namespace gjkscope::captions

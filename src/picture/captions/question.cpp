@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -20,10 +19,6 @@ std::vector<std::string> some_vertices(const LessonShape& shape, int right) {
   std::vector<std::string> names;
   for (int i = right % stride; i < count; i += stride) names.push_back(shape.vertex_names[i]);
   return names;
-}
-
-std::string listed(const std::vector<std::string>& choices) {
-  return format("{}", fmt::join(choices, "  ·  "));
 }
 
 /// One question, as a frame puts it.
@@ -49,15 +44,14 @@ class Asking {
     if (run_.point_query()) {
       text_.caption =
           format("Question: which vertex of {} lies farthest along {}?", story_.set_name(), d);
-      text_.detail = listed(asked_.choices);
       return;
     }
     const std::vector<std::string> of_x = some_vertices(x, pair.x);
     text_.caption = format(
         "Question: which vertex of {} lies farthest along {}, and which vertex of {} along −d?",
         y.name, d, x.name);
-    text_.detail =
-        format("{}: {}      {}: {}", y.name, listed(asked_.choices), x.name, listed(of_x));
+    text_.detail = format("{}: {}      {}: {}", y.name, listed_choices(asked_.choices), x.name,
+                          listed_choices(of_x));
     std::vector<std::string> pairs;
     for (const std::string& of_y : asked_.choices) {
       for (const std::string& name : of_x) pairs.push_back(format("{}−{}", of_y, name));
@@ -78,7 +72,6 @@ class Asking {
     text_.caption =
         format("Question: which Voronoi region of {} holds {}?",
                run_.point_query() ? words_.face(before_.simplex.all()) : "the simplex", story_.q);
-    text_.detail = listed(asked_.choices);
   }
 
   void dropped() {
@@ -94,7 +87,6 @@ class Asking {
     text_.caption =
         format("Question: which vertex of the {} can P do without, so that GJK drops it?",
                gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
-    text_.detail = listed(asked_.choices);
   }
 
   void stop() {
@@ -107,7 +99,6 @@ class Asking {
       asked_.choices.push_back(asked_.answer);
     text_.caption =
         "Question: will GJK stop in this iteration, and by which test? V is the support point.";
-    text_.detail = listed(asked_.choices);
   }
 
  private:

@@ -132,10 +132,7 @@ std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& 
       names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(entry.index)]);
     }
   }
-  if (names.size() < 2) return {};
-  const std::string last = names.back();
-  names.pop_back();
-  return format("{} and {}", fmt::join(names, ", "), last);
+  return names.size() < 2 ? std::string() : and_list(std::move(names));
 }
 
 /// " D of X lies as far." where other vertices of a shape lie as far along its direction as the one

@@ -242,7 +242,6 @@ void study_question(const Story& story, FrameText& text) {
   text.caption = format("Question: next comes {}{}. How long does it take, compared with {}?",
                         dot.configuration, next.about.empty() ? "" : format(" ({})", next.about),
                         with.configuration);
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void study(const Story& story, FrameText& text) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 
@@ -106,7 +105,6 @@ void question(const Story& story, FrameText& text) {
     asked.answer = asked.choices[merge.merged ? 0 : 1];
     text.caption = format("Question: can diagonal {} be taken away?",
                           corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
-    text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
     return;
   }
   const models::PieceRun& run = shown.told.result.runs[static_cast<std::size_t>(step.index)];
@@ -115,7 +113,6 @@ void question(const Story& story, FrameText& text) {
   asked.answer = asked.choices[run.skipped ? 1 : 0];
   text.caption = format("Question: {} and {}, run or skip?", shown.piece(true, run.a),
                         shown.piece(false, run.b));
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

@@ -202,7 +202,6 @@ void question(const Story& story, FrameText& text) {
   std::sort(asked.choices.begin(), asked.choices.end());
   asked.answer = ends(story.run, step.after, step.after.edge);
   text.caption = "Question: which edge of the polygon is nearest to O?";
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -172,7 +171,6 @@ void question(const Story& story, FrameText& text) {
         format("Question: Larsen says in 1998 that {}. Does it agree with what was measured?",
                said(claim));
   }
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "algorithms/hierarchy/pictures/shown.hpp"
 
@@ -224,7 +223,6 @@ void question(const Story& story, FrameText& text) {
     asked.choices = {"measure their segments", "look it up in the table"};
     asked.answer = asked.choices[record.hit ? 1 : 0];
     text.caption = "Question: both are tiles. Measure their segments, or look it up?";
-    text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
     return;
   }
   asked.ask = is_distance ? kAskWin.name : kAskDescend.name;
@@ -234,7 +232,6 @@ void question(const Story& story, FrameText& text) {
   text.caption = is_distance ? format("Question: are the {} a and b farther apart than δ = {}?",
                                       shown.volumes(), story.numbers(shown.state.candidate->high))
                              : format("Question: descend into the {}, or cut?", shown.volumes());
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

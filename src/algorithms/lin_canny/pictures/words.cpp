@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -186,7 +185,6 @@ void question(const Story& story, FrameText& text) {
   asked.answer = found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
   text.caption =
       "Question: where does the walk go now? Of borders crossed, the first in the list counts.";
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

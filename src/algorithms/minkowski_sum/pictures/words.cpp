@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "algorithms/minkowski_sum/pictures/shown.hpp"
 
@@ -100,7 +99,6 @@ void question(const Story& story, FrameText& text) {
   asked.choices.emplace_back("both: they are parallel");
   asked.answer = asked.choices[static_cast<std::size_t>(step.source)];
   text.caption = "Question: which edge comes next?";
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "algorithms/slab_proof/pictures/shown.hpp"
 
@@ -89,7 +88,6 @@ void question(const Story& story, FrameText& text) {
   asked.choices.emplace_back("none: the slab is empty");
   asked.answer = step.reaches.empty() ? asked.choices.back() : shown.name(step.reaches.front());
   text.caption = "Question: which vertex lies deepest in slab(x, y)?";
-  text.detail = format("{}", fmt::join(asked.choices, "  ·  "));
 }
 
 void values(const Story& story, FrameText& text) {
