@@ -127,6 +127,25 @@ std::vector<Vector2d> clip(std::span<const Vector2d> polygon, const HalfPlane& h
   return out;
 }
 
+std::optional<std::array<Vector2d, 2>> clip(const Vector2d& a, const Vector2d& b,
+                                            const Eigen::AlignedBox2d& box) {
+  double enter = 0.0;
+  double leave = 1.0;
+  const Vector2d d = b - a;
+  for (int k = 0; k < 2; ++k) {
+    const double low = box.min()[k] - a[k];
+    const double high = box.max()[k] - a[k];
+    if (d[k] == 0.0) {
+      if (low > 0.0 || high < 0.0) return std::nullopt;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / d[k], high / d[k]));
+    leave = std::min(leave, std::max(low / d[k], high / d[k]));
+  }
+  if (enter >= leave) return std::nullopt;
+  return std::array<Vector2d, 2>{a + enter * d, a + leave * d};
+}
+
 Vector2d centroid(std::span<const Vector2d> points) {
   Vector2d sum = Vector2d::Zero();
   for (const Vector2d& point : points) sum += point;

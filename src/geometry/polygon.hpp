@@ -1,8 +1,9 @@
 #pragma once
 // Plane geometry that pictures and effects need: hulls, areas, half-planes.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct HalfPlane {
 /// and Hodgman 1974.)
 [[nodiscard]] std::vector<Eigen::Vector2d> clip(std::span<const Eigen::Vector2d> polygon,
                                                 const HalfPlane& half_plane);
+
+/// The part of the segment from `a` to `b` that lies in a box, if it has a length. (Liang and
+/// Barsky 1984.)
+[[nodiscard]] std::optional<std::array<Eigen::Vector2d, 2>> clip(const Eigen::Vector2d& a,
+                                                                 const Eigen::Vector2d& b,
+                                                                 const Eigen::AlignedBox2d& box);
 
 /// Mean of the points.
 [[nodiscard]] Eigen::Vector2d centroid(std::span<const Eigen::Vector2d> points);

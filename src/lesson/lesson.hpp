@@ -76,11 +76,21 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+enum class CardCorner { top_left, top_right, bottom_left, bottom_right };
+
+/// A part of a view, enlarged, in one of the view's corners.
+struct CloseUp {
+  Camera camera;
+  CardCorner corner = CardCorner::bottom_right;
+  friend bool operator==(const CloseUp&, const CloseUp&) = default;
+};
+
 struct LessonView {
   ViewKind kind = ViewKind::world;
   std::string title;
   std::optional<Camera> camera;
-  std::vector<std::string> effects;  ///< Names of registered effects (effects/registry.hpp).
+  std::vector<std::string> effects = {};  ///< Names of registered effects (effects/registry.hpp).
+  std::optional<CloseUp> close_up = {};
   [[nodiscard]] bool calls_for(std::string_view effect) const {
     return std::find(effects.begin(), effects.end(), effect) != effects.end();
   }

@@ -78,6 +78,7 @@ class LessonReader {
   void check_act(const Act& act, const Field& granularity, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
   void read_effects(const Field& effects, LessonView& view);
+  [[nodiscard]] Camera read_camera(const Table& table);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
@@ -707,6 +708,16 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
   }
 }
 
+Camera LessonReader::read_camera(const Table& table) {
+  Camera read;
+  read.center = reader_.point(table["center"], limits::kLargest).value_or(read.center);
+  read.height = reader_.number(table["height"], limits::kSmallestCameraHeight, limits::kLargest)
+                    .value_or(read.height);
+  read.stretch = reader_.number(table["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
+                     .value_or(read.stretch);
+  return read;
+}
+
 void LessonReader::read_views(const Field& views) {
   const std::vector<Field> entries = reader_.entries(views, "table [[views]]");
   if (views && views.node->is_array() && (entries.empty() || entries.size() > 2)) {
@@ -723,21 +734,17 @@ void LessonReader::read_views(const Field& views) {
     const std::string kind = reader_.name(show, "view", kinds).value_or(kinds[0]);
     view.kind = value_of<ViewKind>(kind).value_or(ViewKind::plot);
     view.title = reader_.text((*table)["title"], limits::kViewTitleLength).value_or("");
-    if (const auto camera = reader_.table((*table)["camera"], "views.camera")) {
-      Camera read;
-      read.center = reader_.point((*camera)["center"], limits::kLargest).value_or(read.center);
-      read.height =
-          reader_.number((*camera)["height"], limits::kSmallestCameraHeight, limits::kLargest)
-              .value_or(read.height);
-      read.stretch =
-          reader_.number((*camera)["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
-              .value_or(read.stretch);
-      view.camera = read;
+    if (const auto camera = reader_.table((*table)["camera"], "views.camera"))
+      view.camera = read_camera(*camera);
+    if (const auto close_up = reader_.table((*table)["close-up"], "views.close-up")) {
+      const std::optional<CardCorner> corner =
+          reader_.choice<CardCorner>((*close_up)["corner"], "corner");
+      view.close_up = {read_camera(*close_up), corner.value_or(CardCorner::bottom_right)};
     }
     read_effects((*table)["effects"], view);
     if (!shows_shapes(view.kind)) {
       check_needs({.name = kind, .act = kind}, show, fmt::format("view '{}'", kind));
-      for (const char* key : {"camera", "effects"}) {
+      for (const char* key : {"camera", "close-up", "effects"}) {
         if (const Field field = (*table)[key]) {
           problems_.add(field.place(), fmt::format("{} in a view of {}", field.label, kind),
                         "a view of the world or of the difference");

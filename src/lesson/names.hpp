@@ -37,6 +37,14 @@ struct Named<ViewKind> {
       {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};
 };
 template <>
+struct Named<CardCorner> {
+  static constexpr std::array<std::pair<std::string_view, CardCorner>, 4> kTable = {
+      {{"top left", CardCorner::top_left},
+       {"top right", CardCorner::top_right},
+       {"bottom left", CardCorner::bottom_left},
+       {"bottom right", CardCorner::bottom_right}}};
+};
+template <>
 struct Named<gjk::Phase> {
   static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> kTable = {
       {{"closest", gjk::Phase::closest},

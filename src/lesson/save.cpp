@@ -271,18 +271,22 @@ void write_study(TomlText& out, const LessonStudy& study) {
   }
 }
 
+std::string camera_keys(const Camera& camera) {
+  const std::string stretch =
+      camera.stretch == 1.0 ? std::string() : ", stretch = " + decimal(camera.stretch);
+  return fmt::format("center = {}, height = {}{}", in_brackets(camera.center),
+                     decimal(camera.height), stretch);
+}
+
 /// A plot is called like the act that fills it.
 void write_view(TomlText& out, const LessonView& view, const std::string& act) {
   out.table("[[views]]");
   out.key("show", as_text(view.kind == ViewKind::plot ? act : name_of(view.kind)));
   out.text("title", view.title, "");
-  if (view.camera) {
-    const std::string stretch = view.camera->stretch == 1.0
-                                    ? std::string()
-                                    : ", stretch = " + decimal(view.camera->stretch);
-    out.key("camera",
-            fmt::format("{{ center = {}, height = {}{} }}", in_brackets(view.camera->center),
-                        decimal(view.camera->height), stretch));
+  if (view.camera) out.key("camera", fmt::format("{{ {} }}", camera_keys(*view.camera)));
+  if (view.close_up) {
+    out.key("close-up", fmt::format("{{ {}, corner = {} }}", camera_keys(view.close_up->camera),
+                                    as_text(name_of(view.close_up->corner))));
   }
   if (!view.effects.empty()) out.list("effects", as_texts(view.effects));
 }

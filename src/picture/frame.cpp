@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 #include <string_view>
 
+#include "effects/grid.hpp"
 #include "picture/caption.hpp"
+#include "picture/close_up.hpp"
 #include "picture/legend.hpp"
 #include "picture/panel.hpp"
 #include "picture/registry.hpp"
 #include "picture/stage.hpp"
 #include "picture/text_box.hpp"
 #include "picture/timeline.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope {
 namespace {
@@ -29,7 +34,16 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
+/// "6.3", "630", "2·10⁵"
+std::string magnification(double times) {
+  constexpr double kLargest = 1e5;  // that is written out
+  if (times >= kLargest) return power_text(times, 2);
+  const double unit = times < 10.0 ? 0.1 : std::pow(10.0, std::floor(std::log10(times)) - 1.0);
+  const double rounded = std::round(times / unit) * unit;
+  return times < 10.0 ? fixed(rounded, 1) : grouped(rounded);
+}
+
 constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
 constexpr double kBeside = 28.0;     // a view's title, on both sides
 
@@ -122,10 +136,8 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y().name, run.lesson.x().name);
 }
 
-/// A camera may leave vertices outside of the view; their labels stay away, too.
-bool shows(const Rect& card, const LabelRequest& label) {
-  return (label.anchor.array() >= card.min.array()).all() &&
-         (label.anchor.array() <= card.max.array()).all();
+bool contains(const Rect& card, const Point& point) {
+  return (point.array() >= card.min.array()).all() && (point.array() <= card.max.array()).all();
 }
 
 }  // namespace
@@ -199,11 +211,41 @@ struct PageWriter {
 /// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
   ShownView shown;
+  LessonView of;
   LabelPlacer placer;
-  std::vector<std::string> title;  ///< Line by line.
-  Rect title_box;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
+  std::vector<std::string> title = {};  ///< Line by line.
+  Rect title_box = {};
+  bool is_close_up = false;
+  std::unique_ptr<View> close_up = nullptr;
+
+  /// Where no label may be.
+  void reserve() {
+    placer.reserve(title_box);
+    if (close_up) placer.reserve(close_up->shown.card);
+  }
+  /// A camera may leave vertices outside of the view, and a close-up may stand on them; their
+  /// labels stay away, too.
+  [[nodiscard]] bool shows(const LabelRequest& label) const {
+    return contains(shown.card, label.anchor) &&
+           !(close_up && contains(close_up->shown.card, label.anchor));
+  }
+  /// A ring around what is enlarged, and a line from there to where it is.
+  void tell_close_up(Scene& scene) const {
+    constexpr double kRing = 12.0;
+    const StageMap map(shown.card, shown.camera);
+    const Rect& card = close_up->shown.card;
+    const std::vector<Eigen::Vector2d> seen = StageMap(card, close_up->shown.camera).visible();
+    const Rect part{map(seen[3]), map(seen[1])};
+    if (contains(card, part.center())) return;
+    const double radius = std::max(kRing, 0.5 * part.size().maxCoeff());
+    const Point way = card.center() - part.center();
+    const Obstacles::Segment line{part.center() + radius / way.norm() * way, card.center()};
+    scene.marks.push_back({"inset.line", Polyline{{line.a, line.b}}});
+    scene.marks.push_back({"inset.line", Disk{part.center(), radius}});
+    scene.obstacles.segments.push_back(line);
+  }
 };
 
 LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
@@ -248,19 +290,34 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
     LessonView view = run_.lesson.views[i];
     if (cameras[i]) view.camera = cameras[i];
     const Rect& card = layout.views[i];
-    const Rect inner{card.min + Point(4, 4), card.max - Point(4, 4)};
     const std::vector<std::string> title =
         wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
     Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
     for (const std::string& line : title) {
       title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
     }
-    const Camera camera = camera_of(run_, view, card);
-    views_.push_back({{card, view.kind, camera},
-                      LabelPlacer(fonts_, inner),
-                      title,
-                      {card.min, card.min + title_size},
-                      std::vector<std::optional<Scene>>(run_.frames.size())});
+    const auto made = [&](const Rect& on, const Camera& camera) {
+      const Rect inner{on.min + Point(4, 4), on.max - Point(4, 4)};
+      return View{{on, view.kind, camera},
+                  run_.lesson.views[i],
+                  LabelPlacer(fonts_, inner),
+                  std::vector<std::optional<Scene>>(run_.frames.size())};
+    };
+    View& shown = views_.emplace_back(made(card, camera_of(run_, view, card)));
+    shown.title = title;
+    shown.title_box = {card.min, card.min + title_size};
+    if (!view.close_up) continue;
+    const Rect corner = close_up_in(card, view.close_up->corner);
+    View near = made(corner, view.close_up->camera);
+    std::erase(near.of.effects, std::string(Grid::kName));
+    near.is_close_up = true;
+    const double times =
+        StageMap(corner, near.shown.camera).scale() / StageMap(card, shown.shown.camera).scale();
+    near.title = {"× " + magnification(times)};
+    const Point size(fonts_.width(type::kText, near.title[0]) + 16.0, 30.0);
+    near.title_box = {{corner.min.x(), corner.max.y() - size.y()},
+                      {corner.min.x() + size.x(), corner.max.y()}};
+    shown.close_up = std::make_unique<View>(std::move(near));
   }
 }
 
@@ -270,25 +327,26 @@ std::vector<LessonPictures::ShownView> LessonPictures::views() const {
   return list;
 }
 
-const Scene& LessonPictures::scene(std::size_t view, std::size_t index) {
-  std::optional<Scene>& scene = views_[view].scenes[index];
-  const ShownView& shown = views_[view].shown;
+const Scene& LessonPictures::scene(View& view, std::size_t index) {
+  std::optional<Scene>& scene = view.scenes[index];
   if (!scene) {
-    scene = stage_scene(run_, effects_, run_.frames[index], run_.lesson.views[view],
-                        StageMap(shown.card, shown.camera), fonts_);
+    const double farthest = view.is_close_up ? HUGE_VAL : StageMap::kFarthest;
+    scene = stage_scene(run_, effects_, run_.frames[index], view.of,
+                        StageMap(view.shown.card, view.shown.camera, farthest), fonts_);
+    if (view.is_close_up) scene->marks = cut(scene->marks, view.shown.card);
+    if (view.close_up) view.tell_close_up(*scene);
   }
   return *scene;
 }
 
 /// Labels of things that stay get a place that suits every frame.
-void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) {
-  View& view = views_[of_view];
+void LessonPictures::place_fixed_labels(View& view, std::size_t shown) {
   if (view.has_fixed_labels) return;
   view.has_fixed_labels = true;
   std::vector<const Scene*> scenes;
   for (std::size_t i = 0; i < run_.frames.size(); ++i) {
     if (scope_ == LabelScope::frame && i != shown) continue;
-    const Scene& of_frame = scene(of_view, i);
+    const Scene& of_frame = scene(view, i);
     if (!of_frame.fixed_labels.empty() || !of_frame.area_labels.empty())
       scenes.push_back(&of_frame);
   }
@@ -305,12 +363,11 @@ void LessonPictures::place_fixed_labels(std::size_t of_view, std::size_t shown) 
     all.circles.insert(all.circles.end(), more.circles.begin(), more.circles.end());
   }
   view.placer.begin_frame(std::move(all));
-  view.placer.reserve(view.title_box);
+  view.reserve();
   std::set<std::string> placed;
   for (const Scene* of_frame : scenes) {
     for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (shows(view.shown.card, label) && placed.insert(label.id).second)
-        (void)view.placer.place(label, true);
+      if (view.shows(label) && placed.insert(label.id).second) (void)view.placer.place(label, true);
     }
   }
   // Of an area that is another one in each frame no place could be kept.
@@ -338,7 +395,8 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
-        if (mark_of(scene(at % views_.size(), at / views_.size()), entry.role) == nullptr) continue;
+        if (mark_of(scene(views_[at % views_.size()], at / views_.size()), entry.role) == nullptr)
+          continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
         break;
       }
@@ -354,7 +412,7 @@ std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
     for (const LegendEntry& entry : marks_to_explain(at % views_.size(), at / views_.size())) {
       const Mark* mark = nullptr;
       for (std::size_t view = 0; view < views_.size() && mark == nullptr; ++view)
-        mark = mark_of(scene(view, index), entry.role);
+        mark = mark_of(scene(views_[view], index), entry.role);
       if (mark != nullptr) rows.push_back({mark, entry.text});
     }
   }
@@ -395,6 +453,60 @@ std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index
   return rows.empty() || !fits() ? std::vector<Mark>() : legend(rows, spare.min, fonts_);
 }
 
+/// Marks and labels of a view, on a card that is there.
+void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
+  place_fixed_labels(view, index);
+  const Rect& card = view.shown.card;
+  const int clip = static_cast<int>(picture.clips.size());
+  picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
+  const Scene& of_frame = scene(view, index);
+  for (const Mark& mark : of_frame.marks) {
+    picture.marks.push_back(mark);
+    picture.marks.back().clip = clip;
+  }
+  view.placer.begin_frame(of_frame.obstacles);
+  view.reserve();
+  const auto lead = [&](const LabelRequest& label, const Rect& box) {
+    const auto line = leader_line(label, box);
+    if (!line) return;
+    view.placer.avoid(*line);
+    picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, clip});
+  };
+  const auto place = [&](const LabelRequest& label, bool fixed) {
+    const Mark placed = view.placer.place(label, fixed);
+    const Rect box = box_of(fonts_, std::get<Text>(placed.shape));
+    lead(label, box);
+    if (view.placer.is_crossed(box))
+      picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
+    picture.marks.push_back(placed);
+  };
+  std::set<std::string> drawn;
+  for (const LabelRequest& label : of_frame.fixed_labels) {
+    if (view.shows(label) && drawn.insert(label.id).second) place(label, true);
+  }
+  for (const AreaLabelRequest& label : of_frame.area_labels) {
+    std::vector<Mark> name = view.placer.place_inside(label);
+    // Beside its area it has a line that leads there, if it is far.
+    for (const Mark& mark : name) {
+      const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
+      if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
+    }
+    PageWriter{picture}.append(std::move(name));
+  }
+  for (const LabelRequest& label : of_frame.moving_labels) {
+    if (view.shows(label)) place(label, false);
+  }
+}
+
+/// A part of a view once more, larger: the same marks, seen by a camera that is nearer.
+void LessonPictures::draw_close_up(Picture& picture, View& near, std::size_t index) {
+  PageWriter page{picture};
+  const Rect& card = near.shown.card;
+  page.add("inset", Box{card, kCardCorner});
+  draw(picture, near, index);
+  page.write("inset.label", {card.min.x() + 10.0, card.max.y() - 10.0}, near.title[0], type::kText);
+}
+
 Picture LessonPictures::picture(int index) {
   const auto at = static_cast<std::size_t>(index);
   const FrameText& text = texts_[at];
@@ -426,51 +538,13 @@ Picture LessonPictures::picture(int index) {
     std::move(explained.begin(), explained.end(), std::back_inserter(panel));
   }
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    place_fixed_labels(i, at);
     View& view = views_[i];
     const Rect& card = view.shown.card;
     page.add("card", Box{card, kCardCorner});
-    const int clip = static_cast<int>(picture.clips.size());
-    picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
-    const Scene& of_frame = scene(i, at);
-    for (const Mark& mark : of_frame.marks) {
-      picture.marks.push_back(mark);
-      picture.marks.back().clip = clip;
-    }
-    view.placer.begin_frame(of_frame.obstacles);
-    view.placer.reserve(view.title_box);
     const std::size_t first_label = picture.marks.size();
-    const auto lead = [&](const LabelRequest& label, const Rect& box) {
-      const auto line = leader_line(label, box);
-      if (!line) return;
-      view.placer.avoid(*line);
-      picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, clip});
-    };
-    const auto place = [&](const LabelRequest& label, bool fixed) {
-      const Mark placed = view.placer.place(label, fixed);
-      const Rect box = box_of(fonts_, std::get<Text>(placed.shape));
-      lead(label, box);
-      if (view.placer.is_crossed(box))
-        picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
-      picture.marks.push_back(placed);
-    };
-    std::set<std::string> drawn;
-    for (const LabelRequest& label : of_frame.fixed_labels) {
-      if (shows(card, label) && drawn.insert(label.id).second) place(label, true);
-    }
-    for (const AreaLabelRequest& label : of_frame.area_labels) {
-      std::vector<Mark> name = view.placer.place_inside(label);
-      // Beside its area it has a line that leads there, if it is far.
-      for (const Mark& mark : name) {
-        const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
-        if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
-      }
-      page.append(std::move(name));
-    }
-    for (const LabelRequest& label : of_frame.moving_labels) {
-      if (shows(card, label)) place(label, false);
-    }
+    draw(picture, view, at);
     std::vector<Rect> words = {view.title_box};
+    if (view.close_up) words.push_back(view.close_up->shown.card);
     for (std::size_t k = first_label; k < picture.marks.size(); ++k) {
       if (const Text* label = std::get_if<Text>(&picture.marks[k].shape))
         words.push_back(box_of(fonts_, *label));
@@ -478,9 +552,10 @@ Picture LessonPictures::picture(int index) {
     if (on_stage) {
       std::vector<LegendRow> rows;
       for (const LegendEntry& entry : marks_to_explain(i, at))
-        rows.push_back({mark_of(of_frame, entry.role), entry.text});
-      page.append(legend_on_stage(std::move(rows), of_frame, card, words, fonts_));
+        rows.push_back({mark_of(scene(view, at), entry.role), entry.text});
+      page.append(legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_));
     }
+    if (view.close_up) draw_close_up(picture, *view.close_up, at);
     // To the corner of the card: above the title, too, nothing shows.
     page.add(
         "view-title.box",

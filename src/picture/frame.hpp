@@ -94,8 +94,10 @@ class LessonPictures {
 
  private:
   struct View;
-  [[nodiscard]] const Scene& scene(std::size_t view, std::size_t index);
-  void place_fixed_labels(std::size_t of_view, std::size_t shown);
+  [[nodiscard]] const Scene& scene(View& view, std::size_t index);
+  void place_fixed_labels(View& view, std::size_t shown);
+  void draw(Picture& picture, View& view, std::size_t index);
+  void draw_close_up(Picture& picture, View& near, std::size_t index);
   [[nodiscard]] std::vector<LegendEntry> marks_to_explain(std::size_t view, std::size_t index);
   [[nodiscard]] std::vector<LegendRow> standing_legend(std::size_t index);
   [[nodiscard]] std::vector<Mark> legend_in(const Rect& spare, std::size_t index);

@@ -83,7 +83,13 @@ std::vector<LegendEntry> legend_entries(const LessonRun& run) {
   for (const ShownAlgorithm* folder : kAlgorithms) {
     if (std::find(folder->acts.begin(), folder->acts.end(), &staged(run)) == folder->acts.end())
       continue;
-    list.insert(list.end(), folder->legend.begin(), folder->legend.end());
+    // What an algorithm says of a mark that GJK has, too, counts.
+    for (const LegendEntry& entry : folder->legend) {
+      const auto own = std::find_if(list.begin(), list.end(), [&](const LegendEntry& other) {
+        return other.role == entry.role;
+      });
+      own == list.end() ? list.push_back(entry) : void(*own = entry);
+    }
   }
   return list;
 }

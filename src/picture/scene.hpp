@@ -22,13 +22,15 @@ class StageMap {
   /// precision, and what is out there is seen only as a line's direction.
   static constexpr double kFarthest = 1e7;
 
-  /// Shows `camera.height` units over the height of `area`, centred.
-  StageMap(const Rect& area, const Camera& camera) : area_(area), camera_(camera) {}
+  /// Shows `camera.height` units over the height of `area`, centred. Who cuts off what lies outside
+  /// may do without a `farthest`.
+  StageMap(const Rect& area, const Camera& camera, double farthest = kFarthest)
+      : area_(area), camera_(camera), farthest_(farthest) {}
   /// Pixels for a unit along y.
   [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
   [[nodiscard]] Point operator()(const Eigen::Vector2d& v) const {
     const Eigen::Vector2d d =
-        stretched(scale() * (v - camera_.center)).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+        stretched(scale() * (v - camera_.center)).cwiseMax(-farthest_).cwiseMin(farthest_);
     return area_.center() + Point(d.x(), -d.y());
   }
   /// Along d, of unit length in frame pixels.
@@ -47,6 +49,7 @@ class StageMap {
 
   Rect area_;
   Camera camera_;
+  double farthest_;
 };
 
 /// What is drawn on a stage at one frame, labels not yet placed.

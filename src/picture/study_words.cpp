@@ -25,15 +25,6 @@ const StudyDot* fastest(const std::vector<StudyDot>& family, Suits suits) {
 
 }  // namespace
 
-std::string power_text(double value, int digits) {
-  if (value == 0.0) return "0";
-  const double size = std::abs(value);
-  if (size >= 0.01 && size < 1000.0) return fmt::format("{:.{}g}", value, digits);
-  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
-  const std::size_t e = text.find('e');
-  return fmt::format("{}·10{}", text.substr(0, e), raised(std::stoi(text.substr(e + 1))));
-}
-
 std::string error_words(const StudyDot& dot) {
   return dot.error ? power_text(*dot.error, 2) : "none";
 }

@@ -9,9 +9,6 @@
 
 namespace gjkscope {
 
-/// "2.0·10⁻⁷", with so many significant digits; "0.36" where no power is needed.
-[[nodiscard]] std::string power_text(double value, int digits);
-
 /// "4·10⁻⁸"; "0", "none" (to some pair there was no answer).
 [[nodiscard]] std::string error_words(const StudyDot& dot);
 

@@ -10,14 +10,14 @@ namespace {
 
 using Shape = decltype(Mark::shape);
 
-/// The view that shows a mark, or -1. Labels are not clipped: they stand in one.
+/// The view that shows a mark, or -1. Labels are not clipped: they stand in one, the topmost there.
 int view_of(const Picture& picture, const Mark& mark) {
   const Text* const text = std::get_if<Text>(&mark.shape);
   if (!text) return mark.clip;
-  for (std::size_t i = 0; i < picture.clips.size(); ++i) {
-    if (overlap(picture.clips[i], {text->at, text->at})) return static_cast<int>(i);
-  }
-  return -1;
+  int view = static_cast<int>(picture.clips.size()) - 1;
+  while (view >= 0 && !overlap(picture.clips[static_cast<std::size_t>(view)], {text->at, text->at}))
+    --view;
+  return view;
 }
 
 /// What tells the marks of a view apart: kind, role, wording, subject; and which of such it is.

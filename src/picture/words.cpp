@@ -15,12 +15,20 @@ namespace {
 
 constexpr std::string_view kMinus = "−";
 
-std::string with_minus(std::string digits) {
-  for (std::size_t at = digits.find('-'); at != std::string::npos; at = digits.find('-', at)) {
-    digits.replace(at, 1, kMinus);
-    at += kMinus.size();
+constexpr std::string_view kTimesTen = "·10";
+constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴",
+                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::string_view kRaisedMinus = "⁻";
+
+/// As it is printed: "-2.5e-09" is "−2.5·10⁻⁹".
+std::string printed(std::string digits) {
+  std::string power;
+  if (const std::size_t e = digits.find('e'); e != std::string::npos) {
+    power = std::string(kTimesTen) + raised(std::stoi(digits.substr(e + 1)));
+    digits.resize(e);
   }
-  return digits;
+  if (digits.starts_with('-')) digits.replace(0, 1, kMinus);
+  return digits + power;
 }
 
 bool is_all_zero(const std::string& digits) {
@@ -29,7 +37,7 @@ bool is_all_zero(const std::string& digits) {
 
 std::string float_digits(double value, int digits) {
   if (value == 0.0) return "0";
-  return with_minus(fmt::format("{:.{}g}", value, digits));
+  return printed(fmt::format("{:.{}g}", value, digits));
 }
 
 }  // namespace
@@ -37,7 +45,7 @@ std::string float_digits(double value, int digits) {
 std::string fixed(double value, int decimals) {
   std::string digits = fmt::format("{:.{}f}", value, decimals);
   if (digits.front() == '-' && is_all_zero(digits)) digits.erase(0, 1);
-  return with_minus(digits);
+  return printed(digits);
 }
 
 std::string signed_fixed(double value, int decimals) {
@@ -51,10 +59,18 @@ namespace {
 /// What a text of `fixed` or of a `Numbers` says.
 double as_written(std::string_view text) {
   std::string digits;
+  const auto take = [&](std::string_view printed, std::string_view read) {
+    if (!text.starts_with(printed)) return false;
+    digits += read;
+    text.remove_prefix(printed.size());
+    return true;
+  };
   while (!text.empty()) {
-    const bool is_minus = text.starts_with(kMinus);
-    digits += is_minus ? '-' : text.front();
-    text.remove_prefix(is_minus ? kMinus.size() : 1);
+    if (take(kMinus, "-") || take(kRaisedMinus, "-") || take(kTimesTen, "e")) continue;
+    bool is_raised = false;
+    for (std::size_t i = 0; i < kRaised.size() && !is_raised; ++i)
+      is_raised = take(kRaised[i], std::to_string(i));
+    if (!is_raised) take(text.substr(0, 1), text.substr(0, 1));
   }
   return std::stod(digits);
 }
@@ -79,12 +95,17 @@ std::string difference_as_written(const std::string& from, const std::string& mi
 }
 
 std::string raised(int exponent) {
-  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out = exponent < 0 ? "⁻" : "";
+  std::string out(exponent < 0 ? kRaisedMinus : "");
   for (const char digit : std::to_string(std::abs(exponent)))
-    out += kDigits[static_cast<std::size_t>(digit - '0')];
+    out += kRaised[static_cast<std::size_t>(digit - '0')];
   return out;
+}
+
+std::string power_text(double value, int digits) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size >= 0.01 && size < 1000.0) return fmt::format("{:.{}g}", value, digits);
+  return printed(fmt::format("{:.{}e}", value, digits - 1));
 }
 
 std::string grouped(double value) {
@@ -113,7 +134,7 @@ std::string Numbers::operator()(double value) const {
   if (scalar_ == ScalarKind::single) return float_digits(value, 8);
   if (scalar_ == ScalarKind::half) return float_digits(value, 5);
   const double size = std::abs(value);
-  if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return with_minus(fmt::format("{:.3e}", value));
+  if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return printed(fmt::format("{:.3e}", value));
   return fixed(value, 3);
 }
 

@@ -20,6 +20,8 @@ namespace gjkscope {
 [[nodiscard]] std::string difference_as_written(const std::string& from, const std::string& minus,
                                                 const std::string& difference);
 
+/// "2.0·10⁻⁷", with so many significant digits; "0.36" where no power is needed.
+[[nodiscard]] std::string power_text(double value, int digits);
 /// "⁻¹²"
 [[nodiscard]] std::string raised(int exponent);
 

@@ -234,6 +234,7 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   const bool are_few = shapes.a.size() * shapes.b.size() <= kMostPairs;
   for (LessonView& view : lesson.views) {
     view.camera.reset();
+    view.close_up.reset();
     if (!are_few) view.effects.clear();
   }
   return lesson;

@@ -67,9 +67,11 @@ struct Aim {
 Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, double slack) {
   Subject best;
   double best_score = kMiss;
+  int view = static_cast<int>(picture.clips.size()) - 1;  // the topmost under p
+  while (view >= 0 && !is_in(picture.clips[static_cast<std::size_t>(view)], p)) --view;
   for (const Mark& mark : picture.marks) {
     if (mark.subject.kind == Kind::none) continue;
-    if (mark.clip >= 0 && !is_in(picture.clips[static_cast<std::size_t>(mark.clip)], p)) continue;
+    if (mark.clip >= 0 && mark.clip != view) continue;
     const double score = std::visit(Aim{fonts, p, slack}, mark.shape);
     if (score < kMiss && score <= best_score) {
       best_score = score;

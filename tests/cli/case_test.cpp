@@ -11,7 +11,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace case_test {
 
 using Eigen::Vector2d;
 
@@ -165,7 +165,7 @@ TEST(Case, MutatedTextsAreReadOrRefusedNeverHalf) {
           text.resize(at);
       }
     }
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
     const std::vector<ReadCase> cases = parse_cases(text, "f");
     ASSERT_FALSE(cases.empty());
     for (const ReadCase& read : cases) {
@@ -286,5 +286,5 @@ TEST(CaseOf, AMovingLessonIsWhereItStarts) {
   EXPECT_EQ(case_of(run_lesson(lesson).runs[1]).a[0], Vector2d(8, 8));
 }
 
-}  // namespace
+}  // namespace case_test
 }  // namespace gjkscope

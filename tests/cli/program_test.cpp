@@ -12,7 +12,7 @@
 #include "command_line.hpp"
 
 namespace gjkscope {
-namespace {
+namespace program_test {
 
 using nlohmann::json;
 using test::Ran;
@@ -225,7 +225,7 @@ std::set<std::string> options_in(const std::string& help) {
   return options;
 }
 
-class Completion : public testing::TestWithParam<const char*> {};
+class Completion : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Completion, OffersEveryOptionThatHelpLists) {
   for (const std::string command : {"lessons", "export", "open", "trace", "solve", "check",
@@ -251,7 +251,7 @@ TEST_P(Completion, OffersCommandsValuesAndLessons) {
   EXPECT_TRUE(offers("gjkscope export --all " + none, "polygons-gjk"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shells, Completion, testing::Values("bash", "zsh", "fish"),
+INSTANTIATE_TEST_SUITE_P(Shells, Completion, ::testing::Values("bash", "zsh", "fish"),
                          [](const auto& shell) { return std::string(shell.param); });
 
 std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
@@ -327,5 +327,5 @@ TEST(Arguments, SizesAndRanges) {
   }
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace gjkscope

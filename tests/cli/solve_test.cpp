@@ -11,7 +11,7 @@
 #include "command_line.hpp"
 
 namespace gjkscope {
-namespace {
+namespace solve_test {
 
 using nlohmann::json;
 
@@ -223,7 +223,7 @@ TEST(Solve, MutatedCasesAreAnsweredOrRefusedOneObjectALine) {
     for (int k = static_cast<int>(random() % 2); k >= 0; --k) {
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     }
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " text " << i << ": " << text);
     const Solved solved = solve(text);
     ASSERT_FALSE(solved.answers.empty());
     bool any_refused = false;
@@ -322,5 +322,5 @@ TEST(SolveOutlines, WhatAMethodDoesNotTakeIsSaidWithItsPlace) {
   }
 }
 
-}  // namespace
+}  // namespace solve_test
 }  // namespace gjkscope

@@ -10,7 +10,7 @@
 #include "command_line.hpp"
 
 namespace gjkscope {
-namespace {
+namespace study_test {
 
 using test::read_file;
 using test::run_program;
@@ -102,5 +102,5 @@ TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace study_test
 }  // namespace gjkscope

@@ -11,7 +11,7 @@
 #include "lessons.hpp"
 
 namespace gjkscope {
-namespace {
+namespace trace_test {
 
 using nlohmann::json;
 
@@ -254,5 +254,5 @@ TEST(TraceText, SinglePrecisionPrintsAsFewDigitsAsItNeeds) {
   EXPECT_NE(std::string::npos, text.find("0.71633047")) << text;
 }
 
-}  // namespace
+}  // namespace trace_test
 }  // namespace gjkscope

@@ -7,7 +7,7 @@
 #include "command_line.hpp"
 
 namespace gjkscope {
-namespace {
+namespace transcript_test {
 
 using nlohmann::json;
 using test::run_program;
@@ -106,5 +106,5 @@ TEST(Questions, HaveFramesOfTheirOwnThatCanBeLeftOut) {
       holds(run_program("transcript triangle-ordered-test --no-questions").out, "Question: "));
 }
 
-}  // namespace
+}  // namespace transcript_test
 }  // namespace gjkscope

@@ -4,7 +4,7 @@
 #include "pairs.hpp"
 
 namespace test {
-namespace {
+namespace depth_test {
 
 using gjk::Verdict;
 using gjkscope::Rational;
@@ -250,5 +250,5 @@ TEST(Depth, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
   EXPECT_LT(20, huge);
 }
 
-}  // namespace
+}  // namespace depth_test
 }  // namespace test

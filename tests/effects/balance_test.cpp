@@ -9,7 +9,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace balance_test {
 
 using Eigen::Vector2d;
 
@@ -210,5 +210,5 @@ TEST(Projection, AVertexOrATriangleHasNone) {
   }
 }
 
-}  // namespace
+}  // namespace balance_test
 }  // namespace gjkscope

@@ -15,7 +15,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace difference_test {
 
 using Eigen::Vector2d;
 using testing::shipped_lesson;
@@ -168,5 +168,5 @@ TEST(GrownObstacle, IsAsFarFromThePointAsTheObstacleFromTheRobot) {
   }
 }
 
-}  // namespace
+}  // namespace difference_test
 }  // namespace gjkscope

@@ -20,7 +20,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace effects_test {
 
 using Eigen::Vector2d;
 using testing::shipped_lesson;
@@ -282,5 +282,5 @@ TEST(ShapeHull, LeavesOutTheReflexVertexAndKeepsCollinearOnes) {
   EXPECT_TRUE(of_line.get<ShapeHull>(line.frames[0]).y.inside.empty());
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace gjkscope

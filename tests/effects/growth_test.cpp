@@ -9,7 +9,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace growth_test {
 
 using Eigen::Vector2d;
 
@@ -161,5 +161,5 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   for (auto frame = sizes; frame != run.frames.end(); ++frame) EXPECT_EQ(frame->step, last);
 }
 
-}  // namespace
+}  // namespace growth_test
 }  // namespace gjkscope

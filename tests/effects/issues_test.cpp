@@ -7,7 +7,7 @@
 #include "lessons.hpp"
 
 namespace gjkscope {
-namespace {
+namespace issues_test {
 
 using testing::shipped_lesson;
 
@@ -36,5 +36,5 @@ TEST(NumericalIssue, ThreeVerticesOnALineAreSupportPointsTogether) {
   EXPECT_EQ(graph.get<NumericalIssue>({.run = 7}).support, (std::vector{4, 5, 6}));
 }
 
-}  // namespace
+}  // namespace issues_test
 }  // namespace gjkscope

@@ -8,7 +8,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace maps_test {
 
 using Eigen::Vector2d;
 
@@ -137,5 +137,5 @@ TEST(RegionOrders, ADegenerateTriangleHasNone) {
   EXPECT_TRUE(graph.get<RegionOrders>(run.frames[0]).empty());
 }
 
-}  // namespace
+}  // namespace maps_test
 }  // namespace gjkscope

@@ -21,7 +21,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace export_test {
 
 namespace fs = std::filesystem;
 
@@ -47,7 +47,7 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   return files;
 }
 
-class Export : public testing::Test {
+class Export : public ::testing::Test {
  protected:
   /// Small frames: the tests are about files.
   ExportOptions options(const std::string& name = "out") const {
@@ -455,5 +455,5 @@ TEST(ExportResult, SummaryIsJson) {
   EXPECT_EQ(json["files"].size(), 2u);
 }
 
-}  // namespace
+}  // namespace export_test
 }  // namespace gjkscope

@@ -14,7 +14,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace readers_test {
 
 namespace fs = std::filesystem;
 
@@ -35,7 +35,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-class Readers : public testing::Test {
+class Readers : public ::testing::Test {
  protected:
   std::string exported(Format format, int handout = 0) {
     LoadedLesson loaded = load_lesson(kSource / "lessons" / "segment-closest.toml", vocabulary());
@@ -118,5 +118,5 @@ TEST_F(Readers, Ffprobe) {
   }
 }
 
-}  // namespace
+}  // namespace readers_test
 }  // namespace gjkscope

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace gjkscope {
-namespace {
+namespace minkowski_test {
 
 using Eigen::Vector2d;
 
@@ -59,5 +59,5 @@ TEST(MinkowskiMerge, JoinsEdgesOfTheSameDirection) {
             (std::vector<Vector2d>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}));
 }
 
-}  // namespace
+}  // namespace minkowski_test
 }  // namespace gjkscope

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace gjkscope {
-namespace {
+namespace polygon_test {
 
 using Eigen::Vector2d;
 
@@ -86,5 +86,5 @@ TEST(SegmentDistance, IsToTheNearestPointOfTheSegment) {
   EXPECT_EQ(closest_on_segment({5, 4}, {0, 0}, {2, 0}), Eigen::Vector2d(2, 0));
 }
 
-}  // namespace
+}  // namespace polygon_test
 }  // namespace gjkscope

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace gjkscope {
-namespace {
+namespace rational_test {
 
 /// A number and what GMP, which shares no code with it, says that it is.
 struct Both {
@@ -150,5 +150,5 @@ TEST(Integer, RootsAreGmps) {
   }
 }
 
-}  // namespace
+}  // namespace rational_test
 }  // namespace gjkscope

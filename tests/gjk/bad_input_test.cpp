@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "gjk/gjk.hpp"
 
-namespace {
+namespace bad_input_test {
 
 using gjk::Error;
 using gjk::Vec;
@@ -225,4 +225,4 @@ TEST(first, "of several faults the first is named: vertices before numbers befor
   check_refused(Error::x_not_finite, bad);
 }
 
-}  // namespace
+}  // namespace bad_input_test

@@ -8,7 +8,7 @@
 #include "gjk/gjk.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace bounds_test {
 /// An exact scalar: fractions of numbers as small as those of a run on a small grid.
 class Fraction {
  public:
@@ -42,19 +42,20 @@ class Fraction {
   std::int64_t numerator_;
   std::int64_t denominator_;
 };
-}  // namespace
+}  // namespace bounds_test
 
 template <>
-struct Eigen::NumTraits<Fraction> : Eigen::GenericNumTraits<Fraction> {
-  using Real = Fraction;
-  using NonInteger = Fraction;
-  using Nested = Fraction;
-  using Literal = Fraction;
+struct Eigen::NumTraits<bounds_test::Fraction> : Eigen::GenericNumTraits<bounds_test::Fraction> {
+  using Real = bounds_test::Fraction;
+  using NonInteger = bounds_test::Fraction;
+  using Nested = bounds_test::Fraction;
+  using Literal = bounds_test::Fraction;
   enum { IsInteger = 0, IsSigned = 1, RequireInitialization = 1 };
 };
 
 template <>
-struct gjk::ScalarTraits<Fraction> {
+struct gjk::ScalarTraits<bounds_test::Fraction> {
+  using Fraction = bounds_test::Fraction;
   using Real = double;
   static constexpr bool kExact = true;
   template <class From>
@@ -71,7 +72,7 @@ struct gjk::ScalarTraits<Fraction> {
   [[nodiscard]] static Real no_length() { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-namespace {
+namespace bounds_test {
 
 using gjk::Vec;
 using gjk::Verdict;
@@ -333,4 +334,4 @@ TEST(surely, "a deep overlap is certain: lower = upper = 0") {
   CHECK_EQ(0.0f, result.upper);
 }
 
-}  // namespace
+}  // namespace bounds_test

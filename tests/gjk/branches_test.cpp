@@ -7,7 +7,7 @@
 #include "check.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace branches_test {
 
 using families::Family;
 using families::kFamilyCount;
@@ -258,4 +258,4 @@ TEST(all_taken, "every branch of regions, directions, planes, stop tests and ans
   CHECK_EQ(std::size(kAll), counts.size());
 }
 
-}  // namespace
+}  // namespace branches_test

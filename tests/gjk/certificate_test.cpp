@@ -7,7 +7,7 @@
 #include "gjk/gjk.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace certificate_test {
 
 using families::Family;
 using families::Pair;
@@ -541,4 +541,4 @@ TEST(space, "in space the distance is that of the nearest point found, within it
   CHECK(result.lower < 5 && 5 < result.upper);
 }
 
-}  // namespace
+}  // namespace certificate_test

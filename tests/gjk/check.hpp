@@ -1,11 +1,13 @@
 #pragma once
 // What a test program needs, in one header: the core must prove itself on a machine that has only a
-// compiler and Eigen. A program is a list of TESTs, each a claim, and `main` from main.cpp.
+// compiler and Eigen. A program is a list of TESTs, each a claim, and `main` from main.cpp; named
+// files of it run alone: gjk-tests simplex_test.
 
 #include <cstdio>
 #include <exception>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -15,13 +17,14 @@ namespace check {
 inline constexpr int kPrintedFailures = 10;
 
 struct Test {
+  std::string_view file;  ///< "simplex_test"
   const char* claim;
   void (*run)();
 };
 
 struct Session {
   std::vector<Test> tests;
-  std::vector<std::string> arguments;
+  std::vector<std::string> arguments;  ///< What the command line says beyond names of files.
   std::string context;  ///< What a failure names besides the check: seed, pair, family.
   int failures = 0;     ///< Of the running test.
 };
@@ -31,7 +34,10 @@ struct Session {
 }
 
 struct Registration {
-  Registration(const char* claim, void (*run)()) { session().tests.push_back({claim, run}); }
+  Registration(std::string_view path, const char* claim, void (*run)()) {
+    const std::string_view file = path.substr(path.find_last_of('/') + 1);
+    session().tests.push_back({file.substr(0, file.find('.')), claim, run});
+  }
 };
 
 /// Names the case at hand, "seed 7 pair 12", in every failure until the end of the scope.
@@ -90,9 +96,9 @@ void near(const char* file, int line, const char* text, const E& expected, const
 }  // namespace check
 
 /// TEST(name, "claim") { ... }
-#define TEST(name, claim)                                  \
-  static void name();                                      \
-  static const check::Registration name##_is(claim, name); \
+#define TEST(name, claim)                                            \
+  static void name();                                                \
+  static const check::Registration name##_is(__FILE__, claim, name); \
   static void name()
 #define CHECK(...) \
   ((__VA_ARGS__) ? void() : check::fail(__FILE__, __LINE__, "not true: " #__VA_ARGS__))

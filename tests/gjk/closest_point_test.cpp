@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace closest_point_test {
 
 using gjk::Face;
 using gjk::Vec;
@@ -491,4 +491,4 @@ TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P tha
   }
 }
 
-}  // namespace
+}  // namespace closest_point_test

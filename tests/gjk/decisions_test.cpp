@@ -7,7 +7,7 @@
 #include "same_bits.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace decisions_test {
 
 using check::same_bits;
 using families::Family;
@@ -141,4 +141,4 @@ TEST(recording_changes_nothing,
   check_representative(in_float ? run<float>(pairs) : run<double>(pairs));
 }
 
-}  // namespace
+}  // namespace decisions_test

@@ -6,7 +6,7 @@
 #include "check.hpp"
 #include "gjk/gjk.hpp"
 
-namespace {
+namespace direction_test {
 
 using gjk::DirectionRule;
 using gjk::Phase;
@@ -137,4 +137,4 @@ TEST(no_normal, "an edge whose ends coincide falls back to O - P") {
   CHECK(!record.direction.from_normal);
 }
 
-}  // namespace
+}  // namespace direction_test

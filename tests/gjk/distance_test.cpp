@@ -6,7 +6,7 @@
 #include "gjk/gjk.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace distance_test {
 
 using families::Family;
 using gjk::Vec;
@@ -305,4 +305,4 @@ TEST(tetrahedra, "random tetrahedra in space: the nearest pair, proved by dualit
   CHECK(overlapping > 2000);
 }
 
-}  // namespace
+}  // namespace distance_test

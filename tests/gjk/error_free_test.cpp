@@ -7,7 +7,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace error_free_test {
 
 using gjk::DoubleWord;
 __extension__ typedef __int128 Int128;
@@ -135,4 +135,4 @@ TEST(cancellation, "what is left when the first halves cancel is exact") {
   CHECK_EQ(0.0, product.lo);
 }
 
-}  // namespace
+}  // namespace error_free_test

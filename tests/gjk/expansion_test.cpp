@@ -6,7 +6,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace expansion_test {
 
 using gjk::Expansion;
 __extension__ typedef __int128 Int128;
@@ -151,4 +151,4 @@ TEST(traits, "the core's questions: exact, always finite, roots bounded from bot
   }
 }
 
-}  // namespace
+}  // namespace expansion_test

@@ -7,7 +7,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace families_test {
 
 using families::Family;
 using families::kFamilyCount;
@@ -241,4 +241,4 @@ TEST(orders, "pairs come in both orders of arguments and all rotations of their 
   }
 }
 
-}  // namespace
+}  // namespace families_test

@@ -6,7 +6,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace linear_test {
 
 using gjk::Vec;
 
@@ -104,4 +104,4 @@ TEST(perpendiculars,
   CHECK((gjk::perpendicular<double, 3>({a, c}) == Vec<double, 3>(24, 15, -18)));
 }
 
-}  // namespace
+}  // namespace linear_test

@@ -1,8 +1,24 @@
+#include <algorithm>
+
 #include "check.hpp"
 
 int main(int argc, char** argv) {
   check::Session& session = check::session();
-  session.arguments.assign(argv + 1, argv + argc);
+  std::vector<std::string_view> chosen;
+  for (const std::string_view argument : std::vector<std::string_view>(argv + 1, argv + argc)) {
+    const bool is_file =
+        std::any_of(session.tests.begin(), session.tests.end(),
+                    [&](const check::Test& test) { return test.file == argument; });
+    if (is_file)
+      chosen.push_back(argument);
+    else
+      session.arguments.emplace_back(argument);
+  }
+  if (!chosen.empty()) {
+    std::erase_if(session.tests, [&](const check::Test& test) {
+      return std::find(chosen.begin(), chosen.end(), test.file) == chosen.end();
+    });
+  }
   int failed = 0;
   for (const check::Test& test : session.tests) {
     session.failures = 0;

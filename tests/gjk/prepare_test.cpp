@@ -8,7 +8,7 @@
 #include "gjk/support.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace prepare_test {
 
 using families::Family;
 using families::kFamilyCount;
@@ -304,4 +304,4 @@ TEST(vertices, "vertices of Z err by less than their bound, but not by much less
   CHECK(most > 0.25L);
 }
 
-}  // namespace
+}  // namespace prepare_test

@@ -14,7 +14,7 @@
 #include "gjk/expansion.hpp"
 #include "gjk/gjk.hpp"
 
-namespace {
+namespace query_test {
 
 using gjk::Vec;
 
@@ -369,4 +369,4 @@ TEST(defaults,
   CHECK_EQ(0.0, options.tolerance);
 }
 
-}  // namespace
+}  // namespace query_test

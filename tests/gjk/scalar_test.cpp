@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace scalar_test {
 
 template <class S>
 void check_roots() {
@@ -124,4 +124,4 @@ TEST(default_scalar, "float and half run in double unless told otherwise") {
   CHECK(std::is_same_v<float, gjk::RunScalar<float, double>>);
 }
 
-}  // namespace
+}  // namespace scalar_test

@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace scaling_test {
 
 using families::Family;
 using families::kFamilyNames;
@@ -195,4 +195,4 @@ TEST(beyond, "down to the smallest numbers, up to the largest, the answer is rig
   check_ends<3, double, double>(20, -1074, 1026);
 }
 
-}  // namespace
+}  // namespace scaling_test

@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 
-namespace {
+namespace simplex_test {
 
 using gjk::Face;
 using gjk::Vec;
@@ -116,4 +116,4 @@ TEST(weighted, "the weighted point of a vertex is the vertex, to the last bit") 
   CHECK((gjk::weighted_point(triangle, 0b101) == Vec<double, 2>(5, 1)));
 }
 
-}  // namespace
+}  // namespace simplex_test

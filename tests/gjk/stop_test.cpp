@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "gjk/gjk.hpp"
 
-namespace {
+namespace stop_test {
 
 using gjk::StopReason;
 using gjk::Vec;
@@ -309,4 +309,4 @@ TEST(adding, "add appends the support point and begins the next iteration") {
   CHECK_EQ(gjk::Phase::closest, state.phase);
 }
 
-}  // namespace
+}  // namespace stop_test

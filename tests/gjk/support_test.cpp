@@ -7,7 +7,7 @@
 #include "check.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace support_test {
 
 using gjk::Vec;
 
@@ -318,4 +318,4 @@ TEST(plane_rounding, "a plane proves its distance but for what rounding may have
   CHECK_EQ((4 * 5 + 4 * 3) * kRoundoff, in_space.plane_error(3.0, 5.0));
 }
 
-}  // namespace
+}  // namespace support_test

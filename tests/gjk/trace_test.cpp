@@ -6,7 +6,7 @@
 #include "gjk/gjk.hpp"
 #include "study/families.hpp"
 
-namespace {
+namespace trace_test {
 
 using gjk::Phase;
 using gjk::StopReason;
@@ -173,4 +173,4 @@ TEST(simplices, "the answer's simplex, weights and witness points belong togethe
   CHECK_NEAR(result.distance, (result.y - result.x).norm(), 1e-15);
 }
 
-}  // namespace
+}  // namespace trace_test

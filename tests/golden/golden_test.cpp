@@ -20,7 +20,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace golden_test {
 
 namespace fs = std::filesystem;
 
@@ -190,5 +190,5 @@ TEST(GoldenText, TheFirstDifferenceIsNamedByItsStep) {
   EXPECT_EQ(golden::first_difference("start\n  a\n", "start\n").got, "(nothing)");
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace gjkscope

@@ -15,7 +15,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace file_test {
 
 namespace fs = std::filesystem;
 using testing::file_text;
@@ -95,5 +95,5 @@ TEST_F(WriteWhole, LeavesTheOldFileOrTheNewOneWhenItIsKilled) {
   EXPECT_EQ(contents().size(), 1u);
 }
 
-}  // namespace
+}  // namespace file_test
 }  // namespace gjkscope

@@ -31,7 +31,7 @@ inline std::string readme_example() {
   return text.substr(begin, text.find("```", begin) - begin);
 }
 
-inline std::vector<std::filesystem::path> shipped_lessons() {
+inline std::vector<std::filesystem::path> shipped_lesson_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(lessons_folder())) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());

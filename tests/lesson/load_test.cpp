@@ -16,7 +16,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace load_test {
 
 LoadedLesson parse(std::string_view text) {
   return parse_lesson(text, "lessons/two.toml", vocabulary());
@@ -818,5 +818,5 @@ TEST_F(LessonFolder, EveryTextOfALessonHasItsPlace) {
             "World: X and Y@39:1 ");
 }
 
-}  // namespace
+}  // namespace load_test
 }  // namespace gjkscope

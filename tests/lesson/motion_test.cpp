@@ -8,7 +8,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace motion_test {
 
 using Eigen::Vector2d;
 
@@ -203,5 +203,5 @@ TEST(Granularity, PhasesPicksThoseThatGetAFrame) {
   }
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace gjkscope

@@ -16,7 +16,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace mutation_test {
 
 constexpr int kMutants = 10000;  // of all files together, at least
 constexpr unsigned kSeed = 20100311;
@@ -212,7 +212,7 @@ std::string with_small_models(std::string text) {
 
 std::vector<std::string> originals() {
   std::vector<std::string> texts = {testing::kFullLesson, testing::readme_example()};
-  for (const auto& file : testing::shipped_lessons())
+  for (const auto& file : testing::shipped_lesson_files())
     texts.push_back(with_small_models(testing::file_text(file)));
   return texts;
 }
@@ -416,5 +416,5 @@ TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
   }
 }
 
-}  // namespace
+}  // namespace mutation_test
 }  // namespace gjkscope

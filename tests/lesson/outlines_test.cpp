@@ -11,7 +11,7 @@
 #include "trace/trace_text.hpp"
 
 namespace gjkscope {
-namespace {
+namespace outlines_test {
 
 const std::string kSquareWithHole =
     "vertices = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [1, 3], [3, 3], [3, 1]]\n";
@@ -118,5 +118,5 @@ TEST(Volumes, AreChosenWhereTreesAreBuilt) {
       "no trees");
 }
 
-}  // namespace
+}  // namespace outlines_test
 }  // namespace gjkscope

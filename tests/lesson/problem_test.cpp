@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace gjkscope {
-namespace {
+namespace problem_test {
 
 TEST(Problem, ReadsAsOneLine) {
   EXPECT_EQ(to_string({"a.toml", 3, 7, "unknown key 'cpa'", "one of: cap, start", "cap"}),
@@ -39,5 +39,5 @@ TEST(NearestName, OneLetterNamesMatchInTheOtherCase) {
   EXPECT_EQ(nearest_name("k", {"A", "K"}), "K");
 }
 
-}  // namespace
+}  // namespace problem_test
 }  // namespace gjkscope

@@ -5,7 +5,7 @@
 #include <set>
 
 namespace gjkscope {
-namespace {
+namespace prose_test {
 
 TEST(Prose, PlaceholdersAreFilledIn) {
   EXPECT_EQ(expand("d = {distance}, u = {u}", {{"distance", "1.5"}, {"u", "0.25"}}),
@@ -40,5 +40,5 @@ TEST(Prose, PlaceholderNamesAreUnique) {
   EXPECT_EQ(names.size(), kPlaceholders.size());
 }
 
-}  // namespace
+}  // namespace prose_test
 }  // namespace gjkscope

@@ -9,7 +9,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace questions_test {
 
 /// The pentagon of the slides: E; C; CE; D; CDE, E dropped; CD; C again.
 std::string pentagon(const std::string& granularity, const std::string& questions) {
@@ -187,5 +187,5 @@ TEST(Questions, AreReadAndMistakesFound) {
   EXPECT_EQ(problems(R"(questions = [{ ask = "stop", at = 0 }])").column, 35);
 }
 
-}  // namespace
+}  // namespace questions_test
 }  // namespace gjkscope

@@ -19,7 +19,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace readme_test {
 
 /// The rows of the table under a heading, without its two head lines.
 std::vector<std::string> table_under(const std::string& heading) {
@@ -120,7 +120,7 @@ TEST(ShippedLessons, AreOfChaptersThatHaveTitles) {
   const std::map<int, std::string> chapters = parse_chapters(
       testing::file_text(testing::lessons_folder().parent_path() / "assets" / "chapters.toml"),
       "chapters.toml");
-  for (const auto& file : testing::shipped_lessons())
+  for (const auto& file : testing::shipped_lesson_files())
     EXPECT_TRUE(chapters.contains(load_lesson(file, vocabulary()).lesson->chapter)) << file;
 }
 
@@ -195,11 +195,11 @@ TEST(Registries, HoldEveryActBlockListingLayerEffectAndDrawerThatIsDefined) {
 }
 
 TEST(ShippedLessons, AllLoad) {
-  for (const auto& file : testing::shipped_lessons()) {
+  for (const auto& file : testing::shipped_lesson_files()) {
     for (const Problem& problem : load_lesson(file, vocabulary()).problems)
       ADD_FAILURE() << to_string(problem);
   }
 }
 
-}  // namespace
+}  // namespace readme_test
 }  // namespace gjkscope

@@ -19,7 +19,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace save_test {
 
 using Eigen::Vector2d;
 
@@ -152,7 +152,7 @@ TEST(SavedLesson, IsWrittenLikeTheOnesByHand) {
 }
 
 TEST(SavedLesson, IsTheLessonAgain) {
-  for (const auto& file : testing::shipped_lessons()) {
+  for (const auto& file : testing::shipped_lesson_files()) {
     SCOPED_TRACE(file.string());
     const LoadedLesson loaded = load_lesson(file, vocabulary());
     ASSERT_TRUE(loaded.lesson);
@@ -340,6 +340,10 @@ Lesson any_lesson(Random& random) {
       view.camera = {any_point(random, 1e18), std::abs(any_number(random, 1e17)) + 1e-18};
       if (one_in(random, 2)) view.camera->stretch = std::abs(any_number(random, 1e8)) + 1e-8;
     }
+    if (one_in(random, 3)) {
+      view.close_up = {{any_point(random, 1e18), std::abs(any_number(random, 1e17)) + 1e-18},
+                       any_of<CardCorner>(random)};
+    }
     if (one_in(random, 2)) view.effects = {any_name(random, names_of(vocabulary().effects))};
   }
   if (one_in(random, 6) && out.scalar != ScalarKind::exact) {
@@ -414,6 +418,7 @@ Lesson any_lesson(Random& random) {
   for (LessonView& view : out.views) {
     if ((out.growth || out.study) && one_in(random, 2)) view.kind = ViewKind::plot;
     if (!shows_shapes(view.kind)) view.camera.reset();
+    if (!shows_shapes(view.kind)) view.close_up.reset();
     if (!shows_shapes(view.kind) && !out.beside) view.effects.clear();
   }
   for (std::size_t i = below(random, 4); i > 0; --i) {
@@ -484,5 +489,5 @@ TEST(Decimal, IsShortAndNoWholeNumber) {
   EXPECT_EQ(decimal(0x1p-1074), "5e-324");
 }
 
-}  // namespace
+}  // namespace save_test
 }  // namespace gjkscope

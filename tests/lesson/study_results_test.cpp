@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 namespace gjkscope {
-namespace {
+namespace study_results_test {
 
 std::string row(const std::string& family, const std::string& configuration, double ns,
                 const std::string& error, bool front, int repetitions = 5) {
@@ -155,5 +155,5 @@ TEST(StudyResults, SayWhatIsWrongAndWhere) {
     EXPECT_NE(complaint(text).find("gjkscope study accuracy"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace study_results_test
 }  // namespace gjkscope

@@ -9,7 +9,7 @@
 #include "scenes.hpp"
 #include "truth.hpp"
 
-namespace {
+namespace models_test {
 
 using namespace models;
 
@@ -364,4 +364,4 @@ TEST(Pieces, AUIsThree) {
   EXPECT_EQ(3u, pieces_of(model_of({u})).pieces.size());
 }
 
-}  // namespace
+}  // namespace models_test

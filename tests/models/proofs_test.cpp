@@ -12,7 +12,7 @@
 #include "geometry/polygon.hpp"
 #include "gjk/gjk.hpp"
 
-namespace {
+namespace proofs_test {
 
 using models::Point;
 
@@ -113,4 +113,4 @@ TEST(SlabProof, EachStepIsCloserAndAnEmptySlabIsTheDistance) {
   EXPECT_GT(empty, apart / 2);
 }
 
-}  // namespace
+}  // namespace proofs_test

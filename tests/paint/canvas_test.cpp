@@ -19,7 +19,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace canvas_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
@@ -530,5 +530,5 @@ TEST(Shrink, KeepsPlaces) {
   }
 }
 
-}  // namespace
+}  // namespace canvas_test
 }  // namespace gjkscope

@@ -10,7 +10,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace extreme_test {
 
 TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
   const std::filesystem::path assets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
@@ -41,5 +41,5 @@ TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
   EXPECT_GT(painted, 100);
 }
 
-}  // namespace
+}  // namespace extreme_test
 }  // namespace gjkscope

@@ -14,7 +14,7 @@
 #include <stb/stb_image.h>
 
 namespace gjkscope {
-namespace {
+namespace png_test {
 
 /// Flat areas, gradients and noise.
 Image sample(int width, int height) {
@@ -68,5 +68,5 @@ TEST(Png, SameImageSameBytesOnEveryThread) {
   for (const auto& result : results) EXPECT_EQ(result, expected);
 }
 
-}  // namespace
+}  // namespace png_test
 }  // namespace gjkscope

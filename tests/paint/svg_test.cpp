@@ -6,7 +6,7 @@
 #include "sample_picture.hpp"
 
 namespace gjkscope {
-namespace {
+namespace svg_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
@@ -86,5 +86,5 @@ TEST(Svg, SaysOfEachMarkWhatItIsAndWhatItStandsFor) {
   EXPECT_NE(svg_of(picture).find("data-mark=\"cloud.point\"/>"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace svg_test
 }  // namespace gjkscope

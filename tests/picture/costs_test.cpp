@@ -13,7 +13,7 @@
 #include "picture/words.hpp"
 
 namespace gjkscope {
-namespace {
+namespace costs_test {
 
 /// Two sizes, with times.
 Lesson small_lesson() {
@@ -118,5 +118,5 @@ TEST(MethodFrames, AskWhatMemorySaves) {
   EXPECT_EQ(all.back().question->answer, name_of(Method::gjk_warm));
 }
 
-}  // namespace
+}  // namespace costs_test
 }  // namespace gjkscope

@@ -10,7 +10,7 @@
 #include "picture/words.hpp"
 
 namespace gjkscope {
-namespace {
+namespace depth_test {
 
 const std::vector<std::string> kLessons = {"penetration-depth", "penetration-nested",
                                            "penetration-touching", "penetration-identical"};
@@ -113,5 +113,5 @@ TEST(DepthFrames, AreTheSameInEveryScalarThatHoldsTheShapes) {
   }
 }
 
-}  // namespace
+}  // namespace depth_test
 }  // namespace gjkscope

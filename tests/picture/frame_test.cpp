@@ -2,6 +2,7 @@
 
 #include "picture/frame.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void PrintTo(const Page& page, std::ostream* out) {
   *out << page.width * page.zoom << " x " << page.height * page.zoom;
 }
 
-namespace {
+namespace frame_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
@@ -128,8 +129,12 @@ TEST_P(Frames, LabelsOfVerticesThatStayKeepTheirPlace) {
           continue;
         const Text& text = std::get<Text>(mark.shape);
         if (moves(lesson, mark.role)) continue;
-        const auto [place, added] =
-            places.emplace(text.text + (text.at.x() < 450.0 ? " left" : " right"), text.at);
+        const auto topmost = std::find_if(frame.picture.clips.rbegin(), frame.picture.clips.rend(),
+                                          [&](const Rect& clip) {
+                                            return overlap(clip, {text.at, text.at});
+                                          });
+        const auto [place, added] = places.emplace(
+            fmt::format("{} {}", text.text, frame.picture.clips.rend() - topmost), text.at);
         EXPECT_EQ(place->second, text.at) << lesson.id << ": " << text.text;
       }
     }
@@ -827,5 +832,5 @@ TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
   EXPECT_GT(differing, 10);
 }
 
-}  // namespace
+}  // namespace frame_test
 }  // namespace gjkscope

@@ -14,7 +14,7 @@
 #include "picture/words.hpp"
 
 namespace gjkscope {
-namespace {
+namespace growth_test {
 
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("lazy-hull");
@@ -112,5 +112,5 @@ TEST(GrowthPicture, OtherLessonsMeasureNothing) {
   EXPECT_EQ(effects.count(Growth::kName).runs, 0);
 }
 
-}  // namespace
+}  // namespace growth_test
 }  // namespace gjkscope

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 namespace gjkscope {
-namespace {
+namespace labels_test {
 
 class Labels : public ::testing::Test {
  protected:
@@ -155,5 +155,5 @@ TEST_F(Labels, OfAnAreaStandInItOrNowhere) {
   EXPECT_TRUE(placer.place_inside({"b", "label", "role", type::kRegion, thin, {}}).empty());
 }
 
-}  // namespace
+}  // namespace labels_test
 }  // namespace gjkscope

@@ -15,7 +15,7 @@
 #include "picture/text_box.hpp"
 
 namespace gjkscope {
-namespace {
+namespace linked_test {
 
 using testing::shipped_lesson;
 
@@ -258,5 +258,5 @@ TEST(LinkedCaptions, TheSlabProvesTheDistance) {
   }
 }
 
-}  // namespace
+}  // namespace linked_test
 }  // namespace gjkscope

@@ -11,7 +11,7 @@
 #include "picture/text_box.hpp"
 
 namespace gjkscope {
-namespace {
+namespace plot_test {
 
 const Fonts& fonts() {
   static const Fonts loaded(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
@@ -233,5 +233,5 @@ TEST(Plot, NotesStandBesideTheirPoints) {
   }
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace gjkscope

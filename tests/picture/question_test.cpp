@@ -10,7 +10,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace question_test {
 
 using Choices = std::vector<std::string>;
 
@@ -215,5 +215,5 @@ TEST(QuestionFrames, LeftOutTheOthersSayWhatTheySaidBefore) {
   }
 }
 
-}  // namespace
+}  // namespace question_test
 }  // namespace gjkscope

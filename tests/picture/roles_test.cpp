@@ -19,7 +19,7 @@
 #include "picture/theme.hpp"
 
 namespace gjkscope {
-namespace {
+namespace roles_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
@@ -197,5 +197,5 @@ TEST(Roles, AreToldApartByEveryEye) {
   EXPECT_GT(compared, 1000u);
 }
 
-}  // namespace
+}  // namespace roles_test
 }  // namespace gjkscope

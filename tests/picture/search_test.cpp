@@ -15,7 +15,7 @@
 #include "picture/frame.hpp"
 
 namespace gjkscope {
-namespace {
+namespace search_test {
 
 using searches::NodeState;
 using searches::Shown;
@@ -187,5 +187,5 @@ TEST(MethodsFrames, SayWhichShapeTheyDoNotTake) {
   EXPECT_EQ(lesson_texts(run, effects).front().caption, "Not all methods take Y: not convex.");
 }
 
-}  // namespace
+}  // namespace search_test
 }  // namespace gjkscope

@@ -16,7 +16,7 @@
 #include "picture/study_words.hpp"
 
 namespace gjkscope {
-namespace {
+namespace study_test {
 
 struct Shown {
   Shown() : run(run_lesson(testing::shipped_lesson("accuracy-cost"))), effects(run) {}
@@ -216,5 +216,5 @@ TEST(StudyPicture, OtherLessonsRunNoPairInThreeScalars) {
   EXPECT_EQ(effects.count(RoundedPair::kName).runs, 0);
 }
 
-}  // namespace
+}  // namespace study_test
 }  // namespace gjkscope

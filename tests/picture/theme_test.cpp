@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace theme_test {
 
 const std::filesystem::path kThemes =
     std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "themes";
@@ -165,7 +165,7 @@ Color over(const Color& top, const Color& bottom) {
 }
 
 /// A folder with one theme of the given text.
-class ThemeFile : public testing::Test {
+class ThemeFile : public ::testing::Test {
  protected:
   std::string error_of(const std::string& text) {
     const test::TemporaryFolder folder;
@@ -311,5 +311,5 @@ TEST(Theme, IsReadFromTextsAsFromFiles) {
   EXPECT_EQ(complaint("odd").rfind("odd.toml:2:23: no colour \"blue\"", 0), 0u) << complaint("odd");
 }
 
-}  // namespace
+}  // namespace theme_test
 }  // namespace gjkscope

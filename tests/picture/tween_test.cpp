@@ -8,7 +8,7 @@
 #include "picture/frame.hpp"
 
 namespace gjkscope {
-namespace {
+namespace tween_test {
 
 using testing::shipped_lesson;
 
@@ -112,5 +112,5 @@ TEST(Tween, EveryMarkOfALessonMovesOnItsWayOnly) {
   EXPECT_GT(moved, 20) << "vertices, closest points";
 }
 
-}  // namespace
+}  // namespace tween_test
 }  // namespace gjkscope

@@ -8,7 +8,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace type_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 constexpr Face kFaces[] = {Face::regular, Face::medium, Face::semibold,
@@ -143,5 +143,5 @@ TEST(TypeScale, AllStylesHoldsTheNamedOnes) {
   }
 }
 
-}  // namespace
+}  // namespace type_test
 }  // namespace gjkscope

@@ -10,7 +10,7 @@
 #include "picture/words.hpp"
 
 namespace gjkscope {
-namespace {
+namespace walk_test {
 
 const std::vector<std::string> kLessons = {"lin-canny", "lin-canny-overlap", "local-minima"};
 
@@ -92,5 +92,5 @@ TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
   EXPECT_NE(caption.find(Numbers(run.lesson)(walk.truth->distance)), std::string::npos) << caption;
 }
 
-}  // namespace
+}  // namespace walk_test
 }  // namespace gjkscope

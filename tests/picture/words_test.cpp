@@ -7,7 +7,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace words_test {
 
 TEST(Words, NumbersHaveATrueMinusAndNoNegativeZero) {
   EXPECT_EQ(fixed(-1.25, 2), "−1.25");
@@ -37,7 +37,7 @@ TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
   Lesson lesson;
   lesson.scalar = ScalarKind::single;
   const Numbers numbers(lesson);
-  EXPECT_EQ(numbers(static_cast<double>(3.2457051e-06F)), "3.2457051e−06");
+  EXPECT_EQ(numbers(static_cast<double>(3.2457051e-06F)), "3.2457051·10⁻⁶");
   EXPECT_EQ(numbers.point({static_cast<double>(-0.021008447F), -0.0}), "(−0.021008447, 0)");
 }
 
@@ -83,5 +83,5 @@ TEST(Words, VerticesOfADifferenceNameBothTheirVertices) {
   EXPECT_EQ(run.pair_name({2, 3}), "N−C");
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace gjkscope

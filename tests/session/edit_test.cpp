@@ -15,7 +15,7 @@
 #include "session/session.hpp"
 
 namespace gjkscope {
-namespace {
+namespace edit_test {
 
 using Eigen::Vector2d;
 using std::size_t;
@@ -234,5 +234,5 @@ TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygon) {
   }
 }
 
-}  // namespace
+}  // namespace edit_test
 }  // namespace gjkscope

@@ -7,7 +7,7 @@
 #include "fonts.hpp"
 
 namespace gjkscope {
-namespace {
+namespace hit_test {
 
 using Kind = Subject::Kind;
 using testing::fonts;
@@ -59,5 +59,5 @@ TEST(Hit, ADifferenceIsLinkedToTheVerticesThatMadeIt) {
   EXPECT_FALSE(is_linked({}, {}));
 }
 
-}  // namespace
+}  // namespace hit_test
 }  // namespace gjkscope

@@ -17,7 +17,7 @@
 #include "session/edit.hpp"
 
 namespace gjkscope {
-namespace {
+namespace session_test {
 
 using Eigen::Vector2d;
 using std::size_t;
@@ -510,5 +510,5 @@ TEST(Session, TheSamePicturesAsTheExports) {
   }
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace gjkscope

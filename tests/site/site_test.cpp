@@ -13,7 +13,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace site_test {
 
 namespace fs = std::filesystem;
 
@@ -146,5 +146,5 @@ TEST_F(Site, WithoutTheProgramForBrowsersItSaysHowToBuildIt) {
   EXPECT_FALSE(fs::exists(out_)) << "nothing is left behind";
 }
 
-}  // namespace
+}  // namespace site_test
 }  // namespace gjkscope

@@ -12,7 +12,7 @@
 #include "study/truth.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace accuracy_test {
 
 using test::small_plan;
 using test::small_study;
@@ -249,5 +249,5 @@ TEST(Front, IsThatOfEachFamily) {
   EXPECT_EQ(front, (std::vector<bool>{true, true, false, false, false}));
 }
 
-}  // namespace
+}  // namespace accuracy_test
 }  // namespace gjkscope::study

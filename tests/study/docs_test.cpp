@@ -11,7 +11,7 @@
 #include "study/report.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace docs_test {
 
 const std::filesystem::path kSource = GJKSCOPE_SOURCE_DIR;
 
@@ -128,5 +128,5 @@ TEST(Docs, TheLessonShowsWhatTheCoreAnswers) {
   EXPECT_EQ(compared, 8) << "two families";
 }
 
-}  // namespace
+}  // namespace docs_test
 }  // namespace gjkscope::study

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace gjkscope::study {
-namespace {
+namespace less_work_test {
 
 constexpr Work kWork = {3.5, 4.0, 1.0, 0.0};
 constexpr Work kFewer = {2.5, 3.0, 1.0, 0.0};
@@ -195,5 +195,5 @@ TEST(Costlier, CoversCapsTolerancesProofLevelsAndWarmStarts) {
   EXPECT_FALSE(is_less("double, loop only, towards O", "double"));
 }
 
-}  // namespace
+}  // namespace less_work_test
 }  // namespace gjkscope::study

@@ -8,7 +8,7 @@
 #include "study/truth.hpp"
 
 namespace gjkscope {
-namespace {
+namespace quad_test {
 
 using study::difference;
 using study::Truth;
@@ -79,5 +79,5 @@ TEST(Quad, RunsErrByRoundingsOfItsOwn) {
   EXPECT_LT(apart, 90);
 }
 
-}  // namespace
+}  // namespace quad_test
 }  // namespace gjkscope

@@ -11,7 +11,7 @@
 #include "small_study.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace report_test {
 
 using test::small_study;
 
@@ -243,5 +243,5 @@ TEST(Advice, IsMadeFromItsNumbersAlone) {
   EXPECT_EQ(advice(from_csv(to_csv(study))), advice(study));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace gjkscope::study

@@ -12,7 +12,7 @@
 #include "study/small_study.hpp"
 
 namespace gjkscope {
-namespace {
+namespace accuracy_figures_test {
 
 using study::Row;
 using study::Study;
@@ -155,5 +155,5 @@ TEST(AccuracyFigures, NothingMeasuredNothingDrawn) {
   EXPECT_TRUE(accuracy_figures(untimed, fonts()).empty());
 }
 
-}  // namespace
+}  // namespace accuracy_figures_test
 }  // namespace gjkscope

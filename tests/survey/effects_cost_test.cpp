@@ -13,7 +13,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace effects_cost_test {
 
 const Fonts& fonts() {
   static const Fonts loaded(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
@@ -88,5 +88,5 @@ TEST(EffectsCost, EachRowIsALineOfTheFileAndOfTheTable) {
   EXPECT_EQ(effects_table({}), "Nothing was measured.\n");
 }
 
-}  // namespace
+}  // namespace effects_cost_test
 }  // namespace gjkscope

@@ -8,7 +8,7 @@
 #include "lessons.hpp"
 
 namespace gjkscope {
-namespace {
+namespace sampling_cost_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
@@ -36,5 +36,5 @@ TEST(SamplingCost, MoreSamplesErrLess) {
   EXPECT_EQ(sampling_table({}), "Nothing was measured.\n");
 }
 
-}  // namespace
+}  // namespace sampling_cost_test
 }  // namespace gjkscope

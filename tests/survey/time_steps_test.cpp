@@ -8,7 +8,7 @@
 #include "lessons.hpp"
 
 namespace gjkscope {
-namespace {
+namespace time_steps_test {
 
 const std::vector<TimeStepCost>& beams() {
   static const std::vector<TimeStepCost> rows =
@@ -79,5 +79,5 @@ TEST(TimeSteps, EachRowIsALineOfTheFile) {
   EXPECT_EQ(time_steps_table({}), "Nothing was measured: no lesson has a clock.\n");
 }
 
-}  // namespace
+}  // namespace time_steps_test
 }  // namespace gjkscope

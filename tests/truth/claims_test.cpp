@@ -8,7 +8,7 @@
 #include "study/families.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace claims_test {
 
 using families::Family;
 using families::kFamilyCount;
@@ -68,7 +68,7 @@ Tally ask(const Asked& how, int pairs) {
         << static_cast<int>(result.verdict) << ", exact " << truth.distance << ", found "
         << double(result.distance) << " in [" << double(result.lower) << ", "
         << double(result.upper) << ']';
-    if (testing::Test::HasFailure()) break;
+    if (::testing::Test::HasFailure()) break;
   }
   return out;
 }
@@ -129,7 +129,7 @@ TEST(Claims, AreSeldomSettledAndTheirBoundsAreClose) {
       if (result.error != gjk::Error::none || result.settled) continue;
       found.width += (double{result.upper} - double{result.lower}) / unit / kPairs;
     }
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ' ' << kFamilyNames[family]);
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << ' ' << kFamilyNames[family]);
     EXPECT_LE(found.settled, kMost[family].settled);
     EXPECT_LE(found.width, kMost[family].width);
   }
@@ -143,7 +143,7 @@ TEST(RunsInRationals, ProveWhatTheySay) {
   families::Source random(kSeed);
   for (int i = 0; i < 200 * kFamilyCount; ++i) {
     const int family = i % 2 == 0 ? i / 2 % kFamilyCount : static_cast<int>(Family::grid);
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed << " pair " << i << kFamilyNames[family]);
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " pair " << i << kFamilyNames[family]);
     const Pair pair = random.pair<double>(static_cast<Family>(family));
     const Truth truth = truth_of(pair);
     const ExactPair<2> both = exact(pair);
@@ -170,5 +170,5 @@ TEST(RunsInRationals, ProveWhatTheySay) {
   EXPECT_GT(cut_verdicts[static_cast<std::size_t>(Verdict::undecided)], 200);
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace gjkscope::study

@@ -11,7 +11,7 @@
 #include "exact_run.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace hard_cases_test {
 
 using gjk::Verdict;
 using nlohmann::json;
@@ -170,5 +170,5 @@ TEST(HardCases, ASpeckInSpaceKeepsItsBounds) {
   EXPECT_EQ(Verdict::separated, result.verdict);
 }
 
-}  // namespace
+}  // namespace hard_cases_test
 }  // namespace gjkscope::study

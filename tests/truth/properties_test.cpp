@@ -12,7 +12,7 @@
 #include "study/families.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace properties_test {
 
 template <int D>
 using Vec = gjk::Vec<double, D>;
@@ -275,5 +275,5 @@ PROPERTY(DistanceAndTraceAgreeToTheLastBit) {
   RC_ASSERT(answer.y == trace.result.y);
 }
 
-}  // namespace
+}  // namespace properties_test
 }  // namespace gjkscope::study

@@ -7,7 +7,7 @@
 #include "study/families.hpp"
 
 namespace gjkscope::study {
-namespace {
+namespace truth_test {
 
 using Eigen::Vector2d;
 using families::Family;
@@ -27,11 +27,11 @@ void for_each_pair(int count, const Check& check) {
   for (int family = 0; family < (D == 2 ? kFamilyCount : kSpaceFamilyCount); ++family) {
     for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
       for (int i = 0; i < count; ++i) {
-        SCOPED_TRACE(testing::Message()
+        SCOPED_TRACE(::testing::Message()
                      << "seed " << kSeed << " dimension " << D << ' ' << kFamilyNames[family]
                      << " values " << static_cast<int>(representation) << " pair " << i);
         check(random.pair<double, D>(static_cast<Family>(family), representation), random);
-        if (testing::Test::HasFatalFailure()) return;
+        if (::testing::Test::HasFatalFailure()) return;
       }
     }
   }
@@ -311,5 +311,5 @@ TEST(Judge, NotesWhatIsNoNumberOrNoAnswer) {
   EXPECT_TRUE(failed([](Claim<2>& claim) { claim.verdict = Verdict::none; }));
 }
 
-}  // namespace
+}  // namespace truth_test
 }  // namespace gjkscope::study

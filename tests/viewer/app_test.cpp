@@ -28,7 +28,7 @@
 #include "study/configuration.hpp"
 
 namespace gjkscope {
-namespace {
+namespace app_test {
 
 namespace fs = std::filesystem;
 using test::HeadlessApp;
@@ -1125,5 +1125,5 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   EXPECT_TRUE(window.session().lesson().study) << "what was open stays";
 }
 
-}  // namespace
+}  // namespace app_test
 }  // namespace gjkscope

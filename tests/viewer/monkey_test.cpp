@@ -14,7 +14,7 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope {
-namespace {
+namespace monkey_test {
 
 using test::HeadlessApp;
 
@@ -102,5 +102,5 @@ TEST(Monkey, RandomEventsBreakNothing) {
   }
 }
 
-}  // namespace
+}  // namespace monkey_test
 }  // namespace gjkscope

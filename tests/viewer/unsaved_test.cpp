@@ -18,7 +18,7 @@
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
-namespace {
+namespace unsaved_test {
 
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
@@ -143,5 +143,5 @@ TEST(UnsavedWork, NothingIsKeptWithoutAFolder) {
   EXPECT_TRUE(work.left().empty());
 }
 
-}  // namespace
+}  // namespace unsaved_test
 }  // namespace gjkscope

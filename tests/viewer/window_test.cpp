@@ -10,7 +10,7 @@
 #include "golden/pixels.hpp"
 
 namespace gjkscope {
-namespace {
+namespace window_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -199,5 +199,5 @@ TEST(RealWindow, AScriptThatCannotBePlayedNamesItsLine) {
   EXPECT_NE(std::string::npos, played.ran.err.find("script:2:")) << played.ran.err;
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace gjkscope

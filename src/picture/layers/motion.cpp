@@ -117,6 +117,15 @@ void slab(SceneBuilder& scene) {
     scene.add("slab.side", Polyline{{line.a, line.b}});
     scene.out.obstacles.passing.push_back(line);
   }
+  // At the end the answer's line is as long, or nearly so.
+  if (scene.knows.has_ended) return;
+  const Point from = scene.at(x_side);
+  const Point to = scene.at(x_side - strip->width * strip->normal);
+  scene.line("slab.width", from, to);
+  constexpr double kTick = 6.0;
+  const Point tick = kTick * scene.map.direction(along);
+  for (const Point& end : {from, to}) scene.add("slab.width", Polyline{{end - tick, end + tick}});
+  length_label(scene, "slab", strip->width, from, to);
 }
 
 }  // namespace

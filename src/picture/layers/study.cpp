@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "effects/rounded_pair.hpp"
 #include "geometry/polygon.hpp"
@@ -32,26 +31,6 @@ std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
   return out;
 }
 
-/// The part of a segment that lies in a box.
-std::optional<std::array<Vector2d, 2>> clipped(const Vector2d& a, const Vector2d& b,
-                                               const Eigen::AlignedBox2d& box) {
-  double enter = 0.0;
-  double leave = 1.0;
-  const Vector2d d = b - a;
-  for (int k = 0; k < 2; ++k) {
-    const double low = box.min()[k] - a[k];
-    const double high = box.max()[k] - a[k];
-    if (d[k] == 0.0) {
-      if (low > 0.0 || high < 0.0) return std::nullopt;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / d[k], high / d[k]));
-    leave = std::min(leave, std::max(low / d[k], high / d[k]));
-  }
-  if (enter >= leave) return std::nullopt;
-  return std::array<Vector2d, 2>{a + enter * d, a + leave * d};
-}
-
 /// A part of the world, enlarged.
 class Inset {
  public:
@@ -77,7 +56,7 @@ class Inset {
   }
   void outline(const std::string& role, const std::vector<Vector2d>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto seen = clipped(corners[i], corners[(i + 1) % corners.size()], seen_);
+      const auto seen = clip(corners[i], corners[(i + 1) % corners.size()], seen_);
       if (seen) scene_.line(role, map_((*seen)[0]), map_((*seen)[1]));
     }
   }

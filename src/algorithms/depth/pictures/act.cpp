@@ -116,7 +116,10 @@ const StagedAct kAct{
 constexpr std::array kActs = {&kAct};
 constexpr std::array kBlocks = {&kEdges, &kBounds};
 constexpr std::array kListings = {&kListing};
-constexpr std::array<LegendEntry, 1> kLegend = {{{"polygon.vertex", "corner of the polygon"}}};
+constexpr std::array<LegendEntry, 4> kLegend = {{{"polygon.vertex", "corner of the polygon"},
+                                                 {"support.plane", "support line, normal to n"},
+                                                 {"depth.inside", "as far from O as the edge"},
+                                                 {"depth.moved", "X, moved by t"}}};
 
 }  // namespace
 }  // namespace gjkscope::depths

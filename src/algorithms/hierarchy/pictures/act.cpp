@@ -192,7 +192,10 @@ constexpr std::array kActs = {&kCollide, &kDistance, &kOrders};
 constexpr std::array kBlocks = {&kCollideCounters, &kDistanceCounters, &kOrderCounters};
 constexpr std::array kListings = {&kCollideListing, &kDistanceListing};
 constexpr std::array kLegend = {LegendEntry{"volume.child", "volumes of the children"},
-                                LegendEntry{"volume.band", "nearer to a than δ"}};
+                                LegendEntry{"volume.band", "nearer to a than δ"},
+                                LegendEntry{"volume.segment", "the two segments compared"},
+                                LegendEntry{"region.hatch", "cut off, with all in it"},
+                                LegendEntry{"gap.exact", "shortest way between volumes"}};
 
 }  // namespace
 }  // namespace gjkscope::searches
