@@ -65,9 +65,9 @@ bool is_narrow(const Page& page) {
 Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page) {
   const auto [width, height, zoom, bare, captions] = page;
   Layout layout;
-  layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 8.0},
-                     {width - kMargin, height - kMargin + 8.0}};
-  const double end = bare ? height - 20.0 : layout.timeline.min.y() - 26.0;  // Of the words
+  layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 14.0},
+                     {width - kMargin, height - kMargin + 14.0}};
+  const double end = bare ? height - 20.0 : layout.timeline.min.y() - 32.0;  // Of the words
   const double bottom = bare && !captions ? height : end - caption_lines * kCaptionLine;
   layout.caption_y = bottom + 33.0;
   layout.prose_y = 70.0;
@@ -490,6 +490,8 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
     for (const Mark& mark : name) {
       const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
       if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
+      if (view.placer.is_crossed(box))
+        picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
     }
     PageWriter{picture}.append(std::move(name));
   }

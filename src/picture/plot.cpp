@@ -85,7 +85,7 @@ std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
   const int first = static_cast<int>(std::ceil(low));
   const int last = static_cast<int>(std::floor(high));
   constexpr int kLeastWritten = -3;
-  constexpr int kMostWritten = 6;
+  constexpr int kMostWritten = 5;
   const bool written_out = kLeastWritten <= first - 1 && last <= kMostWritten;
   std::vector<PlotTick> ticks;
   if (last - first < 2) {

@@ -85,6 +85,7 @@ effects = ["voronoi-regions", "history"]
 
 [[views]]
 show = "difference"
+close-up = { center = [0, -1], height = 1e-9, corner = "top left" }
 
 [panel]
 blocks = ["pseudocode", "weights"]

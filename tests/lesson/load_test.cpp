@@ -114,6 +114,9 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[0].camera->height, 6.0);
   EXPECT_EQ(lesson.views[0].effects, (std::vector<std::string>{"voronoi-regions", "history"}));
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
+  EXPECT_FALSE(lesson.views[0].close_up);
+  ASSERT_TRUE(lesson.views[1].close_up);
+  EXPECT_EQ(*lesson.views[1].close_up, (CloseUp{{{0, -1}, 1e-9}, CardCorner::top_left}));
   EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
   EXPECT_EQ(lesson.listing, "gjk");
   EXPECT_EQ(lesson.expect.stop, "no-progress");
@@ -270,6 +273,7 @@ INSTANTIATE_TEST_SUITE_P(
                               "distance"},
                       Refused{"[shapes.Y]", "[shapes.¦Z]\n[shapes.Y]", "unknown key 'Z'"},
                       Refused{"\nchapter = 4", "", "missing key 'chapter'"},
+                      Refused{", height = 1e-9", "", "missing key 'height'"},
                       Refused{"[shapes.Y]\nname = \"Right\"\n" + kVerticesOfY, "¦[shapes.Y]",
                               "missing key 'vertices'"}));
 
@@ -345,6 +349,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"\"history\"", "¦\"histroy\"", "unknown effect 'histroy'", "history"},
         Refused{"\"weights\"", "¦\"weight\"", "unknown panel block 'weight'", "weights"},
         Refused{"\"gjk\"", "¦\"GJK\"", "unknown listing 'GJK'", "gjk"},
+        Refused{"\"top left\"", "¦\"top-left\"", "unknown corner 'top-left'", "top left"},
         Refused{"stop = \"no-progress\"", "stop = ¦\"running\"", "unknown stop reason 'running'"},
         Refused{"[\"M-C\", \"K-A\"]", "¦\"center-to-center\"", "unknown start 'center-to-center'",
                 "centre-to-centre"},
@@ -546,7 +551,7 @@ TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
             "lessons/two.toml:22:10: 'beside' without a view that shows the second run; expected "
             "\"second-run\" among a view's effects");
   EXPECT_EQ(only_problem(replaced(testing::kFullLesson, "\"weights\"]", "\"two-runs\"]")),
-            "lessons/two.toml:47:25: block 'two-runs' without a second run; expected 'beside' in "
+            "lessons/two.toml:48:25: block 'two-runs' without a second run; expected 'beside' in "
             "[query]");
 }
 
@@ -564,7 +569,7 @@ TEST(Load, TheListingOfTheDifferenceNeedsFramesForThePairs) {
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
   EXPECT_EQ(to_string(loaded.problems[0]),
-            "lessons/two.toml:48:11: listing 'minkowski' without granularity 'pairs'; expected "
+            "lessons/two.toml:49:11: listing 'minkowski' without granularity 'pairs'; expected "
             "granularity = \"pairs\" in [steps]");
   EXPECT_TRUE(parse(replaced(text, "\"iteration\"", "\"pairs\"")).lesson);
 }
@@ -627,8 +632,8 @@ TEST(Load, AllProblemsOfAFileAtOnceInOrderOfPlace) {
             "26:7 \n"
             "35:10 \n"
             "41:31 history\n"
-            "48:11 gjk-point\n"
-            "53:12 \n")
+            "49:11 gjk-point\n"
+            "54:12 \n")
       << all_of(loaded.problems);
 }
 
@@ -790,8 +795,8 @@ TEST_F(LessonFolder, PlacesOfKeys) {
                {"views.1", {43, 1}},
                {"views.0.camera.height", {40, 29}},
                {"views.0.effects.1", {41, 31}},
-               {"expect.distance", {53, 1}},
-               {"expect.nothing", {50, 2}},  // the nearest parent that is there
+               {"expect.distance", {54, 1}},
+               {"expect.nothing", {51, 2}},  // the nearest parent that is there
                {"shapes.X.names.3", {9, 1}},
                {"nothing.at.all", {1, 1}},
                {"", {1, 1}}};

@@ -50,6 +50,16 @@ TEST(Hit, WhatIsCutOffIsNotHit) {
   EXPECT_EQ(Subject{}, subject_at(picture, fonts(), {30, 10}, 7.0));
 }
 
+TEST(Hit, WhatACloseUpHidesIsNotHit) {
+  Picture picture;
+  picture.clips = {{{0, 0}, {100, 100}}, {{50, 50}, {90, 90}}};
+  picture.marks = {{"hidden", Disk{{60, 60}, 4.0}, 0, {Kind::vertex_of_x, 0}},
+                   {"in it", Disk{{80, 80}, 4.0}, 1, {}},
+                   {"beside", Disk{{20, 20}, 4.0}, 0, {Kind::vertex_of_x, 1}}};
+  EXPECT_EQ(Subject{}, subject_at(picture, fonts(), {60, 60}, 5.0));
+  EXPECT_EQ((Subject{Kind::vertex_of_x, 1}), subject_at(picture, fonts(), {20, 20}, 5.0));
+}
+
 TEST(Hit, ADifferenceIsLinkedToTheVerticesThatMadeIt) {
   const Subject pair{Kind::difference_vertex, 2, 3};
   EXPECT_TRUE(is_linked(pair, {Kind::vertex_of_x, 2}));

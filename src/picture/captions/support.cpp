@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "effects/facts.hpp"
@@ -33,6 +34,13 @@ std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape
   return out;
 }
 
+/// As the scan has computed it.
+double value_of(const std::vector<gjk::ScanEntry<double>>& scan, int vertex) {
+  return std::find_if(scan.begin(), scan.end(),
+                      [&](const auto& entry) { return entry.index == vertex; })
+      ->value;
+}
+
 }  // namespace
 
 void support_in_parts(const Story& story, FrameText& text) {
@@ -43,10 +51,11 @@ void support_in_parts(const Story& story, FrameText& text) {
   const std::string name = story.run.pair_name(pair);
   const std::size_t of_x = lesson.x().vertices.size();
   const std::size_t of_y = lesson.y().vertices.size();
-  const double along_y = story.state.d.dot(story.positioned.y().world[pair.y]);
+  const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
+  const double along_y = value_of(record.scan_y, pair.y);
+  const double along_x = value_of(record.scan_x, pair.x);
   const gjk::State<double, 2>& next =
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
-  const double along_x = -story.state.d.dot(story.positioned.x().world[pair.x]);
   switch (*story.frame.part.as<SupportPart>()) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =

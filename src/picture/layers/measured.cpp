@@ -117,7 +117,11 @@ void closest_circle(SceneBuilder& scene) {
     circle.points.push_back(
         scene.at_difference(*radius * Vector2d(std::cos(angle), std::sin(angle))));
   }
-  scene.add("closest.circle", circle);
+  for (std::size_t i = 0; i < circle.points.size(); ++i) {
+    scene.out.obstacles.passing.push_back(
+        {circle.points[i], circle.points[(i + 1) % circle.points.size()]});
+  }
+  scene.add("closest.circle", std::move(circle));
 }
 
 /// The foot on an edge's line, and the length that the coordinate measures, `row` rows beside it.

@@ -9,6 +9,8 @@ using depth::Phase;
 using Eigen::Vector2d;
 using namespace sizes;
 
+constexpr double kOutwardArrow = 38.0;  // from a vertex, within what a camera leaves around shapes
+
 /// The edge's point nearest to O.
 Vector2d foot(const depth::State<double>& state, const depth::Edge<double>& edge) {
   const Vector2d& a = state.polygon.at(edge.from);
@@ -103,9 +105,9 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   }
   if (!shown.knows_support()) return;
   layers::search_arrow(scene, scene.at(scene.vertex_of_y(shown.state.support)), shown.state.n,
-                       kPairArrow, "n");
+                       kOutwardArrow, "n");
   layers::search_arrow(scene, scene.at(scene.vertex_of_x(shown.state.support)), -shown.state.n,
-                       kPairArrow, "−n");
+                       kOutwardArrow, "−n");
   scene.simplex_vertex(shown.state.support, "support");
 }
 
