@@ -82,10 +82,10 @@ show = "world"
 title = "World: X and Y"
 camera = { center = [2, 1], height = 6.0 }
 effects = ["voronoi-regions", "history"]
+close-up = { center = [0, -1], height = 1e-9, corner = "top left" }
 
 [[views]]
 show = "difference"
-close-up = { center = [0, -1], height = 1e-9, corner = "top left" }
 
 [panel]
 blocks = ["pseudocode", "weights"]

@@ -114,9 +114,9 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.views[0].camera->height, 6.0);
   EXPECT_EQ(lesson.views[0].effects, (std::vector<std::string>{"voronoi-regions", "history"}));
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
-  EXPECT_FALSE(lesson.views[0].close_up);
-  ASSERT_TRUE(lesson.views[1].close_up);
-  EXPECT_EQ(*lesson.views[1].close_up, (CloseUp{{{0, -1}, 1e-9}, CardCorner::top_left}));
+  EXPECT_FALSE(lesson.views[1].close_up);
+  ASSERT_TRUE(lesson.views[0].close_up);
+  EXPECT_EQ(*lesson.views[0].close_up, (CloseUp{{{0, -1}, 1e-9}, CardCorner::top_left}));
   EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
   EXPECT_EQ(lesson.listing, "gjk");
   EXPECT_EQ(lesson.expect.stop, "no-progress");
@@ -262,20 +262,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, LoadRefuses,
-    ::testing::Values(Refused{"source =", "¦sorce =", "unknown key 'sorce'", "source"},
-                      Refused{"rotate = 15", "¦rotat = 15", "unknown key 'rotat'", "rotate"},
-                      Refused{"tolerance", "¦tolerence", "unknown key 'tolerence'", "tolerance"},
-                      Refused{"until", "¦util", "unknown key 'util'", "until"},
-                      Refused{"frames = 13", "¦frame = 13", "unknown key 'frame'", "frames"},
-                      Refused{"{ center", "{ ¦zoom = 1, center", "unknown key 'zoom'"},
-                      Refused{"[steps]", "[¦stage]\n[steps]", "unknown key 'stage'"},
-                      Refused{"distance = 2.5", "¦\"dis\\ntance\" = 2.5", "unknown key 'dis?tance'",
-                              "distance"},
-                      Refused{"[shapes.Y]", "[shapes.¦Z]\n[shapes.Y]", "unknown key 'Z'"},
-                      Refused{"\nchapter = 4", "", "missing key 'chapter'"},
-                      Refused{", height = 1e-9", "", "missing key 'height'"},
-                      Refused{"[shapes.Y]\nname = \"Right\"\n" + kVerticesOfY, "¦[shapes.Y]",
-                              "missing key 'vertices'"}));
+    ::testing::Values(
+        Refused{"source =", "¦sorce =", "unknown key 'sorce'", "source"},
+        Refused{"rotate = 15", "¦rotat = 15", "unknown key 'rotat'", "rotate"},
+        Refused{"tolerance", "¦tolerence", "unknown key 'tolerence'", "tolerance"},
+        Refused{"until", "¦util", "unknown key 'util'", "until"},
+        Refused{"frames = 13", "¦frame = 13", "unknown key 'frame'", "frames"},
+        Refused{"{ center", "{ ¦zoom = 1, center", "unknown key 'zoom'"},
+        Refused{"[steps]", "[¦stage]\n[steps]", "unknown key 'stage'"},
+        Refused{"distance = 2.5", "¦\"dis\\ntance\" = 2.5", "unknown key 'dis?tance'", "distance"},
+        Refused{"[shapes.Y]", "[shapes.¦Z]\n[shapes.Y]", "unknown key 'Z'"},
+        Refused{"\nchapter = 4", "", "missing key 'chapter'"},
+        Refused{"{ center = [0, -1], height = 1e-9", "¦{ center = [0, -1]", "missing key 'height'"},
+        Refused{"[shapes.Y]\nname = \"Right\"\n" + kVerticesOfY, "¦[shapes.Y]",
+                "missing key 'vertices'"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, LoadRefuses,
@@ -792,7 +792,7 @@ TEST_F(LessonFolder, PlacesOfKeys) {
                {"shapes.Y", {13, 9}},
                {"shapes.Y.rotate", {18, 1}},
                {"shapes.X.names.2", {9, 20}},
-               {"views.1", {43, 1}},
+               {"views.1", {44, 1}},
                {"views.0.camera.height", {40, 29}},
                {"views.0.effects.1", {41, 31}},
                {"expect.distance", {54, 1}},
