@@ -48,6 +48,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       session_(fonts),
       theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)),
       picture_(*this),
+      thumbnails_(fonts),
       chapters_(parse_chapters(read_whole(paths_.share / "assets" / "chapters.toml"),
                                "assets/chapters.toml")),
       unsaved_(paths_.state) {
@@ -107,6 +108,7 @@ void App::tick(double now) {
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
   end_export();
+  thumbnails_.tick();
   const bool stays = message_is_error_ || is_exporting();
   if (!message_ends_) message_ends_ = stays ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
@@ -123,7 +125,8 @@ std::optional<double> App::wakes_at() const {
   if (picture_.is_moving()) at = std::min(at, now_ + kImage);
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
   const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
-  if (is_exporting() || keeping_.valid() || (open && open->waits && open->waits()))
+  if (is_exporting() || keeping_.valid() || makes_thumbnails() ||
+      (open && open->waits && open->waits()))
     at = std::min(at, now_ + kLooksBeside);
   if (unsaved_.keeps() && session_.version() != kept_version_ && !keeping_.valid())
     at = std::min(at, next_save_);

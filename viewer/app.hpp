@@ -24,6 +24,7 @@
 #include "paint/imgui_painter.hpp"
 #include "picture_view.hpp"
 #include "session/session.hpp"
+#include "thumbnails.hpp"
 #include "unsaved.hpp"
 
 namespace gjkscope {
@@ -149,6 +150,8 @@ class App {
   /// beside the window, which says how it ended.
   void export_frames(ExportOptions options, bool all);
   [[nodiscard]] bool is_exporting() const { return exporting_.valid(); }
+  /// Whether small pictures of lessons that are in sight are yet to come.
+  [[nodiscard]] bool makes_thumbnails() const { return thumbnails_.is_making(); }
 
   // For scripts
   [[nodiscard]] std::string state_json();
@@ -157,7 +160,7 @@ class App {
   // Parts of the window
   void draw_top_bar();
   void draw_transport();
-  void draw_lessons();
+  void draw_lessons(const AtlasFonts& fonts);
   void draw_drawer();
   void draw_dialog();
   void draw_message();
@@ -168,7 +171,7 @@ class App {
   [[nodiscard]] bool has_lessons() const;
   [[nodiscard]] const std::string& said() const;
   [[nodiscard]] bool fits_status(const std::string& text) const;
-  void draw_lesson(const ListedLesson& lesson);
+  void draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts);
   void draw_icon_button(Icon icon, std::string_view name);
   void draw_menu_item(std::string_view name);
 
@@ -203,6 +206,7 @@ class App {
   std::string theme_name_ = "light";
   Theme theme_;
   PictureView picture_;
+  Thumbnails thumbnails_;
   std::map<int, std::string> chapters_;  ///< Their titles.
   std::vector<ListedLesson> lessons_;
   std::vector<Drawer> drawers_;

@@ -163,6 +163,7 @@ bool App::show(Lesson lesson, const fs::path& file, const std::string& name, boo
 }
 
 void App::file_changed(const fs::path& path) {
+  thumbnails_.forget(path);
   if (path != session_.file()) return;
   try {
     LoadedLesson loaded = parse_lesson(read_whole(path), path, vocabulary());

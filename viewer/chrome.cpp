@@ -21,7 +21,8 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 
 // Pixels at scale 1.
 constexpr double kBar = 38.0;  // of one row
-constexpr double kLessons = 248.0;
+constexpr double kLessons = 280.0;
+constexpr double kThumbnail = 64.0;  // its width
 constexpr double kDrawer = 400.0;
 constexpr double kSpeed = 86.0;
 constexpr double kStatus = 24.0;   // below the transport
@@ -88,7 +89,7 @@ void App::draw(const AtlasFonts& fonts, ImFont* mono) {
   picture_.draw(fonts);
   if (!presenting_) {
     draw_top_bar();
-    if (has_lessons()) draw_lessons();
+    if (has_lessons()) draw_lessons(fonts);
     draw_drawer();
     draw_transport();
   }
@@ -273,7 +274,7 @@ void App::draw_transport() {
   ImGui::End();
 }
 
-void App::draw_lessons() {
+void App::draw_lessons(const AtlasFonts& fonts) {
   begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
   const auto draw_progress = [](const Progress& count) {
     const std::string text = fmt::format("{}/{}", count.done, count.of);
@@ -298,31 +299,48 @@ void App::draw_lessons() {
       draw_progress(progress(chapter));
     }
     ImGui::PushID(lesson.file.c_str());
-    draw_lesson(lesson);
+    draw_lesson(lesson, fonts);
     ImGui::PopID();
   }
   ImGui::End();
 }
 
-/// Its title, on as many lines as that takes, and a check mark when it was stepped to its end.
-void App::draw_lesson(const ListedLesson& lesson) {
+/// Its picture, its title on as many lines as that takes, and a check mark when it was stepped to
+/// its end.
+void App::draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts) {
   const bool is_good = lesson.problem.empty();
   const bool is_open = session_.lesson().path == lesson.file.string();
-  const float mark = 1.2f * ImGui::GetFontSize();
-  const float width = ImGui::GetContentRegionAvail().x - mark;
+  const double scale = kThumbnail * ui_scale_ / thumbnails::kWidth;
+  const ImVec2 picture = vec(scale * Point(thumbnails::kWidth, thumbnails::kHeight));
+  const float left = picture.x + ImGui::GetStyle().ItemSpacing.x;
+  const float width = ImGui::GetContentRegionAvail().x - left;
   const ImVec2 size = ImGui::CalcTextSize(lesson.title.c_str(), nullptr, false, width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::Selectable("##title", is_open, 0, ImVec2(0.0f, size.y));
+  const bool pressed =
+      ImGui::Selectable("##title", is_open, 0, ImVec2(0.0f, std::max(size.y, picture.y)));
+  const bool is_seen = ImGui::IsItemVisible();
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("%s", is_good ? lesson.id.c_str() : lesson.problem.c_str());
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (!is_good || finished_.contains(lesson.id))
-    list.AddText(at, ImGui::GetColorU32(is_good ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled),
-                 is_good ? "✓" : "!");
-  list.AddText(nullptr, 0.0f, {at.x + mark, at.y},
-               ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled),
-               lesson.title.c_str(), nullptr, width);
   if (pressed && is_good) open_path(lesson.file);
+  if (!is_seen) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(at.x + picture.x, at.y + picture.y);
+  list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
+  const Picture* marks = is_good ? thumbnails_.of(lesson.file) : nullptr;
+  if (marks != nullptr) {
+    list.PushClipRect(at, end, true);
+    (void)paint_marks(list, *marks, 0, theme_, fonts,
+                      {Point(at.x, at.y), scale, ImGui::GetIO().Fonts->TexID});
+    list.PopClipRect();
+  }
+  list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3.0f);
+  const ImU32 ink = ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  if (!is_good || finished_.contains(lesson.id)) {
+    const char* const sign = is_good ? "✓" : "!";
+    list.AddText({end.x - ImGui::CalcTextSize(sign).x - 2.0f, end.y - ImGui::GetFontSize()},
+                 is_good ? ImGui::GetColorU32(ImGuiCol_CheckMark) : ink, sign);
+  }
+  list.AddText(nullptr, 0.0f, {at.x + left, at.y}, ink, lesson.title.c_str(), nullptr, width);
 }
 
 void App::draw_drawer() {
@@ -334,8 +352,10 @@ void App::draw_drawer() {
 }
 
 void App::draw_dialog() {
+  // As large as what it holds; in a window that is too small for it the wheel moves it.
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings;
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoScrollbar;
   if (dialog_drawn_ && dialog_drawn_ != dialog_) {
     if (ImGui::BeginPopupModal(dialog_drawn_->title.c_str(), nullptr, kFlags)) {
       ImGui::CloseCurrentPopup();

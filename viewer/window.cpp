@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <thread>
 #include <tuple>
 
 #include "file_watch.hpp"
@@ -560,6 +562,11 @@ Image Window::screenshot() {
   Image image;
   settle();
   if (impl_->app.picture().is_moving()) wait(kTweenSeconds);
+  while (impl_->app.makes_thumbnails()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    impl_->frames_left = 1;
+    settle();
+  }
   impl_->shot = &image;
   impl_->draw(after_frame);
   impl_->shot = nullptr;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <variant>
 
+#include "picture/hatch.hpp"
+
 namespace gjkscope {
 namespace {
 
@@ -60,6 +62,15 @@ struct Glyph {
   }
   decltype(Mark::shape) operator()(const Text& text) const { return text; }
 };
+
+/// One of its lines alone would not tell what is hatched.
+std::vector<Polyline> hatched_sign(const Point& center) {
+  constexpr double kSpacing = 5.0;
+  const Point half(9.0, 7.0);
+  const Rect box{center - half, center + half};
+  return hatch({{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}},
+               kSpacing, box);
+}
 
 /// How much of what labels keep away from lies in a box.
 int covered(const Obstacles& obstacles, const Rect& box) {
@@ -128,7 +139,13 @@ std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, co
   const double x = at.x() + kLegendPad;
   double y = at.y() + 0.5 * (kLegendRow + kLegendPad);
   for (const LegendRow& row : rows) {
-    marks.push_back({row.mark->role, std::visit(Glyph{{x + 10.0, y}}, row.mark->shape)});
+    const Point center(x + 10.0, y);
+    if (row.mark->role.ends_with(".hatch")) {
+      for (Polyline& line : hatched_sign(center))
+        marks.push_back({row.mark->role, std::move(line)});
+    } else {
+      marks.push_back({row.mark->role, std::visit(Glyph{center}, row.mark->shape)});
+    }
     const double base = y + 0.5 * fonts.cap_height(type::kText);
     marks.push_back({"legend", Text{{x + kGlyph, base}, std::string(row.text), type::kText}});
     y += kLegendRow;

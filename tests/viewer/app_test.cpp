@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <thread>
 
 #include "command_line.hpp"
 #include "golden/pixels.hpp"
@@ -45,7 +46,41 @@ TEST(App, OpensOnTwoPolygonsAtTheStartOfTheirRun) {
   const int before = window.session().index();
   for (int i = 0; i < 50; ++i) window.frame(1.0);
   EXPECT_EQ(before, window.session().index());
+  window.settle_thumbnails();
   EXPECT_FALSE(window.app().wakes_at()) << "nothing happens by itself";
+}
+
+TEST(App, EachLessonHasASmallPictureWithoutWords) {
+  HeadlessApp window;
+  for (const ListedLesson& listed : window.app().lessons()) {
+    if (listed.id == "lazy-hull") continue;  // measures a million vertices
+    const Lesson lesson = *load_lesson(listed.file, vocabulary()).lesson;
+    const Picture picture = thumbnail(lesson, window.app().fonts());
+    EXPECT_EQ(thumbnails::kWidth, picture.width);
+    EXPECT_GT(picture.marks.size(), 3u) << listed.id;
+    for (const Mark& mark : picture.marks)
+      EXPECT_FALSE(std::holds_alternative<Text>(mark.shape)) << listed.id << " " << mark.role;
+  }
+}
+
+TEST(App, ASmallPictureIsMadeAnewWhenItsFileHasChanged) {
+  const Fonts fonts(fs::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  Thumbnails thumbnails(fonts);
+  const TemporaryFolder folder;
+  const fs::path file = folder.file("a.toml", "not a lesson");
+  const auto made = [&] {
+    while (thumbnails.of(file) == nullptr) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      thumbnails.tick();
+    }
+    return thumbnails.of(file)->marks.size();
+  };
+  EXPECT_EQ(0u, made());
+  const fs::path shipped = fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "stop-vertex.toml";
+  (void)folder.file("a.toml", test::read_file(shipped));
+  EXPECT_EQ(0u, made()) << "nobody has said that the file has changed";
+  thumbnails.forget(file);
+  EXPECT_GT(made(), 3u);
 }
 
 TEST(App, StepsByKeys) {
@@ -787,6 +822,7 @@ TEST(App, AMessageGoesAfterAWhileAndAnErrorWhenItWasRead) {
   window.app().say("cannot", true);
   for (int i = 0; i < 50; ++i) window.frame(1.0);
   EXPECT_EQ("cannot", window.app().message());
+  window.settle_thumbnails();
   EXPECT_FALSE(window.app().wakes_at());
   window.key("Escape");
   EXPECT_EQ("", window.app().message());
@@ -998,7 +1034,7 @@ TEST(App, AnExactRunOfManyVerticesDoesNotHoldUpTheWindow) {
   HeadlessApp window(folder.file("many.json", case_of_many(100'000)));
   constexpr double kMessagesAreGone = 10.0;
   window.frame(kMessagesAreGone);
-  window.frame();
+  window.settle_thumbnails();
   ASSERT_FALSE(window.app().wakes_at());
   window.app().show_drawer("Numerics");
   window.frame();

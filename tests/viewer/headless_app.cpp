@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
+#include <thread>
 
 #include "fonts.hpp"
 
@@ -49,6 +51,13 @@ void HeadlessApp::frame(double seconds) {
   app_->draw(*atlas_fonts_);
   ImGui::Render();
   io.MouseWheel = 0.0f;
+}
+
+void HeadlessApp::settle_thumbnails() {
+  do {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    frame();
+  } while (app_->makes_thumbnails());
 }
 
 void HeadlessApp::settle() {

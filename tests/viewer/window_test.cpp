@@ -180,6 +180,29 @@ TEST(RealWindow, IsAsReadmeShowsIt) {
          "docs/window.script says how";
 }
 
+TEST(RealWindow, LooksAsItWasLookedAt) {
+  const fs::path looks = fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "golden" / "window";
+  std::string script = read_file(looks / "looks.script");
+  const std::string verb = "\nscreenshot ";
+  for (std::size_t at = script.find(verb); at != std::string::npos; at = script.find(verb, at + 1))
+    script.insert(at + verb.size(), "$DIR/");
+  const Played played(script, "--no-state");
+  ASSERT_EQ(0, played.ran.exit_code) << played.ran.err;
+  int count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(looks)) {
+    if (entry.path().extension() != ".png") continue;
+    ++count;
+    EXPECT_LE(
+        golden::share_of_others(golden::decoded(read_file(entry.path())),
+                                golden::decoded(played.text(entry.path().filename().string()))),
+        golden::kOthers)
+        << "of the pixels of " << entry.path().filename()
+        << " differ. If that is meant, look at the window, and take its pictures anew: "
+           "looks.script says how";
+  }
+  EXPECT_EQ(12, count);
+}
+
 TEST(RealWindow, WhatCannotBeShownIsSaidWithItsPlace) {
   const TemporaryFolder folder;
   const Ran broken = run_viewer(folder, folder.file("broken.toml", "title = 3\n"));

@@ -1,0 +1,50 @@
+#include "thumbnails.hpp"
+
+#include "lesson/load.hpp"
+#include "picture/frame.hpp"
+#include "picture/registry.hpp"
+#include "picture/stage.hpp"
+#include "widgets.hpp"
+
+namespace gjkscope {
+
+Picture thumbnail(Lesson lesson, const Fonts& fonts) {
+  constexpr double kUsual = 4.0;  // times as large a camera leaves the usual room at the edges
+  const Page page{
+      .width = thumbnails::kWidth, .height = thumbnails::kHeight, .zoom = 1.0, .bare = true};
+  lesson.views.resize(1);
+  lesson.views[0].close_up.reset();
+  lesson.panel.clear();
+  const LessonRun run = run_lesson(std::move(lesson));
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts, page, LabelScope::frame);
+  const LessonView& view = run.lesson.views[0];
+  if (shows_shapes(view.kind)) {
+    const Rect usual{{0.0, 0.0}, kUsual * Point(page.width, page.height)};
+    pictures.lay_out(page, {camera_of(run, view, usual)}, LabelScope::frame);
+  }
+  Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+  std::erase_if(picture.marks, [](const Mark& mark) {
+    return std::holds_alternative<Text>(mark.shape) || mark.role == "leader" ||
+           mark.role == "label.halo" || mark.role == "view-title.box";
+  });
+  return picture;
+}
+
+const Picture* Thumbnails::of(const std::filesystem::path& file) {
+  const auto found = made_.find(file);
+  if (found != made_.end()) return &found->second;
+  if (is_making()) return nullptr;
+  being_made_ = file;
+  making_ = std::async(std::launch::async, [file, &fonts = fonts_] {
+    const LoadedLesson loaded = load_lesson(file, vocabulary());
+    return loaded.lesson ? thumbnail(*loaded.lesson, fonts) : Picture();
+  });
+  return nullptr;
+}
+
+void Thumbnails::tick() {
+  if (is_making() && is_ready(making_)) made_[being_made_] = making_.get();
+}
+
+}  // namespace gjkscope
