@@ -36,9 +36,14 @@ const Picture* Thumbnails::of(const std::filesystem::path& file) {
   if (found != made_.end()) return &found->second;
   if (is_making()) return nullptr;
   being_made_ = file;
-  making_ = std::async(std::launch::async, [file, &fonts = fonts_] {
-    const LoadedLesson loaded = load_lesson(file, vocabulary());
-    return loaded.lesson ? thumbnail(*loaded.lesson, fonts) : Picture();
+  making_ = std::async(std::launch::async, [file, &fonts = fonts_]() -> Picture {
+    try {
+      const LoadedLesson loaded = load_lesson(file, vocabulary());
+      if (loaded.lesson) return thumbnail(*loaded.lesson, fonts);
+    } catch (const std::exception&) {
+      // Opening it says what is wrong.
+    }
+    return {};
   });
   return nullptr;
 }

@@ -25,7 +25,7 @@ class Thumbnails {
  public:
   /// `fonts` must outlive this.
   explicit Thumbnails(const Fonts& fonts) : fonts_(fonts) {}
-  /// Null until it is made. Without marks where the file has no lesson.
+  /// Null until it is made. Without marks where the file has no lesson, or is gone.
   [[nodiscard]] const Picture* of(const std::filesystem::path& file);
   /// The file has changed.
   void forget(const std::filesystem::path& file) { made_.erase(file); }

@@ -81,6 +81,9 @@ TEST(App, ASmallPictureIsMadeAnewWhenItsFileHasChanged) {
   EXPECT_EQ(0u, made()) << "nobody has said that the file has changed";
   thumbnails.forget(file);
   EXPECT_GT(made(), 3u);
+  fs::remove(file);
+  thumbnails.forget(file);
+  EXPECT_EQ(0u, made()) << "and without it the window goes on";
 }
 
 TEST(App, StepsByKeys) {
