@@ -127,6 +127,15 @@ std::vector<Vector2d> clip(std::span<const Vector2d> polygon, const HalfPlane& h
   return out;
 }
 
+std::vector<Vector2d> clip(std::vector<Vector2d> polygon, const Eigen::AlignedBox2d& box) {
+  const std::array<HalfPlane, 4> sides = {{{box.min(), {-1.0, 0.0}},
+                                           {box.min(), {0.0, -1.0}},
+                                           {box.max(), {1.0, 0.0}},
+                                           {box.max(), {0.0, 1.0}}}};
+  for (const HalfPlane& side : sides) polygon = clip(polygon, side);
+  return polygon;
+}
+
 std::optional<std::array<Vector2d, 2>> clip(const Vector2d& a, const Vector2d& b,
                                             const Eigen::AlignedBox2d& box) {
   double enter = 0.0;

@@ -39,6 +39,10 @@ struct HalfPlane {
 [[nodiscard]] std::vector<Eigen::Vector2d> clip(std::span<const Eigen::Vector2d> polygon,
                                                 const HalfPlane& half_plane);
 
+/// The part of a convex polygon that lies in a box.
+[[nodiscard]] std::vector<Eigen::Vector2d> clip(std::vector<Eigen::Vector2d> polygon,
+                                                const Eigen::AlignedBox2d& box);
+
 /// The part of the segment from `a` to `b` that lies in a box, if it has a length. (Liang and
 /// Barsky 1984.)
 [[nodiscard]] std::optional<std::array<Eigen::Vector2d, 2>> clip(const Eigen::Vector2d& a,

@@ -1,7 +1,5 @@
 #include "picture/close_up.hpp"
 
-#include <array>
-
 #include "geometry/polygon.hpp"
 
 namespace gjkscope {
@@ -31,12 +29,7 @@ struct Cut {
     return out;
   }
   std::vector<decltype(Mark::shape)> operator()(const Polygon& polygon) const {
-    const std::array<HalfPlane, 4> sides = {{{box.min(), {-1.0, 0.0}},
-                                             {box.min(), {0.0, -1.0}},
-                                             {box.max(), {1.0, 0.0}},
-                                             {box.max(), {0.0, 1.0}}}};
-    std::vector<Point> rest = polygon.points;
-    for (const HalfPlane& side : sides) rest = clip(rest, side);
+    std::vector<Point> rest = clip(polygon.points, box);
     if (rest.size() < 3) return {};
     return {Polygon{std::move(rest)}};
   }

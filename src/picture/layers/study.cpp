@@ -44,14 +44,8 @@ class Inset {
   }
 
   void area(const std::string& role, const std::vector<Vector2d>& corners) {
-    std::vector<Vector2d> rest = corners;
-    const std::array<HalfPlane, 4> sides = {{{seen_.min(), {-1.0, 0.0}},
-                                             {seen_.min(), {0.0, -1.0}},
-                                             {seen_.max(), {1.0, 0.0}},
-                                             {seen_.max(), {0.0, 1.0}}}};
-    for (const HalfPlane& side : sides) rest = clip(rest, side);
     std::vector<Point> points;
-    for (const Vector2d& corner : rest) points.push_back(map_(corner));
+    for (const Vector2d& corner : clip(corners, seen_)) points.push_back(map_(corner));
     if (points.size() > 2) scene_.area(role, points);
   }
   void outline(const std::string& role, const std::vector<Vector2d>& corners) {
