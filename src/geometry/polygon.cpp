@@ -127,7 +127,7 @@ std::vector<Vector2d> clip(std::span<const Vector2d> polygon, const HalfPlane& h
   return out;
 }
 
-std::vector<Vector2d> clip(std::vector<Vector2d> polygon, const Eigen::AlignedBox2d& box) {
+std::vector<Vector2d> clip_to_box(std::vector<Vector2d> polygon, const Eigen::AlignedBox2d& box) {
   const std::array<HalfPlane, 4> sides = {{{box.min(), {-1.0, 0.0}},
                                            {box.min(), {0.0, -1.0}},
                                            {box.max(), {1.0, 0.0}},

@@ -40,8 +40,8 @@ struct HalfPlane {
                                                 const HalfPlane& half_plane);
 
 /// The part of a convex polygon that lies in a box.
-[[nodiscard]] std::vector<Eigen::Vector2d> clip(std::vector<Eigen::Vector2d> polygon,
-                                                const Eigen::AlignedBox2d& box);
+[[nodiscard]] std::vector<Eigen::Vector2d> clip_to_box(std::vector<Eigen::Vector2d> polygon,
+                                                       const Eigen::AlignedBox2d& box);
 
 /// The part of the segment from `a` to `b` that lies in a box, if it has a length. (Liang and
 /// Barsky 1984.)

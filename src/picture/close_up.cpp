@@ -29,7 +29,7 @@ struct Cut {
     return out;
   }
   std::vector<decltype(Mark::shape)> operator()(const Polygon& polygon) const {
-    std::vector<Point> rest = clip(polygon.points, box);
+    std::vector<Point> rest = clip_to_box(polygon.points, box);
     if (rest.size() < 3) return {};
     return {Polygon{std::move(rest)}};
   }

@@ -45,7 +45,7 @@ class Inset {
 
   void area(const std::string& role, const std::vector<Vector2d>& corners) {
     std::vector<Point> points;
-    for (const Vector2d& corner : clip(corners, seen_)) points.push_back(map_(corner));
+    for (const Vector2d& corner : clip_to_box(corners, seen_)) points.push_back(map_(corner));
     if (points.size() > 2) scene_.area(role, points);
   }
   void outline(const std::string& role, const std::vector<Vector2d>& corners) {
