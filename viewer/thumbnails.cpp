@@ -48,8 +48,15 @@ const Picture* Thumbnails::of(const std::filesystem::path& file) {
   return nullptr;
 }
 
+void Thumbnails::forget(const std::filesystem::path& file) {
+  made_.erase(file);
+  if (file == being_made_) being_made_.clear();
+}
+
 void Thumbnails::tick() {
-  if (is_making() && is_ready(making_)) made_[being_made_] = making_.get();
+  if (!is_making() || !is_ready(making_)) return;
+  Picture made = making_.get();
+  if (!being_made_.empty()) made_[being_made_] = std::move(made);
 }
 
 }  // namespace gjkscope

@@ -28,7 +28,7 @@ class Thumbnails {
   /// Null until it is made. Without marks where the file has no lesson, or is gone.
   [[nodiscard]] const Picture* of(const std::filesystem::path& file);
   /// The file has changed.
-  void forget(const std::filesystem::path& file) { made_.erase(file); }
+  void forget(const std::filesystem::path& file);
   /// Takes what was made.
   void tick();
   [[nodiscard]] bool is_making() const { return making_.valid(); }
@@ -36,7 +36,7 @@ class Thumbnails {
  private:
   const Fonts& fonts_;
   std::map<std::filesystem::path, Picture> made_;
-  std::filesystem::path being_made_;
+  std::filesystem::path being_made_;  ///< Empty when it was forgotten meanwhile.
   std::future<Picture> making_;
 };
 

@@ -18,6 +18,9 @@ std::string text_up_to(int length) { return fmt::format("text of 1 to {} charact
 
 std::vector<LessonKey> make_keys() {
   using namespace limits;
+  const std::string camera_height =
+      fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest);
+  const std::string stretch = fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch);
   const std::string required(kRequired);
   const std::string point_list = "list of points [x, y]";
   const std::string times =
@@ -177,19 +180,13 @@ std::vector<LessonKey> make_keys() {
        "what is drawn beyond the shapes and the run"},
 
       {"views.camera", "center", "point [x, y]", required, "middle of the view"},
-      {"views.camera", "height",
-       fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
-       "height of the view in world units"},
-      {"views.camera", "stretch",
-       fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch), "1",
+      {"views.camera", "height", camera_height, required, "height of the view in world units"},
+      {"views.camera", "stretch", stretch, "1",
        "y is drawn so many times larger than x; with another number than 1, angles are not true"},
       {"views.close-up", "center", "point [x, y]", required, "middle of what is enlarged"},
-      {"views.close-up", "height",
-       fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest), required,
+      {"views.close-up", "height", camera_height, required,
        "height of what is enlarged in world units"},
-      {"views.close-up", "stretch",
-       fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch), "1",
-       "as for a camera"},
+      {"views.close-up", "stretch", stretch, "1", "as for a camera"},
       {"views.close-up", "corner", one_of<CardCorner>(), "bottom right",
        "where it stands in the view"},
 

@@ -5,53 +5,43 @@
 namespace gjkscope {
 namespace {
 
+using Shape = decltype(Mark::shape);
+
 constexpr double kMargin = 24.0;  // hides where lines are cut off
 
 /// The part of a mark's shape in a box: none, or several where a line leaves and comes back.
 struct Cut {
   Eigen::AlignedBox2d box;
 
-  std::vector<Polyline> lines(const std::vector<Point>& points) const {
-    std::vector<Polyline> out;
+  std::vector<Shape> operator()(const Polyline& line) const {
+    std::vector<Point> points = line.points;
+    if (line.closed) points.push_back(points.front());
+    std::vector<Polyline> parts;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto part = clip(points[i - 1], points[i], box);
       if (!part) continue;
-      if (out.empty() || out.back().points.back() != (*part)[0]) out.push_back({{(*part)[0]}});
-      out.back().points.push_back((*part)[1]);
+      if (parts.empty() || parts.back().points.back() != (*part)[0])
+        parts.push_back({{(*part)[0]}});
+      parts.back().points.push_back((*part)[1]);
     }
-    return out;
+    return {parts.begin(), parts.end()};
   }
-  std::vector<decltype(Mark::shape)> operator()(const Polyline& line) const {
-    std::vector<Point> points = line.points;
-    if (line.closed) points.push_back(points.front());
-    std::vector<decltype(Mark::shape)> out;
-    for (Polyline& part : lines(points)) out.emplace_back(std::move(part));
-    return out;
-  }
-  std::vector<decltype(Mark::shape)> operator()(const Polygon& polygon) const {
+  std::vector<Shape> operator()(const Polygon& polygon) const {
     std::vector<Point> rest = clip_to_box(polygon.points, box);
     if (rest.size() < 3) return {};
     return {Polygon{std::move(rest)}};
   }
-  std::vector<decltype(Mark::shape)> operator()(const Arrow& arrow) const {
+  std::vector<Shape> operator()(const Arrow& arrow) const {
     const auto part = clip(arrow.from, arrow.to, box);
     if (!part) return {};
     if (box.contains(arrow.to)) return {Arrow{(*part)[0], arrow.to}};
     return {Polyline{{(*part)[0], (*part)[1]}}};
   }
-  std::vector<decltype(Mark::shape)> operator()(const Disk& disk) const {
-    return of(disk, disk.center);
-  }
-  std::vector<decltype(Mark::shape)> operator()(const Cross& cross) const {
-    return of(cross, cross.center);
-  }
-  std::vector<decltype(Mark::shape)> operator()(const Box& rect) const {
-    return of(rect, rect.rect.center());
-  }
-  std::vector<decltype(Mark::shape)> operator()(const Text& text) const {
-    return of(text, text.at);
-  }
-  std::vector<decltype(Mark::shape)> of(const decltype(Mark::shape)& shape, const Point& at) const {
+  std::vector<Shape> operator()(const Disk& disk) const { return of(disk, disk.center); }
+  std::vector<Shape> operator()(const Cross& cross) const { return of(cross, cross.center); }
+  std::vector<Shape> operator()(const Box& rect) const { return of(rect, rect.rect.center()); }
+  std::vector<Shape> operator()(const Text& text) const { return of(text, text.at); }
+  std::vector<Shape> of(const Shape& shape, const Point& at) const {
     if (!box.contains(at)) return {};
     return {shape};
   }
@@ -75,7 +65,7 @@ std::vector<Mark> cut(const std::vector<Mark>& marks, const Rect& card) {
   const Cut to{{card.min - Point(kMargin, kMargin), card.max + Point(kMargin, kMargin)}};
   std::vector<Mark> out;
   for (const Mark& mark : marks) {
-    for (auto& shape : std::visit(to, mark.shape)) {
+    for (Shape& shape : std::visit(to, mark.shape)) {
       out.push_back(mark);
       out.back().shape = std::move(shape);
       out.back().subject = {};

@@ -34,7 +34,10 @@ constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;  // below them
 constexpr double kTall = 1.2;           // height over width
 
-const Point kAround(92.0, 100.0);  // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
+constexpr double kBeside = 28.0;     // a view's title, on both sides
+
 /// "6.3", "630", "2·10⁵"
 std::string magnification(double times) {
   constexpr double kLargest = 1e5;  // that is written out
@@ -43,9 +46,6 @@ std::string magnification(double times) {
   const double rounded = std::round(times / unit) * unit;
   return times < 10.0 ? fixed(rounded, 1) : grouped(rounded);
 }
-
-constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
-constexpr double kBeside = 28.0;     // a view's title, on both sides
 
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {

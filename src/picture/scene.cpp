@@ -55,10 +55,21 @@ void SceneBuilder::line(std::string role, const Point& a, const Point& b, const 
   out.obstacles.segments.push_back({a, b});
 }
 
+namespace {
+
+void add_outline(std::vector<Obstacles::Segment>& to, const std::vector<Point>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    to.push_back({points[i], points[(i + 1) % points.size()]});
+}
+
+}  // namespace
+
 void SceneBuilder::outline(const std::vector<Point>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    out.obstacles.segments.push_back({points[i], points[(i + 1) % points.size()]});
-  }
+  add_outline(out.obstacles.segments, points);
+}
+
+void SceneBuilder::passing_outline(const std::vector<Point>& points) {
+  add_outline(out.obstacles.passing, points);
 }
 
 void SceneBuilder::disk(std::string role, const Point& center, double radius,

@@ -111,6 +111,8 @@ struct SceneBuilder {
   void line(std::string role, const Point& a, const Point& b, const Subject& subject = {});
   /// The closed outline as an obstacle alone.
   void outline(const std::vector<Point>& points);
+  /// As one that labels rather keep off.
+  void passing_outline(const std::vector<Point>& points);
   void disk(std::string role, const Point& center, double radius, const Subject& subject = {});
   void diamond(std::string role, const Point& center, double radius, const Subject& subject = {});
   /// A square that lies on its side: the foot of a perpendicular.

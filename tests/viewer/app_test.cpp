@@ -53,7 +53,6 @@ TEST(App, OpensOnTwoPolygonsAtTheStartOfTheirRun) {
 TEST(App, EachLessonHasASmallPictureWithoutWords) {
   HeadlessApp window;
   for (const ListedLesson& listed : window.app().lessons()) {
-    if (listed.id == "lazy-hull") continue;  // measures a million vertices
     const Lesson lesson = *load_lesson(listed.file, vocabulary()).lesson;
     const Picture picture = thumbnail(lesson, window.app().fonts());
     EXPECT_EQ(thumbnails::kWidth, picture.width);

@@ -117,10 +117,7 @@ void closest_circle(SceneBuilder& scene) {
     circle.points.push_back(
         scene.at_difference(*radius * Vector2d(std::cos(angle), std::sin(angle))));
   }
-  for (std::size_t i = 0; i < circle.points.size(); ++i) {
-    scene.out.obstacles.passing.push_back(
-        {circle.points[i], circle.points[(i + 1) % circle.points.size()]});
-  }
+  scene.passing_outline(circle.points);
   scene.add("closest.circle", std::move(circle));
 }
 

@@ -84,8 +84,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
     for (const Vector2d& vertex : scene.positioned.x().world)
       moved.push_back(scene.at(vertex + result.translation));
     if (moved.size() > 1) scene.add("depth.moved", Polyline{moved, moved.size() > 2});
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      scene.out.obstacles.passing.push_back({moved[i], moved[(i + 1) % moved.size()]});
+    scene.passing_outline(moved);
     const Point x = scene.at(result.x);
     const Point y = scene.at(result.y);
     if ((y - x).norm() > kPointRadius) {
