@@ -466,6 +466,7 @@ void App::make_commands() {
     add("View", drawers_[i].name, {drawers_[i].key}, [this, i] { toggle_drawer(i); });
     for (const Command& command : drawers_[i].commands) commands_.push_back(command);
   }
+  add("View", "Small pictures of lessons, or none", {}, [&] { has_thumbnails = !has_thumbnails; });
   add("View", "Motion between steps, or none", {}, [&] { moves_ = !moves_; });
   add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},

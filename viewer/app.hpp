@@ -104,6 +104,8 @@ class App {
   [[nodiscard]] bool snaps() const { return snaps_ != ImGui::GetIO().KeyShift; }
   /// How drawers write numbers.
   bool hexadecimal = false;
+  /// Whether lessons of the list get small pictures.
+  bool has_thumbnails = true;
   /// Names of values (drawers/values.hpp) that stay in sight.
   std::vector<std::string> pinned;
   /// What drawers point at in the frame that is being drawn.

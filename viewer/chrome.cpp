@@ -311,7 +311,9 @@ void App::draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts) {
   const bool is_good = lesson.problem.empty();
   const bool is_open = session_.lesson().path == lesson.file.string();
   const double scale = kThumbnail * ui_scale_ / thumbnails::kWidth;
-  const ImVec2 picture = vec(scale * Point(thumbnails::kWidth, thumbnails::kHeight));
+  const ImVec2 picture =
+      has_thumbnails ? vec(scale * Point(thumbnails::kWidth, thumbnails::kHeight))
+                     : ImVec2(ImGui::GetFontSize(), ImGui::GetFontSize());  // room for the sign
   const float left = picture.x + ImGui::GetStyle().ItemSpacing.x;
   const float width = ImGui::GetContentRegionAvail().x - left;
   const ImVec2 size = ImGui::CalcTextSize(lesson.title.c_str(), nullptr, false, width);
@@ -325,15 +327,15 @@ void App::draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts) {
   if (!is_seen) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + picture.x, at.y + picture.y);
-  list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
-  const Picture* marks = is_good ? thumbnails_.of(lesson.file) : nullptr;
+  if (has_thumbnails) list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
+  const Picture* marks = is_good && has_thumbnails ? thumbnails_.of(lesson.file) : nullptr;
   if (marks != nullptr) {
     list.PushClipRect(at, end, true);
     (void)paint_marks(list, *marks, 0, theme_, fonts,
                       {Point(at.x, at.y), scale, ImGui::GetIO().Fonts->TexID});
     list.PopClipRect();
   }
-  list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3.0f);
+  if (has_thumbnails) list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3.0f);
   const ImU32 ink = ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   if (!is_good || finished_.contains(lesson.id)) {
     const char* const sign = is_good ? "✓" : "!";

@@ -66,15 +66,18 @@ template <class R = Default, class X, class Y>
   return distance<R>(Query{Shape(x), Shape(y)}, options);
 }
 
-/// The run of `distance`, with every phase recorded.
-template <class R = Default, class S, int D>
-[[nodiscard]] Trace<RunScalar<R, S>, D> trace(const Query<S, D>& query,
-                                              const Options& options = {}) {
+/// The run of `distance`, with every phase recorded. `before_phase` is called before each; it may
+/// throw, to give up a run that takes too long.
+template <class R = Default, class S, int D, class BeforePhase = void (*)()>
+[[nodiscard]] Trace<RunScalar<R, S>, D> trace(
+    const Query<S, D>& query, const Options& options = {},
+    const BeforePhase& before_phase = [] {}) {
   Trace<RunScalar<R, S>, D> out;
   out.prepared = prepare<RunScalar<R, S>>(query, options);
   State<RunScalar<R, S>, D> state = start(query, options, out.prepared);
   out.initial = state;
   while (state.stop == StopReason::running) {
+    before_phase();
     Step<RunScalar<R, S>, D> next;
     next.phase = state.phase;
     next.iteration = state.iteration;

@@ -43,10 +43,11 @@ struct SceneryIn {
 };
 using Scenery = SceneryIn<2>;
 
-template <class S, int D>
-RunIn<D> run_query(const gjk::Query<S, D>& query, const gjk::Options& options,
-                   const SceneryIn<D>& at) {
-  const gjk::Trace<S, D> trace = gjk::trace<S>(query, options);
+template <class S, int D, class BeforePhase = void (*)()>
+RunIn<D> run_query(
+    const gjk::Query<S, D>& query, const gjk::Options& options, const SceneryIn<D>& at,
+    const BeforePhase& before_phase = [] {}) {
+  const gjk::Trace<S, D> trace = gjk::trace<S>(query, options, before_phase);
   RunIn<D> run{
       {{at.placements[0], world_vertices(query.x)}, {at.placements[1], world_vertices(query.y)}},
       at.time,
@@ -293,11 +294,12 @@ PositionedRun run_afresh(const LessonRun& run, int index) {
   return run_at(run.lesson, {placements_of(positioned), positioned.time}, run.lesson.options);
 }
 
-PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
+PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
+                        const std::function<void()>& before_phase) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
-    return run_query<S, 2>({{x}, {y}}, options, {placements_of(run), run.time});
+    return run_query<S, 2>({{x}, {y}}, options, {placements_of(run), run.time}, before_phase);
   });
 }
 

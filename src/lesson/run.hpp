@@ -2,6 +2,7 @@
 // A lesson, run: one traced run for each position of X, and the frames that the lesson's act makes
 // of them.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -135,9 +136,11 @@ template <int D>
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);
 
 /// GJK once more with other options or in another scalar. It starts from the vertices in the world
-/// as `run` rounded them, so that both compute from the very same numbers.
-[[nodiscard]] PositionedRun run_again(const PositionedRun& run, const gjk::Options& options,
-                                      ScalarKind scalar);
+/// as `run` rounded them, so that both compute from the very same numbers. `before_phase` may
+/// throw, to give up.
+[[nodiscard]] PositionedRun run_again(
+    const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
+    const std::function<void()>& before_phase = [] {});
 
 /// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are
 /// those of the keys in the lesson's file.

@@ -75,6 +75,26 @@ TEST(random_complete, "traces of random pairs are complete, whatever the outcome
   }
 }
 
+TEST(given_up, "a run may be given up before any of its phases") {
+  const gjk::Query<double, 2> query{{kSquare}, {kPentagon}};
+  const std::size_t phases = gjk::trace(query).steps.size();
+  CHECK(phases > 6);
+  for (std::size_t limit = 0; limit <= phases; ++limit) {
+    std::size_t begun = 0;
+    bool given_up = false;
+    try {
+      const auto trace = gjk::trace(query, {}, [&] {
+        if (begun == limit) throw limit;
+        ++begun;
+      });
+    } catch (std::size_t) {
+      given_up = true;
+    }
+    CHECK_EQ(limit, begun);
+    CHECK_EQ(limit < phases, given_up);
+  }
+}
+
 TEST(phases, "one iteration is closest, cull, direction, support, stop, add") {
   const auto trace = traced({{9, 0}}, kPentagon);
   const Phase order[] = {Phase::closest, Phase::cull, Phase::direction,

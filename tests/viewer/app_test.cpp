@@ -46,7 +46,7 @@ TEST(App, OpensOnTwoPolygonsAtTheStartOfTheirRun) {
   const int before = window.session().index();
   for (int i = 0; i < 50; ++i) window.frame(1.0);
   EXPECT_EQ(before, window.session().index());
-  window.settle_thumbnails();
+  window.make_thumbnails();
   EXPECT_FALSE(window.app().wakes_at()) << "nothing happens by itself";
 }
 
@@ -390,7 +390,7 @@ TEST(App, ButtonsOfTheDrawerMakeShapes) {
   // Whatever stands where: points, segments, boxes, polygons and pairs come of clicks.
   std::set<std::string> done;
   const Rect& area = window.app().picture().area();
-  for (double y = area.min.y() + 60.0; y < area.min.y() + 240.0; y += 10.0) {
+  for (double y = area.min.y() + 60.0; y < area.min.y() + 240.0; y += 16.0) {
     for (double x = 30.0; x < 300.0; x += 38.0) {
       window.click({area.max.x() + x, y});
       if (const std::string name = window.session().undo_name(); !name.empty()) done.insert(name);
@@ -824,7 +824,6 @@ TEST(App, AMessageGoesAfterAWhileAndAnErrorWhenItWasRead) {
   window.app().say("cannot", true);
   for (int i = 0; i < 50; ++i) window.frame(1.0);
   EXPECT_EQ("cannot", window.app().message());
-  window.settle_thumbnails();
   EXPECT_FALSE(window.app().wakes_at());
   window.key("Escape");
   EXPECT_EQ("", window.app().message());
@@ -1036,7 +1035,6 @@ TEST(App, AnExactRunOfManyVerticesDoesNotHoldUpTheWindow) {
   HeadlessApp window(folder.file("many.json", case_of_many(100'000)));
   constexpr double kMessagesAreGone = 10.0;
   window.frame(kMessagesAreGone);
-  window.settle_thumbnails();
   ASSERT_FALSE(window.app().wakes_at());
   window.app().show_drawer("Numerics");
   window.frame();

@@ -25,6 +25,7 @@ HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& s
     ImGui::DestroyContext(context_);
     throw;
   }
+  app_->has_thumbnails = false;
   settle();
 }
 
@@ -53,7 +54,8 @@ void HeadlessApp::frame(double seconds) {
   io.MouseWheel = 0.0f;
 }
 
-void HeadlessApp::settle_thumbnails() {
+void HeadlessApp::make_thumbnails() {
+  app_->has_thumbnails = true;
   do {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     frame();

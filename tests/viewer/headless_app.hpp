@@ -22,8 +22,8 @@ class HeadlessApp {
   [[nodiscard]] Session& session() { return app_->session(); }
   /// Draws until Dear ImGui has seen all input.
   void settle();
-  /// Draws until the small pictures of lessons are there: they are made beside the window.
-  void settle_thumbnails();
+  /// Draws until the small pictures of lessons are there, which else are not made: it takes long.
+  void make_thumbnails();
   /// One frame; `seconds` have passed.
   void frame(double seconds = 0.02);
   /// In pixels; see App::layout.

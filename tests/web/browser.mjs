@@ -1,6 +1,7 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it. Claims about actions hold at each size in each theme.
-// Usage: node browser.mjs SITE [--shots DIR] [--only WORD]
+// that does not hold ends it. Claims about actions are tried at each size and in each theme; with
+// --all, at each size in each theme.
+// Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -61,12 +62,18 @@ async function close(page) {
 const tests = [];
 /** One that is `alone` measures time, so nothing runs beside it. */
 const claim = (name, body, alone = false) => tests.push({ name, body, alone });
-/** What a hand does holds at each of some sizes, in each theme: `body` gets how to open a page there. */
+let actions = 0;
+/**
+ * What a hand does, at each of some sizes and in each theme: `body` gets how to open a page there.
+ * The next action meets the sizes with other themes.
+ */
 function action(name, body, sizes = Object.keys(SIZES)) {
-  for (const size of sizes) {
-    for (const theme of THEMES)
-      claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
-  }
+  const pairs = process.argv.includes("--all")
+    ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
+    : THEMES.map((theme, i) => [sizes[(i + actions) % sizes.length], theme]);
+  ++actions;
+  for (const [size, theme] of pairs)
+    claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
 }
 const text = (page, id) => page.locator(`#${id}`).textContent();
 const count = async (page) => (await text(page, "count")).split(" / ").map(Number);

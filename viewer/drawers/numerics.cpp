@@ -7,6 +7,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <stop_token>
 
 #include "app.hpp"
 #include "lesson/names.hpp"
@@ -104,6 +105,9 @@ void draw_pair(App& app, const char* name, double here, double there) {
   ImGui::PopFont();
 }
 
+/// Thrown by a run that nobody waits for any longer.
+struct Stopped {};
+
 struct Beside {
   /// The lesson's options where it has none of its own.
   ScalarKind scalar = ScalarKind::exact;
@@ -121,16 +125,24 @@ struct Beside {
   /// Exact runs of large shapes take seconds: they are computed beside the window.
   std::future<PositionedRun> pending;
   From pending_from;
+  std::stop_source stop;
+  /// The user does not want to wait for this one.
+  std::optional<From> given_up;
 
-  /// Whether `run` is the one that is wanted; where it is not, it will be. One that is wanted no
-  /// longer ends by itself, and is forgotten.
+  ~Beside() { stop.request_stop(); }
+
+  /// Whether `run` is the one that is wanted; where it is not, it will be, unless it was given up.
   bool has(const PositionedRun& here, const From& wanted) {
     constexpr std::chrono::milliseconds kAtOnce(5);
     take(std::chrono::milliseconds(0));
-    if (!pending.valid() && !(run && from == wanted)) {
+    if (pending.valid() && (pending_from != wanted || given_up == wanted)) stop.request_stop();
+    if (!pending.valid() && !(run && from == wanted) && given_up != wanted) {
       pending_from = wanted;
-      pending = std::async(std::launch::async, [here, wanted] {
-        return run_again(here, wanted.options, wanted.scalar);
+      stop = std::stop_source();
+      pending = std::async(std::launch::async, [here, wanted, stopped = stop.get_token()] {
+        return run_again(here, wanted.options, wanted.scalar, [&] {
+          if (stopped.stop_requested()) throw Stopped();
+        });
       });
       take(kAtOnce);
     }
@@ -139,8 +151,11 @@ struct Beside {
 
   void take(std::chrono::milliseconds patience) {
     if (!pending.valid() || pending.wait_for(patience) != std::future_status::ready) return;
-    run = pending.get();
-    from = pending_from;
+    try {
+      run = pending.get();
+      from = pending_from;
+    } catch (const Stopped&) {
+    }
   }
 
   [[nodiscard]] gjk::Options options_for(const gjk::Options& here) const {
@@ -216,7 +231,14 @@ void draw_numerics(App& app, Beside& beside) {
   const PositionedRun& here = run.run(session.frame());
   const Beside::From from{session.version(), session.frame().run, beside.scalar,
                           beside.options_for(run.lesson.options)};
-  if (!beside.has(here, from)) return ImGui::TextDisabled("The run beside it is being computed.");
+  if (!beside.has(here, from)) {
+    const bool stopped = beside.given_up == from;
+    ImGui::TextDisabled(
+        "%s", stopped ? "The run beside it was stopped." : "The run beside it is being computed.");
+    if (ImGui::Button(stopped ? "Compute" : "Stop"))
+      beside.given_up = stopped ? std::nullopt : std::optional(from);
+    return;
+  }
   const gjk::Result<double, 2>& a = here.trace.result;
   const gjk::Result<double, 2>& b = beside.run->trace.result;
   draw_pair(app, "distance: this run, and the one beside it", a.distance, b.distance);
