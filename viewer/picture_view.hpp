@@ -16,7 +16,7 @@ class App;
 class PictureView {
  public:
   /// Of a page, in frame pixels.
-  static constexpr double kNarrowest = 760.0;
+  static constexpr double kNarrowest = 1000.0;
 
   explicit PictureView(App& app);
 

@@ -31,8 +31,9 @@ constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
 constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
-constexpr double kPanelHeight = 440.0;  // below them
-constexpr double kTall = 1.2;           // height over width
+constexpr double kPanelHeight = 440.0;    // below them
+constexpr double kTall = 1.2;             // height over width
+constexpr double kNarrowestCard = 250.0;  // titles and legends of plots need so much
 
 const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
 constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
@@ -79,17 +80,20 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
   if (is_narrow(page)) {
     Rect column = cards;
     if (has_panel) {
-      layout.panel = Rect{{cards.max.x() - kNarrowPanel, cards.min.y()}, cards.max};
+      const bool is_wide = views == 1 && cards.size().x() - kCardGap - kWidePanel >= kNarrowestCard;
+      const double panel = is_wide ? kWidePanel : kNarrowPanel;
+      layout.panel = Rect{{cards.max.x() - panel, cards.min.y()}, cards.max};
       column.max.x() = layout.panel->min.x() - kCardGap;
     }
-    // Side by side or one below the other, whatever leaves shapes more room.
+    // Side by side where words have room, or one below the other: whatever leaves shapes more.
     const Point size = column.size();
     const auto room = [&](int along) {
       Point card = size;
       card[along] = (size[along] - kCardGap * (views - 1)) / views;
       return (card - kAround).minCoeff();
     };
-    const int along = room(0) > room(1) ? 0 : 1;
+    const bool has_width = (size.x() - kCardGap * (views - 1)) / views >= kNarrowestCard;
+    const int along = has_width && room(0) > room(1) ? 0 : 1;
     const double step = (size[along] + kCardGap) / views;
     for (int i = 0; i < views; ++i) {
       Rect card = column;
@@ -480,9 +484,13 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
       picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
     picture.marks.push_back(placed);
   };
+  // What steps aside must not do so to where another stays.
   std::set<std::string> drawn;
-  for (const LabelRequest& label : of_frame.fixed_labels) {
-    if (view.shows(label) && drawn.insert(label.id).second) place(label, true);
+  for (const bool steps_aside : {false, true}) {
+    for (const LabelRequest& label : of_frame.fixed_labels) {
+      if (label.steps_aside != steps_aside || !view.shows(label)) continue;
+      if (drawn.insert(label.id).second) place(label, true);
+    }
   }
   for (const AreaLabelRequest& label : of_frame.area_labels) {
     std::vector<Mark> name = view.placer.place_inside(label);

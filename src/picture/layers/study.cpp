@@ -11,6 +11,7 @@
 #include "picture/stage.hpp"
 #include "picture/study_plot.hpp"
 #include "picture/study_words.hpp"
+#include "picture/text_box.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope::layers {
@@ -21,7 +22,8 @@ using Gap = RoundedPair::Gap;
 
 constexpr double kMargin = 14.0;
 constexpr double kInsetHeight = 0.43;  ///< Of the card.
-constexpr double kHeader = 30.0;       ///< Of an inset, for its title.
+constexpr double kHeader = 30.0;       ///< Of an inset, for its title of one line.
+constexpr double kLine = 20.0;         ///< For each further line.
 constexpr double kDimension = 32.0;    ///< From a vertex to the line that tells its gap.
 constexpr double kRing = 9.0;          ///< Around what an inset enlarges.
 
@@ -34,13 +36,22 @@ std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
 /// A part of the world, enlarged.
 class Inset {
  public:
-  Inset(SceneBuilder& scene, const Rect& card, const Vector2d& center, double scale)
+  Inset(SceneBuilder& scene, const Fonts& fonts, const Rect& card, const Vector2d& center,
+        double scale, const std::string& title)
       : scene_(scene),
-        card_(card),
-        map_({card.min + Point(0.0, kHeader), card.max},
-             {center, (card.size().y() - kHeader) / scale}) {
+        fonts_(fonts),
+        title_(title.empty()
+                   ? std::vector<std::string>{}
+                   : wrapped(fonts, type::kText, title, card.size().x() - 2.0 * kTitleLeft)),
+        map_({card.min + Point(0.0, header()), card.max},
+             {center, (card.size().y() - header()) / scale}) {
     for (const Vector2d& corner : map_.visible()) seen_.extend(corner);
     scene_.add("inset", Box{card, 8.0});
+    Point at = card.min + Point(kTitleLeft, 22.0);
+    for (const std::string& line : title_) {
+      scene_.add("inset.label", Text{at, line, type::kText});
+      at.y() += kLine;
+    }
   }
 
   void area(const std::string& role, const std::vector<Vector2d>& corners) {
@@ -75,8 +86,8 @@ class Inset {
                           side < 0.0 ? Align::right : Align::left});
   }
   void unknown() {
-    scene_.add("inset.label",
-               Text{card_.center() + Point(0.0, 10.0), "?", type::kTitle, Align::center});
+    scene_.add("inset.label", Text{map_.area().center() - Point(0.0, 0.5 * header() - 10.0), "?",
+                                   type::kTitle, Align::center});
   }
   void move(const Vector2d& from, const Vector2d& to) {
     constexpr double kShortest = 16.0;
@@ -98,15 +109,22 @@ class Inset {
     scene_.line(role, a + shift, b + shift);
     for (const Point& end : {Point(a + shift), Point(b + shift)})
       scene_.line(role, end - kTick * across, end + kTick * across);
-    const Point middle = 0.5 * (a + b) + shift + 10.0 * across;
-    scene_.add(role + ".label", Text{middle + Point(0.0, 6.0), text, type::kName,
-                                     side < 0.0 ? Align::right : Align::left});
-  }
-  void title(const std::string& text) {
-    scene_.add("inset.label", Text{card_.min + Point(10.0, 22.0), text, type::kText});
+    Point at = 0.5 * (a + b) + shift + 10.0 * across + Point(0.0, 6.0);
+    // In the inset, and where that is narrow below what stands on the other side.
+    constexpr double kEdge = 6.0;
+    const double width = fonts_.width(type::kName, text);
+    const double most = map_.area().max.x() - kEdge - width;
+    if (side > 0.0 && at.x() > most) at = Point(most, at.y() + kLine);
+    at.x() = std::max(at.x(), scene_.map.area().min.x() + kEdge + (side < 0.0 ? width : 0.0));
+    scene_.add(role + ".label",
+               Text{at, text, type::kName, side < 0.0 ? Align::right : Align::left});
   }
 
  private:
+  static constexpr double kTitleLeft = 10.0;
+  [[nodiscard]] double header() const {
+    return kHeader + kLine * (std::max(static_cast<double>(title_.size()), 1.0) - 1.0);
+  }
   static float first_float(double at) {
     auto out = static_cast<float>(at);
     return static_cast<double>(out) < at ? next(out) : out;
@@ -114,7 +132,8 @@ class Inset {
   static float next(float value) { return std::nextafter(value, INFINITY); }
 
   SceneBuilder& scene_;
-  Rect card_;
+  const Fonts& fonts_;
+  std::vector<std::string> title_;
   StageMap map_;  ///< Of the card below its title.
   Eigen::AlignedBox2d seen_;
 };
@@ -123,8 +142,9 @@ class Inset {
 /// so.
 class PairPicture {
  public:
-  PairPicture(SceneBuilder& scene, StudyStage stage)
+  PairPicture(SceneBuilder& scene, const Fonts& fonts, StudyStage stage)
       : scene_(scene),
+        fonts_(fonts),
         stage_(stage),
         pair_(scene.effects.get<RoundedPair>(scene.frame)),
         x_(corners_of(pair_.exact.x().world)),
@@ -193,9 +213,15 @@ class PairPicture {
     const bool is_distance = end == 0;
     const Vector2d center = 0.25 * (shown.exact.vertex + shown.exact.other + shown.in_float.vertex +
                                     shown.in_float.other);
-    Inset inset(scene_, box, center, pair_.magnification() * scale);
-    if (stage_ == StudyStage::shapes) return inset.unknown();
     const bool rounds = stage_ == StudyStage::in_float || stage_ == StudyStage::error;
+    const bool is_told = stage_ != StudyStage::shapes;
+    const std::string_view which = is_distance ? ": the closest points"
+                                   : rounds    ? ": closest in float"
+                                               : "";
+    const std::string title =
+        is_told ? fmt::format("{} times larger{}", grouped(pair_.magnification()), which) : "";
+    Inset inset(scene_, fonts_, box, center, pair_.magnification() * scale, title);
+    if (!is_told) return inset.unknown();
     inset.area("shape.x.fill", x_);
     inset.area("shape.y.fill", y_);
     if (rounds) inset.grid();
@@ -220,13 +246,10 @@ class PairPicture {
       inset.gap("gap.answer", shown.exact, 1.0,
                 "double: " + power_text(pair_.in_double.trace.result.distance, 3));
     }
-    const std::string_view told = is_distance ? ": the closest points"
-                                  : rounds    ? ": closest in float"
-                                              : "";
-    inset.title(fmt::format("{} times larger{}", grouped(pair_.magnification()), told));
   }
 
   SceneBuilder& scene_;
+  const Fonts& fonts_;
   StudyStage stage_;
   const RoundedPair::Value& pair_;
   std::vector<Vector2d> x_;
@@ -239,7 +262,7 @@ class PairPicture {
 
 void study(SceneBuilder& scene, const Fonts& fonts) {
   const StudyFrame shown = *scene.frame.part.as<StudyFrame>();
-  if (shown.stage < StudyStage::error_axis) return PairPicture(scene, shown.stage).draw();
+  if (shown.stage < StudyStage::error_axis) return PairPicture(scene, fonts, shown.stage).draw();
   add_plot(scene, study_plot(*scene.run.lesson.study, shown), fonts);
 }
 

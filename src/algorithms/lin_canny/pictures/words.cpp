@@ -71,10 +71,10 @@ class Telling {
     for (const bool of_x : {true, false}) {
       const models::RingFeature& was = of_x ? before().a : before().b;
       if (was.is_vertex == shown_.feature(of_x).is_vertex) continue;
-      text_.detail += format("The closest point of {} is its end, so {} takes its place. ",
+      text_.detail += format("The closest point of {} is its end: {} takes over. ",
                              shown_.name(of_x, was), shown_.name(of_x));
     }
-    text_.detail += "Next: does each point lie in the Voronoi region of the other feature?";
+    text_.detail += "Next: does each point lie in the other feature's Voronoi region?";
   }
 
   void regions() {
