@@ -60,9 +60,13 @@ double PictureView::lay_out(const Rect& area, double density) {
   const Page smallest;
   // In steps, so that the fonts are not built anew for every pixel by which a window grows.
   constexpr double kSteps = 32.0;
-  // Where there is no room for the usual page it becomes narrower before type becomes smaller.
+  // Where there is no room for the usual page it becomes narrower, then type becomes smaller, as
+  // far as it is read well; then the page becomes as narrow as can be.
+  constexpr double kReadable = 12.0 / 16.0;
   const double usual = std::min(size.x() / smallest.width, size.y() / smallest.height);
-  const double narrow = std::min({density, size.x() / kNarrowest, size.y() / smallest.height});
+  const double across =
+      std::max(size.x() / kNarrow, std::min(kReadable * density, size.x() / kNarrowest));
+  const double narrow = std::min({density, across, size.y() / smallest.height});
   const double fitting = std::max(usual, narrow);
   zoom_ = std::max(std::floor(fitting * kSteps) / kSteps, kSmallestZoom);
   session_.set_page(

@@ -15,8 +15,9 @@ class App;
 
 class PictureView {
  public:
-  /// Of a page, in frame pixels.
-  static constexpr double kNarrowest = 1000.0;
+  /// Widths of a page, in frame pixels: what the words of all lessons need, and the least.
+  static constexpr double kNarrow = 1000.0;
+  static constexpr double kNarrowest = 760.0;
 
   explicit PictureView(App& app);
 
