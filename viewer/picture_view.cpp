@@ -60,9 +60,10 @@ double PictureView::lay_out(const Rect& area, double density) {
   const Page smallest;
   // In steps, so that the fonts are not built anew for every pixel by which a window grows.
   constexpr double kSteps = 32.0;
-  // Where there is no room for the usual page it becomes narrower, then type becomes smaller, as
-  // far as it is read well; then the page becomes as narrow as can be.
-  constexpr double kReadable = 12.0 / 16.0;
+  // Where there is no room for the usual page, the page becomes narrower, down to kNarrow; then
+  // type becomes smaller, down to 12 pixels; then the page becomes narrower again, down to
+  // kNarrowest.
+  constexpr double kReadable = 12.0 / 16.0;  // of the size of most type
   const double usual = std::min(size.x() / smallest.width, size.y() / smallest.height);
   const double across =
       std::max(size.x() / kNarrow, std::min(kReadable * density, size.x() / kNarrowest));

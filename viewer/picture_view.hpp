@@ -15,7 +15,7 @@ class App;
 
 class PictureView {
  public:
-  /// Widths of a page, in frame pixels: what the words of all lessons need, and the least.
+  /// Widths of a page, in frame pixels: what the words of all lessons need, and what shapes need.
   static constexpr double kNarrow = 1000.0;
   static constexpr double kNarrowest = 760.0;
 

@@ -85,15 +85,16 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
       layout.panel = Rect{{cards.max.x() - panel, cards.min.y()}, cards.max};
       column.max.x() = layout.panel->min.x() - kCardGap;
     }
-    // Side by side where words have room, or one below the other: whatever leaves shapes more.
+    // Side by side or one below the other, whatever leaves shapes more room. Cards that are too
+    // narrow for words never stand side by side.
     const Point size = column.size();
-    const auto room = [&](int along) {
+    const auto card_of = [&](int along) {
       Point card = size;
       card[along] = (size[along] - kCardGap * (views - 1)) / views;
-      return (card - kAround).minCoeff();
+      return card;
     };
-    const bool has_width = (size.x() - kCardGap * (views - 1)) / views >= kNarrowestCard;
-    const int along = has_width && room(0) > room(1) ? 0 : 1;
+    const auto room = [&](int along) { return (card_of(along) - kAround).minCoeff(); };
+    const int along = card_of(0).x() >= kNarrowestCard && room(0) > room(1) ? 0 : 1;
     const double step = (size[along] + kCardGap) / views;
     for (int i = 0; i < views; ++i) {
       Rect card = column;
@@ -484,7 +485,7 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
       picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
     picture.marks.push_back(placed);
   };
-  // What steps aside must not do so to where another stays.
+  // Labels that keep their place come first, so that none steps aside to where they stand.
   std::set<std::string> drawn;
   for (const bool steps_aside : {false, true}) {
     for (const LabelRequest& label : of_frame.fixed_labels) {

@@ -11,6 +11,15 @@ namespace gjkscope {
 using Eigen::Vector2d;
 using namespace sizes;
 
+namespace {
+
+void add_outline(std::vector<Obstacles::Segment>& to, const std::vector<Point>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    to.push_back({points[i], points[(i + 1) % points.size()]});
+}
+
+}  // namespace
+
 std::vector<Vector2d> StageMap::visible() const {
   const Vector2d half = 0.5 * camera_.units_per_pixel(area_.size().y()).cwiseProduct(area_.size());
   return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
@@ -54,15 +63,6 @@ void SceneBuilder::line(std::string role, const Point& a, const Point& b, const 
   add(std::move(role), Polyline{{a, b}}, subject);
   out.obstacles.segments.push_back({a, b});
 }
-
-namespace {
-
-void add_outline(std::vector<Obstacles::Segment>& to, const std::vector<Point>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    to.push_back({points[i], points[(i + 1) % points.size()]});
-}
-
-}  // namespace
 
 void SceneBuilder::outline(const std::vector<Point>& points) {
   add_outline(out.obstacles.segments, points);

@@ -22,7 +22,8 @@ class HeadlessApp {
   [[nodiscard]] Session& session() { return app_->session(); }
   /// Draws until Dear ImGui has seen all input.
   void settle();
-  /// Draws until the small pictures of lessons are there, which else are not made: it takes long.
+  /// Draws until the small pictures of lessons are there. Without this call none are made: they
+  /// take long.
   void make_thumbnails();
   /// One frame; `seconds` have passed.
   void frame(double seconds = 0.02);

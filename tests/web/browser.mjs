@@ -1,6 +1,6 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it. Claims about actions are tried at each size and in each theme; with
-// --all, at each size in each theme.
+// that does not hold ends it. An action is tried in four pairs of a size and a theme, so that each
+// size and each theme is among them; with --all, in all twelve pairs.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -64,8 +64,8 @@ const tests = [];
 const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 let actions = 0;
 /**
- * What a hand does, at each of some sizes and in each theme: `body` gets how to open a page there.
- * The next action meets the sizes with other themes.
+ * What a hand does: `body` gets how to open a page at a size and in a theme. Each action starts with
+ * the next size, so that over all actions all pairs are tried.
  */
 function action(name, body, sizes = Object.keys(SIZES)) {
   const pairs = process.argv.includes("--all")

@@ -126,12 +126,13 @@ struct Beside {
   std::future<PositionedRun> pending;
   From pending_from;
   std::stop_source stop;
-  /// The user does not want to wait for this one.
+  /// The one that the user has stopped.
   std::optional<From> given_up;
 
   ~Beside() { stop.request_stop(); }
 
-  /// Whether `run` is the one that is wanted; where it is not, it will be, unless it was given up.
+  /// Whether `run` is the one that is wanted; where it is not, it will be, unless the user has
+  /// stopped it.
   bool has(const PositionedRun& here, const From& wanted) {
     constexpr std::chrono::milliseconds kAtOnce(5);
     take(std::chrono::milliseconds(0));

@@ -22,10 +22,10 @@ using Gap = RoundedPair::Gap;
 
 constexpr double kMargin = 14.0;
 constexpr double kInsetHeight = 0.43;  ///< Of the card.
-constexpr double kHeader = 30.0;       ///< Of an inset, for its title of one line.
-constexpr double kLine = 20.0;         ///< For each further line.
-constexpr double kDimension = 32.0;    ///< From a vertex to the line that tells its gap.
-constexpr double kRing = 9.0;          ///< Around what an inset enlarges.
+constexpr double kHeader = 10.0;       ///< Of an inset, beside the lines of its title.
+constexpr double kLine = 20.0;
+constexpr double kDimension = 32.0;  ///< From a vertex to the line that tells its gap.
+constexpr double kRing = 9.0;        ///< Around what an inset enlarges.
 
 std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
   std::vector<Vector2d> out;
@@ -40,9 +40,7 @@ class Inset {
         double scale, const std::string& title)
       : scene_(scene),
         fonts_(fonts),
-        title_(title.empty()
-                   ? std::vector<std::string>{}
-                   : wrapped(fonts, type::kText, title, card.size().x() - 2.0 * kTitleLeft)),
+        title_(wrapped(fonts, type::kText, title, card.size().x() - 2.0 * kTitleLeft)),
         map_({card.min + Point(0.0, header()), card.max},
              {center, (card.size().y() - header()) / scale}) {
     for (const Vector2d& corner : map_.visible()) seen_.extend(corner);
@@ -86,8 +84,8 @@ class Inset {
                           side < 0.0 ? Align::right : Align::left});
   }
   void unknown() {
-    scene_.add("inset.label", Text{map_.area().center() - Point(0.0, 0.5 * header() - 10.0), "?",
-                                   type::kTitle, Align::center});
+    scene_.add("inset.label",
+               Text{map_.area().center() - Point(0.0, 5.0), "?", type::kTitle, Align::center});
   }
   void move(const Vector2d& from, const Vector2d& to) {
     constexpr double kShortest = 16.0;
@@ -110,7 +108,7 @@ class Inset {
     for (const Point& end : {Point(a + shift), Point(b + shift)})
       scene_.line(role, end - kTick * across, end + kTick * across);
     Point at = 0.5 * (a + b) + shift + 10.0 * across + Point(0.0, 6.0);
-    // In the inset, and where that is narrow below what stands on the other side.
+    // A text that would leave a narrow inset on the right moves left, and below the other text.
     constexpr double kEdge = 6.0;
     const double width = fonts_.width(type::kName, text);
     const double most = map_.area().max.x() - kEdge - width;
@@ -123,7 +121,7 @@ class Inset {
  private:
   static constexpr double kTitleLeft = 10.0;
   [[nodiscard]] double header() const {
-    return kHeader + kLine * (std::max(static_cast<double>(title_.size()), 1.0) - 1.0);
+    return kHeader + kLine * std::max(static_cast<double>(title_.size()), 1.0);
   }
   static float first_float(double at) {
     auto out = static_cast<float>(at);
