@@ -15,6 +15,9 @@ struct EffectInfo {
                               ///< block does; "frame": any part of a frame may.
   std::string_view act = {};  ///< The act that it goes with; empty: any.
   bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+
+  /// True where it needs the effect called `other`, through other effects or itself.
+  [[nodiscard]] bool pulls(std::string_view other) const;
 };
 
 /// What the registry says of the effect E (effects/graph.hpp).

@@ -645,6 +645,15 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
     problems_.add(field.place(), fmt::format("{} without a second run", what),
                   "'beside' in [query]");
   }
+  const std::size_t of_x = lesson_.x().vertices.size();
+  const std::size_t of_y = lesson_.y().vertices.size();
+  if (term.pairs_vertices && of_x * of_y > limits::kDifferences) {
+    problems_.add(
+        field.place(),
+        fmt::format("{} of {} differences y - x, {} times {}", what, of_x * of_y, of_y, of_x),
+        fmt::format("at most {} of them: fewer vertices, or views without this effect",
+                    limits::kDifferences));
+  }
 }
 
 void LessonReader::check_act(const Act& act, const Field& granularity, const Table& file) {

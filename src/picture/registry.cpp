@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "effects/minkowski.hpp"
 #include "effects/registry.hpp"
 #include "picture/acts/acts.hpp"
 
@@ -56,7 +57,10 @@ Vocabulary make_vocabulary() {
     out.listings.push_back({listing->name, listing->act});
   for (const EffectInfo& effect : registered_effects()) {
     if (effect.used_by == "view")
-      out.effects.push_back({effect.name, effect.act, effect.second_run});
+      out.effects.push_back({.name = effect.name,
+                             .act = effect.act,
+                             .second_run = effect.second_run,
+                             .pairs_vertices = effect.pulls(MinkowskiCloud::kName)});
   }
   return out;
 }

@@ -555,6 +555,33 @@ TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
             "[query]");
 }
 
+TEST(Load, EffectsOfAllDifferencesOfTooManyVerticesAreRefused) {
+  const auto with = [](int of_x) {
+    std::vector<std::string> many;
+    for (int i = 0; i < of_x; ++i) many.push_back(fmt::format("[0.0, {}]", i));
+    std::string text = replaced(testing::kFullLesson,
+                                "names = [\"A\", \"B\", \"C\"]\nvertices = "
+                                "[[0.0, 1.0], [1, 1], [1, \"0x1.8p-3\"]]",
+                                fmt::format("vertices = [{}]", fmt::join(many, ", ")));
+    text = replaced(text, "start = [\"M-C\", \"K-A\"]\n", "");
+    text = replaced(text, "[path]\npoints = [[0, 0], [1, 1]]\nframes = 13\n", "");
+    text = replaced(text, "vertices = [[4, 0], [6, 0], [5, 2]]",
+                    fmt::format("vertices = [[4, 0], {}]",
+                                fmt::join(std::vector<std::string>(199, "[6, 0]"), ", ")));
+    text = replaced(text, "names = [\"K\", \"L\", \"M\"]\n", "");
+    text = replaced(text, "supports = [\"K-B\"]\n", "");
+    return replaced(text, "\"history\"]", "\"history\", \"minkowski-hull\"]");
+  };
+  const LoadedLesson just = parse(with(5000));
+  EXPECT_TRUE(just.problems.empty()) << all_of(just.problems);
+  const LoadedLesson more = parse(with(5001));
+  ASSERT_EQ(more.problems.size(), 1u) << all_of(more.problems);
+  EXPECT_EQ(
+      to_string(more.problems[0]),
+      "lessons/two.toml:35:42: effect 'minkowski-hull' of 1000200 differences y - x, 200 times "
+      "5001; expected at most 1000000 of them: fewer vertices, or views without this effect");
+}
+
 TEST(Load, CoordinatesOfASecondRunInHalfPrecisionMustBeHalves) {
   std::string text = replaced(testing::kFullLesson, "\"history\"]", "\"second-run\"]");
   text = replaced(text, "direction =", "beside = \"half\"\ndirection =");

@@ -31,6 +31,21 @@ namespace frame_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
+const Fonts& fonts() {
+  static const Fonts kFonts{kAssets / "fonts.toml"};
+  return kFonts;
+}
+
+const std::vector<Theme>& themes() {
+  static const std::vector<Theme> kThemes = [] {
+    std::vector<Theme> all;
+    for (const std::string& name : Theme::names(kAssets / "themes"))
+      all.push_back(Theme::load(kAssets / "themes", name));
+    return all;
+  }();
+  return kThemes;
+}
+
 bool inside(const Rect& outer, const Rect& inner) {
   return (inner.min.array() >= outer.min.array()).all() &&
          (inner.max.array() <= outer.max.array()).all();
@@ -44,114 +59,115 @@ bool moves(const Lesson& lesson, const std::string& role) {
   return !(of_x ? lesson.path_of_shapes->x() : lesson.path_of_shapes->y()).points.empty();
 }
 
-class Frames : public ::testing::TestWithParam<Page> {
- protected:
-  Fonts fonts{kAssets / "fonts.toml"};
+/// The claims of `Frames` on one frame after the other of a lesson; its pictures are made once.
+class FrameClaims {
+ public:
+  explicit FrameClaims(const Lesson& lesson) : lesson_(lesson) {}
 
-  template <class Check>
-  void each_frame(Check check) {
-    for (const Lesson& lesson : testing::shipped_lessons()) {
-      const LessonRun run = run_lesson(lesson);
-      EffectGraph effects(run);
-      const auto frames = lesson_pictures(run, effects, fonts, GetParam());
-      ASSERT_EQ(frames.size(), run.frames.size());
-      for (std::size_t i = 0; i < frames.size(); ++i) {
-        SCOPED_TRACE(lesson.id + ", frame " + std::to_string(i + 1));
-        check(frames[i]);
+  void check(const FramePicture& frame) {
+    const std::vector<std::pair<Rect, std::string>> texts = texts_of(frame);
+    no_text_is_cut_off_or_covers_another(frame, texts);
+    text_of_a_card_stays_in_the_card(frame, texts);
+    every_character_can_be_drawn_and_every_role_has_a_style(frame);
+    labels_of_vertices_that_stay_keep_their_place(frame);
+    says_what_happened_and_how_it_goes_on(frame.text);
+  }
+
+ private:
+  using BoxesOfTexts = std::vector<std::pair<Rect, std::string>>;
+
+  [[nodiscard]] static BoxesOfTexts texts_of(const FramePicture& frame) {
+    BoxesOfTexts texts;
+    for (const Mark& mark : frame.picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (text && !text->text.empty()) texts.emplace_back(box_of(fonts(), *text), text->text);
+    }
+    return texts;
+  }
+
+  static void no_text_is_cut_off_or_covers_another(const FramePicture& frame,
+                                                   const BoxesOfTexts& texts) {
+    const Rect page{{0.0, 0.0}, {frame.picture.width, frame.picture.height}};
+    EXPECT_GT(texts.size(), 5u);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      EXPECT_TRUE(inside(page, texts[i].first)) << "cut off: " << texts[i].second;
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_FALSE(overlap(texts[i].first, texts[j].first))
+            << texts[i].second << " | " << texts[j].second;
       }
     }
   }
-};
 
-TEST_P(Frames, NoTextIsCutOffOrCoversAnother) {
-  long pairs = 0;
-  each_frame([&](const FramePicture& frame) {
-    const Rect page{{0.0, 0.0}, {frame.picture.width, frame.picture.height}};
-    std::vector<std::pair<Rect, std::string>> boxes;
-    for (const Mark& mark : frame.picture.marks) {
-      if (const Text* text = std::get_if<Text>(&mark.shape); text && !text->text.empty()) {
-        boxes.emplace_back(box_of(fonts, *text), text->text);
-      }
-    }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      EXPECT_TRUE(inside(page, boxes[i].first)) << boxes[i].second;
-      for (std::size_t j = 0; j < i; ++j, ++pairs) {
-        EXPECT_FALSE(overlap(boxes[i].first, boxes[j].first))
-            << boxes[i].second << " | " << boxes[j].second;
-      }
-    }
-  });
-  EXPECT_GT(pairs, 10000);
-}
-
-TEST_P(Frames, TextOfACardStaysInTheCard) {
-  each_frame([&](const FramePicture& frame) {
+  static void text_of_a_card_stays_in_the_card(const FramePicture& frame,
+                                               const BoxesOfTexts& texts) {
     std::vector<Rect> cards;
     for (const Mark& mark : frame.picture.marks) {
       if (mark.role == "card") cards.push_back(std::get<Box>(mark.shape).rect);
     }
     ASSERT_FALSE(cards.empty());
-    for (const Mark& mark : frame.picture.marks) {
-      const Text* text = std::get_if<Text>(&mark.shape);
-      if (!text) continue;
-      const Rect box = box_of(fonts, *text);
-      for (const Rect& card : cards) {
-        EXPECT_TRUE(!overlap(box, card) || inside(card, box)) << text->text;
-      }
+    for (const auto& [box, text] : texts) {
+      for (const Rect& card : cards)
+        EXPECT_TRUE(!overlap(box, card) || inside(card, box)) << "leaves its card: " << text;
     }
-  });
-}
+  }
 
-TEST_P(Frames, EveryCharacterCanBeDrawnAndEveryRoleHasAStyle) {
-  std::vector<Theme> themes;
-  for (const std::string& name : Theme::names(kAssets / "themes"))
-    themes.push_back(Theme::load(kAssets / "themes", name));
-  ASSERT_GE(themes.size(), 4u);
-  each_frame([&](const FramePicture& frame) {
+  static void every_character_can_be_drawn_and_every_role_has_a_style(const FramePicture& frame) {
     for (const Mark& mark : frame.picture.marks) {
-      for (const Theme& theme : themes) EXPECT_NO_THROW((void)theme.style(mark.role)) << mark.role;
+      for (const Theme& theme : themes())
+        EXPECT_NO_THROW((void)theme.style(mark.role)) << mark.role;
       if (const Text* text = std::get_if<Text>(&mark.shape)) {
         EXPECT_EQ(Fonts::first_missing(text->text), char32_t{0}) << text->text;
       }
     }
-  });
-}
+  }
 
-TEST_P(Frames, LabelsOfVerticesThatStayKeepTheirPlace) {
-  for (const Lesson& lesson : testing::shipped_lessons()) {
-    const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    std::map<std::string, Point> places;
-    for (const FramePicture& frame : lesson_pictures(run, effects, fonts, GetParam())) {
-      for (const Mark& mark : frame.picture.marks) {
-        if (mark.role != "shape.label" && mark.role != "shape.x.label" &&
-            mark.role != "shape.y.label")
-          continue;
-        const Text& text = std::get<Text>(mark.shape);
-        if (moves(lesson, mark.role)) continue;
-        const auto topmost = std::find_if(frame.picture.clips.rbegin(), frame.picture.clips.rend(),
-                                          [&](const Rect& clip) {
-                                            return overlap(clip, {text.at, text.at});
-                                          });
-        const auto [place, added] = places.emplace(
-            fmt::format("{} {}", text.text, frame.picture.clips.rend() - topmost), text.at);
-        EXPECT_EQ(place->second, text.at) << lesson.id << ": " << text.text;
-      }
+  void labels_of_vertices_that_stay_keep_their_place(const FramePicture& frame) {
+    for (const Mark& mark : frame.picture.marks) {
+      if (mark.role != "shape.label" && mark.role != "shape.x.label" &&
+          mark.role != "shape.y.label")
+        continue;
+      const Text& text = std::get<Text>(mark.shape);
+      if (moves(lesson_, mark.role)) continue;
+      const auto topmost = std::find_if(frame.picture.clips.rbegin(), frame.picture.clips.rend(),
+                                        [&](const Rect& clip) {
+                                          return overlap(clip, {text.at, text.at});
+                                        });
+      const auto [place, added] = places_.emplace(
+          fmt::format("{} {}", text.text, frame.picture.clips.rend() - topmost), text.at);
+      EXPECT_EQ(place->second, text.at) << "label moves: " << text.text;
     }
   }
-}
 
-TEST_P(Frames, EveryFrameSaysWhatHappenedAndHowItGoesOn) {
-  each_frame([](const FramePicture& frame) {
-    EXPECT_FALSE(frame.text.caption.empty());
-    EXPECT_FALSE(frame.text.detail.empty());
-    EXPECT_FALSE(frame.text.prose.empty());
-    EXPECT_EQ(frame.text.prose.find('{'), std::string::npos) << frame.text.prose;
-    for (const std::string& words : {frame.text.caption, frame.text.detail}) {
+  static void says_what_happened_and_how_it_goes_on(const FrameText& text) {
+    EXPECT_FALSE(text.caption.empty());
+    EXPECT_FALSE(text.detail.empty());
+    EXPECT_FALSE(text.prose.empty());
+    EXPECT_EQ(text.prose.find('{'), std::string::npos) << text.prose;
+    for (const std::string& words : {text.caption, text.detail}) {
       EXPECT_EQ(words.find("nan"), std::string::npos) << words;
       EXPECT_EQ(words.find("inf"), std::string::npos) << words;
     }
-  });
+  }
+
+  const Lesson& lesson_;
+  std::map<std::string, Point> places_;  ///< Of labels, by text and card.
+};
+
+class Frames : public ::testing::TestWithParam<Page> {};
+
+TEST_P(Frames, CanBeRead) {
+  ASSERT_GE(themes().size(), 4u);
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const auto frames = lesson_pictures(run, effects, fonts(), GetParam());
+    ASSERT_EQ(frames.size(), run.frames.size());
+    FrameClaims claims(lesson);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      SCOPED_TRACE(lesson.id + ", frame " + std::to_string(i + 1));
+      claims.check(frames[i]);
+    }
+  }
 }
 
 // A screen, a slide, a wide strip, a tall page; pages of windows that are narrower than a screen.
@@ -197,14 +213,13 @@ std::vector<WrittenSum> sums_in(const std::string& text) {
 }
 
 TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
-  const Fonts fonts(kAssets / "fonts.toml");
   int in_words = 0;
   int in_panels = 0;
   int rounded = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
-    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
       SCOPED_TRACE(lesson.id + ": " + frame.text.caption);
       std::vector<WrittenSum> sums = sums_in(frame.text.caption);
       for (WrittenSum& sum : sums_in(frame.text.detail)) sums.push_back(std::move(sum));
@@ -238,9 +253,8 @@ TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
 }
 
 std::vector<std::string> timeline_words(const LessonRun& run, int current) {
-  const Fonts fonts(kAssets / "fonts.toml");
   std::vector<std::string> words;
-  for (const Mark& mark : timeline_marks(run, current, fonts, {{32.0, 644.0}, {1248.0, 696.0}})) {
+  for (const Mark& mark : timeline_marks(run, current, fonts(), {{32.0, 644.0}, {1248.0, 696.0}})) {
     if (const Text* text = std::get_if<Text>(&mark.shape)) words.push_back(text->text);
   }
   return words;
@@ -289,11 +303,10 @@ TEST(Timeline, NarrowGroupsHaveShortNames) {
 }
 
 TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
-  const Fonts fonts(kAssets / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("convex-pieces"));
   EffectGraph effects(run);
   int stands = 0;
-  for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
     const auto& marks = frame.picture.marks;
     const bool has_boxes = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
       return mark.role == "piece.box" && mark.clip >= 0;
@@ -309,13 +322,12 @@ TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
 }
 
 TEST(Legend, OnAStageHidesNoVertex) {
-  const Fonts fonts(kAssets / "fonts.toml");
   int boxes = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     for (const FramePicture& frame :
-         lesson_pictures(run, effects, fonts, {360.0, 620.0, 1.0, true})) {
+         lesson_pictures(run, effects, fonts(), {360.0, 620.0, 1.0, true})) {
       for (const Mark& box : frame.picture.marks) {
         if (box.role != "legend.box") continue;
         ++boxes;
@@ -352,8 +364,7 @@ TEST(Page, KeepsTheProportionsOfTheImageAndTheSizeOfType) {
 TEST(Captions, TellTheRunOfThePentagon) {
   const LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
   EffectGraph effects(run);
-  const Fonts fonts(kAssets / "fonts.toml");
-  const auto frames = lesson_pictures(run, effects, fonts);
+  const auto frames = lesson_pictures(run, effects, fonts());
   // Distance of (2.7, 2.3) from the line through (2.4, -0.4) and (0.9, 2.2), by the point-line
   // formula.
   const double distance = std::abs(2.6 * (2.7 - 2.4) + 1.5 * (2.3 + 0.4)) / std::hypot(2.6, 1.5);
@@ -371,7 +382,7 @@ TEST(Captions, TellTheRunOfThePentagon) {
 std::vector<FramePicture> frames_of(const std::string& id) {
   const LessonRun run = run_lesson(testing::shipped_lesson(id));
   EffectGraph effects(run);
-  return lesson_pictures(run, effects, Fonts(kAssets / "fonts.toml"));
+  return lesson_pictures(run, effects, fonts());
 }
 
 TEST(Captions, SayHowWrongAWrongOrderIs) {
@@ -445,8 +456,7 @@ TEST(Captions, TellWhereTheSignsMislead) {
 TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
   const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
   EffectGraph effects(run);
-  const Fonts fonts(kAssets / "fonts.toml");
-  const auto frames = lesson_pictures(run, effects, fonts);
+  const auto frames = lesson_pictures(run, effects, fonts());
   std::vector<std::string> texts;
   for (const Mark& mark : frames.back().picture.marks) {
     if (const Text* text = std::get_if<Text>(&mark.shape)) texts.push_back(text->text);
@@ -464,9 +474,8 @@ TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
 std::vector<std::string> texts_of_frame(const std::string& lesson, std::size_t frame) {
   const LessonRun run = run_lesson(testing::shipped_lesson(lesson));
   EffectGraph effects(run);
-  const Fonts fonts(kAssets / "fonts.toml");
   std::vector<std::string> texts;
-  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);
+  const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts());
   for (const Mark& mark : frames[frame].picture.marks) {
     if (const Text* text = std::get_if<Text>(&mark.shape)) texts.push_back(text->text);
   }
@@ -494,8 +503,7 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
   const auto says = [](const Lesson& lesson, const std::string& part) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
-    const Fonts fonts(kAssets / "fonts.toml");
-    const auto frames = lesson_pictures(run, effects, fonts);
+    const auto frames = lesson_pictures(run, effects, fonts());
     return std::any_of(frames.begin(), frames.end(), [&](const FramePicture& frame) {
       return std::any_of(frame.picture.marks.begin(), frame.picture.marks.end(),
                          [&](const Mark& mark) {
@@ -591,7 +599,7 @@ TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
   // Where the panel has the weights, it marks those that are kept.
   const LessonRun pentagon = run_lesson(testing::shipped_lesson("polygon-evolution"));
   EffectGraph of_pentagon(pentagon);
-  const auto frames = lesson_pictures(pentagon, of_pentagon, Fonts(kAssets / "fonts.toml"));
+  const auto frames = lesson_pictures(pentagon, of_pentagon, fonts());
   int drops = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Frame& frame = pentagon.frames[i];
@@ -668,8 +676,7 @@ TEST(Captions, SayWhichNumbersRoundingMade) {
 TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
   const LessonRun run = run_lesson(direction_half_from_b());
   EffectGraph effects(run);
-  const Fonts fonts(kAssets / "fonts.toml");
-  const auto frames = lesson_pictures(run, effects, fonts);
+  const auto frames = lesson_pictures(run, effects, fonts());
   const auto coloured = [&](std::size_t frame, const std::string& words) {
     for (const Mark& mark : frames[frame].picture.marks) {
       const Text* text = std::get_if<Text>(&mark.shape);
@@ -704,12 +711,11 @@ std::vector<std::string_view> names_in(std::string_view list) {
 }
 
 TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
-  const Fonts fonts(kAssets / "fonts.toml");
   std::set<std::pair<std::string_view, std::string_view>> pulls;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
-    (void)lesson_pictures(run, effects, fonts);
+    (void)lesson_pictures(run, effects, fonts());
     pulls.insert(effects.pulls().begin(), effects.pulls().end());
     std::set<std::string> called;
     for (const LessonView& view : lesson.views)
@@ -748,7 +754,6 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
 }
 
 TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
-  const Fonts fonts(kAssets / "fonts.toml");
   for (Lesson lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
     for (LessonView& view : lesson.views) {
@@ -756,7 +761,7 @@ TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
     }
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
-    LessonPictures pictures(run, effects, fonts);
+    LessonPictures pictures(run, effects, fonts());
     const Picture picture = pictures.picture(0);
     for (const LessonPictures::ShownView& shown : pictures.views()) {
       std::vector<double> xs;
@@ -777,7 +782,7 @@ TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
         }
         const Text* text = std::get_if<Text>(&mark.shape);
         if (text && mark.role == "grid.number" && is_here(text->at))
-          numbers.push_back(box_of(fonts, *text));
+          numbers.push_back(box_of(fonts(), *text));
       }
       for (const std::vector<double>* places : {&xs, &ys}) {
         EXPECT_LT(places->size(), 30u);
@@ -798,11 +803,10 @@ TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
 }
 
 TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
-  const Fonts fonts(kAssets / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("direction-half"));
   EffectGraph effects(run);
   int differing = 0;
-  for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
     std::map<double, std::map<std::string, const Text*>> rows;
     for (const Mark& mark : frame.picture.marks) {
       const Text* text = std::get_if<Text>(&mark.shape);
@@ -825,7 +829,8 @@ TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
               std::abs(box->rect.min.y() - y) < 6.0)
             underlined = box->rect.size().x();
         }
-        EXPECT_NEAR(fonts.width(type::kCodeBold, std::string(length - same, '0')), underlined, 1e-6)
+        EXPECT_NEAR(fonts().width(type::kCodeBold, std::string(length - same, '0')), underlined,
+                    1e-6)
             << texts.at("fail")->text << " | " << texts.at("pass")->text;
         ++differing;
       }
