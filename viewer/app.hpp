@@ -38,6 +38,12 @@ struct ListedLesson {
   std::string problem;  ///< The first, with its place; empty for a lesson that can be opened.
 };
 
+/// Besides the usual one; null: that one.
+struct PanelFonts {
+  ImFont* mono = nullptr;
+  ImFont* strong = nullptr;  ///< Of headings.
+};
+
 class App {
  public:
   struct Paths {
@@ -60,7 +66,7 @@ class App {
   /// Pixels of the panels' type and spaces per pixel of theirs at scale 1.
   [[nodiscard]] double ui_scale() const { return ui_scale_; }
   /// All windows of a frame. `mono`: the panels' font for numbers.
-  void draw(const AtlasFonts& fonts, ImFont* mono = nullptr);
+  void draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts = {});
   /// False when no command has this key.
   bool press(const KeyPress& press);
   /// Whether keys go to the panels, and not to commands.
@@ -99,7 +105,7 @@ class App {
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
   [[nodiscard]] const std::string& message() const { return message_; }
-  [[nodiscard]] ImFont* mono_font() const { return mono_; }
+  [[nodiscard]] const PanelFonts& panel_fonts() const { return panel_fonts_; }
   /// Whether a hand is held to round numbers: the other way round while Shift is down.
   [[nodiscard]] bool snaps() const { return snaps_ != ImGui::GetIO().KeyShift; }
   /// How drawers write numbers.
@@ -221,7 +227,7 @@ class App {
   double ui_scale_ = 1.0;    ///< Times the density of the screen.
   double width_ = 0.0;       ///< Of the window, in pixels.
   double height_ = 0.0;
-  ImFont* mono_ = nullptr;
+  PanelFonts panel_fonts_;
 
   std::optional<std::size_t> drawer_;
   std::shared_ptr<Dialog> dialog_;        ///< Shared with the frame that draws it.
@@ -229,6 +235,7 @@ class App {
   std::optional<std::string> focused_;    ///< The panel that keys go to.
   bool focus_moves_ = false;
   bool lessons_shown_ = true;
+  std::string listed_;  ///< The lesson that the list was scrolled to last.
   bool presenting_ = false;
   bool playing_ = false;
   bool moves_ = true;

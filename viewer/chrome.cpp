@@ -24,7 +24,7 @@ constexpr double kBar = 38.0;  // of one row
 constexpr double kLessons = 280.0;
 constexpr double kThumbnail = 64.0;  // its width
 constexpr double kDrawer = 400.0;
-constexpr double kSpeed = 86.0;
+constexpr double kSpeed = 98.0;
 constexpr double kStatus = 24.0;   // below the transport
 constexpr double kMostBars = 0.4;  // of the window's height
 
@@ -80,8 +80,8 @@ double App::layout(double width, double height, double density) {
   return picture_.lay_out(area, density);
 }
 
-void App::draw(const AtlasFonts& fonts, ImFont* mono) {
-  mono_ = mono;
+void App::draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts) {
+  panel_fonts_ = panel_fonts;
   pointed_in_panel = {};
   ImGuiIO& io = ImGui::GetIO();
   const bool by_keyboard = focused_ || dialog_;
@@ -114,6 +114,9 @@ void App::set_colors() const {
   const ImVec4 ink = color_of(*theme_.style("title").fill);
   const ImVec4 card = color_of(theme_.style("card").fill.value_or(theme_.background()));
   const ImVec4 strong = color_of(*theme_.style("timeline.current").fill);
+  // As of the current line of a listing; a theme without areas has a frame there.
+  const Color line = theme_.style("highlight").fill.value_or(Color{0, 0, 0, 0});
+  const ImVec4 current = line.a == 255 ? color_of(line) : between(card, strong, 0.15f);
   ImVec4* colors = ImGui::GetStyle().Colors;
   colors[ImGuiCol_Text] = ink;
   colors[ImGuiCol_TextDisabled] = between(paper, ink, 0.6f);
@@ -125,13 +128,16 @@ void App::set_colors() const {
   colors[ImGuiCol_Button] = card;
   colors[ImGuiCol_ButtonHovered] = between(card, ink, 0.1f);
   colors[ImGuiCol_ButtonActive] = between(card, strong, 0.35f);
-  colors[ImGuiCol_Header] = between(card, strong, 0.25f);
+  colors[ImGuiCol_Header] = current;
   colors[ImGuiCol_HeaderHovered] = between(card, ink, 0.1f);
   colors[ImGuiCol_HeaderActive] = between(card, strong, 0.35f);
   colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] =
       strong;
   colors[ImGuiCol_NavHighlight] = strong;
   colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBg] = between(paper, ink, 0.12f);
+  colors[ImGuiCol_TableHeaderBg] = between(paper, ink, 0.12f);
+  colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] =
+      between(paper, ink, 0.15f);
   colors[ImGuiCol_TableRowBg] = colors[ImGuiCol_WindowBg];
   colors[ImGuiCol_TableRowBgAlt] = between(paper, ink, 0.09f);
   colors[ImGuiCol_Separator] = between(paper, ink, 0.15f);
@@ -160,7 +166,7 @@ void App::draw_icon_button(Icon icon, std::string_view name) {
   const ImVec2 min = ImGui::GetItemRectMin();
   const ImVec2 max = ImGui::GetItemRectMax();
   draw_icon(*ImGui::GetWindowDrawList(), icon, {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)},
-            0.72f * size, ImGui::GetColorU32(ImGuiCol_Text));
+            0.72f * size, ImGui::GetColorU32(ImGuiCol_Text), ImGui::GetColorU32(ImGuiCol_WindowBg));
   ImGui::EndDisabled();
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::SetTooltip("%s%s", shown.name.c_str(),
@@ -182,9 +188,18 @@ void App::draw_top_bar() {
               ImGuiWindowFlags_NoScrollbar);
   const ImGuiStyle& style = ImGui::GetStyle();
   Row row;
+  // Words without a frame, as the drawers' are.
+  const auto tab = [](const char* name) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+    const bool pressed = ImGui::Button(name);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return pressed;
+  };
   const auto menu = [&](const char* name, std::initializer_list<std::string_view> items) {
     row.place(button_width(name));
-    if (ImGui::Button(name)) ImGui::OpenPopup(name);
+    if (tab(name)) ImGui::OpenPopup(name);
     const ImVec2 below(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y);
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup(name)) return;
@@ -222,12 +237,8 @@ void App::draw_top_bar() {
     const Drawer& drawer = drawers_[i];
     row.place(button_width(drawer.name.c_str()));
     const bool is_open = drawer_ == i;
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
-    if (ImGui::Button(drawer.name.c_str())) toggle_drawer(i);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    if (ImGui::IsItemHovered())
+    if (tab(drawer.name.c_str())) toggle_drawer(i);
+    if (ImGui::IsItemHovered() && !is_open)
       ImGui::SetTooltip("%s (%s)", drawer.help.c_str(), drawer.key.c_str());
     if (!is_open) continue;
     const ImVec2 min = ImGui::GetItemRectMin();
@@ -262,10 +273,14 @@ void App::draw_transport() {
   }
   ImGui::SetNextItemWidth(static_cast<float>(kSpeed * ui_scale_));
   auto speed = static_cast<float>(frames_per_second_);
-  if (ImGui::DragFloat("##speed", &speed, 0.02f, 0.25f, 16.0f, "%.2g / s",
+  if (ImGui::DragFloat("##speed", &speed, 0.02f, 0.25f, 16.0f,
+                       speed == 1.0f ? "%.2g step/s" : "%.2g steps/s",
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     frames_per_second_ = speed;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second: drag, or press [ and ]");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%d of %d", session_.index() + 1, session_.frame_count());
   if (session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled()) {
     ImGui::SameLine();
     draw_button("Next lesson");
@@ -277,30 +292,31 @@ void App::draw_transport() {
 void App::draw_lessons(const AtlasFonts& fonts) {
   begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
   const auto draw_progress = [](const Progress& count) {
+    if (count.done == 0) return;
     const std::string text = fmt::format("{}/{}", count.done, count.of);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextDisabled("%s", text.c_str());
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("%d of %d lessons were stepped to their end", count.done, count.of);
   };
-  ImGui::TextUnformatted("Lessons");
+  heading(*this, "Lessons");
   draw_progress(progress());
   int chapter = -1;
   for (const ListedLesson& lesson : lessons_) {
     if (lesson.chapter != chapter) {
       chapter = lesson.chapter;
       const auto title = chapters_.find(chapter);
-      ImGui::Spacing();
-      if (title == chapters_.end()) {
-        ImGui::TextDisabled("Other");
-      } else {
-        ImGui::TextDisabled("%d  %s", chapter, title->second.c_str());
-      }
+      ImGui::Dummy(ImVec2(0.0f, 0.4f * ImGui::GetFontSize()));
+      heading(*this,
+              title == chapters_.end() ? "Other" : fmt::format("{}  {}", chapter, title->second));
       draw_progress(progress(chapter));
     }
     ImGui::PushID(lesson.file.c_str());
     draw_lesson(lesson, fonts);
     ImGui::PopID();
+    const bool is_open = session_.lesson().path == lesson.file.string();
+    if (is_open && std::exchange(listed_, session_.lesson().path) != session_.lesson().path)
+      ImGui::SetScrollHereY();
   }
   ImGui::End();
 }
@@ -349,7 +365,13 @@ void App::draw_drawer() {
   if (!drawer_) return;
   const Rect& area = picture_.area();
   begin_panel("##drawer", {{area.max.x(), area.min.y()}, {width_, height_}});
-  drawers_[*drawer_].draw();
+  const Drawer& open = drawers_[*drawer_];
+  ImGui::AlignTextToFramePadding();
+  heading(*this, open.name);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 1.25f * ImGui::GetFrameHeight());
+  draw_icon_button(Icon::close, open.name);
+  ImGui::Separator();
+  open.draw();
   ImGui::End();
 }
 
@@ -372,7 +394,13 @@ void App::draw_dialog() {
   ImGui::SetNextWindowPos(vec({0.5 * width_, 0.5 * height_}), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), vec({0.95 * width_, 0.95 * height_}));
   bool open = true;
-  if (ImGui::BeginPopupModal(shown->title.c_str(), &open, kFlags)) {
+  const auto padding = static_cast<float>(16.0 * ui_scale_);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(padding, 0.5f * padding));  // of the title
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+  const bool is_drawn = ImGui::BeginPopupModal(shown->title.c_str(), &open, kFlags);
+  ImGui::PopStyleVar(3);
+  if (is_drawn) {
     shown->draw();
     ImGui::EndPopup();
   }

@@ -76,7 +76,7 @@ struct Open {
   [[nodiscard]] fs::path list(const fs::path& typed) const {
     std::error_code none;
     fs::path chosen;
-    ImGui::TextDisabled("Recent");
+    heading(app, "Recent");
     for (const std::string& recent : app.recent()) {
       if (ImGui::Selectable(recent.c_str())) chosen = recent;
     }
@@ -198,14 +198,14 @@ void draw_keys(App& app) {
     if (command.group != group) {
       group = command.group;
       ImGui::Spacing();
-      ImGui::TextDisabled("%s", group.c_str());
+      heading(app, group);
     }
     ImGui::Text("%s", fmt::format("{}", fmt::join(command.keys, ", ")).c_str());
     ImGui::SameLine(12.0f * ImGui::GetFontSize());
     ImGui::TextUnformatted(command.name.c_str());
   }
   ImGui::Spacing();
-  ImGui::TextDisabled("Mouse");
+  heading(app, "Mouse");
   wrapped_text(
       "Drag a vertex, a shape, the handle of a selected shape, the timeline, or the empty stage; "
       "with Shift to round numbers. Wheel: zoom. Double click an edge: add a vertex; elsewhere: "

@@ -1,6 +1,7 @@
 #include "icon.hpp"
 
 #include <array>
+#include <functional>
 #include <numbers>
 
 namespace gjkscope {
@@ -18,7 +19,20 @@ struct Pen {
   }
   /// From its flat side at `x` to its tip at `x + width`; a width below 0 points to the left.
   void triangle(float x, float width) const {
-    list.AddTriangleFilled(at(x, -0.38f), at(x, 0.38f), at(x + width, 0.0f), color);
+    // Edges are smooth on the outside of corners in this order alone.
+    const float up = width > 0.0f ? -0.38f : 0.38f;
+    list.AddTriangleFilled(at(x, up), at(x + width, 0.0f), at(x, -up), color);
+  }
+  /// An arrow head of two strokes, with its tip at `x`; `to`: -1 left, 1 right.
+  void chevron(float x, float to) const {
+    const std::array<ImVec2, 3> bend = {at(x - 0.32f * to, -0.34f), at(x, 0.0f),
+                                        at(x - 0.32f * to, 0.34f)};
+    list.AddPolyline(bend.data(), 3, color, 0, 0.13f * size);
+  }
+  /// A disk, on which the sign of `draw` is left free.
+  void on_disk(ImU32 paper, const std::function<void(const Pen&)>& draw) const {
+    list.AddCircleFilled(center, 0.72f * size, color, 32);
+    draw({list, center, 0.86f * size, paper});
   }
   void bar(float x) const {
     list.AddRectFilled(at(x - 0.06f, -0.38f), at(x + 0.06f, 0.38f), color);
@@ -42,7 +56,8 @@ struct Pen {
 
 }  // namespace
 
-void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color) {
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color,
+               ImU32 paper) {
   const Pen pen{list, center, size, color};
   switch (icon) {
     case Icon::first:
@@ -52,14 +67,16 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, Im
       pen.triangle(0.0f, -0.42f);
       return pen.triangle(0.42f, -0.42f);
     case Icon::back:
-      return pen.triangle(0.26f, -0.56f);
+      return pen.chevron(-0.16f, -1.0f);
     case Icon::play:
-      return pen.triangle(-0.28f, 0.66f);
+      return pen.on_disk(paper, [](const Pen& on) { on.triangle(-0.24f, 0.66f); });
     case Icon::pause:
-      list.AddRectFilled(pen.at(-0.28f, -0.36f), pen.at(-0.08f, 0.36f), color);
-      return list.AddRectFilled(pen.at(0.08f, -0.36f), pen.at(0.28f, 0.36f), color);
+      return pen.on_disk(paper, [](const Pen& on) {
+        for (const float x : {-0.28f, 0.08f})
+          on.list.AddRectFilled(on.at(x, -0.36f), on.at(x + 0.2f, 0.36f), on.color);
+      });
     case Icon::forth:
-      return pen.triangle(-0.26f, 0.56f);
+      return pen.chevron(0.16f, 1.0f);
     case Icon::forth_far:
       pen.triangle(-0.42f, 0.42f);
       return pen.triangle(0.0f, 0.42f);
@@ -70,6 +87,10 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, Im
       return pen.turn(-1.0f);
     case Icon::redo:
       return pen.turn(1.0f);
+    case Icon::close:
+      for (const float y : {-0.26f, 0.26f})
+        list.AddLine(pen.at(-0.26f, -y), pen.at(0.26f, y), color, 0.1f * size);
+      return;
     case Icon::fit:
       return pen.corners();
   }

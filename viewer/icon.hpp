@@ -5,9 +5,23 @@
 
 namespace gjkscope {
 
-enum class Icon { first, back_far, back, play, pause, forth, forth_far, last, undo, redo, fit };
+enum class Icon {
+  first,
+  back_far,
+  back,
+  play,
+  pause,
+  forth,
+  forth_far,
+  last,
+  undo,
+  redo,
+  fit,
+  close
+};
 
-/// In a square around `center`, of `size` pixels.
-void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color);
+/// In a square around `center`, of `size` pixels. `paper` is the colour of what it stands on.
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color,
+               ImU32 paper);
 
 }  // namespace gjkscope

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "app.hpp"
+
 namespace gjkscope {
 
 std::string number_text(double value, bool hexadecimal) {
@@ -17,6 +19,12 @@ std::optional<double> read_number(const std::string& text) {
   const double value = std::strtod(text.c_str(), &end);
   if (*end != '\0' || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+void heading(const App& app, const std::string& text) {
+  ImGui::PushFont(app.panel_fonts().strong);
+  ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+  ImGui::PopFont();
 }
 
 void wrapped_text(const std::string& text) {

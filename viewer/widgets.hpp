@@ -26,6 +26,10 @@ template <class T>
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+class App;
+
+/// In a stronger type than what stands below it.
+void heading(const App& app, const std::string& text);
 void wrapped_text(const std::string& text);
 /// A row of a table with a name and texts.
 void table_row(const std::string& name, const std::vector<std::string>& cells);

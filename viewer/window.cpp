@@ -248,7 +248,7 @@ struct Window::Impl {
       return io.Fonts->AddFont(&config);
     };
     add(Face::regular);
-    mono = add(Face::mono);
+    panel_fonts = {add(Face::mono), add(Face::semibold)};
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
     ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -262,6 +262,8 @@ struct Window::Impl {
     style.FrameRounding = 4.0f;
     style.FrameBorderSize = 1.0f;
     style.GrabRounding = 4.0f;
+    style.PopupRounding = 8.0f;
+    style.PopupBorderSize = 1.0f;
     style.ScaleAllSizes(static_cast<float>(ui_scale));
   }
 
@@ -307,7 +309,7 @@ struct Window::Impl {
     app.set_colors();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    app.draw(*atlas_fonts, mono);
+    app.draw(*atlas_fonts, panel_fonts);
     const bool over_hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     ImGui::Render();
     SDL_SetCursor(over_hand ? hand.get() : arrow.get());
@@ -436,7 +438,7 @@ struct Window::Impl {
   double last_frame = 0.0;
   double skipped = 0.0;  ///< Seconds that a script has let pass.
   Image* shot = nullptr;
-  ImFont* mono = nullptr;  ///< Of the panels, for numbers.
+  PanelFonts panel_fonts;
 };
 
 Window::Window(App& app, const Fonts& fonts, int width, int height, double scale)

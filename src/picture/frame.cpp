@@ -256,12 +256,22 @@ struct LessonPictures::View {
 LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                                const Page& page, LabelScope scope)
     : run_(run), effects_(effects), fonts_(fonts), texts_(lesson_texts(run, effects)) {
-  lay_out(page, std::vector<std::optional<Camera>>(run.lesson.views.size()), scope);
+  lay_out(page, std::vector<std::optional<Sight>>(run.lesson.views.size()), scope);
 }
 
 LessonPictures::~LessonPictures() = default;
 
-void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<Camera>>& cameras,
+namespace {
+
+Camera camera_in(const Sight& sight, const Rect& card) {
+  Camera camera = sight.camera;
+  camera.height *= std::max(1.0, sight.aspect * card.size().y() / card.size().x());
+  return camera;
+}
+
+}  // namespace
+
+void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights,
                              LabelScope scope) {
   page_ = page;
   scope_ = scope;
@@ -292,23 +302,23 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<C
   caption_y_ = layout.caption_y;
   timeline_ = layout.timeline;
   for (std::size_t i = 0; i < run_.lesson.views.size(); ++i) {
-    LessonView view = run_.lesson.views[i];
-    if (cameras[i]) view.camera = cameras[i];
+    const LessonView& view = run_.lesson.views[i];
     const Rect& card = layout.views[i];
+    const Camera camera = sights[i] ? camera_in(*sights[i], card) : camera_of(run_, view, card);
     const std::vector<std::string> title =
         wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
     Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
     for (const std::string& line : title) {
       title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
     }
-    const auto made = [&](const Rect& on, const Camera& camera) {
+    const auto made = [&](const Rect& on, const Camera& seen_by) {
       const Rect inner{on.min + Point(4, 4), on.max - Point(4, 4)};
-      return View{{on, view.kind, camera},
-                  run_.lesson.views[i],
+      return View{{on, view.kind, seen_by},
+                  view,
                   LabelPlacer(fonts_, inner),
                   std::vector<std::optional<Scene>>(run_.frames.size())};
     };
-    View& shown = views_.emplace_back(made(card, camera_of(run_, view, card)));
+    View& shown = views_.emplace_back(made(card, camera));
     shown.title = title;
     shown.title_box = {card.min, card.min + title_size};
     if (!view.close_up) continue;

@@ -65,6 +65,13 @@ struct Page {
 /// are from frame to frame; or the first frame drawn alone, which is quicker.
 enum class LabelScope { lesson, frame };
 
+/// A camera that is not the lesson's. What it sees in a card of this shape stays in sight in
+/// others.
+struct Sight {
+  Camera camera;
+  double aspect = 1.0;  ///< Width over height of the card that it was set in.
+};
+
 /// The pictures of a lesson, each built when it is asked for. Labels of things that move keep their
 /// place from one picture asked for to the next.
 class LessonPictures {
@@ -80,10 +87,9 @@ class LessonPictures {
   LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                  const Page& page = {}, LabelScope scope = LabelScope::lesson);
   ~LessonPictures();
-  /// The same frames on another page, or seen by other cameras than the lesson's: `cameras` has one
+  /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
   /// for each view, nothing for the lesson's own. Nothing is run again.
-  void lay_out(const Page& page, const std::vector<std::optional<Camera>>& cameras,
-               LabelScope scope);
+  void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope);
   LessonPictures(const LessonPictures&) = delete;
   LessonPictures& operator=(const LessonPictures&) = delete;
 

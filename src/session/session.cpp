@@ -33,6 +33,10 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
   return {seen.center, seen.height / camera_of(run, view, card).height, seen.stretch};
 }
 
+Sight sight(const Camera& camera, const Rect& card) {
+  return {camera, card.size().x() / card.size().y()};
+}
+
 }  // namespace
 
 std::vector<Problem> why_not_said(const Lesson& lesson, const FileReader& read) {
@@ -59,13 +63,13 @@ struct Session::Shown {
 Session::Session(const Fonts& fonts, FileReader read) : fonts_(fonts), read_(std::move(read)) {}
 Session::~Session() = default;
 
-std::optional<Lesson> Session::replace(Lesson lesson, std::vector<std::optional<Camera>> cameras) {
-  cameras.resize(lesson.views.size());
+std::optional<Lesson> Session::replace(Lesson lesson, std::vector<std::optional<Sight>> sights) {
+  sights.resize(lesson.views.size());
   std::swap(lesson_, lesson);
-  std::swap(cameras_, cameras);
+  std::swap(sights_, sights);
   if (show(LabelScope::lesson)) return lesson;
   lesson_ = std::move(lesson);
-  cameras_ = std::move(cameras);
+  sights_ = std::move(sights);
   return std::nullopt;
 }
 
@@ -144,7 +148,7 @@ bool Session::edit(const std::string& name, Lesson lesson) {
   problem_ = to_string(why_not_said(lesson, read_));
   if (!problem_.empty()) return false;
   hold_cameras();
-  std::optional<Lesson> before = replace(std::move(lesson), cameras_);
+  std::optional<Lesson> before = replace(std::move(lesson), sights_);
   if (!before) return false;
   remember({name, *std::move(before)});
   changed();
@@ -189,13 +193,13 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
   std::optional<int> index;
   if (entry.of_other) {
     const Whereabouts there = std::exchange(*entry.of_other, {file_, saved_, index_});
-    cameras_.clear();
+    sights_.clear();
     file_ = there.file;
     saved_ = there.saved;
     index = there.index;
   }
   to.push_back(std::move(entry));
-  cameras_.resize(lesson_.views.size());
+  sights_.resize(lesson_.views.size());
   changed();
   show(LabelScope::lesson);
   if (index) go_to(*index);
@@ -222,8 +226,10 @@ Lesson Session::lesson_to_run() const {
 
 Lesson Session::lesson_as_seen() const {
   Lesson lesson = lesson_;
+  const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < lesson.views.size(); ++i) {
-    if (cameras_[i]) lesson.views[i].camera = cameras_[i];
+    if (sights_[i])
+      lesson.views[i].camera = camera_for(run(), lesson.views[i], seen[i].card, seen[i].camera);
   }
   return lesson;
 }
@@ -246,7 +252,7 @@ bool Session::show(LabelScope scope) {
 }
 
 void Session::lay_out(LabelScope scope) {
-  shown_->pictures.lay_out(page_, cameras_, scope);
+  shown_->pictures.lay_out(page_, sights_, scope);
   picture_.reset();
 }
 
@@ -417,7 +423,7 @@ std::vector<LessonPictures::ShownView> Session::views() const { return shown_->p
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind)) return;
-  cameras_[view] = camera_for(run(), lesson_.views[view], views()[view].card, camera);
+  sights_[view] = sight(camera, views()[view].card);
   lay_out(LabelScope::frame);
 }
 
@@ -425,8 +431,8 @@ void Session::hold_cameras() {
   if (!shown_) return;
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
-      cameras_[i] = camera_for(run(), lesson_.views[i], seen[i].card, seen[i].camera);
+    if (shows_shapes(seen[i].kind) && !sights_[i] && !lesson_.views[i].camera)
+      sights_[i] = sight(seen[i].camera, seen[i].card);
   }
 }
 
@@ -442,7 +448,7 @@ void Session::fit() {
 void Session::fit(std::size_t view, const Rect& card) {
   LessonView free = lesson_.views[view];
   free.camera.reset();
-  cameras_[view] = camera_for(run(), free, card, camera_of(run(), free, card));
+  sights_[view] = sight(camera_of(run(), free, card), card);
 }
 
 void Session::keep_difference_in_sight() {

@@ -161,7 +161,7 @@ class Session {
   };
 
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
-  std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Camera>> cameras);
+  std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
   void remember(Entry entry);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
@@ -193,7 +193,7 @@ class Session {
   bool dragging_ = false;
   bool predicting_ = false;
   std::vector<Answer> answers_;
-  std::vector<std::optional<Camera>> cameras_;
+  std::vector<std::optional<Sight>> sights_;
   std::unique_ptr<Shown> shown_;
   int index_ = 0;
   std::optional<Picture> picture_;

@@ -381,6 +381,33 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
   }
 }
 
+TEST(Session, WhatWasInSightStaysInSightOnAnotherPage) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  // Beside a drawer cards are wide; they become narrow when it is closed.
+  const std::vector<Page> pages = {{760.0, 900.0, 1.0}, {1160.0, 760.0, 1.0}, {760.0, 900.0, 1.0}};
+  session.set_page(pages.front());
+  session.begin_drag("drag");
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25}); });
+  session.end_drag();
+  const std::vector<LessonPictures::ShownView> before = session.views();
+  for (const Page& page : pages) {
+    session.set_page(page);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const LessonPictures::ShownView now = session.views()[i];
+      const auto half = [](const LessonPictures::ShownView& view) {
+        return Vector2d(
+            0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size()));
+      };
+      EXPECT_GE(half(now).x(), half(before[i]).x() * (1.0 - 1e-9));
+      EXPECT_GE(half(now).y(), half(before[i]).y() * (1.0 - 1e-9));
+      EXPECT_EQ(now.camera.center, before[i].camera.center);
+    }
+  }
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(session.views()[i].camera.height, before[i].camera.height, 1e-9) << "and back";
+}
+
 TEST(Session, ViewsStandStillWhileShapesMove) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
-#include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "app.hpp"
 #include "effects/registry.hpp"
@@ -12,25 +13,21 @@ namespace {
 void draw_effects(App& app) {
   wrapped_text("What a view calls for is computed when a mark needs it, and not otherwise.");
   EffectGraph& effects = app.session().effects();
-  Lesson wanted = app.session().lesson();
-  bool changed = false;
-  for (std::size_t i = 0; i < wanted.views.size(); ++i) {
-    if (!shows_shapes(wanted.views[i].kind)) continue;
+  const std::vector<LessonView>& views = app.session().lesson().views;
+  std::optional<Lesson> wanted;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!shows_shapes(views[i].kind)) continue;
     ImGui::PushID(static_cast<int>(i));
     ImGui::Separator();
-    ImGui::Text("In %s", wanted.views[i].kind == ViewKind::world ? "the world" : "the difference");
-    std::vector<std::string>& called = wanted.views[i].effects;
+    heading(app, views[i].kind == ViewKind::world ? "In the world" : "In the difference");
     for (const EffectInfo& info : registered_effects()) {
       if (info.used_by != "view") continue;
       const std::string name(info.name);
-      bool on = std::find(called.begin(), called.end(), name) != called.end();
+      bool on = views[i].calls_for(name);
       if (ImGui::Checkbox(name.c_str(), &on)) {
-        if (on) {
-          called.push_back(name);
-        } else {
-          std::erase(called, name);
-        }
-        changed = true;
+        wanted = app.session().lesson();
+        std::vector<std::string>& called = wanted->views[i].effects;
+        if (std::erase(called, name) == 0) called.push_back(name);
       }
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info.summary).c_str());
       const EffectCount count = effects.count(info.name);
@@ -43,7 +40,7 @@ void draw_effects(App& app) {
     }
     ImGui::PopID();
   }
-  if (changed) app.edit("effects", std::move(wanted));
+  if (wanted) app.edit("effects", *std::move(wanted));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ void draw_pair(App& app, const char* name, double here, double there) {
   const auto same = static_cast<std::size_t>(
       std::mismatch(one.begin(), one.end(), other.begin(), other.end()).first - one.begin());
   ImGui::TextDisabled("%s", name);
-  ImGui::PushFont(app.mono_font());
+  ImGui::PushFont(app.panel_fonts().mono);
   for (const std::string& text : {one, other}) {
     ImGui::TextUnformatted(text.c_str(), text.c_str() + same);
     ImGui::SameLine(0.0f, 0.0f);
@@ -190,7 +190,7 @@ void tell_twice(App& app, ScalarKind wanted) {
 
 void draw_numerics(App& app, Beside& beside) {
   Session& session = app.session();
-  ImGui::Text("How the run computes");
+  heading(app, "How the run computes");
   Lesson wanted = session.lesson();
   bool changed = choose_options(wanted.scalar, wanted.options);
   if (wanted.path_of_shapes)
@@ -200,7 +200,7 @@ void draw_numerics(App& app, Beside& beside) {
   ImGui::Separator();
   ImGui::PushID("beside");
   const LessonRun& run = session.run();
-  ImGui::Text("Beside it, on the same shapes");
+  heading(app, "Beside it, on the same shapes");
   gjk::Options options = beside.options_for(run.lesson.options);
   if (choose_options(beside.scalar, options)) {
     // Through a lesson, so that what a lesson could not say is refused with the same words.

@@ -56,8 +56,8 @@ void make_random_pair(App& app, std::uint64_t seed) {
 /// What a shape is, and buttons that make it another one.
 void draw_kit(App& app, std::size_t body, Kit& kit) {
   const LessonShape& now = app.session().lesson().bodies[body];
-  ImGui::Text("%s: %zu %s", now.name.c_str(), now.vertices.size(),
-              now.vertices.size() == 1 ? "point" : "vertices");
+  heading(app, fmt::format("{}: {} {}", now.name, now.vertices.size(),
+                           now.vertices.size() == 1 ? "point" : "vertices"));
   for (const NamedShape& shape : named_shapes()) {
     if (ImGui::Button(shape.name)) reshape(app, body, shape.name, shape.unit);
     ImGui::SameLine();
@@ -76,7 +76,8 @@ std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
   for (int axis = 0; axis < 2; ++axis) {
     ImGui::SameLine();
     ImGui::PushID(axis);
-    ImGui::SetNextItemWidth(static_cast<float>(122.0 * app.ui_scale()));
+    const float rest = ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(axis == 0 ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest);
     std::string text = number_text(vertex[axis], app.hexadecimal);
     if (ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue)) {
       if (const std::optional<double> read = read_number(text)) {
@@ -105,9 +106,13 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
     const Subject subject =
         is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};
     const auto name_width = static_cast<float>(36.0 * app.ui_scale());
+    const Color ink = app.theme().style(is_x ? "shape.x.label" : "shape.y.label").fill.value();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(ink.r, ink.g, ink.b, 255));
     if (ImGui::Selectable(shape.vertex_names[i].c_str(), app.picture().selected == subject, 0,
                           ImVec2(name_width, 0.0f)))
       app.picture().selected = subject;
+    ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) app.pointed_in_panel = subject;
     if (const std::optional<Vector2d> vertex = edit_vertex(app, shape.vertices[i]))
       typed = {i, *vertex};
