@@ -266,6 +266,11 @@ void App::draw_transport() {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttons = kButtons.size() * (1.25f * ImGui::GetFrameHeight() + style.ItemSpacing.x);
   const float middle = 0.5f * ImGui::GetWindowWidth();
+  if (!session_.is_predicting()) {  // how many are to come would tell
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%d of %d", session_.index() + 1, session_.frame_count());
+    ImGui::SameLine();
+  }
   ImGui::SetCursorPosX(std::max(middle - 0.5f * buttons, style.WindowPadding.x));
   for (const auto& [icon, name] : kButtons) {
     draw_icon_button(icon == Icon::play && playing_ ? Icon::pause : icon, name);
@@ -278,9 +283,6 @@ void App::draw_transport() {
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     frames_per_second_ = speed;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second: drag, or press [ and ]");
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%d of %d", session_.index() + 1, session_.frame_count());
   if (session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled()) {
     ImGui::SameLine();
     draw_button("Next lesson");

@@ -130,7 +130,14 @@ struct DeleteCursor {
   void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
 };
 
-/// Of the characters that the type faces have, those that panels need.
+/// Of the characters that the type faces have, those that words of headings and numbers need: each
+/// that is there takes time before the first frame.
+const ImWchar* few_characters() {
+  static const std::vector<ImWchar> ranges = {0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0};
+  return ranges.data();
+}
+
+/// Those that panels need.
 const ImWchar* panel_characters() {
   static const std::vector<ImWchar> ranges = {0x20,   0xFF,   0x370,  0x3FF,  0x2010,
                                               0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
@@ -239,16 +246,16 @@ struct Window::Impl {
     io.Fonts->TexDesiredWidth = 2048;
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
-    config.GlyphRanges = panel_characters();
-    const auto add = [&](Face face) {
+    const auto add = [&](Face face, const ImWchar* characters) {
+      config.GlyphRanges = characters;
       const std::vector<unsigned char>& file = fonts.file(face);
       config.FontData = const_cast<unsigned char*>(file.data());  // read, not written
       config.FontDataSize = static_cast<int>(file.size());
       config.SizePixels = static_cast<float>(kUiType * ui_scale * fonts.height_in_em(face));
       return io.Fonts->AddFont(&config);
     };
-    add(Face::regular);
-    panel_fonts = {add(Face::mono), add(Face::semibold)};
+    add(Face::regular, panel_characters());
+    panel_fonts = {add(Face::mono, few_characters()), add(Face::semibold, few_characters())};
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
     ImGui_ImplOpenGL3_DestroyFontsTexture();

@@ -1,6 +1,6 @@
-// The window while a shape is dragged at 1280x720: its own work on a frame (trace, effects, picture
-// and draw list, without what OpenGL makes of them), and, where there is a display, whole frames
-// and how long the first one takes from the start of the program.
+// The window while a shape is dragged: its own work on a frame (trace, effects, picture and draw
+// list, without what OpenGL makes of them) at 1280x720 and 3840x2160, and, where there is a
+// display, whole frames at 1280x720 and how long the first one takes from the start of the program.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 // Milliseconds.
 constexpr double kOwnTarget = 2.0;
-constexpr double kWholeTarget = 16.0;
+constexpr double kWholeTarget = 16.0;  // of 60 frames a second, as is that of own work at 4K
 constexpr double kStartTarget = 300.0;
 
 double milliseconds_since(Clock::time_point begin) {
@@ -51,9 +51,9 @@ Point on_circle(int i, int n) {
 }
 
 /// Of each of `frames` frames of a drag the window's own work.
-Times own_times(const std::string& lesson, int frames) {
+Times own_times(const std::string& lesson, int frames, double width, double height) {
   test::HeadlessApp window(lesson);
-  window.resize(1280.0, 720.0);
+  window.resize(width, height);
   const Point start = window.at({Subject::Kind::vertex_of_y, -1, 0});
   window.move(start);
   window.button(true);
@@ -113,7 +113,7 @@ bool compare(const char* what, double found, double target) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("The window while a shape is dragged at 1280x720");
+  CLI::App app("The window while a shape is dragged");
   int frames = 400;
   int starts = 11;
   app.add_option("--frames", frames, "frames of each drag")->check(CLI::Range(10, 100000));
@@ -125,14 +125,19 @@ int run(int argc, char** argv) {
                                             "polygons-motion",   "slab-certificate"};
 
   double own = 0.0;
-  fmt::print("{:<20} {:>8} {:>8}   own work on a frame, in milliseconds\n", "lesson", "median",
-             "95 %");
+  double own_4k = 0.0;
+  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8}   own work on a frame, in milliseconds\n", "lesson",
+             "median", "95 %", "4K", "95 %");
   for (const std::string& lesson : lessons) {
-    const Times times = own_times(lesson, frames);
+    const Times times = own_times(lesson, frames, 1280.0, 720.0);
+    const Times times_4k = own_times(lesson, frames, 3840.0, 2160.0);
     own = std::max(own, times.at(0.5));
-    fmt::print("{:<20} {:>8.2f} {:>8.2f}\n", lesson, times.at(0.5), times.at(0.95));
+    own_4k = std::max(own_4k, times_4k.at(0.95));
+    fmt::print("{:<20} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f}\n", lesson, times.at(0.5),
+               times.at(0.95), times_4k.at(0.5), times_4k.at(0.95));
   }
   bool reached = compare("a median of own work", own, kOwnTarget);
+  reached = compare("95 % of own work at 3840x2160", own_4k, kWholeTarget) && reached;
   if (!std::getenv("DISPLAY")) {
     fmt::print("no display: whole frames and the start are not measured\n");
     return reached ? 0 : 1;

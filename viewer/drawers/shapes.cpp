@@ -56,8 +56,8 @@ void make_random_pair(App& app, std::uint64_t seed) {
 /// What a shape is, and buttons that make it another one.
 void draw_kit(App& app, std::size_t body, Kit& kit) {
   const LessonShape& now = app.session().lesson().bodies[body];
-  heading(app, fmt::format("{}: {} {}", now.name, now.vertices.size(),
-                           now.vertices.size() == 1 ? "point" : "vertices"));
+  ImGui::Text("%s: %zu %s", now.name.c_str(), now.vertices.size(),
+              now.vertices.size() == 1 ? "point" : "vertices");
   for (const NamedShape& shape : named_shapes()) {
     if (ImGui::Button(shape.name)) reshape(app, body, shape.name, shape.unit);
     ImGui::SameLine();
