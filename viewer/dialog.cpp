@@ -137,21 +137,24 @@ struct Export {
 
   void draw() {
     const bool entered = field(folder, "a folder");
-    if (ImGui::BeginCombo("format", std::string(name_of(options.format)).c_str())) {
+    field_label("format");
+    if (ImGui::BeginCombo("##format", std::string(name_of(options.format)).c_str())) {
       for (const Format format : all_formats()) {
         if (ImGui::Selectable(std::string(name_of(format)).c_str(), format == options.format))
           options.format = format;
       }
       ImGui::EndCombo();
     }
-    if (ImGui::BeginCombo("theme", options.theme.c_str())) {
+    field_label("theme");
+    if (ImGui::BeginCombo("##theme", options.theme.c_str())) {
       for (const std::string& theme : Theme::names(app.share() / "assets" / "themes")) {
         if (ImGui::Selectable(theme.c_str(), theme == options.theme)) options.theme = theme;
       }
       ImGui::EndCombo();
     }
     std::array<int, 2> size = {options.width, options.height};
-    if (ImGui::InputInt2("width and height", size.data())) {
+    field_label("size in pixels");
+    if (ImGui::InputInt2("##size", size.data())) {
       options.width = std::clamp(size[0], 1, kMostPixels);
       options.height = std::clamp(size[1], 1, kMostPixels);
     }
@@ -190,19 +193,30 @@ struct Export {
 };
 
 void draw_keys(App& app) {
-  ImGui::BeginChild("##keys", ImVec2(kFieldWidth * ImGui::GetFontSize(),
+  constexpr float kTwoColumns = 60.0f;  // ems
+  const float em = ImGui::GetFontSize();
+  const bool is_wide = ImGui::GetIO().DisplaySize.x > (kTwoColumns + 6.0f) * em;
+  ImGui::BeginChild("##keys", ImVec2((is_wide ? kTwoColumns : kFieldWidth) * em,
                                      2.0f * kListLines * ImGui::GetTextLineHeightWithSpacing()));
-  std::string group;
+  if (is_wide) ImGui::Columns(2, nullptr, false);
+  std::vector<std::pair<std::string, std::vector<const Command*>>> groups;
   for (const Command& command : app.commands()) {
     if (command.keys.empty() || command.name.starts_with("Answer ")) continue;
-    if (command.group != group) {
-      group = command.group;
-      ImGui::Spacing();
-      heading(app, group);
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& each) { return each.first == command.group; });
+    if (group == groups.end()) group = groups.insert(group, {command.group, {}});
+    group->second.push_back(&command);
+  }
+  for (const auto& [name, commands] : groups) {
+    const float used = ImGui::GetCursorPosY() / ImGui::GetWindowHeight();
+    if (is_wide && ImGui::GetColumnIndex() == 0 && used > 0.6f) ImGui::NextColumn();
+    ImGui::Spacing();
+    heading(app, name);
+    for (const Command* command : commands) {
+      ImGui::Text("%s", fmt::format("{}", fmt::join(command->keys, ", ")).c_str());
+      ImGui::SameLine(12.0f * em);
+      ImGui::TextUnformatted(command->name.c_str());
     }
-    ImGui::Text("%s", fmt::format("{}", fmt::join(command.keys, ", ")).c_str());
-    ImGui::SameLine(12.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(command.name.c_str());
   }
   ImGui::Spacing();
   heading(app, "Mouse");
@@ -211,6 +225,7 @@ void draw_keys(App& app) {
       "with Shift to round numbers. Wheel: zoom. Double click an edge: add a vertex; elsewhere: "
       "show all. Click a line of the "
       "pseudocode: go to its next run.");
+  ImGui::Columns();
   ImGui::EndChild();
   if (ImGui::Button("Close")) app.close_dialog();
 }

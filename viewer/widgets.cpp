@@ -27,6 +27,14 @@ void heading(const App& app, const std::string& text) {
   ImGui::PopFont();
 }
 
+void field_label(const char* text) {
+  constexpr float kColumn = 8.0f;  // ems
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(kColumn * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+}
+
 void wrapped_text(const std::string& text) {
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());

@@ -9,6 +9,11 @@ int main(int argc, char** argv) {
     const bool is_file =
         std::any_of(session.tests.begin(), session.tests.end(),
                     [&](const check::Test& test) { return test.file == argument; });
+    if (!is_file && argument.ends_with("_test")) {
+      std::printf("no file of tests is called %.*s\n", static_cast<int>(argument.size()),
+                  argument.data());
+      return 2;
+    }
     if (is_file)
       chosen.push_back(argument);
     else

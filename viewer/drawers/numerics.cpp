@@ -62,20 +62,25 @@ std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run
 
 /// Rows that choose how a run computes; true when one was changed.
 bool choose_options(ScalarKind& scalar, gjk::Options& options) {
-  bool changed = choose_value("scalar", scalar);
-  changed |= choose_value("direction", options.direction_rule);
-  changed |= choose_value("regions", options.region_order);
+  field_label("scalar");
+  bool changed = choose_value("##scalar", scalar);
+  field_label("direction");
+  changed |= choose_value("##direction", options.direction_rule);
+  field_label("regions");
+  changed |= choose_value("##regions", options.region_order);
   changed |=
       ImGui::Checkbox("stop when a support point repeats", &options.stop_on_repeated_support);
   changed |= ImGui::Checkbox("stop without progress", &options.stop_on_no_progress);
   double tolerance = options.tolerance;
-  ImGui::InputDouble("tolerance", &tolerance, 0.0, 0.0, "%.3g");
+  field_label("tolerance");
+  ImGui::InputDouble("##tolerance", &tolerance, 0.0, 0.0, "%.3g");
   if (ImGui::IsItemDeactivatedAfterEdit() && tolerance != options.tolerance) {
     options.tolerance = tolerance;
     changed = true;
   }
   int cap = options.iteration_cap;
-  ImGui::InputInt("cap", &cap);
+  field_label("cap");
+  ImGui::InputInt("##cap", &cap);
   if (cap != options.iteration_cap) {
     options.iteration_cap = cap;
     changed = true;
@@ -191,17 +196,25 @@ void tell_twice(App& app, ScalarKind wanted) {
 void draw_numerics(App& app, Beside& beside) {
   Session& session = app.session();
   heading(app, "How the run computes");
-  Lesson wanted = session.lesson();
-  bool changed = choose_options(wanted.scalar, wanted.options);
-  if (wanted.path_of_shapes)
-    changed |= ImGui::Checkbox("start from the simplex of the position before", &wanted.warm_start);
-  if (changed) app.edit("numerics", std::move(wanted));
+  ScalarKind scalar = session.lesson().scalar;
+  gjk::Options options = session.lesson().options;
+  bool warm_start = session.lesson().warm_start;
+  bool changed = choose_options(scalar, options);
+  if (session.lesson().path_of_shapes)
+    changed |= ImGui::Checkbox("start from the simplex of the position before", &warm_start);
+  if (changed) {
+    Lesson wanted = session.lesson();
+    wanted.scalar = scalar;
+    wanted.options = options;
+    wanted.warm_start = warm_start;
+    app.edit("numerics", std::move(wanted));
+  }
 
   ImGui::Separator();
   ImGui::PushID("beside");
   const LessonRun& run = session.run();
   heading(app, "Beside it, on the same shapes");
-  gjk::Options options = beside.options_for(run.lesson.options);
+  options = beside.options_for(run.lesson.options);
   if (choose_options(beside.scalar, options)) {
     // Through a lesson, so that what a lesson could not say is refused with the same words.
     Lesson other = session.lesson();
