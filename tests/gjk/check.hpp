@@ -16,6 +16,16 @@ namespace check {
 /// Failed checks printed for one test; the others are only counted.
 inline constexpr int kPrintedFailures = 10;
 
+/// How many of `count` random cases are tried: all where the compiler optimises, a tenth in debug
+/// builds and under sanitizers, which take 20 times as long.
+[[nodiscard]] constexpr int cases(int count) {
+#ifdef NDEBUG
+  return count;
+#else
+  return count / 10;
+#endif
+}
+
 struct Test {
   std::string_view file;  ///< "simplex_test"
   const char* claim;

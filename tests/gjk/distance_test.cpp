@@ -48,7 +48,7 @@ TEST(witness, "witness points lie in their shapes, at the distance, and no pair 
   constexpr std::uint64_t kSeed = 12;
   families::Source random(kSeed);
   long separated = 0;
-  for (int i = 0; i < 60000; ++i) {
+  for (int i = 0; i < check::cases(60000); ++i) {
     const int family = i % families::kFamilyCount;
     const check::Context context("seed", kSeed, "pair", i, families::kFamilyNames[family]);
     const auto pair = random.pair<double>(static_cast<Family>(family));
@@ -89,13 +89,13 @@ TEST(witness, "witness points lie in their shapes, at the distance, and no pair 
       CHECK(normal.dot(world - y) >= -1e-6 * scale);
     }
   }
-  CHECK(separated > 20000);
+  CHECK(separated > check::cases(20000));
 }
 
 TEST(symmetric, "the distance does not change, up to rounding, when X and Y change places") {
   constexpr std::uint64_t kSeed = 13;
   families::Source random(kSeed);
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < check::cases(30000); ++i) {
     const int family = i % families::kFamilyCount;
     const check::Context context("seed", kSeed, "pair", i, families::kFamilyNames[family]);
     const auto pair = random.pair<double>(static_cast<Family>(family));
@@ -109,7 +109,7 @@ TEST(symmetric, "the distance does not change, up to rounding, when X and Y chan
 TEST(vertex_order, "neither the order of the vertices nor their repetition matters") {
   constexpr std::uint64_t kSeed = 14;
   families::Source random(kSeed);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     auto pair = random.pair<double>(i % 2 == 0 ? Family::random : Family::grid);
     const auto expected = gjk::distance(pair.query());
@@ -124,7 +124,7 @@ TEST(vertex_order, "neither the order of the vertices nor their repetition matte
 TEST(common_translation, "a huge translation common to both poses does not change one bit") {
   constexpr std::uint64_t kSeed = 15;
   families::Source random(kSeed);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     auto pair = random.pair<float>(Family::random);
     pair.x_pose.translation = pair.y_pose.translation = Vec<float, 2>(1, 0);
@@ -142,7 +142,7 @@ TEST(common_translation, "a huge translation common to both poses does not chang
 TEST(poses, "poses equal vertices transformed beforehand, up to rounding") {
   constexpr std::uint64_t kSeed = 16;
   families::Source random(kSeed);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     auto pair = random.pair<double>(Family::posed);
     const double expected = gjk::distance(pair.query()).distance;
@@ -180,10 +180,10 @@ void check_iterations(gjk::DirectionRule rule, int pairs_per_family, double mean
 }
 
 TEST(iterations, "runs take few iterations, far fewer than the cap, whatever the family") {
-  check_iterations<float>(gjk::DirectionRule::perpendicular, 20000, 4.5, 12);
-  check_iterations<double>(gjk::DirectionRule::perpendicular, 20000, 4.5, 12);
-  check_iterations<float>(gjk::DirectionRule::towards_origin, 5000, 4.5, 12);
-  check_iterations<double>(gjk::DirectionRule::towards_origin, 5000, 4.5, 12);
+  check_iterations<float>(gjk::DirectionRule::perpendicular, check::cases(20000), 4.5, 12);
+  check_iterations<double>(gjk::DirectionRule::perpendicular, check::cases(20000), 4.5, 12);
+  check_iterations<float>(gjk::DirectionRule::towards_origin, check::cases(5000), 4.5, 12);
+  check_iterations<double>(gjk::DirectionRule::towards_origin, check::cases(5000), 4.5, 12);
 }
 
 TEST(many_vertices, "the number of iterations grows slowly with the number of vertices") {
@@ -224,7 +224,7 @@ TEST(scalars, "half, float, double and long double run the same code") {
 TEST(precision, "half, float and double agree with long double as their digits allow") {
   constexpr std::uint64_t kSeed = 19;
   families::Source random(kSeed);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     const auto pair = random.pair<Eigen::half>(Family::random);
     const auto convert = [](const Points<Eigen::half, 2>& points, auto zero) {
@@ -272,7 +272,7 @@ TEST(tetrahedra, "random tetrahedra in space: the nearest pair, proved by dualit
   families::Source random(kSeed);
   long separated = 0;
   long overlapping = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "pair", i);
     Points<double, 3> x;
     Points<double, 3> y;
@@ -301,8 +301,8 @@ TEST(tetrahedra, "random tetrahedra in space: the nearest pair, proved by dualit
       CHECK(sum.norm() < 1e-9);
     }
   }
-  CHECK(separated > 5000);
-  CHECK(overlapping > 2000);
+  CHECK(separated > check::cases(5000));
+  CHECK(overlapping > check::cases(2000));
 }
 
 }  // namespace distance_test
