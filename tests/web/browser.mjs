@@ -564,7 +564,7 @@ const measure = (page) => page.evaluate(() => {
 /** To the last step by keys; without the way back and forth to the browser that each press takes. */
 const pressToTheEnd = (page) => page.evaluate(() => {
   for (let i = 1; i < state.count; ++i)
-    document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true }));
+    document.body.dispatchEvent(new window.KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true }));
 });
 
 // In two halves, which run side by side.
