@@ -179,7 +179,7 @@ class App {
   [[nodiscard]] bool has_lessons() const;
   [[nodiscard]] const std::string& said() const;
   [[nodiscard]] bool fits_status(const std::string& text) const;
-  void draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts);
+  void draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts& fonts);
   void draw_icon_button(Icon icon, std::string_view name);
   void draw_menu_item(std::string_view name);
 

@@ -314,20 +314,22 @@ void App::draw_lessons(const AtlasFonts& fonts) {
       draw_progress(progress(chapter));
     }
     ImGui::PushID(lesson.file.c_str());
-    draw_lesson(lesson, fonts);
+    const std::string& open = session_.lesson().path;
+    const bool is_open = open == lesson.file.string();
+    draw_lesson(lesson, is_open, fonts);
     ImGui::PopID();
-    const bool is_open = session_.lesson().path == lesson.file.string();
-    if (is_open && std::exchange(listed_, session_.lesson().path) != session_.lesson().path)
-      ImGui::SetScrollHereY();
+    if (is_open && listed_ != open) {
+      listed_ = open;
+      if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    }
   }
   ImGui::End();
 }
 
 /// Its picture, its title on as many lines as that takes, and a check mark when it was stepped to
 /// its end.
-void App::draw_lesson(const ListedLesson& lesson, const AtlasFonts& fonts) {
+void App::draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts& fonts) {
   const bool is_good = lesson.problem.empty();
-  const bool is_open = session_.lesson().path == lesson.file.string();
   const double scale = kThumbnail * ui_scale_ / thumbnails::kWidth;
   const ImVec2 picture =
       has_thumbnails ? vec(scale * Point(thumbnails::kWidth, thumbnails::kHeight))
