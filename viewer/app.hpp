@@ -38,10 +38,10 @@ struct ListedLesson {
   std::string problem;  ///< The first, with its place; empty for a lesson that can be opened.
 };
 
-/// Besides the usual one; null: that one.
+/// Fonts of the panels besides their usual one, which stands for those that are null.
 struct PanelFonts {
-  ImFont* mono = nullptr;
-  ImFont* strong = nullptr;  ///< Of headings.
+  ImFont* mono = nullptr;    ///< For numbers.
+  ImFont* strong = nullptr;  ///< For headings.
 };
 
 class App {
@@ -65,7 +65,7 @@ class App {
   [[nodiscard]] double layout(double width, double height, double density = 1.0);
   /// Pixels of the panels' type and spaces per pixel of theirs at scale 1.
   [[nodiscard]] double ui_scale() const { return ui_scale_; }
-  /// All windows of a frame. `mono`: the panels' font for numbers.
+  /// All windows of a frame.
   void draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts = {});
   /// False when no command has this key.
   bool press(const KeyPress& press);
@@ -235,7 +235,7 @@ class App {
   std::optional<std::string> focused_;    ///< The panel that keys go to.
   bool focus_moves_ = false;
   bool lessons_shown_ = true;
-  std::string listed_;  ///< The lesson that the list was scrolled to last.
+  std::string listed_;  ///< The file of the lesson that was open when the list was drawn last.
   bool presenting_ = false;
   bool playing_ = false;
   bool moves_ = true;

@@ -114,7 +114,7 @@ void App::set_colors() const {
   const ImVec4 ink = color_of(*theme_.style("title").fill);
   const ImVec4 card = color_of(theme_.style("card").fill.value_or(theme_.background()));
   const ImVec4 strong = color_of(*theme_.style("timeline.current").fill);
-  // As of the current line of a listing; a theme without areas has a frame there.
+  // The ground of a listing's current line. A theme for print draws a frame there instead.
   const Color line = theme_.style("highlight").fill.value_or(Color{0, 0, 0, 0});
   const ImVec4 current = line.a == 255 ? color_of(line) : between(card, strong, 0.15f);
   ImVec4* colors = ImGui::GetStyle().Colors;
@@ -134,13 +134,12 @@ void App::set_colors() const {
   colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] =
       strong;
   colors[ImGuiCol_NavHighlight] = strong;
-  colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBg] = between(paper, ink, 0.12f);
-  colors[ImGuiCol_TableHeaderBg] = between(paper, ink, 0.12f);
-  colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] =
-      between(paper, ink, 0.15f);
+  colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TableHeaderBg] =
+      between(paper, ink, 0.12f);
   colors[ImGuiCol_TableRowBg] = colors[ImGuiCol_WindowBg];
   colors[ImGuiCol_TableRowBgAlt] = between(paper, ink, 0.09f);
-  colors[ImGuiCol_Separator] = between(paper, ink, 0.15f);
+  colors[ImGuiCol_Separator] = colors[ImGuiCol_TableBorderStrong] =
+      colors[ImGuiCol_TableBorderLight] = between(paper, ink, 0.15f);
 }
 
 // Buttons ----------------------------------------------------------------------------------------
@@ -188,7 +187,7 @@ void App::draw_top_bar() {
               ImGuiWindowFlags_NoScrollbar);
   const ImGuiStyle& style = ImGui::GetStyle();
   Row row;
-  // Words without a frame, as the drawers' are.
+  // Menus and drawers: words without a frame.
   const auto tab = [](const char* name) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
@@ -266,7 +265,7 @@ void App::draw_transport() {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttons = kButtons.size() * (1.25f * ImGui::GetFrameHeight() + style.ItemSpacing.x);
   const float middle = 0.5f * ImGui::GetWindowWidth();
-  if (!session_.is_predicting()) {  // how many are to come would tell
+  if (!session_.is_predicting()) {  // the number of steps would give answers away
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%d of %d", session_.index() + 1, session_.frame_count());
     ImGui::SameLine();
@@ -314,14 +313,12 @@ void App::draw_lessons(const AtlasFonts& fonts) {
       draw_progress(progress(chapter));
     }
     ImGui::PushID(lesson.file.c_str());
-    const std::string& open = session_.lesson().path;
-    const bool is_open = open == lesson.file.string();
+    const std::string path = lesson.file.string();
+    const bool is_open = session_.lesson().path == path;
     draw_lesson(lesson, is_open, fonts);
     ImGui::PopID();
-    if (is_open && listed_ != open) {
-      listed_ = open;
-      if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-    }
+    if (is_open && std::exchange(listed_, path) != path && !ImGui::IsItemVisible())
+      ImGui::SetScrollHereY();
   }
   ImGui::End();
 }

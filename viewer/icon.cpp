@@ -1,7 +1,6 @@
 #include "icon.hpp"
 
 #include <array>
-#include <functional>
 #include <numbers>
 
 namespace gjkscope {
@@ -19,7 +18,7 @@ struct Pen {
   }
   /// From its flat side at `x` to its tip at `x + width`; a width below 0 points to the left.
   void triangle(float x, float width) const {
-    // Edges are smooth on the outside of corners in this order alone.
+    // Dear ImGui smooths the edges of triangles whose corners come clockwise, and of no others.
     const float up = width > 0.0f ? -0.38f : 0.38f;
     list.AddTriangleFilled(at(x, up), at(x + width, 0.0f), at(x, -up), color);
   }
@@ -29,10 +28,10 @@ struct Pen {
                                         at(x - 0.32f * to, 0.34f)};
     list.AddPolyline(bend.data(), 3, color, 0, 0.13f * size);
   }
-  /// A disk, on which the sign of `draw` is left free.
-  void on_disk(ImU32 paper, const std::function<void(const Pen&)>& draw) const {
+  /// Draws a disk, and returns a pen that draws on it.
+  [[nodiscard]] Pen on_disk(ImU32 paper) const {
     list.AddCircleFilled(center, 0.72f * size, color, 32);
-    draw({list, center, 0.86f * size, paper});
+    return {list, center, 0.86f * size, paper};
   }
   void bar(float x) const {
     list.AddRectFilled(at(x - 0.06f, -0.38f), at(x + 0.06f, 0.38f), color);
@@ -69,12 +68,13 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, Im
     case Icon::back:
       return pen.chevron(-0.16f, -1.0f);
     case Icon::play:
-      return pen.on_disk(paper, [](const Pen& on) { on.triangle(-0.24f, 0.66f); });
-    case Icon::pause:
-      return pen.on_disk(paper, [](const Pen& on) {
-        for (const float x : {-0.28f, 0.08f})
-          on.list.AddRectFilled(on.at(x, -0.36f), on.at(x + 0.2f, 0.36f), on.color);
-      });
+      return pen.on_disk(paper).triangle(-0.24f, 0.66f);
+    case Icon::pause: {
+      const Pen on = pen.on_disk(paper);
+      for (const float x : {-0.28f, 0.08f})
+        list.AddRectFilled(on.at(x, -0.36f), on.at(x + 0.2f, 0.36f), paper);
+      return;
+    }
     case Icon::forth:
       return pen.chevron(0.16f, 1.0f);
     case Icon::forth_far:

@@ -21,8 +21,8 @@ Picture thumbnail(Lesson lesson, const Fonts& fonts) {
   const LessonView& view = run.lesson.views[0];
   if (shows_shapes(view.kind)) {
     const Rect usual{{0.0, 0.0}, kUsual * Point(page.width, page.height)};
-    const double aspect = page.width / page.height;
-    pictures.lay_out(page, {Sight{camera_of(run, view, usual), aspect}}, LabelScope::frame);
+    pictures.lay_out(page, {Sight{camera_of(run, view, usual), page.width / page.height}},
+                     LabelScope::frame);
   }
   Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
   std::erase_if(picture.marks, [](const Mark& mark) {

@@ -30,7 +30,7 @@ class App;
 
 /// In a stronger type than what stands below it.
 void heading(const App& app, const std::string& text);
-/// At the left of the field that comes next, which then fills the row.
+/// Stands left of the field that is drawn next, and makes that field fill the row.
 void field_label(const char* text);
 void wrapped_text(const std::string& text);
 /// A row of a table with a name and texts.

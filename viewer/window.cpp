@@ -130,8 +130,8 @@ struct DeleteCursor {
   void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
 };
 
-/// Of the characters that the type faces have, those that words of headings and numbers need: each
-/// that is there takes time before the first frame.
+/// Of the characters that the type faces have, those that headings and numbers need. Each character
+/// takes time before the first frame.
 const ImWchar* few_characters() {
   static const std::vector<ImWchar> ranges = {0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0};
   return ranges.data();

@@ -16,7 +16,7 @@ struct EffectInfo {
   std::string_view act = {};  ///< The act that it goes with; empty: any.
   bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
 
-  /// True where it needs the effect called `other`, through other effects or itself.
+  /// True when it is the effect called `other`, or needs it, directly or through other effects.
   [[nodiscard]] bool pulls(std::string_view other) const;
 };
 

@@ -58,7 +58,7 @@ struct Term {
   std::string_view act = {};   ///< The act that it goes with; empty: any.
   bool second_run = false;     ///< It shows the run in the scalar `query.beside`.
   bool takes_listing = false;  ///< A block that shows `panel.listing`.
-  /// It is made of every pair of a vertex of X and one of Y, so that there may not be too many.
+  /// It needs every pair of a vertex of X and one of Y: more than limits::kDifferences are refused.
   bool pairs_vertices = false;
 };
 

@@ -65,8 +65,8 @@ struct Page {
 /// are from frame to frame; or the first frame drawn alone, which is quicker.
 enum class LabelScope { lesson, frame };
 
-/// A camera that is not the lesson's. What it sees in a card of this shape stays in sight in
-/// others.
+/// A camera in place of the lesson's. What it shows in a card of this aspect stays in sight when
+/// the card gets another aspect.
 struct Sight {
   Camera camera;
   double aspect = 1.0;  ///< Width over height of the card that it was set in.

@@ -561,7 +561,7 @@ const measure = (page) => page.evaluate(() => {
   return { wide: document.documentElement.scrollWidth - innerWidth, small };
 });
 
-/** To the last step by keys; without the way back and forth to the browser that each press takes. */
+/** To the last step, by key events made in the page: a real press each, as in other claims, takes long. */
 const pressToTheEnd = (page) => page.evaluate(() => {
   for (let i = 1; i < state.count; ++i)
     document.body.dispatchEvent(new window.KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true }));
