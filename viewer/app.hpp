@@ -144,7 +144,7 @@ class App {
 
   /// At the step that an exported file shows.
   void open_exported(const std::filesystem::path& file);
-  void open_lesson(const std::filesystem::path& file);
+  void open_lesson(const std::filesystem::path& named);
   /// Shows a lesson; `file` is empty for what has none, `name` is for messages. False when it
   /// cannot be shown. `unsaved`: it comes from no file.
   bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name,

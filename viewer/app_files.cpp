@@ -116,7 +116,10 @@ void App::open_exported(const fs::path& file) {
   if (show(std::move(*loaded.lesson), {}, file.string())) session_.go_to(static_cast<int>(index));
 }
 
-void App::open_lesson(const fs::path& file) {
+void App::open_lesson(const fs::path& named) {
+  // However a listed lesson is named, it is the one that is listed.
+  const fs::path listed = share() / "lessons" / named.filename();
+  const fs::path& file = is_in(named, share() / "lessons") ? listed : named;
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) return say(to_string(loaded.problems), true);
   if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);

@@ -126,11 +126,14 @@ std::optional<Point> PictureView::rotation_handle_at(std::size_t body) const {
 }
 
 Vector2d PictureView::grid(std::size_t view) const {
-  if (!app_.snaps()) return Vector2d::Zero();
+  return app_.snaps() ? round_step(view) : Vector2d::Zero();
+}
+
+Vector2d PictureView::round_step(std::size_t view) const {
   constexpr double kApart = 8.0;  // frame pixels
   const LessonPictures::ShownView shown = session_.views()[view];
   const Vector2d units = shown.camera.units_per_pixel(shown.card.size().y());
-  return {round_step(kApart * units.x()), round_step(kApart * units.y())};
+  return {gjkscope::round_step(kApart * units.x()), gjkscope::round_step(kApart * units.y())};
 }
 
 Picture PictureView::picture_now() {

@@ -39,7 +39,9 @@ class PictureView {
   Subject selected;
   /// Where on the window a mark of the subject is; nothing when none is to be seen.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
-  /// Round numbers for a hand, along x and y of a view; 0 where it goes anywhere.
+  /// A few pixels of a view along x and y, as a round number of its units.
+  [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
+  /// The same as what a hand is held to; 0 where it goes anywhere.
   [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
   /// Where the handle is that turns a shape.
   [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;

@@ -503,7 +503,9 @@ void Window::wait(double time) {
 void Window::push_key(const KeyPress& key) {
   SDL_Event event = {};
   event.type = SDL_KEYDOWN;
-  event.key.keysym.sym = SDL_GetKeyFromName(key.key.c_str());
+  event.key.keysym.sym = SDL_GetKeyFromName(key.key == "Enter" ? "Return" : key.key.c_str());
+  if (event.key.keysym.sym == SDLK_UNKNOWN && !is_sign(key.key))
+    throw std::runtime_error(fmt::format("there is no key '{}'", key.key));
   event.key.keysym.scancode = SDL_GetScancodeFromKey(event.key.keysym.sym);
   event.key.keysym.mod =
       static_cast<Uint16>((key.ctrl ? KMOD_LCTRL : 0) | (key.shift ? KMOD_LSHIFT : 0));

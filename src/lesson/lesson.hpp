@@ -42,6 +42,9 @@ struct LessonShape {
   std::vector<Eigen::Vector2d> vertices;  ///< In drawing order.
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  /// The shape is all points within it of the vertices' hull, about which GJK is asked
+  /// (effects/round_shapes.hpp).
+  double radius = 0.0;
   /// How many of the vertices belong to each of its outlines, one after the other; empty: all of
   /// them are one outline. To GJK the shape is the hull of its vertices.
   std::vector<int> outlines = {};

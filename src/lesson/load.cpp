@@ -101,6 +101,7 @@ class LessonReader {
   Field volumes_;
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
+  std::array<Field, kBodyKeys.size()> radii_;        ///< Of the bodies.
   Field beside_;
   std::map<std::string, int> line_of_vertex_name_;
 };
@@ -192,6 +193,8 @@ void LessonReader::read_shape(const Field& field, std::size_t body) {
   const Field rotate = (*table)["rotate"];
   shape.rotate_degrees = reader_.number(rotate, -kTurn, kTurn).value_or(0.0);
   places_[body] = {translate, rotate};
+  radii_[body] = (*table)["radius"];
+  shape.radius = reader_.number(radii_[body], 0.0, largest_).value_or(0.0);
 
   const Field vertices = (*table)["vertices"];
   const std::vector<Field> corners = reader_.entries(vertices, "point [x, y]");
@@ -695,6 +698,11 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
       problems_.add(outlines.place(), fmt::format("'outlines' with granularity '{}'", act.name),
                     "no 'outlines': GJK asks about the hull of the vertices");
     }
+  }
+  for (const Field& radius : radii_) {
+    if (!radius || act.needs.takes_radius) continue;
+    problems_.add(radius.place(), fmt::format("'radius' with granularity '{}'", act.name),
+                  "no 'radius': only a frame that tells how a run of GJK ends subtracts it");
   }
   if (volumes_ && (act.algorithm == nullptr || !act.algorithm->has_volumes)) {
     problems_.add(volumes_.place(), fmt::format("'volumes' with granularity '{}'", act.name),

@@ -181,6 +181,7 @@ void write_shape(TomlText& out, const LessonShape& shape, std::string_view key) 
   if (!same_bits(shape.translate.x(), 0.0) || !same_bits(shape.translate.y(), 0.0))
     out.key("translate", in_brackets(shape.translate));
   out.number("rotate", shape.rotate_degrees, 0.0);
+  out.number("radius", shape.radius, 0.0);
 }
 
 void write_start(TomlText& out, const Lesson& lesson) {

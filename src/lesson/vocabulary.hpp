@@ -19,6 +19,7 @@ struct ActNeeds {
   int most_vertices = 0;      ///< Of each shape; 0: as many as a lesson may have.
   bool takes_path = true;     ///< False: no table [path] may go with it.
   bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
+  bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
 };
 

@@ -27,6 +27,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
     act.words(story, text);
     if (run.lesson.has_block(blocks::kDirectionRules.name)) captions::direction_rules(story, text);
     if (story.shows(SecondRun::kName)) captions::second_run(story, text);
+    captions::round_shapes(story, text);
     if (run.act->follows_run && story.shows(ShapeHull::kName)) captions::shape_hull(story, text);
   }
   act.values(story, text);

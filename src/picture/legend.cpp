@@ -10,7 +10,7 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<LegendEntry, 18> kEntries = {
+constexpr std::array<LegendEntry, 20> kEntries = {
     {{"simplex.vertex", "vertex of the simplex S"},
      {"support.vertex", "support point"},
      {"closest", "closest point"},
@@ -28,6 +28,8 @@ constexpr std::array<LegendEntry, 18> kEntries = {
      {"cloud.touched", "a difference that was computed"},
      {"pair.link", "joins the two vertices of a difference"},
      {"history.closest", "P of an earlier iteration"},
+     {"skin.origin", "as far from O as both radii"},
+     {"skin.gap", "from one round shape to the other"},
      {"path.now", "middle of a shape, on its way"}}};
 
 constexpr double kGlyph = 28.0;

@@ -36,16 +36,27 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   }
   Eigen::AlignedBox2d seen;
   for (const PositionedRun& positioned : run.runs) {
-    Eigen::AlignedBox2d x;
-    Eigen::AlignedBox2d y;
-    for (const Vector2d& vertex : positioned.x().world) x.extend(vertex);
-    for (const Vector2d& vertex : positioned.y().world) y.extend(vertex);
+    const auto box_of = [&](std::size_t body) {
+      Eigen::AlignedBox2d box;
+      for (const Vector2d& vertex : positioned.bodies[body].world) box.extend(vertex);
+      return box;
+    };
+    const auto extend = [&](const Eigen::AlignedBox2d& box, double radius) {
+      const Vector2d around = Vector2d::Constant(radius);
+      seen.extend(box.min() - around).extend(box.max() + around);
+    };
+    const Eigen::AlignedBox2d x = box_of(0);
+    const Eigen::AlignedBox2d y = box_of(1);
     const bool is_world = view.kind == ViewKind::world;
-    if (is_world) seen.extend(x).extend(y);
-    if (is_world && !view.calls_for(GrownObstacle::kName)) continue;
+    if (is_world) {
+      extend(x, run.lesson.x().radius);
+      extend(y, run.lesson.y().radius);
+      if (!view.calls_for(GrownObstacle::kName)) continue;
+    }
     const Vector2d shift = is_world ? positioned.x().placement.translate : Vector2d(0.0, 0.0);
-    seen.extend(shift);
-    seen.extend(y.min() - x.max() + shift).extend(y.max() - x.min() + shift);
+    extend(Eigen::AlignedBox2d(shift),
+           is_world ? 0.0 : run.lesson.x().radius + run.lesson.y().radius);
+    extend({y.min() - x.max() + shift, y.max() - x.min() + shift}, 0.0);
   }
   return camera_around(seen, area);
 }

@@ -260,6 +260,9 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.growth.reset();
   lesson.study.reset();
   lesson.beside.reset();
+  for (LessonShape& shape : lesson.bodies) {
+    if (!staged.act.needs.takes_radius) shape.radius = 0.0;
+  }
   std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
   if (lesson.views.empty())
     lesson.views = {{ViewKind::world, "", {}, {}}, {ViewKind::difference, "", {}, {}}};

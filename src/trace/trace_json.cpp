@@ -73,6 +73,7 @@ class TraceWriter {
     if (!value.outlines.empty()) out["outlines"] = value.outlines;
     out["translate"] = point<D>(value.placement.translate);
     out["rotate_degrees"] = number(value.placement.rotate_degrees);
+    if (value.radius > 0.0) out["radius"] = number(value.radius);
     return out;
   }
 

@@ -25,6 +25,12 @@ class TraceText {
                      name_of(options.region_order), options.iteration_cap,
                      options.tolerance > 0.0 ? fmt::format(", tolerance {}", options.tolerance)
                                              : std::string()));
+    const TracedShape<D>& x = traced_.x;
+    const TracedShape<D>& y = traced_.y;
+    if (x.radius > 0.0 || y.radius > 0.0) {
+      line("radii", fmt::format("{} of {}, {} of {}; all lengths below are without them", x.radius,
+                                x.name, y.radius, y.name));
+    }
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
       if (traced_.has_gjk()) one_run(traced_.runs[i]);

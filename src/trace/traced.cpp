@@ -8,11 +8,9 @@ namespace gjkscope {
 namespace {
 
 TracedShape<2> traced(const LessonShape& shape) {
-  return {shape.name,
-          shape.vertex_names,
-          shape.vertices,
-          {shape.translate, shape.rotate_degrees},
-          shape.outlines};
+  return {shape.name,     shape.vertex_names,
+          shape.vertices, {shape.translate, shape.rotate_degrees},
+          shape.outlines, shape.radius};
 }
 
 std::string moved(const Lesson& lesson, const LessonShape& shape, const LessonMotion& motion,

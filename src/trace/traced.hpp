@@ -16,6 +16,7 @@ struct TracedShape {
   std::vector<gjk::Vec<double, D>> vertices;  ///< Before they are turned and moved.
   PlacementIn<D> placement;                   ///< Of the first run.
   std::vector<int> outlines = {};             ///< As in LessonShape.
+  double radius = 0.0;                        ///< As in LessonShape.
 };
 
 template <int D>

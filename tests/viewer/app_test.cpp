@@ -391,7 +391,7 @@ TEST(App, ButtonsOfTheDrawerMakeShapes) {
   std::set<std::string> done;
   const Rect& area = window.app().picture().area();
   for (double y = area.min.y() + 60.0; y < area.min.y() + 240.0; y += 16.0) {
-    for (double x = 30.0; x < 300.0; x += 38.0) {
+    for (double x = 30.0; x < 300.0; x += 15.0) {
       window.click({area.max.x() + x, y});
       if (const std::string name = window.session().undo_name(); !name.empty()) done.insert(name);
       window.key("Escape");
@@ -400,8 +400,15 @@ TEST(App, ButtonsOfTheDrawerMakeShapes) {
     }
   }
   for (const char* name : {"X becomes a point", "X becomes a segment", "X becomes a box",
-                           "X becomes a regular polygon", "random pair"})
+                           "X becomes a regular polygon", "radius of X", "random pair"})
     EXPECT_TRUE(done.contains(name)) << name;
+}
+
+TEST(App, AListedLessonIsTheSameHoweverItIsNamed) {
+  HeadlessApp window;
+  const fs::path lessons = window.app().share() / "lessons";
+  window.app().open_path(lessons / ".." / "lessons" / "collinear.toml");
+  EXPECT_EQ(window.session().lesson().path, (lessons / "collinear.toml").string());
 }
 
 TEST(App, AWarmStartIsOffered) {

@@ -70,6 +70,42 @@ void draw_kit(App& app, std::size_t body, Kit& kit) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("corners of a regular polygon");
 }
 
+/// A number in a field; the one that was typed, once it was.
+std::optional<double> edit_number(App& app, double value, float width) {
+  ImGui::SetNextItemWidth(width);
+  std::string text = number_text(value, app.hexadecimal);
+  if (!ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
+  const std::optional<double> read = read_number(text);
+  if (!read) {
+    app.say(fmt::format("'{}' is not a number: expected one like 0.25, 1e-6 or 0x1.8p-1", text),
+            true);
+  }
+  return read;
+}
+
+/// Typed, or in round steps; only where frames tell what comes of it.
+void draw_radius(App& app, std::size_t body) {
+  if (!app.session().run().act->needs.takes_radius) return;
+  const double now = app.session().lesson().bodies[body].radius;
+  ImGui::PushID("radius");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("radius");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("the shape is all points within the radius of the polygon");
+  ImGui::SameLine();
+  std::optional<double> typed = edit_number(app, now, static_cast<float>(96.0 * app.ui_scale()));
+  const double step = app.picture().round_step(0).y();
+  for (const auto& [sign, by] : {std::pair("-", -step), {"+", step}}) {
+    ImGui::SameLine();
+    if (ImGui::Button(sign, ImVec2(ImGui::GetFrameHeight(), 0.0f))) typed = std::max(now + by, 0.0);
+  }
+  ImGui::PopID();
+  if (!typed || *typed == now) return;
+  Lesson lesson = app.session().lesson();
+  lesson.bodies[body].radius = *typed;
+  app.edit(fmt::format("radius of {}", kBodyKeys[body]), std::move(lesson));
+}
+
 /// The coordinates of a vertex in two fields; where one was typed, the vertex it makes.
 std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
   std::optional<Vector2d> typed;
@@ -77,16 +113,10 @@ std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
     ImGui::SameLine();
     ImGui::PushID(axis);
     const float rest = ImGui::GetContentRegionAvail().x;
-    ImGui::SetNextItemWidth(axis == 0 ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest);
-    std::string text = number_text(vertex[axis], app.hexadecimal);
-    if (ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue)) {
-      if (const std::optional<double> read = read_number(text)) {
-        typed = vertex;
-        (*typed)[axis] = *read;
-      } else {
-        app.say(fmt::format("'{}' is not a number: expected one like 0.25, 1e-6 or 0x1.8p-1", text),
-                true);
-      }
+    const float width = axis == 0 ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest;
+    if (const std::optional<double> read = edit_number(app, vertex[axis], width)) {
+      typed = vertex;
+      (*typed)[axis] = *read;
     }
     ImGui::PopID();
   }
@@ -97,6 +127,7 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
   const bool is_x = body == 0;
   ImGui::Separator();
   draw_kit(app, body, kit);
+  draw_radius(app, body);
   const LessonShape& shape = app.session().lesson().bodies[body];
   if (shape.vertices.size() > edit::kMostEditable) return ImGui::TextDisabled("too many to list");
   std::optional<std::pair<std::size_t, Vector2d>> typed;

@@ -24,7 +24,7 @@ Tick answer_tick(const LessonRun& run, const Frame& frame) {
 const StagedAct kAnswer{
     .act = {.name = "answer",
             .meaning = "position on the path: how the run there ends",
-            .needs = {.why_no_until = "frames show how the run ends"},
+            .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
             .add_frames = answer_frames},
     .position = position_on_path,
     .tick = answer_tick,

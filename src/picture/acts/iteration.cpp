@@ -17,6 +17,7 @@ void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, e
 const StagedAct kIteration{
     .act = {.name = "iteration",
             .meaning = "iteration of the run",
+            .needs = {.takes_radius = true},
             .add_frames = iteration_frames,
             .follows_run = true,
             .asks = asks::kOfSteps,

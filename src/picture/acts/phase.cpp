@@ -25,7 +25,7 @@ const StagedAct kPhase{
     .act = {.name = "phase",
             .meaning = "phase of each iteration: closest point, drop, direction, support, stop "
                        "tests, add",
-            .needs = {.takes_phases = true},
+            .needs = {.takes_phases = true, .takes_radius = true},
             .add_frames = phase_frames,
             .follows_run = true,
             .asks = asks::kOfSteps,

@@ -44,7 +44,7 @@ const StagedAct kWitness{
     .act = {.name = "witness",
             .meaning = "part of each answer: P, its weights on the vertices of Y, on those of X, "
                        "the distance",
-            .needs = {.why_no_until = "frames show how the run ends"},
+            .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
             .add_frames = witness_frames},
     .position = witness_position,
     .tick = witness_tick,

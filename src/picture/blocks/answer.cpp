@@ -5,6 +5,7 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/growth.hpp"
+#include "effects/round_shapes.hpp"
 #include "effects/touched_points.hpp"
 #include "picture/acts/witness.hpp"
 #include "picture/blocks/blocks.hpp"
@@ -79,6 +80,14 @@ void witness(PanelBuilder& panel) {
   panel.write(reached >= WitnessPart::distance ? "code.current" : "untried", panel.right,
               reached >= WitnessPart::distance ? panel.numbers(result.distance) : "–",
               type::kCodeBold, Align::right);
+  panel.y += kRow;
+  const RoundShapes::Value& round = panel.effects.get<RoundShapes>(panel.frame);
+  if (!round) return;
+  const bool is_known = reached >= WitnessPart::distance;
+  panel.write("heading", panel.left, format("less the radii, {}", panel.numbers(round->radii)),
+              type::kHeading);
+  panel.write(is_known ? "code.current" : "untried", panel.right,
+              is_known ? panel.numbers(round->distance) : "–", type::kCodeBold, Align::right);
   panel.y += kRow;
 }
 

@@ -4,6 +4,7 @@
 
 #include "effects/cold_start.hpp"
 #include "effects/motion.hpp"
+#include "effects/round_shapes.hpp"
 #include "picture/acts/witness.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/captions/story.hpp"
@@ -199,10 +200,11 @@ void answer(const Story& story, FrameText& text) {
   if (story.run.lesson.warm_start) return warm_start(story, text);
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
-  text.caption =
-      format("{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
-             story.run.lesson.x().name, story.run.lesson.y().name,
-             story.numbers(story.trace.result.distance));
+  const bool is_round = story.effects.get<RoundShapes>(story.frame).has_value();
+  text.caption = format(
+      "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
+      is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,
+      story.numbers(story.trace.result.distance));
   text.detail = format("Closest are {}, so P {}.", closest_features(story), place_of_p(story));
 }
 

@@ -87,6 +87,9 @@ void issue(const Story& story, FrameText& text);
 void issue_solved(const Story& story, FrameText& text);
 void issue_question(const Story& story, FrameText& text);
 
+// round_shapes.cpp: what is left of the distance once the radii are subtracted
+void round_shapes(const Story& story, FrameText& text);
+
 // shape_hull.cpp: what a vertex inside of the hull is to GJK
 void shape_hull(const Story& story, FrameText& text);
 

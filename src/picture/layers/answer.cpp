@@ -83,7 +83,7 @@ void witness_point(SceneBuilder& scene, const Vector2d& point, const Vector2d& o
 /// The shortest way, and, once that is the question, how long it is.
 void way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
-  if (shown(scene) < WitnessPart::distance) return;
+  if (shown(scene) < WitnessPart::distance || shows_gap(scene)) return;
   const Point across = Point(from.y() - to.y(), to.x() - from.x());
   scene.out.moving_labels.push_back(
       scene.label("distance", Numbers(scene.run.lesson)(scene.positioned.trace.result.distance),

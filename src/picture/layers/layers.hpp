@@ -73,6 +73,11 @@ void support_in_parts(SceneBuilder& scene);
 /// give.
 void answer(SceneBuilder& scene);
 
+// round_shapes.cpp
+/// In the world, once the run has ended: shapes with a radius are apart, so that the length to name
+/// is that of the way between them, not between their polygons.
+[[nodiscard]] bool shows_gap(const SceneBuilder& scene);
+
 // second_run.cpp
 /// Closest point, search direction, support line and support point of the second run.
 void second_run(SceneBuilder& scene);

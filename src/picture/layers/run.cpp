@@ -169,7 +169,8 @@ namespace {
 void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   const double distance = scene.positioned.trace.result.distance;
-  if (scene.knows.has_ended && distance > 0.0) length_label(scene, "distance", distance, from, to);
+  if (scene.knows.has_ended && distance > 0.0 && !shows_gap(scene))
+    length_label(scene, "distance", distance, from, to);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#include "effects/round_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include "picture/acts/witness.hpp"
+#include "picture/captions/story.hpp"
+
+namespace gjkscope::captions {
+
+using fmt::format;
+
+void round_shapes(const Story& story, FrameText& text) {
+  const RoundShapes::Value& round = story.effects.get<RoundShapes>(story.frame);
+  const bool is_told = story.knows.has_ended &&
+                       story.frame.part.value_or(WitnessPart::distance) == WitnessPart::distance;
+  if (!round || !is_told) return;
+  const double distance = story.trace.result.distance;
+  const LessonShape& x = story.run.lesson.x();
+  const LessonShape& y = story.run.lesson.y();
+  const std::string radii =
+      x.radius > 0.0 && y.radius > 0.0
+          ? format("the radii {} + {}", story.numbers(x.radius), story.numbers(y.radius))
+          : format("the radius {}", story.numbers(round->radii));
+  if (!(distance > 0.0)) {
+    text.detail += format(" Rounded, they overlap by {} or more.", story.numbers(round->radii));
+    return;
+  }
+  const std::string answer = format("GJK's distance {}", story.numbers(distance));
+  switch (round->meeting) {
+    case RoundShapes::Meeting::apart:
+      text.detail = format("Less {}, {} leaves {} between the round shapes.", radii, answer,
+                           story.numbers(round->distance));
+      return;
+    case RoundShapes::Meeting::touching:
+      text.detail = format("{} is just {}: the round shapes touch.", answer, radii);
+      return;
+    case RoundShapes::Meeting::overlapping:
+      text.detail = format("{} is less than {}: the round shapes overlap by {}.", answer, radii,
+                           story.numbers(-round->distance));
+  }
+}
+
+}  // namespace gjkscope::captions

@@ -1,0 +1,181 @@
+// Shapes with a radius: the answer, its words, its outlines, and where a file may have one.
+
+#include "effects/round_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "geometry/polygon.hpp"
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
+#include "lessons.hpp"
+#include "picture/frame.hpp"
+#include "picture/registry.hpp"
+
+namespace gjkscope {
+namespace round_shapes_test {
+
+using Eigen::Vector2d;
+using Meeting = RoundShapes::Meeting;
+
+Lesson lesson_with_y_moved_by(const Vector2d& by) {
+  static const Lesson kShipped = testing::shipped_lesson("round-shapes");
+  Lesson lesson = kShipped;
+  lesson.path_of_shapes.reset();
+  lesson.y().translate = by;
+  return lesson;
+}
+
+/// Points on circles around the vertices: their hull is the round shape, but for what lies between
+/// the corners of a circle.
+constexpr int kCorners = 128;
+std::vector<Vector2d> circles_around(const std::vector<Vector2d>& vertices, double radius) {
+  std::vector<Vector2d> out;
+  for (const Vector2d& vertex : vertices) {
+    for (int i = 0; i < kCorners; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kCorners;
+      out.emplace_back(vertex + radius * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return out;
+}
+
+RoundShapes::Answer answer_of(const LessonRun& run) {
+  EffectGraph effects(run);
+  return effects.get<RoundShapes>(run.frames.back()).value();
+}
+
+std::string last_words(const Lesson& lesson) {
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  return lesson_texts(run, effects).back().detail;
+}
+
+TEST(RoundShapes, AreAsFarApartAsPolygonsWithManyCorners) {
+  int apart = 0;
+  int overlapping = 0;
+  for (int i = 0; i < 21 * 21; ++i) {
+    const LessonRun run =
+        run_lesson(lesson_with_y_moved_by({0.3 * (i % 21 - 14), 0.3 * (i / 21 - 10)}));
+    const PositionedRun& own = run.runs.front();
+    const double radius_x = run.lesson.x().radius;
+    const double radius_y = run.lesson.y().radius;
+    if (!(own.trace.result.distance > 0.0)) continue;
+    const PositionedRun many = run_case<2>(
+        {circles_around(own.x().world, radius_x), circles_around(own.y().world, radius_y)},
+        ScalarKind::double_);
+    const RoundShapes::Answer answer = answer_of(run);
+    const double off = (radius_x + radius_y) * (1.0 - std::cos(std::numbers::pi / kCorners));
+    EXPECT_NEAR(many.trace.result.distance, std::max(answer.distance, 0.0), off);
+    EXPECT_NEAR((answer.x - answer.y).norm(), std::abs(answer.distance), 1e-12);
+    if (std::abs(answer.distance) < off) continue;
+    const bool is_apart = many.trace.result.distance > 0.0;
+    EXPECT_EQ(answer.meeting, is_apart ? Meeting::apart : Meeting::overlapping);
+    ++(is_apart ? apart : overlapping);
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(overlapping, 30);
+}
+
+TEST(RoundShapes, TheLastFrameSubtractsTheRadii) {
+  EXPECT_EQ(last_words(lesson_with_y_moved_by({0.0, 0.0})),
+            "Less the radii 0.500 + 0.250, GJK's distance 2.500 leaves 1.750 between the round "
+            "shapes.");
+  EXPECT_EQ(last_words(lesson_with_y_moved_by({-1.75, 0.0})),
+            "GJK's distance 0.750 is just the radii 0.500 + 0.250: the round shapes touch.");
+  EXPECT_EQ(
+      last_words(lesson_with_y_moved_by({-2.0, 0.0})),
+      "GJK's distance 0.500 is less than the radii 0.500 + 0.250: the round shapes overlap by "
+      "0.250.");
+  const std::string meet = last_words(lesson_with_y_moved_by({-3.0, 0.0}));
+  EXPECT_TRUE(meet.ends_with("Rounded, they overlap by 0.750 or more.")) << meet;
+  Lesson one = lesson_with_y_moved_by({0.0, 0.0});
+  one.x().radius = 0.0;
+  EXPECT_EQ(last_words(one),
+            "Less the radius 0.250, GJK's distance 2.500 leaves 2.250 between the round shapes.");
+  one.y().radius = 0.0;
+  EXPECT_EQ(last_words(one).find("round"), std::string::npos);
+}
+
+TEST(RoundShapes, EveryGranularityThatTakesThemSaysWhatIsLeft) {
+  int acts = 0;
+  for (const Act* act : vocabulary().acts) {
+    if (!act->needs.takes_radius) continue;
+    ++acts;
+    Lesson lesson = lesson_with_y_moved_by({0.0, 0.0});
+    lesson.act = act->name;
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
+                            [](const FrameText& text) {
+                              return text.detail.find("1.750 between") != std::string::npos;
+                            }),
+              1)
+        << act->name;
+  }
+  EXPECT_EQ(acts, 4);
+}
+
+TEST(RoundShapes, OutlinesKeepTheirDistanceAndStayInSight) {
+  const Fonts fonts{std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml"};
+  const LessonRun run = run_lesson(testing::shipped_lesson("round-shapes"));
+  for (const Page& page : {Page{}, Page{.width = 1280, .height = 1280}}) {
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts, page);
+    const Picture picture = pictures.picture(0);
+    const LessonPictures::ShownView world = pictures.views().front();
+    int outlines = 0;
+    for (const Mark& mark : picture.marks) {
+      const bool is_x = mark.role == "skin.x";
+      if (!is_x && mark.role != "skin.y") continue;
+      ++outlines;
+      std::vector<Point> corners;
+      const StageMap map(world.card, world.camera);
+      for (const Vector2d& vertex : run.runs[0].bodies[is_x ? 0 : 1].world)
+        corners.push_back(map(vertex));
+      const double radius = map.scale() * run.lesson.bodies[is_x ? 0 : 1].radius;
+      for (const Point& point : std::get<Polygon>(mark.shape).points) {
+        double distance = HUGE_VAL;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          distance = std::min(
+              distance, segment_distance(point, corners[i], corners[(i + 1) % corners.size()]));
+        }
+        EXPECT_NEAR(distance, radius, 1e-6);
+        EXPECT_TRUE((point.array() >= world.card.min.array()).all());
+        EXPECT_TRUE((point.array() <= world.card.max.array()).all());
+      }
+    }
+    EXPECT_EQ(outlines, 2);
+  }
+}
+
+TEST(RoundShapes, AFileMayHaveThemWhereFramesTellTheEndOfARun) {
+  const Lesson lesson = testing::shipped_lesson("round-shapes");
+  const auto loaded = [](const std::string& text) {
+    return parse_lesson(text, "x.toml", vocabulary());
+  };
+  const std::string text = lesson_toml(lesson);
+  EXPECT_EQ(loaded(text).lesson->x().radius, 0.5);
+  const auto problem = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    const LoadedLesson result = loaded(changed);
+    EXPECT_EQ(result.problems.size(), 1u);
+    return result.problems.empty() ? "" : result.problems.front().what;
+  };
+  EXPECT_EQ(problem("radius = 0.5", "radius = -0.5"), "'radius' is -0.5");
+  Lesson other = lesson;
+  other.act = "test";
+  other.y().radius = 0.0;
+  const LoadedLesson refused = loaded(lesson_toml(other));
+  ASSERT_FALSE(refused.problems.empty());
+  EXPECT_EQ(refused.problems.back().what, "'radius' with granularity 'test'");
+}
+
+}  // namespace round_shapes_test
+}  // namespace gjkscope
