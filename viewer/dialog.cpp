@@ -11,9 +11,9 @@
 #include <charconv>
 
 #include "app.hpp"
+#include "drawers/effects.hpp"
 #include "drawers/shapes.hpp"
 #include "drawers/values.hpp"
-#include "effects/registry.hpp"
 #include "lesson/names.hpp"
 #include "widgets.hpp"
 
@@ -282,21 +282,21 @@ struct Palette {
         all.push_back({fmt::format("Lesson: {} ({})", lesson.title, lesson.id), "",
                        [&to, file = lesson.file] { to.open_path(file); }});
     }
-    for (const EffectInfo& info : registered_effects()) {
-      if (info.used_by != "view") continue;
-      all.push_back(
-          {fmt::format("Effect: {}", info.name), "", [&to, name = std::string(info.name)] {
-             Lesson lesson = to.session().lesson();
-             std::vector<std::string>& called = lesson.views.back().effects;
-             if (std::erase(called, name) == 0) called.push_back(name);
-             to.edit("effects", std::move(lesson));
-           }});
+    // In the last view with shapes: the difference, where it has a view.
+    const Lesson& lesson = app.session().lesson();
+    const auto takes_effects = [](const LessonView& view) { return shows_shapes(view.kind); };
+    const auto last = std::find_if(lesson.views.rbegin(), lesson.views.rend(), takes_effects);
+    const auto view = static_cast<std::size_t>(lesson.views.rend() - last) - 1;
+    for (const EffectInfo* info :
+         last == lesson.views.rend() ? std::vector<const EffectInfo*>() : offered_effects(lesson)) {
+      all.push_back({fmt::format("Effect: {} ({})", title_of(*info), info->name), "",
+                     [&to, view, info] { toggle_effect(to, view, info->name); }});
     }
     for (const auto& [name, scalar] : Named<ScalarKind>::kTable) {
       all.push_back({fmt::format("Scalar: {}", name), "", [&to, scalar = scalar] {
-                       Lesson lesson = to.session().lesson();
-                       lesson.scalar = scalar;
-                       to.edit("numerics", std::move(lesson));
+                       Lesson other = to.session().lesson();
+                       other.scalar = scalar;
+                       to.edit("numerics", std::move(other));
                      }});
     }
     for (const NamedValue& value : values_now(app))

@@ -13,9 +13,8 @@ RoundShapes::Value RoundShapes::compute(EffectGraph&, const LessonRun& run, cons
   const double of_y = run.lesson.y().radius;
   const PositionedRun& positioned = run.run(frame);
   const gjk::Result<double, 2>& result = positioned.trace.result;
-  if (of_x + of_y == 0.0 || positioned.bounds.empty()) return std::nullopt;
-  Answer answer{of_x + of_y, result.distance - (of_x + of_y), Meeting::touching, result.x,
-                result.y};
+  Value answer{of_x + of_y, result.distance - (of_x + of_y), Meeting::touching, result.x, result.y};
+  if (positioned.bounds.empty()) return answer;
   const auto& [lower, upper] = positioned.bounds.back();
   if (lower > answer.radii) answer.meeting = Meeting::apart;
   if (upper < answer.radii) answer.meeting = Meeting::overlapping;

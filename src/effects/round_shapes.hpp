@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "effects/graph.hpp"
 
 namespace gjkscope {
@@ -12,7 +10,7 @@ struct RoundShapes {
   static constexpr std::string_view kNeeds = "";
   /// Of round shapes that do not overlap, that touch, or that do.
   enum class Meeting { apart, touching, overlapping };
-  struct Answer {
+  struct Value {
     double radii = 0.0;     ///< Both, added.
     double distance = 0.0;  ///< GJK's, less the radii: negative where the shapes overlap.
     Meeting meeting = Meeting::apart;
@@ -20,8 +18,11 @@ struct RoundShapes {
                                                   ///< overlap, the one that is deepest in Y.
     Eigen::Vector2d y = Eigen::Vector2d::Zero();  ///< The same of Y.
   };
-  /// None where no shape has a radius.
-  using Value = std::optional<Answer>;
+  /// nullptr, and nothing is asked of the graph, where no shape has a radius.
+  static const Value* of(EffectGraph& graph, const LessonRun& run, const Frame& frame) {
+    const bool is_round = run.lesson.x().radius > 0.0 || run.lesson.y().radius > 0.0;
+    return is_round ? &graph.get<RoundShapes>(frame) : nullptr;
+  }
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };

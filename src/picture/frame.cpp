@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -33,9 +34,10 @@ constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;    // below them
 constexpr double kTall = 1.2;             // height over width
+constexpr double kSquarish = 0.65;        // more than that of screens, 16 to 10
 constexpr double kNarrowestCard = 250.0;  // titles and legends of plots need so much
 
-const Point kAround(92.0, 100.0);    // of what a camera fits: room for labels and a title
+const Point kAround(92.0, 100.0);    // of a plot: room for labels and a title
 constexpr double kTitleLine = 22.0;  // of a view's title, base line to base line
 constexpr double kBeside = 28.0;     // a view's title, on both sides
 
@@ -48,22 +50,30 @@ std::string magnification(double times) {
   return times < 10.0 ? fixed(rounded, 1) : grouped(rounded);
 }
 
+using Cards = std::vector<Rect>;
+
 /// Where everything is; the same for all frames of a lesson.
 struct Layout {
-  std::vector<Rect> views;
+  Cards views;
   std::optional<Rect> panel;
   double prose_y = 0.0;
   double caption_y = 0.0;
   Rect timeline;
 };
 
-/// Too narrow for all cards side by side: views stand one below the other, beside the panel. Only a
-/// window has such pages.
+/// Narrower than a screen: words take more lines. Only a window has such pages.
 bool is_narrow(const Page& page) {
   return !page.bare && page.width < Page{}.width && page.height <= kTall * page.width;
 }
 
-Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page) {
+/// Views may stand one below the other, beside the panel.
+bool may_stack(const Page& page) {
+  return is_narrow(page) || (!page.bare && page.height > kSquarish * page.width);
+}
+
+/// `stacks`: whether views stand one below the other, of cards side by side and cards so.
+Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page,
+                 const std::function<bool(const Cards& beside, const Cards& stacked)>& stacks) {
   const auto [width, height, zoom, bare, captions] = page;
   Layout layout;
   layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 14.0},
@@ -77,51 +87,37 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
   const Rect cards =
       bare ? Rect{{0.0, 0.0}, {width, bottom}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
   const bool has_panel = !bare && !run.lesson.panel.empty();
-  if (is_narrow(page)) {
-    Rect column = cards;
-    if (has_panel) {
-      const bool is_wide = views == 1 && cards.size().x() - kCardGap - kWidePanel >= kNarrowestCard;
-      const double panel = is_wide ? kWidePanel : kNarrowPanel;
-      layout.panel = Rect{{cards.max.x() - panel, cards.min.y()}, cards.max};
-      column.max.x() = layout.panel->min.x() - kCardGap;
-    }
-    // Side by side or one below the other, whatever leaves shapes more room. Cards that are too
-    // narrow for words never stand side by side.
-    const Point size = column.size();
-    const auto card_of = [&](int along) {
-      Point card = size;
-      card[along] = (size[along] - kCardGap * (views - 1)) / views;
-      return card;
-    };
-    const auto room = [&](int along) { return (card_of(along) - kAround).minCoeff(); };
-    const int along = card_of(0).x() >= kNarrowestCard && room(0) > room(1) ? 0 : 1;
-    const double step = (size[along] + kCardGap) / views;
+  if (height > kTall * width) {
+    const double panel = has_panel ? kPanelHeight + kCardGap : 0.0;
+    const double card = (cards.size().y() - kCardGap * (views - 1) - panel) / views;
+    Rect next = cards;
     for (int i = 0; i < views; ++i) {
-      Rect card = column;
-      card.min[along] += i * step;
-      card.max[along] = card.min[along] + step - kCardGap;
-      layout.views.push_back(card);
+      next.max.y() = next.min.y() + card;
+      layout.views.push_back(next);
+      next.min.y() = next.max.y() + kCardGap;
     }
+    if (has_panel) layout.panel = Rect{next.min, cards.max};
     return layout;
   }
-  // A tall page has its cards one below the other, any other page side by side.
-  const bool tall = height > kTall * width;
-  const int axis = tall ? 1 : 0;
-  const double panel = !has_panel   ? 0.0
-                       : tall       ? kPanelHeight
-                       : views == 1 ? kWidePanel
-                                    : kNarrowPanel;
-  const double room =
-      cards.size()[axis] - kCardGap * (views - 1) - (has_panel ? panel + kCardGap : 0.0);
-  Rect next = cards;
-  const auto take = [&](double size) {
-    Rect card = next;
-    card.max[axis] = card.min[axis] + size;
-    next.min[axis] = card.max[axis] + kCardGap;
-    return card;
+  Rect column = cards;
+  if (has_panel) {
+    const bool is_wide = views == 1 && cards.size().x() - kCardGap - kWidePanel >= kNarrowestCard;
+    const double panel = is_wide ? kWidePanel : kNarrowPanel;
+    layout.panel = Rect{{cards.max.x() - panel, cards.min.y()}, cards.max};
+    column.max.x() = layout.panel->min.x() - kCardGap;
+  }
+  const auto cards_along = [&](int along) {
+    const double step = (column.size()[along] + kCardGap) / views;
+    Cards out(static_cast<std::size_t>(views), column);
+    for (int i = 0; i < views; ++i) {
+      out[i].min[along] += i * step;
+      out[i].max[along] = out[i].min[along] + step - kCardGap;
+    }
+    return out;
   };
-  for (int i = 0; i < views; ++i) layout.views.push_back(take(room / views));
-  if (has_panel) layout.panel = take(panel);
+  const Cards beside = cards_along(0);
+  const Cards stacked = cards_along(1);
+  layout.views = stacks(beside, stacked) ? stacked : beside;
   return layout;
 }
 
@@ -139,6 +135,18 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
     return fmt::format("World: {} and {}", run.lesson.x().name, run.lesson.y().name);
   if (view.kind == ViewKind::plot) return staged(run).plot_title(run);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y().name, run.lesson.x().name);
+}
+
+/// Where it takes two lines, "Z = Y − X" is the second.
+std::vector<std::string> title_lines(const Fonts& fonts, const std::string& title, double width) {
+  const std::size_t equation = title.find(" Z = ");
+  if (equation == std::string::npos || fonts.width(type::kViewTitle, title) <= width)
+    return wrapped(fonts, type::kViewTitle, title, width);
+  std::vector<std::string> lines =
+      wrapped(fonts, type::kViewTitle, title.substr(0, equation), width);
+  for (std::string& line : wrapped(fonts, type::kViewTitle, title.substr(equation + 1), width))
+    lines.push_back(std::move(line));
+  return lines;
 }
 
 bool contains(const Rect& card, const Point& point) {
@@ -295,8 +303,27 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
                                                   lines_of(type::kDetail, text.detail));
     }
   }
-  const Layout layout =
-      layout_of(run_, static_cast<int>(prose_lines), static_cast<int>(caption_lines), page_);
+  const auto camera_on = [&](std::size_t view, const Rect& card) {
+    return sights[view] ? camera_in(*sights[view], card)
+                        : camera_of(run_, run_.lesson.views[view], card);
+  };
+  const auto scale = [&](std::size_t view, const Rect& card) {
+    const Point room = (card.size() - kAround).cwiseMax(1.0);
+    return shows_shapes(run_.lesson.views[view].kind)
+               ? StageMap(card, camera_on(view, card)).scale()
+               : room.minCoeff();
+  };
+  // Whatever shows shapes larger; but cards that are too narrow for words never stand side by side.
+  // What a card of one kind has in sight is never larger on the other: nothing jumps under a hand.
+  const auto stacks = [&](const Cards& beside, const Cards& stacked) {
+    if (!may_stack(page_)) return false;
+    double larger = 1.0;
+    for (std::size_t i = 0; i < stacked.size(); ++i)
+      larger *= scale(i, stacked[i]) / scale(i, beside[i]);
+    return larger >= 1.0 || beside[0].size().x() < kNarrowestCard;
+  };
+  const Layout layout = layout_of(run_, static_cast<int>(prose_lines),
+                                  static_cast<int>(caption_lines), page_, stacks);
   panel_ = layout.panel;
   prose_y_ = layout.prose_y;
   caption_y_ = layout.caption_y;
@@ -304,9 +331,9 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
   for (std::size_t i = 0; i < run_.lesson.views.size(); ++i) {
     const LessonView& view = run_.lesson.views[i];
     const Rect& card = layout.views[i];
-    const Camera camera = sights[i] ? camera_in(*sights[i], card) : camera_of(run_, view, card);
+    const Camera camera = camera_on(i, card);
     const std::vector<std::string> title =
-        wrapped(fonts_, type::kViewTitle, default_title(run_, view), card.size().x() - kBeside);
+        title_lines(fonts_, default_title(run_, view), card.size().x() - kBeside);
     Point title_size(0.0, 38.0 + kTitleLine * static_cast<double>(title.size() - 1));
     for (const std::string& line : title) {
       title_size.x() = std::max(title_size.x(), fonts_.width(type::kViewTitle, line) + kBeside);
@@ -399,7 +426,7 @@ void LessonPictures::place_fixed_labels(View& view, std::size_t shown) {
   }
 }
 
-/// While something is dragged no other frame is looked at, and nothing is explained.
+/// While something is dragged no other frame is looked at, and nothing is new.
 std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std::size_t index) {
   if (scope_ == LabelScope::frame) return {};
   constexpr std::size_t kMost = 4;
@@ -416,6 +443,9 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
         break;
       }
     }
+    explained_marks_.clear();
+    for (const std::vector<LegendEntry>& entries : explained_)
+      explained_marks_.insert(explained_marks_.end(), entries.begin(), entries.end());
   }
   return explained_[index * views_.size() + view];
 }
@@ -423,13 +453,11 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
 /// What was explained before this frame and has marks in it, then what is new.
 std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
   std::vector<LegendRow> rows;
-  for (std::size_t at = 0; at < (index + 1) * views_.size(); ++at) {
-    for (const LegendEntry& entry : marks_to_explain(at % views_.size(), at / views_.size())) {
-      const Mark* mark = nullptr;
-      for (std::size_t view = 0; view < views_.size() && mark == nullptr; ++view)
-        mark = mark_of(scene(views_[view], index), entry.role);
-      if (mark != nullptr) rows.push_back({mark, entry.text});
-    }
+  for (const LegendEntry& entry : explained_marks_) {
+    const Mark* mark = nullptr;
+    for (std::size_t view = 0; view < views_.size() && mark == nullptr; ++view)
+      mark = mark_of(scene(views_[view], index), entry.role);
+    if (mark != nullptr) rows.push_back({mark, entry.text});
   }
   return rows;
 }
@@ -457,10 +485,10 @@ Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
 /// In the spare part of the panel: what is new in this frame, and as much of the rest as has room.
 /// Nothing where what is new has none.
 std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index) {
-  std::vector<LegendRow> rows = standing_legend(index);
   std::size_t fresh = 0;
   for (std::size_t view = 0; view < views_.size(); ++view)
     fresh += marks_to_explain(view, index).size();
+  std::vector<LegendRow> rows = standing_legend(index);
   const auto fits = [&] {
     return (legend_size(rows, fonts_).array() <= spare.size().array()).all();
   };

@@ -90,6 +90,9 @@ class LessonPictures {
   /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
   /// for each view, nothing for the lesson's own. Nothing is run again.
   void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope);
+  /// While frames are laid out one by one (LabelScope::frame), the panel explains what `other` has
+  /// explained: the same lesson, before a hand changed it.
+  void explain_as(const LessonPictures& other) { explained_marks_ = other.explained_marks_; }
   LessonPictures(const LessonPictures&) = delete;
   LessonPictures& operator=(const LessonPictures&) = delete;
 
@@ -117,6 +120,7 @@ class LessonPictures {
   std::vector<View> views_;
   /// What is explained in each frame of each view: marks where they are shown first.
   std::vector<std::vector<LegendEntry>> explained_;
+  std::vector<LegendEntry> explained_marks_;  ///< All of these, in this order.
   std::optional<Rect> panel_;
   double prose_y_ = 0.0;
   double caption_y_ = 0.0;

@@ -245,7 +245,9 @@ bool Session::show(LabelScope scope) {
   if (!problem_.empty()) return false;
   const bool first = !shown_;
   const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
-  shown_ = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
+  auto shown = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
+  if (!first) shown->pictures.explain_as(shown_->pictures);
+  shown_ = std::move(shown);
   index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
   lay_out(scope);
   return true;
@@ -440,7 +442,9 @@ void Session::fit() {
   if (!shown_) return;
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (shows_shapes(seen[i].kind)) fit(i, seen[i].card);
+    // A view without a camera of its own fits what it shows, on whatever card.
+    sights_[i].reset();
+    if (shows_shapes(seen[i].kind) && lesson_.views[i].camera) fit(i, seen[i].card);
   }
   lay_out(LabelScope::lesson);
 }

@@ -361,6 +361,22 @@ TEST(Page, KeepsTheProportionsOfTheImageAndTheSizeOfType) {
   EXPECT_NEAR(tall.height / tall.width, 1280.0 / 720.0, 1e-12);
 }
 
+TEST(Page, ViewsStandWhereShapesAreLarger) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("round-shapes"));
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts());
+  const auto is_stacked = [&](const Page& page) {
+    pictures.lay_out(page, {std::nullopt, std::nullopt}, LabelScope::lesson);
+    return pictures.views()[1].card.min.y() > pictures.views()[0].card.max.y();
+  };
+  EXPECT_FALSE(is_stacked(page_of(1280, 720)));
+  EXPECT_FALSE(is_stacked(page_of(1280, 800)));
+  // These shapes are wide.
+  EXPECT_TRUE(is_stacked(page_of(1024, 768)));
+  EXPECT_TRUE(is_stacked({.width = 1000.0, .height = 800.0}));
+  EXPECT_FALSE(is_stacked({.width = 1270.0, .height = 500.0}));
+}
+
 TEST(Captions, TellTheRunOfThePentagon) {
   const LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
   EffectGraph effects(run);

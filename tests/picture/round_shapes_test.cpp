@@ -44,9 +44,9 @@ std::vector<Vector2d> circles_around(const std::vector<Vector2d>& vertices, doub
   return out;
 }
 
-RoundShapes::Answer answer_of(const LessonRun& run) {
+RoundShapes::Value answer_of(const LessonRun& run) {
   EffectGraph effects(run);
-  return effects.get<RoundShapes>(run.frames.back()).value();
+  return effects.get<RoundShapes>(run.frames.back());
 }
 
 std::string last_words(const Lesson& lesson) {
@@ -68,7 +68,7 @@ TEST(RoundShapes, AreAsFarApartAsPolygonsWithManyCorners) {
     const PositionedRun many = run_case<2>(
         {circles_around(own.x().world, radius_x), circles_around(own.y().world, radius_y)},
         ScalarKind::double_);
-    const RoundShapes::Answer answer = answer_of(run);
+    const RoundShapes::Value answer = answer_of(run);
     const double off = (radius_x + radius_y) * (1.0 - std::cos(std::numbers::pi / kCorners));
     EXPECT_NEAR(many.trace.result.distance, std::max(answer.distance, 0.0), off);
     EXPECT_NEAR((answer.x - answer.y).norm(), std::abs(answer.distance), 1e-12);
@@ -99,6 +99,10 @@ TEST(RoundShapes, TheLastFrameSubtractsTheRadii) {
             "Less the radius 0.250, GJK's distance 2.500 leaves 2.250 between the round shapes.");
   one.y().radius = 0.0;
   EXPECT_EQ(last_words(one).find("round"), std::string::npos);
+  const LessonRun run = run_lesson(one);
+  EffectGraph effects(run);
+  EXPECT_EQ(RoundShapes::of(effects, run, run.frames.back()), nullptr);
+  EXPECT_EQ(effects.count(RoundShapes::kName).pulls, 0);
 }
 
 TEST(RoundShapes, EveryGranularityThatTakesThemSaysWhatIsLeft) {

@@ -408,6 +408,51 @@ TEST(Session, WhatWasInSightStaysInSightOnAnotherPage) {
     EXPECT_NEAR(session.views()[i].camera.height, before[i].camera.height, 1e-9) << "and back";
 }
 
+TEST(Session, TheLegendStaysWhileShapesAreDragged) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  const auto legend = [&] {
+    std::vector<std::string> out;
+    for (const Mark& mark : session.picture().marks) {
+      if (mark.role == "legend") out.push_back(std::get<Text>(mark.shape).text);
+    }
+    return out;
+  };
+  session.set_page({1000.0, 900.0, 1.0});
+  session.go_to(session.frame_count() - 1);
+  const std::vector<std::string> before = legend();
+  ASSERT_GE(before.size(), 2u);
+  session.begin_drag("drag");
+  for (int i = 0; i < 2; ++i) {
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0}); });
+    EXPECT_EQ(before, legend());
+  }
+  session.end_drag();
+  EXPECT_EQ(before, legend());
+}
+
+TEST(Session, CardsKeepTheirPlaceUnderAHand) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.set_page({1280.0, 900.0, 1.0});
+  int would_move = 0;
+  for (const Vector2d& by : {Vector2d(0.0, 1.0), Vector2d(1.0, 0.0)}) {
+    session.fit();
+    const std::vector<LessonPictures::ShownView> before = session.views();
+    session.begin_drag("drag");
+    for (int i = 0; i < 40; ++i) {
+      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, by); });
+      for (std::size_t k = 0; k < before.size(); ++k)
+        ASSERT_EQ(before[k].card, session.views()[k].card) << i;
+    }
+    session.end_drag();
+    session.fit();
+    would_move += before[0].card == session.views()[0].card ? 0 : 1;
+    session.undo();
+  }
+  EXPECT_GT(would_move, 0) << "what was dragged would stand elsewhere";
+}
+
 TEST(Session, ViewsStandStillWhileShapesMove) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

@@ -81,8 +81,8 @@ void witness(PanelBuilder& panel) {
               reached >= WitnessPart::distance ? panel.numbers(result.distance) : "–",
               type::kCodeBold, Align::right);
   panel.y += kRow;
-  const RoundShapes::Value& round = panel.effects.get<RoundShapes>(panel.frame);
-  if (!round) return;
+  const RoundShapes::Value* round = RoundShapes::of(panel.effects, panel.run, panel.frame);
+  if (round == nullptr) return;
   const bool is_known = reached >= WitnessPart::distance;
   panel.write("heading", panel.left, format("less the radii, {}", panel.numbers(round->radii)),
               type::kHeading);

@@ -200,7 +200,7 @@ void answer(const Story& story, FrameText& text) {
   if (story.run.lesson.warm_start) return warm_start(story, text);
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
-  const bool is_round = story.effects.get<RoundShapes>(story.frame).has_value();
+  const bool is_round = RoundShapes::of(story.effects, story.run, story.frame) != nullptr;
   text.caption = format(
       "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
       is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,

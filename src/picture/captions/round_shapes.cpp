@@ -10,10 +10,10 @@ namespace gjkscope::captions {
 using fmt::format;
 
 void round_shapes(const Story& story, FrameText& text) {
-  const RoundShapes::Value& round = story.effects.get<RoundShapes>(story.frame);
+  const RoundShapes::Value* round = RoundShapes::of(story.effects, story.run, story.frame);
   const bool is_told = story.knows.has_ended &&
                        story.frame.part.value_or(WitnessPart::distance) == WitnessPart::distance;
-  if (!round || !is_told) return;
+  if (round == nullptr || !is_told) return;
   const double distance = story.trace.result.distance;
   const LessonShape& x = story.run.lesson.x();
   const LessonShape& y = story.run.lesson.y();

@@ -73,8 +73,8 @@ void skins(SceneBuilder& scene) {
 
 /// In the difference both radii go to the origin: it is the round shapes' distance from Z.
 void radii(SceneBuilder& scene) {
-  const RoundShapes::Value& round = scene.effects.get<RoundShapes>(scene.frame);
-  if (!round) return;
+  const RoundShapes::Value* round = RoundShapes::of(scene.effects, scene.run, scene.frame);
+  if (round == nullptr) return;
   const std::vector<Point> outline = outline_of(scene, {Vector2d::Zero()}, round->radii);
   scene.add("skin.origin", Polyline{outline, true});
   scene.outline(outline);
@@ -82,7 +82,7 @@ void radii(SceneBuilder& scene) {
 
 void gap(SceneBuilder& scene) {
   if (!shows_gap(scene)) return;
-  const RoundShapes::Value& round = scene.effects.get<RoundShapes>(scene.frame);
+  const RoundShapes::Value* round = RoundShapes::of(scene.effects, scene.run, scene.frame);
   const Point x = scene.at(round->x);
   const Point y = scene.at(round->y);
   scene.line("skin.gap", x, y);
@@ -93,8 +93,8 @@ void gap(SceneBuilder& scene) {
 }  // namespace
 
 bool shows_gap(const SceneBuilder& scene) {
-  const RoundShapes::Value& round = scene.effects.get<RoundShapes>(scene.frame);
-  return round && round->meeting == RoundShapes::Meeting::apart &&
+  const RoundShapes::Value* round = RoundShapes::of(scene.effects, scene.run, scene.frame);
+  return round != nullptr && round->meeting == RoundShapes::Meeting::apart &&
          scene.view.kind == ViewKind::world && scene.knows.has_ended &&
          scene.frame.part.value_or(WitnessPart::distance) == WitnessPart::distance;
 }
