@@ -173,6 +173,8 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     if (!text.empty()) add(std::move(role), Text{at, std::move(text), style, align});
   };
 
+  const std::vector<std::string> y_title =
+      wrapped(fonts, type::kText, plot.y.title, area.size().x());
   // The names of the series stand in rows above the axes: inside they would look like data.
   struct Name {
     const PlotSeries* series;
@@ -180,7 +182,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   };
   std::vector<Name> names;
   Point next(area.min.x() + kHollow,
-             area.min.y() + (plot.y.title.empty() ? 0.0 : kTitleRow) + 0.5 * kTitleRow);
+             area.min.y() + kTitleRow * static_cast<double>(y_title.size()) + 0.5 * kTitleRow);
   for (const PlotSeries& series : plot.series) {
     if (series.name.empty()) continue;
     const double width = kNameIndent + fonts.width(type::kName, series.name);
@@ -241,8 +243,11 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   Polyline axes{{inner.min, {inner.min.x(), inner.max.y()}}};
   if (plot.x.is_shown) axes.points.push_back(inner.max);
   add("plot.axis", std::move(axes));
-  write("body.muted", {area.min.x(), area.min.y() + fonts.cap_height(type::kText)}, plot.y.title,
-        type::kText, Align::left);
+  Point row = area.min + Point(0.0, fonts.cap_height(type::kText));
+  for (const std::string& line : y_title) {
+    write("body.muted", row, line, type::kText, Align::left);
+    row.y() += kTitleRow;
+  }
   write("body.muted", {inner.center().x(), area.max.y() - 4.0}, plot.x.title, type::kText,
         Align::center);
 

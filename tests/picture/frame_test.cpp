@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Frames,
                          ::testing::Values(page_of(1280, 720), page_of(1024, 768),
                                            page_of(2560, 1080), page_of(720, 1280),
                                            Page{1000.0, 720.0, 1.0}, Page{1150.0, 720.0, 1.0},
-                                           Page{1200.0, 760.0, 1.0}));
+                                           Page{1200.0, 760.0, 1.0}, Page{920.0, 800.0, 1.0}));
 
 /// A sum as a text has it: "1.5 − 0.5 = 1.0".
 struct WrittenSum {

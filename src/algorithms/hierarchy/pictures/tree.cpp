@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/hierarchy/pictures/shown.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope::searches {
 namespace {
@@ -45,7 +46,7 @@ class TreePicture {
     radius_ = std::clamp(0.42 * area_.size().x() / across, kLeast, kNodeRadius);
   }
 
-  void draw() {
+  void draw(const Fonts& fonts) {
     for (std::size_t i = 1; i < tree_.size(); ++i) {
       if (is_drawn(i)) link(i);
     }
@@ -57,9 +58,8 @@ class TreePicture {
          Text{{area_.min.x(), area_.min.y() + 6.0}, shown_.name(of_x_), type::kVertex}});
     const std::string count =
         fmt::format("{} {}", tree_[0].count, shown_.has_tiles() ? "tiles" : "segments");
-    scene_.out.marks.push_back(
-        {"body.muted",
-         Text{{area_.max.x(), area_.min.y() + 6.0}, count, type::kBody, Align::right}});
+    const Text text{{area_.max.x(), area_.min.y() + 6.0}, count, type::kBody, Align::right};
+    if (!meets_a_node(box_of(fonts, text))) scene_.out.marks.push_back({"body.muted", text});
   }
 
  private:
@@ -67,6 +67,13 @@ class TreePicture {
   /// It stands for what lies below it, too.
   [[nodiscard]] bool is_heap(std::size_t i) const {
     return has_more_ && depths_[i] == depth_ && !tree_[i].is_leaf();
+  }
+  [[nodiscard]] bool meets_a_node(const Rect& words) const {
+    const Point room = Point::Constant(radius_ + type::kBody.size);
+    for (std::size_t i = 0; i < tree_.size(); ++i) {
+      if (is_drawn(i) && overlap(words, {place(i) - room, place(i) + room})) return true;
+    }
+    return false;
   }
   [[nodiscard]] Point place(std::size_t i) const {
     const double along = (tree_[i].first + 0.5 * tree_[i].count) / tree_[0].count;
@@ -208,8 +215,8 @@ bool trees(SceneBuilder& scene, const Fonts& fonts) {
   const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return true;
   const auto [above, below] = tree_areas(scene.map.area());
-  TreePicture(scene, shown, true, above).draw();
-  TreePicture(scene, shown, false, below).draw();
+  TreePicture(scene, shown, true, above).draw(fonts);
+  TreePicture(scene, shown, false, below).draw(fonts);
   constexpr std::array<KeyEntry, 6> kEntries = {
       {{[](const Point& at) { return current_mark(at); }, "now"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
