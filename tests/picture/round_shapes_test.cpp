@@ -158,6 +158,38 @@ TEST(RoundShapes, OutlinesKeepTheirDistanceAndStayInSight) {
   }
 }
 
+TEST(RoundShapes, OutlinesTurnOnceAroundHoweverThinTheShapeIs) {
+  const Fonts fonts{std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml"};
+  using Points = std::vector<Vector2d>;
+  for (const Points& vertices :
+       {Points{{0, 0}}, Points{{0, 0}, {1, 0}}, Points{{0, 0}, {1, 1}, {0.5, 0.5}},
+        Points{{0, 0}, {1, 1e-17}, {0.5, -1e-17}}, Points{{0, 0}, {1, 1e-300}, {2, -1e-300}},
+        Points{{0, 0}, {1, 1e-16}, {2, 1e-16}, {3, 0}}}) {
+    Lesson lesson = lesson_with_y_moved_by({0.0, 4.0});
+    lesson.x().vertices = vertices;
+    lesson.x().vertex_names = {"A", "B", "C", "D"};
+    lesson.x().vertex_names.resize(vertices.size());
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const Mark& mark : LessonPictures(run, effects, fonts).picture(0).marks) {
+      if (mark.role != "skin.x" && mark.role != "skin.query") continue;
+      std::vector<Point> points;
+      for (const Point& point : std::get<Polygon>(mark.shape).points) {
+        if (points.empty() || (point - points.back()).norm() > 1e-9) points.push_back(point);
+      }
+      if ((points.front() - points.back()).norm() < 1e-9) points.pop_back();
+      double turned = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t n = points.size();
+        const Point a = points[(i + 1) % n] - points[i];
+        const Point b = points[(i + 2) % n] - points[(i + 1) % n];
+        turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      }
+      EXPECT_NEAR(std::abs(turned), 2.0 * std::numbers::pi, 1e-6);
+    }
+  }
+}
+
 TEST(RoundShapes, AFileMayHaveThemWhereFramesTellTheEndOfARun) {
   const Lesson lesson = testing::shipped_lesson("round-shapes");
   const auto loaded = [](const std::string& text) {

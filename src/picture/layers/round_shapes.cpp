@@ -17,10 +17,10 @@ using Eigen::Vector2d;
 /// of a pixel.
 int corners_of_circle(double pixels) {
   constexpr double kOff = 0.05;
-  constexpr int kFewest = 16;
-  constexpr int kMost = 720;
-  return std::clamp(static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(0.5 * pixels / kOff))),
-                    kFewest, kMost);
+  constexpr double kFewest = 16.0;
+  constexpr double kMost = 720.0;
+  const double corners = std::ceil(std::numbers::pi * std::sqrt(0.5 * pixels / kOff));
+  return static_cast<int>(std::clamp(corners, kFewest, kMost));
 }
 
 /// The outline of all points within `radius` of the hull of the vertices, counter-clockwise.
@@ -37,9 +37,11 @@ std::vector<Vector2d> rounded(const std::vector<Vector2d>& vertices, double radi
   std::vector<Vector2d> out;
   for (std::size_t i = 0; i < count; ++i) {
     const double from = angle(i + count - 1);
-    double arc = angle(i) - from;
-    if (arc <= 0.0) arc += 2.0 * std::numbers::pi;  // a single point turns once around
-    const int steps = static_cast<int>(std::ceil(arc / turn));
+    // A convex outline turns left by at most half a turn, to which rounding adds little; a point
+    // turns once around.
+    double arc = std::remainder(angle(i) - from, 2.0 * std::numbers::pi);
+    if (count == 1 || arc < -0.5 * std::numbers::pi) arc += 2.0 * std::numbers::pi;
+    const int steps = std::max(1, static_cast<int>(std::ceil(arc / turn)));
     for (int k = 0; k <= steps; ++k) {
       const double at = from + arc * k / steps;
       out.emplace_back(corner(i) + radius * Vector2d(std::cos(at), std::sin(at)));
