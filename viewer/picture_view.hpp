@@ -41,7 +41,7 @@ class PictureView {
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
   /// A few pixels of a view along x and y, as a round number of its units.
   [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
-  /// The same as what a hand is held to; 0 where it goes anywhere.
+  /// The step that a hand is held to; 0 where it goes anywhere.
   [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
   /// Where the handle is that turns a shape.
   [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;

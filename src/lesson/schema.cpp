@@ -71,10 +71,8 @@ std::vector<LessonKey> make_keys() {
        "degrees counter-clockwise, before `translate`"},
       {"shapes.X", "radius", fmt::format("number from 0 to {}", kLargest), "0",
        "the shape is all points within this distance of the hull of the vertices; GJK asks about "
-       "the "
-       "hull, and frames that tell the end subtract the radii; only with granularities whose "
-       "frames "
-       "tell how a run of GJK ends"},
+       "the hull, and frames that tell the end subtract the radii; only with granularities whose "
+       "frames tell how a run of GJK ends"},
 
       {"query", "scalar", one_of<ScalarKind>(), "double", "numbers that the run computes with"},
       {"query", "beside", one_of<ScalarKind>(), "no second run",
