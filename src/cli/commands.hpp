@@ -116,8 +116,8 @@ int study_effects_command(const Environment& env, LessonChoice choice, const Stu
 int study_time_steps_command(const Environment& env, LessonChoice choice,
                              const StudyOptions& options);
 
-/// Measures pictures with few samples a pixel against one with many, and prints a table; in
-/// `out_dir` pictures.csv. The rest is as with effects.
+/// Measures pictures with few samples a pixel by OpenGL against one with many, and prints a table;
+/// in `out_dir` pictures.csv. The rest is as with effects.
 int study_pictures_command(const Environment& env, LessonChoice choice,
                            const StudyOptions& options);
 

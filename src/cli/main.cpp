@@ -129,9 +129,10 @@ void add_export(CLI::App& app, Arguments& args) {
   command->add_option("--jobs", options.jobs, "Threads; 0: one for each processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  parsed(command, "--renderer", options.renderer, renderer_of, "one of osmesa, egl",
-         "What paints pixels, without a display; the first of them that is there, if not given")
-      ->type_name("osmesa|egl");
+  parsed(command, "--renderer", options.renderer, renderer_of, "one of cairo, osmesa, egl",
+         "What draws pixels: cairo, if not given; or, as the window does, OpenGL by one of two "
+         "libraries that may be installed")
+      ->type_name("cairo|osmesa|egl");
   command->add_flag("--no-questions{false}", options.questions,
                     "Leave out the frames that ask a question");
   command->add_flag("--index", options.index,
@@ -325,11 +326,11 @@ void add_commands(CLI::App& app, Arguments& args) {
           "Examples:\n  gjkscope study models --out study\n"
           "  gjkscope study models general-growth --quick\n");
 
-  of_lessons("pictures", "What supersampling costs")
+  of_lessons("pictures", "What supersampling by OpenGL costs")
       ->footer(
           "Compares the last frame of each lesson with 1, 2 and 4 samples along each side of a "
           "pixel\n"
-          "with the same frame with 16.\n\n"
+          "with the same frame with 16, all drawn by the renderer egl.\n\n"
           "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 

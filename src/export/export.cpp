@@ -174,11 +174,11 @@ Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   for (const std::string& name : Theme::names(options.assets_dir / "themes")) {
     sum.add(read_whole(options.assets_dir / "themes" / (name + ".toml")));
   }
-  const int renderer = options.renderer ? static_cast<int>(*options.renderer) : -1;
   sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format),
                       options.theme, options.width, options.height, options.scale, options.dpi,
                       options.transparent, options.stage_only, options.handout, options.seconds,
-                      options.fps, static_cast<int>(options.caption), renderer));
+                      options.fps, static_cast<int>(options.caption),
+                      static_cast<int>(options.renderer)));
   return sum;
 }
 

@@ -8,7 +8,7 @@
 
 #include "export/format.hpp"
 #include "lesson/lesson.hpp"
-#include "paint/gl_context.hpp"
+#include "paint/canvas.hpp"
 
 namespace gjkscope {
 
@@ -31,11 +31,11 @@ struct ExportOptions {
   double seconds = 2.0;      ///< Films: how long a frame is shown; the last twice as long.
   int fps = 0;  ///< Images a second of what moves from frame to frame; 0: frames follow at once.
   CaptionPlace caption = CaptionPlace::below;
-  std::optional<int> first_step;     ///< From 1; frames A..B of each lesson, all without.
-  std::optional<int> last_step;      ///< Past the last frame means: to the last.
-  int jobs = 0;                      ///< Threads that paint, encode and write; 0: one a processor.
-  std::optional<Renderer> renderer;  ///< What paints pixels; the first that is there, without.
-  bool questions = true;             ///< Frames that ask are among them.
+  std::optional<int> first_step;  ///< From 1; frames A..B of each lesson, all without.
+  std::optional<int> last_step;   ///< Past the last frame means: to the last.
+  int jobs = 0;                   ///< Threads that paint, encode and write; 0: one a processor.
+  Renderer renderer = Renderer::cairo;  ///< What draws pixels.
+  bool questions = true;                ///< Frames that ask are among them.
   bool index = false;     ///< png: also write index.html, the contact sheet of these lessons.
   bool progress = false;  ///< Say on stderr what is being done.
   bool force = false;     ///< Replace files that were not exported; make again what is up to date.

@@ -13,23 +13,16 @@
 namespace gjkscope {
 namespace {
 
-constexpr std::array<std::string_view, 2> kNames = {"osmesa", "egl"};
-
-/// Why there is none of one kind.
-struct Unavailable : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Of a library that stays to the end of the process: its threads and its memory do.
 class Library {
  public:
   explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW)) {
-    if (!handle_) throw Unavailable(::dlerror());
+    if (!handle_) throw std::runtime_error(::dlerror());
   }
   template <class Function>
   void find(Function& function, const char* name) const {
     function = reinterpret_cast<Function>(::dlsym(handle_, name));
-    if (!function) throw Unavailable(fmt::format("{} has no {}", name_, name));
+    if (!function) throw std::runtime_error(fmt::format("{} has no {}", name_, name));
   }
 
  private:
@@ -41,7 +34,7 @@ template <class Find>
 void find_functions(Gl& gl, Find find) {
 #define GJKSCOPE_FIND(name)                                        \
   gl.name = reinterpret_cast<decltype(gl.name)>(find("gl" #name)); \
-  if (!gl.name) throw Unavailable("the renderer has no gl" #name);
+  if (!gl.name) throw std::runtime_error("the renderer has no gl" #name);
   GJKSCOPE_GL_FUNCTIONS(GJKSCOPE_FIND)
 #undef GJKSCOPE_FIND
 }
@@ -81,7 +74,7 @@ class OsMesaContext : public GlContext {
                                             0,       kAccumBits, 0,          kProfile, kCompatible,
                                             kMajor,  2,          kMinor,     1,        0};
     context_ = mesa_.create(attributes.data(), nullptr);
-    if (!context_) throw Unavailable("no context (RGBA, compatibility profile, 2.1)");
+    if (!context_) throw std::runtime_error("no context (RGBA, compatibility profile, 2.1)");
     find_functions(functions, mesa_.function);
   }
   ~OsMesaContext() override {
@@ -94,7 +87,7 @@ class OsMesaContext : public GlContext {
     constexpr GLint kYUp = 0x11;
     image.resize(width_, height_);
     if (!mesa_.make_current(context_, image.pixels.data(), GL_UNSIGNED_BYTE, width_, height_)) {
-      throw Unavailable(fmt::format("no drawing on {}x{} pixels", width_, height_));
+      throw std::runtime_error(fmt::format("no drawing on {}x{} pixels", width_, height_));
     }
     mesa_.pixel_store(kYUp, 0);
   }
@@ -138,9 +131,10 @@ class EglContext : public GlContext {
     // The same pixels on every machine, whatever graphics card it has.
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     display_ = egl_.GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (!display_) throw Unavailable("no display without a surface (that of Mesa has one)");
+    if (!display_) throw std::runtime_error("no display without a surface (that of Mesa has one)");
     // Once for all contexts: a display is the process's, and stays.
-    if (!egl_.Initialize(display_, nullptr, nullptr)) throw Unavailable("no renderer in software");
+    if (!egl_.Initialize(display_, nullptr, nullptr))
+      throw std::runtime_error("no renderer in software");
     constexpr std::array<EGLint, 13> kWanted = {EGL_SURFACE_TYPE,
                                                 EGL_PBUFFER_BIT,
                                                 EGL_RENDERABLE_TYPE,
@@ -157,7 +151,7 @@ class EglContext : public GlContext {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!egl_.ChooseConfig(display_, kWanted.data(), &config, 1, &count) || count == 0) {
-      throw Unavailable("no image of 8-bit RGBA");
+      throw std::runtime_error("no image of 8-bit RGBA");
     }
     const std::array<EGLint, 5> size = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     surface_ = egl_.CreatePbufferSurface(display_, config, size.data());
@@ -165,7 +159,8 @@ class EglContext : public GlContext {
     context_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
     if (!surface_ || !context_) {
       close();
-      throw Unavailable(fmt::format("no context of OpenGL with {}x{} pixels", width, height));
+      throw std::runtime_error(
+          fmt::format("no context of OpenGL with {}x{} pixels", width, height));
     }
     find_functions(functions, egl_.GetProcAddress);
   }
@@ -177,7 +172,7 @@ class EglContext : public GlContext {
     image.resize(width_, height_);
     egl_.BindAPI(EGL_OPENGL_API);
     if (!egl_.MakeCurrent(display_, surface_, surface_, context_)) {
-      throw Unavailable(fmt::format("no drawing on {}x{} pixels", width_, height_));
+      throw std::runtime_error(fmt::format("no drawing on {}x{} pixels", width_, height_));
     }
   }
   void end(Image& image) override {
@@ -201,35 +196,14 @@ class EglContext : public GlContext {
   EGLContext context_ = nullptr;
 };
 
-std::unique_ptr<GlContext> make(Renderer renderer, int width, int height) {
-  if (renderer == Renderer::osmesa) return std::make_unique<OsMesaContext>(width, height);
-  return std::make_unique<EglContext>(width, height);
-}
-
 }  // namespace
 
-std::optional<Renderer> renderer_of(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<Renderer>(i);
-  }
-  return std::nullopt;
+std::unique_ptr<GlContext> make_osmesa_context(int width, int height) {
+  return std::make_unique<OsMesaContext>(width, height);
 }
 
-std::unique_ptr<GlContext> make_gl_context(std::optional<Renderer> wanted, int width, int height) {
-  std::string tried;
-  for (const Renderer renderer : {Renderer::osmesa, Renderer::egl}) {
-    if (wanted && *wanted != renderer) continue;
-    try {
-      return make(renderer, width, height);
-    } catch (const Unavailable& why) {
-      tried += fmt::format("\n  {}: {}", kNames[static_cast<std::size_t>(renderer)], why.what());
-    }
-  }
-  throw std::runtime_error(
-      fmt::format("cannot draw pixels without a display; tried:{}\n"
-                  "Debian 12 has both renderers: apt-get install libosmesa6, or libegl1 "
-                  "libgl1-mesa-dri. svg, pdf and html need none",
-                  tried));
+std::unique_ptr<GlContext> make_egl_context(int width, int height) {
+  return std::make_unique<EglContext>(width, height);
 }
 
 }  // namespace gjkscope

@@ -1,23 +1,13 @@
 #pragma once
-// OpenGL without a display. Its libraries are looked for at run time: nothing links to them, and
-// who draws no pixels needs none.
+// OpenGL without a display. Its libraries are looked for at run time: nothing links to them.
 
 #include <GL/gl.h>
 
 #include <memory>
-#include <optional>
-#include <string_view>
 
 #include "paint/image.hpp"
 
 namespace gjkscope {
-
-/// Ways to a renderer. OSMesa draws into memory, but has left Mesa with version 25.1; EGL without a
-/// surface of a display (EGL_MESA_platform_surfaceless) is its successor. What they draw differs by
-/// one step of 255 at most, in one pixel of 10,000 at most (tests/paint/canvas_test.cpp).
-enum class Renderer { osmesa, egl };
-/// "osmesa" or "egl".
-[[nodiscard]] std::optional<Renderer> renderer_of(std::string_view name);
 
 #define GJKSCOPE_GL_FUNCTIONS(FUNCTION) \
   FUNCTION(BindTexture)                 \
@@ -72,9 +62,11 @@ class GlContext {
   Gl functions;
 };
 
-/// The wanted renderer, or the first of the list that is there. Throws std::runtime_error saying
-/// what was tried and what to install.
-[[nodiscard]] std::unique_ptr<GlContext> make_gl_context(std::optional<Renderer> wanted, int width,
-                                                         int height);
+/// OSMesa draws into memory, but has left Mesa with version 25.1; EGL without a surface of a
+/// display (EGL_MESA_platform_surfaceless) is its successor. What they draw differs by one step of
+/// 255 at most, in one pixel of 10,000 at most (tests/paint/canvas_test.cpp). Both throw
+/// std::runtime_error saying what is missing.
+[[nodiscard]] std::unique_ptr<GlContext> make_osmesa_context(int width, int height);
+[[nodiscard]] std::unique_ptr<GlContext> make_egl_context(int width, int height);
 
 }  // namespace gjkscope

@@ -9,6 +9,7 @@ namespace gjkscope {
 
 /// 8-bit RGBA, rows from top to bottom.
 struct Image {
+  static constexpr std::size_t kChannels = 4;
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
@@ -16,8 +17,7 @@ struct Image {
   void resize(int new_width, int new_height) {
     width = new_width;
     height = new_height;
-    pixels.resize(std::size_t{4} * static_cast<std::size_t>(width) *
-                  static_cast<std::size_t>(height));
+    pixels.resize(kChannels * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   }
 };
 

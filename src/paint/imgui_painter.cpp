@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "paint/arrow.hpp"
+#include "paint/cut.hpp"
 #include "picture/text_box.hpp"
 
 namespace gjkscope {
@@ -23,21 +24,12 @@ using std::numbers::pi;
 constexpr int kVertexLimit = 65535;
 constexpr int kVerticesPerList = 40000;
 
-// Circles are polygons whose sides stay this close to the circle, in pixels of the list.
-constexpr double kCircleError = 0.08;
-
 // Ends of lines are round beyond this half width, in pixels of the list.
 constexpr double kSquareEnds = 1.0;
-
-// Lines at most this wide (frame pixels) that run along an axis are moved to pixel boundaries:
-// rules and ticks stay crisp. Wider ones may move smoothly.
-constexpr double kHairline = 1.25;
 
 constexpr double kCoincident = 1e-3;
 
 using Points = std::vector<Point>;
-
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Points without_repeats(const Points& points, bool closed) {
   Points kept;
@@ -48,25 +40,6 @@ Points without_repeats(const Points& points, bool closed) {
     kept.pop_back();
   }
   return kept;
-}
-
-Points arc(const Point& center, double radius, double from, double to, double pixels_per_unit) {
-  const double pixels = std::max(radius * pixels_per_unit, 0.5);
-  const double step = 2.0 * std::acos(1.0 - std::min(kCircleError / pixels, 0.5));
-  const int count = std::max(3, static_cast<int>(std::ceil((to - from) / step)));
-  Points points;
-  for (int i = 0; i <= count; ++i) {
-    const double angle = from + (to - from) * i / count;
-    points.emplace_back(center.x() + radius * std::cos(angle),
-                        center.y() + radius * std::sin(angle));
-  }
-  return points;
-}
-
-Points circle(const Point& center, double radius, double pixels_per_unit) {
-  Points points = arc(center, radius, 0.0, 2.0 * pi, pixels_per_unit);
-  points.pop_back();
-  return points;
 }
 
 /// What a round pen covers on its way from `from` to `to`.
@@ -111,19 +84,6 @@ constexpr double kMostDashes = 400.0;
   return !(length <= kMostDashes * period_of(pattern));
 }
 
-/// The part of a line from `a` to `b` that may show inside `bounds`: it begins a whole number of
-/// periods after `a`, so that the dashes stay where they are.
-[[nodiscard]] Points visible_part(const Point& a, const Point& b, const Rect& bounds,
-                                  double period) {
-  const double length = (b - a).norm();
-  const Point reach = 0.5 * bounds.size() + Point(period, period);
-  const double along = (bounds.center() - a).dot(b - a) / length;
-  const double begin =
-      std::clamp(std::floor((along - reach.norm()) / period) * period, 0.0, length);
-  const double end = std::clamp(along + reach.norm(), 0.0, length);
-  return {a + (b - a) * (begin / length), a + (b - a) * (end / length)};
-}
-
 /// The pieces of a line that its dash pattern leaves, from its first point on.
 std::vector<Points> dashes(const Points& points, bool closed, std::span<const double> pattern) {
   std::vector<Points> pieces;
@@ -156,28 +116,6 @@ std::vector<Points> dashes(const Points& points, bool closed, std::span<const do
   return pieces;
 }
 
-/// The part of a convex polygon inside another one, which turns clockwise as seen on the frame: cut
-/// by one side after the other (Sutherland and Hodgman, "Reentrant polygon clipping", 1974).
-Points intersect(Points polygon, const Points& inside) {
-  for (std::size_t i = 0; i < inside.size() && !polygon.empty(); ++i) {
-    const Point& a = inside[i];
-    const Point side = inside[(i + 1) % inside.size()] - a;
-    Points kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Point& from = polygon[k];
-      const Point& to = polygon[(k + 1) % polygon.size()];
-      const double from_depth = cross(side, from - a);
-      const double to_depth = cross(side, to - a);
-      if (from_depth >= 0.0) kept.push_back(from);
-      if ((from_depth < 0.0) != (to_depth < 0.0)) {
-        kept.push_back(from + (to - from) * (from_depth / (from_depth - to_depth)));
-      }
-    }
-    polygon = std::move(kept);
-  }
-  return polygon;
-}
-
 class MarkPainter {
  public:
   MarkPainter(ImDrawList& list, const Theme& theme, const AtlasFonts& fonts,
@@ -192,7 +130,8 @@ class MarkPainter {
 
   void operator()(const Polyline& polyline) const {
     Points points = without_repeats(polyline.points, polyline.closed);
-    if (points.size() == 2) align_to_pixels(points[0], points[1]);
+    // Of the frame: samples of one pixel agree.
+    if (points.size() == 2) align_to_pixels(points[0], points[1], *style_, 1.0);
     stroke(points, polyline.closed && points.size() > 2);
   }
 
@@ -298,16 +237,6 @@ class MarkPainter {
     return result;
   }
 
-  void align_to_pixels(Point& a, Point& b) const {
-    const double width = style_->width;
-    if (width > kHairline || !style_->dash.empty()) return;
-    for (int axis = 0; axis < 2; ++axis) {
-      if (a[axis] == b[axis]) {
-        a[axis] = b[axis] = std::round(a[axis] - 0.5 * width) + 0.5 * width;
-      }
-    }
-  }
-
   void fill(const Points& points) const {
     if (style_->fill) fill_convex(points, style_->fill);
   }
@@ -333,7 +262,8 @@ class MarkPainter {
     } else if (style_->dash.empty()) {
       solid(points, closed, *paint);
     } else if (points.size() == 2 && (points[1] - points[0]).norm() > period_of(style_->dash)) {
-      dashed(visible_part(points[0], points[1], visible(), period_of(style_->dash)), false, *paint);
+      const auto part = visible_part(points[0], points[1], visible(), period_of(style_->dash));
+      if (part) dashed({part->first, part->second}, false, *paint);
     } else {
       dashed(points, closed, *paint);
     }

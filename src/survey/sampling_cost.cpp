@@ -23,6 +23,7 @@ std::unique_ptr<Canvas> canvas(const Fonts& fonts, const Theme& theme, int small
   options.height = kFrameHeight / smaller;
   options.supersampling = factor;
   options.zoom = 1.0 / smaller;
+  options.renderer = Renderer::egl;
   return std::make_unique<Canvas>(fonts, theme, options);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What supersampling costs: pictures with few samples a pixel against one with many.
+// What supersampling costs: pictures drawn by OpenGL with few samples a pixel, against one with
+// many.
 
 #include <array>
 #include <functional>
