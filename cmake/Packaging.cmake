@@ -40,9 +40,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME gjkscope)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter, fonts-dejavu-core, fonts-jetbrains-mono")
-# Looked for at run time: what paints pixels without a display, and the window's OpenGL.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1, libgl1-mesa-dri")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ffmpeg)
+# Looked for at run time: the window's OpenGL.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, libosmesa6, libegl1")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Lessons, a window and exports that show the GJK distance algorithm
 decision by decision.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME gjkscope-dev)

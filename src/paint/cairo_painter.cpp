@@ -141,25 +141,9 @@ class CairoMarks {
     std::visit(*this, mark.shape);
   }
   void set_style(const Style& style) { style_ = style; }
-  /// What fills of polygons are cut to, besides the clip of cairo.
-  void set_rounded_clip(const Rect& clip, double corner) { rounded_ = {clip, corner}; }
-  void no_rounded_clip() { rounded_.reset(); }
-
   void operator()(const Polygon& polygon) const {
     outline(polygon.points, true);
-    if (rounded_) {
-      cairo_save(cairo_);
-      cairo_path_t* const path = cairo_copy_path(cairo_);
-      cairo_new_path(cairo_);
-      add_box(cairo_, rounded_->rect, rounded_->corner);
-      cairo_clip(cairo_);
-      cairo_append_path(cairo_, path);
-      cairo_path_destroy(path);
-      fill(style_.fill);
-      cairo_restore(cairo_);
-    } else {
-      fill(style_.fill);
-    }
+    fill(style_.fill);
     stroke(style_.stroke);
   }
   void operator()(const Polyline& line) const {
@@ -320,16 +304,7 @@ class CairoMarks {
   double scale_;
   Rect drawn_;
   Style style_;
-  std::optional<Box> rounded_;
 };
-
-/// To whole pixels, which is many times as fast.
-Rect on_pixels(const Rect& rect, double scale) {
-  const auto rounded = [scale](const Point& p) {
-    return Point((scale * p).array().round() / scale);
-  };
-  return {rounded(rect.min), rounded(rect.max)};
-}
 
 }  // namespace
 
@@ -352,16 +327,10 @@ void CairoPainter::paint(cairo_t* cairo, const Picture& picture, const Theme& th
       cairo_restore(cairo);
       cairo_save(cairo);
       clip = mark.clip;
-      painter.no_rounded_clip();
       if (clip >= 0) {
         const Rect& rect = picture.clips.at(static_cast<std::size_t>(clip));
         cairo_new_path(cairo);
-        if (medium_ == Medium::page) {
-          add_box(cairo, rect, picture.clip_corner);
-        } else {
-          add_box(cairo, on_pixels(rect, scale), 0.0);
-          if (picture.clip_corner > 0.0) painter.set_rounded_clip(rect, picture.clip_corner);
-        }
+        add_box(cairo, rect, picture.clip_corner);
         cairo_clip(cairo);
       }
     }

@@ -20,7 +20,10 @@ TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
   options.height = 180;
   options.supersampling = 1;
   options.zoom = 0.25;
-  Canvas canvas(fonts, Theme::load(assets / "themes", "light"), options);
+  const Theme theme = Theme::load(assets / "themes", "light");
+  Canvas by_cairo(fonts, theme, options);
+  options.renderer = Renderer::osmesa;
+  Canvas by_gl(fonts, theme, options);
   int painted = 0;
   for (Lesson lesson : testing::shipped_lessons()) {
     for (const double camera : {1e-18, 1e-3, 1e3, 1e18}) {
@@ -33,7 +36,9 @@ TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
         const LessonRun run = run_lesson(extreme);
         EffectGraph effects(run);
         LessonPictures pictures(run, effects, fonts, {}, LabelScope::frame);
-        (void)canvas.paint(pictures.picture(static_cast<int>(run.frames.size()) / 2));
+        const Picture picture = pictures.picture(static_cast<int>(run.frames.size()) / 2);
+        (void)by_cairo.paint(picture);
+        (void)by_gl.paint(picture);
         ++painted;
       }
     }
