@@ -27,6 +27,7 @@
 #include "lesson/save.hpp"
 #include "paint/canvas.hpp"
 #include "paint/pdf.hpp"
+#include "paint/png.hpp"
 #include "paint/svg.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
@@ -260,7 +261,7 @@ class Exporter {
         fonts_(options.assets_dir / "fonts.toml"),
         theme_(Theme::load(options.assets_dir / "themes", options.theme)),
         page_(page_of(options.width, options.height)),
-        writer_(thread_count(options), [this] { return canvas(); }),
+        writer_(thread_count(options), [this] { return write_frame(); }),
         made_from_(fingerprint_of(options, fonts_)) {
     page_.bare = options.stage_only;
     page_.captions = options.caption == CaptionPlace::below;
@@ -405,13 +406,26 @@ class Exporter {
     }
     may_write(file);
     const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
-    const std::string record = record_text(way.record(key, step, step));
+    writer_.submit({picture, file, way.run.lesson.title, alternative_text(text),
+                    record_text(way.record(key, step, step))});
+  }
+  /// For one thread.
+  [[nodiscard]] FrameWriter::Write write_frame() const {
     if (options_.format == Format::svg) {
-      write_bytes(file, to_svg(picture, fonts_, theme_, alternative_text(text), record,
-                               options_.transparent));
-      return;
+      return [this](const FrameJob& job) {
+        write_bytes(job.path, to_svg(job.picture, fonts_, theme_, job.description, job.record,
+                                     options_.transparent));
+      };
     }
-    writer_.submit(picture, file, words(way, text, record));
+    return [this, own = std::shared_ptr<Canvas>(canvas())](const FrameJob& job) {
+      const PngWords words{{{"Software", signature()},
+                            {"Title", job.title},
+                            {"Description", job.description},
+                            {kRecordKeyword, job.record}},
+                           options_.dpi * options_.scale,
+                           options_.transparent};
+      write_whole(job.path, encode_png(own->paint(job.picture), words));
+    };
   }
 
   /// The pictures between a step and the one before it; none where nothing moves.
@@ -426,16 +440,6 @@ class Exporter {
       if (out.back() == to) return {};
     }
     return out;
-  }
-
-  [[nodiscard]] PngWords words(const LessonOnItsWay& way, const FrameText& text,
-                               const std::string& record) const {
-    return {{{"Software", signature()},
-             {"Title", way.run.lesson.title},
-             {"Description", alternative_text(text)},
-             {kRecordKeyword, record}},
-            options_.dpi * options_.scale,
-            options_.transparent};
   }
 
   bool add_document(LessonOnItsWay& way) {

@@ -2,23 +2,21 @@
 
 #include <utility>
 
-#include "lesson/file.hpp"
-
 namespace gjkscope {
 
-FrameWriter::FrameWriter(int thread_count, MakeCanvas make_canvas)
-    : make_canvas_(std::move(make_canvas)),
+FrameWriter::FrameWriter(int thread_count, std::function<Write()> make_write)
+    : make_write_(std::move(make_write)),
       most_waiting_(2 * static_cast<std::size_t>(thread_count)) {
   for (int i = 0; i < thread_count; ++i) threads_.emplace_back([this] { work(); });
 }
 
 FrameWriter::~FrameWriter() { close(); }
 
-void FrameWriter::submit(Picture picture, std::filesystem::path path, PngWords words) {
+void FrameWriter::submit(FrameJob job) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return jobs_.size() < most_waiting_ || failure_; });
   if (failure_) std::rethrow_exception(failure_);
-  jobs_.push_back({std::move(picture), std::move(path), std::move(words)});
+  jobs_.push_back(std::move(job));
   changed_.notify_all();
 }
 
@@ -38,12 +36,12 @@ void FrameWriter::close() {
 }
 
 void FrameWriter::work() {
-  std::unique_ptr<Canvas> canvas;
+  Write write;
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return !jobs_.empty() || closed_; });
     if (jobs_.empty()) return;
-    const Job job = std::move(jobs_.front());
+    const FrameJob job = std::move(jobs_.front());
     jobs_.pop_front();
     changed_.notify_all();
     // After a failure the rest is only taken off the queue.
@@ -51,8 +49,8 @@ void FrameWriter::work() {
     lock.unlock();
     std::exception_ptr failure;
     try {
-      if (!canvas) canvas = make_canvas_();
-      write_whole(job.path, encode_png(canvas->paint(job.picture), job.words));
+      if (!write) write = make_write_();
+      write(job);
     } catch (...) {
       failure = std::current_exception();
     }
