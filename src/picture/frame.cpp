@@ -605,10 +605,10 @@ Picture LessonPictures::picture(int index) {
       page.append(legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_));
     }
     if (view.close_up) draw_close_up(picture, *view.close_up, at);
-    // To the corner of the card: above the title, too, nothing shows.
+    // Up to the border of the card, at most 2 wide: above the title, too, nothing shows.
     page.add(
         "view-title.box",
-        Box{{card.min + Point(1.0, 1.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 1.0});
+        Box{{card.min + Point(2.0, 2.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 2.0});
     for (std::size_t line = 0; line < view.title.size(); ++line) {
       const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
       page.write("view-title", card.min + start, view.title[line], type::kViewTitle);
