@@ -1,11 +1,17 @@
 // The command line of gjkscope: its arguments, and the command that runs them.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "lesson/file.hpp"
@@ -334,7 +340,35 @@ void add_commands(CLI::App& app, Arguments& args) {
           "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 
-int run_export(const Environment& env, Arguments& args) {
+/// Options that not every format takes, and those that do.
+constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
+constexpr std::array<std::pair<const char*, std::string_view>, 13> kTakenBy = {{
+    {"--size", kDrawn},
+    {"--theme", kDrawn},
+    {"--steps", kDrawn},
+    {"--crop", kDrawn},
+    {"--caption", kDrawn},
+    {"--no-questions", kDrawn},
+    {"--scale", "png, pdf, tex, gif, apng, mp4, webm"},
+    {"--dpi", "png, pdf, tex"},
+    {"--transparent", "png, svg, pdf, tex"},
+    {"--handout", "pdf"},
+    {"--seconds", "gif, apng, mp4, webm"},
+    {"--fps", "png, svg, gif, apng, mp4, webm"},
+    {"--renderer", "png, gif, apng, mp4, webm"},
+}};
+
+/// The first option given that `format` does not take, as a message; empty where there is none.
+std::string untaken_option(const CLI::App& command, const std::string& format) {
+  for (const auto& [option, formats] : kTakenBy) {
+    if (command.count(option) == 0) continue;
+    if (fmt::format(", {},", formats).find(fmt::format(" {},", format)) == std::string::npos)
+      return fmt::format("{} goes with {}, not with {}", option, formats, format);
+  }
+  return {};
+}
+
+int run_export(const Environment& env, const CLI::App& command, Arguments& args) {
   ExportOptions& options = args.export_options;
   std::tie(options.width, options.height) = args.size;
   options.first_step = args.steps.first;
@@ -353,12 +387,17 @@ int run_export(const Environment& env, Arguments& args) {
     options.file_name = args.out.filename().string();
     if (args.format.empty()) args.format = ending;
   }
+  if (args.format.empty()) args.format = name_of(options.format);
+  if (const std::string untaken = untaken_option(command, args.format); !untaken.empty()) {
+    env.err << "gjkscope export: " << untaken << "\n";
+    return kUsage;
+  }
   if (args.format == "html") {
     return export_pages_command(
         env, args.lessons,
         {options.out_dir, env.share, options.index, options.force, options.file_name}, args.json);
   }
-  if (!args.format.empty()) options.format = *format_of(args.format);
+  options.format = *format_of(args.format);
   return export_command(env, args.lessons, options, args.json);
 }
 
@@ -396,7 +435,7 @@ int run(const CLI::App& app, Arguments& args) {
     return kUsage;
   }
   if (tells) return transcript_command(env, args.lessons, args.markdown, options.questions);
-  return run_export(env, args);
+  return run_export(env, *app.get_subcommand("export"), args);
 }
 
 /// The command that an unknown word was meant to be.

@@ -91,17 +91,16 @@ void check(const ExportOptions& options) {
                                          kMostOnHandout, options.handout));
   }
   if (options.caption == CaptionPlace::file && !has_file_per_frame(options.format)) {
-    throw std::runtime_error(
-        fmt::format("captions go into files beside those of png and svg; a {} has none beside it",
-                    name_of(options.format)));
+    throw std::runtime_error(fmt::format(
+        "captions go into files beside those of png and svg, not of {}", name_of(options.format)));
   }
   if (options.transparent && is_film(options.format)) {
-    throw std::runtime_error(fmt::format("a {} cannot be transparent; png, svg, pdf and tex can",
+    throw std::runtime_error(fmt::format("{} cannot be transparent; png, svg, pdf and tex can",
                                          name_of(options.format)));
   }
   if (options.fps > 0 && !is_film(options.format) && !has_file_per_frame(options.format)) {
-    throw std::runtime_error(fmt::format("--fps is for png, svg and films; in a {} nothing moves",
-                                         name_of(options.format)));
+    throw std::runtime_error(
+        fmt::format("png, svg and films can move; {} cannot", name_of(options.format)));
   }
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {
     throw std::runtime_error(fmt::format("a frame of {}x{} is too small; the least is {}x{}",

@@ -289,6 +289,22 @@ TEST(Program, AnExportThatIsKilledLeavesWholeFilesAndIsTakenUpAgain) {
   EXPECT_GT(killed, 2);
 }
 
+TEST(Program, RefusesOptionsThatAFormatDoesNotTake) {
+  const test::TemporaryFolder folder;
+  const std::string out = "export segment-closest --out " + (folder.path() / "out").string();
+  for (const char* rest :
+       {" --format html --theme dark", " --format html --steps 1..2", " --handout 4",
+        " --format gif --dpi 200", " --format svg --scale 2", " --format pdf --fps 10",
+        " --format gif --transparent", " --format svg --renderer egl", " --seconds 1"}) {
+    const Ran ran = run_program(out + rest);
+    EXPECT_EQ(kUsage, ran.exit_code) << rest;
+    EXPECT_TRUE(holds(ran.err, "goes with")) << rest << ran.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+  const Ran ran = run_program("export segment-closest --handout 4 --out a.gif");
+  EXPECT_EQ(ran.err, "gjkscope export: --handout goes with pdf, not with gif\n");
+}
+
 TEST(Program, DrawsWithoutOpenGlAndSaysWhenItIsAskedFor) {
   const test::TemporaryFolder folder;
   // Libraries of these names that are none come first.
