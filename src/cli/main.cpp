@@ -340,8 +340,8 @@ void add_commands(CLI::App& app, Arguments& args) {
           "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
 }
 
-/// Options that not every format takes, and those that do.
 constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
+/// Options that only some formats take, each with these formats.
 constexpr std::array<std::pair<const char*, std::string_view>, 13> kTakenBy = {{
     {"--size", kDrawn},
     {"--theme", kDrawn},

@@ -141,6 +141,7 @@ class CairoMarks {
     std::visit(*this, mark.shape);
   }
   void set_style(const Style& style) { style_ = style; }
+
   void operator()(const Polygon& polygon) const {
     outline(polygon.points, true);
     fill(style_.fill);

@@ -38,6 +38,7 @@ std::vector<Point> intersect(std::vector<Point> polygon, const std::vector<Point
 std::optional<std::pair<Point, Point>> visible_part(const Point& a, const Point& b,
                                                     const Rect& bounds, double period) {
   const double length = (b - a).norm();
+  if (length == 0.0) return std::nullopt;
   const double reach = 0.5 * bounds.size().norm() + period;
   const Point to_center = bounds.center() - a;
   const double along = to_center.dot(b - a) / length;

@@ -21,7 +21,7 @@ namespace gjkscope {
 
 /// The part of the line from `a` to `b` that may show inside `bounds`. It begins a whole number of
 /// periods after `a`, so that dashes stay where they are; 0 is the period of a solid line. Nothing
-/// where the line passes by.
+/// where the line passes by or has no length.
 [[nodiscard]] std::optional<std::pair<Point, Point>> visible_part(const Point& a, const Point& b,
                                                                   const Rect& bounds,
                                                                   double period);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lessons.hpp"
+#include "paint/cut.hpp"
 #include "paint/imgui_painter.hpp"
 #include "picture/frame.hpp"
 #include "sample_picture.hpp"
@@ -405,6 +406,13 @@ TEST_P(Painted, WhatIsFarAwayIsCutWhereItDoesNotShow) {
     EXPECT_TRUE(is(circle, 78, 50, kWhite));
     EXPECT_TRUE(is(circle, 82, 50, kFill));
   }
+}
+
+TEST(VisiblePart, IsNothingOfALineThatPassesByOrHasNoLength) {
+  const Rect bounds{{0, 0}, {100, 50}};
+  EXPECT_TRUE(visible_part({-1e9, 20}, {1e9, 20}, bounds, 0.0));
+  EXPECT_FALSE(visible_part({-1e9, 900}, {1e9, 900}, bounds, 0.0));
+  EXPECT_FALSE(visible_part({60, 20}, {60, 20}, bounds, 0.0));
 }
 
 TEST(Canvas, TextStylesThatNoAtlasHasAreErrorsByOpenGl) {
