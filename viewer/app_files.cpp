@@ -187,7 +187,7 @@ void App::save_to(const fs::path& file) {
     const PositionedRun& run = session_.run().run(session_.frame());
     return write_text(file, case_json(case_of(run), session_.lesson().id));
   }
-  Lesson lesson = with_absolute_results(session_.lesson_as_seen());
+  Lesson lesson = with_absolute_file(session_.lesson_as_seen());
   lesson.expect = outcome_of(session_.run());
   const std::string text = lesson_toml(lesson);
   LoadedLesson saved = parse_lesson(text, file, vocabulary());

@@ -70,7 +70,7 @@ void UnsavedWork::keep(const std::vector<Session::Unsaved>& all) {
   int kept = 0;
   for (const Session::Unsaved& each : all) {
     const std::string text = fmt::format("{}{}\n{}", kFrom, each.file.string(),
-                                         lesson_toml(with_absolute_results(each.lesson)));
+                                         lesson_toml(with_absolute_file(each.lesson)));
     // Bytes: not pushed to the disk, which would hold up a drag; a killed process loses none.
     write_whole(work_of(path_, ++kept),
                 std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));

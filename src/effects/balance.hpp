@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "effects/graph.hpp"
+#include "tables/time.hpp"
 
 namespace gjkscope {
 

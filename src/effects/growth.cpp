@@ -9,6 +9,7 @@
 
 #include "effects/registry.hpp"
 #include "geometry/minkowski.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 namespace {
@@ -144,7 +145,7 @@ gjk::Options options_of(const Lesson& lesson) {
 
 Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
   const gjk::Options options = options_of(lesson);
-  const int runs = lesson.growth->runs;
+  const int runs = lesson.table.as<LessonGrowth>()->runs;
   const int pairs = std::clamp(kMadeVertices / vertices, 1, runs);
   Growth::Sample sample;
   sample.vertices = vertices;
@@ -156,7 +157,7 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
     for (int i = pair; i < runs; i += pairs) {
       query.y.pose = random_pose(random);
       const gjk::Trace<double, 2> trace = gjk::trace(query, options);
-      add(sample, trace, lesson.growth->tolerance);
+      add(sample, trace, lesson.table.as<LessonGrowth>()->tolerance);
       if (sample.runs == 1) sample.example = example_of(query, trace);
     }
   }
@@ -169,16 +170,16 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
 }  // namespace
 
 bool Growth::is_same(const LessonRun& one, const LessonRun& other) {
-  return one.lesson.growth == other.lesson.growth &&
+  return one.lesson.table == other.lesson.table &&
          options_of(one.lesson) == options_of(other.lesson);
 }
 
 EffectKey Growth::key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
 
 Growth::Value Growth::compute(EffectGraph&, const LessonRun& run, const Frame&) {
-  Random random(run.lesson.growth->seed);
+  Random random(run.lesson.table.as<LessonGrowth>()->seed);
   Value samples;
-  for (const int vertices : run.lesson.growth->vertices)
+  for (const int vertices : run.lesson.table.as<LessonGrowth>()->vertices)
     samples.push_back(measured(random, run.lesson, vertices));
   return samples;
 }

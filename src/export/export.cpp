@@ -182,24 +182,6 @@ Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   return sum;
 }
 
-/// The results of a study that a lesson shows are not in its file.
-std::string text_of_results(const Lesson& lesson) {
-  std::string text;
-  if (!lesson.study) return text;
-  const auto add_points = [&](const std::vector<Eigen::Vector2d>& points) {
-    for (const Eigen::Vector2d& p : points) text += fmt::format("{:a} {:a},", p.x(), p.y());
-  };
-  for (const StudyDot& dot : lesson.study->dots) {
-    text += fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {:a} {:a} {:a} ", dot.family,
-                        dot.configuration, dot.axis, dot.proof, dot.pairs, dot.wrong, dot.undecided,
-                        dot.settled, dot.on_front, dot.ns, dot.ratio, dot.error.value_or(-1.0),
-                        dot.answer.value_or(-1.0), dot.distance);
-    add_points(dot.x);
-    add_points(dot.y);
-  }
-  return text + lesson.study->processor;
-}
-
 /// A document that shows the pages of the PDF beside it, one after the other.
 std::string beamer(const std::string& pdf, const std::string& title,
                    const std::vector<RecordedFrame>& frames) {
@@ -316,7 +298,7 @@ class Exporter {
     way.toml = lesson_toml(way.run.lesson);
     way.made_from.add(lesson.id);
     way.made_from.add(way.toml);
-    way.made_from.add(text_of_results(lesson));
+    if (const auto& file = lesson.table.file) way.made_from.add(*file->text);
     EffectGraph effects(way.run);
     way.texts = lesson_texts(way.run, effects);
     // What is on the way from frame to frame is seen only in pictures.

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gjk/gjk.hpp"
-#include "lesson/study_results.hpp"
+#include "lesson/act_table.hpp"
 
 namespace gjkscope {
 
@@ -114,89 +114,14 @@ struct LessonPath {
   std::vector<LessonMotion> motions{2};  ///< One for each body.
   int frames = 0;                        ///< 0: the corners themselves.
   std::optional<double> seconds;         ///< The clock: how long all of it takes.
+  [[nodiscard]] std::size_t positions() const {
+    return frames > 0 ? static_cast<std::size_t>(frames) : x().points.size();
+  }
   [[nodiscard]] LessonMotion& x() { return motions[0]; }
   [[nodiscard]] LessonMotion& y() { return motions[1]; }
   [[nodiscard]] const LessonMotion& x() const { return motions[0]; }
   [[nodiscard]] const LessonMotion& y() const { return motions[1]; }
   friend bool operator==(const LessonPath&, const LessonPath&) = default;
-};
-
-/// Moments of a simulation that lasts `seconds`: `frames` at equal steps, from first to last, or,
-/// with `frames` 0, those listed for each position of X.
-struct LessonTime {
-  double seconds = 1.0;
-  int frames = 2;
-  std::vector<std::vector<double>> moments = {};  ///< In seconds, ascending.
-  /// The moments at a position, in seconds.
-  [[nodiscard]] std::vector<double> at(int position) const {
-    if (frames == 0) return moments[static_cast<std::size_t>(position)];
-    std::vector<double> out;
-    for (int i = 0; i < frames; ++i) out.push_back(seconds * i / (frames - 1));
-    return out;
-  }
-  friend bool operator==(const LessonTime&, const LessonTime&) = default;
-};
-
-/// How long each method takes for the distance of two outlines, in nanoseconds, at each size of a
-/// [growth]: what `gjkscope study models` has measured.
-struct GrowthTimes {
-  std::string machine;
-  std::vector<double> pairs;       ///< All pairs of segments.
-  std::vector<double> pieces;      ///< Convex pieces, cut beforehand; of sizes that are cut.
-  std::vector<double> boxes;       ///< Trees of boxes, built beforehand,
-  std::vector<double> circles;     ///< of circles,
-  std::vector<double> remembered;  ///< of boxes, from the closest pair of the position before,
-  std::vector<double> collide;     ///< and only to find whether they collide.
-  std::vector<double> build;       ///< Both trees of boxes.
-  friend bool operator==(const GrowthTimes&, const GrowthTimes&) = default;
-};
-/// By their names in files.
-inline constexpr std::array<std::pair<std::string_view, std::vector<double> GrowthTimes::*>, 7>
-    kGrowthTimes = {{{"pairs", &GrowthTimes::pairs},
-                     {"pieces", &GrowthTimes::pieces},
-                     {"boxes", &GrowthTimes::boxes},
-                     {"circles", &GrowthTimes::circles},
-                     {"remembered", &GrowthTimes::remembered},
-                     {"collide", &GrowthTimes::collide},
-                     {"build", &GrowthTimes::build}}};
-
-/// Runs to be measured: pairs of random convex polygons, `runs` of them with each number of
-/// vertices.
-struct LessonGrowth {
-  std::vector<int> vertices;  ///< Of each of the two polygons, ascending.
-  int runs = 100;
-  int seed = 1;              ///< Of the random polygons.
-  double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
-                             ///< lower >= (1 - tolerance) * upper.
-  std::optional<GrowthTimes> times = {};
-  friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
-};
-
-/// A configuration of the study that a lesson introduces.
-struct StudyMark {
-  std::string configuration;  ///< One of the family's.
-  std::string beside;  ///< An earlier mark's, which it is compared with; empty: the one before.
-  std::string about;   ///< What it does, in a few words.
-  std::string note;    ///< A sentence about it, for the frame that introduces it.
-  friend bool operator==(const StudyMark&, const StudyMark&) = default;
-};
-
-/// Results of the study of accuracy, and those of them that a lesson introduces one after the
-/// other.
-struct LessonStudy {
-  std::string results;  ///< The file, as seen from the lesson's folder.
-  std::string family;   ///< The family of pairs that is shown.
-  std::vector<StudyMark> marks;
-  std::string processor;       ///< From the file: what it was measured on,
-  std::vector<StudyDot> dots;  ///< and the results for all families.
-
-  /// The dot of a configuration of the family.
-  [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {
-    return *std::find_if(dots.begin(), dots.end(), [&](const StudyDot& each) {
-      return each.family == family && each.configuration == configuration;
-    });
-  }
-  friend bool operator==(const LessonStudy&, const LessonStudy&) = default;
 };
 
 /// What a frame asks before a step answers it. The answer is the step's of the run, so any shapes
@@ -241,9 +166,7 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  std::optional<LessonTime> time;      ///< These three are set with the acts that need their
-  std::optional<LessonGrowth> growth;  ///< table (ActNeeds), and only then.
-  std::optional<LessonStudy> study;
+  ActTable table;  ///< The one that the act needs (ActNeeds::table), if it needs one.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.

@@ -6,25 +6,23 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
+#include "lesson/table_kind.hpp"
 #include "lesson/toml_reader.hpp"
 
 namespace gjkscope {
 
 namespace {
 
-using detail::Field;
-using detail::in_quotes;
-using detail::Problems;
-using detail::Reader;
-using detail::Table;
-
-constexpr std::string_view kPathTable = "path";
+using toml_file::Field;
+using toml_file::in_quotes;
+using toml_file::Problems;
+using toml_file::Reader;
+using toml_file::Table;
 
 std::string one_of(const std::vector<std::string>& names) {
   return fmt::format("one of: {}", fmt::join(names, ", "));
@@ -48,7 +46,7 @@ class LessonReader {
   LessonReader(Problems& problems, const Vocabulary& vocabulary, std::filesystem::path folder,
                const FileReader& read_file)
       : problems_(problems),
-        reader_(problems),
+        reader_(vocabulary.keys, problems),
         vocabulary_(vocabulary),
         folder_(std::move(folder)),
         read_file_(read_file) {}
@@ -68,12 +66,7 @@ class LessonReader {
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
-  void read_time(const Table& time, Place place);
-  std::vector<std::vector<double>> read_moments(const Field& field, double last,
-                                                std::size_t positions);
-  void read_growth(const Table& growth);
-  void read_growth_times(const Table& times, LessonGrowth& growth);
-  void read_study(const Table& study);
+  void read_act_table(const Table& file);
   void read_steps(const Table& steps, const Table& file);
   void check_act(const Act& act, const Field& granularity, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
@@ -107,7 +100,7 @@ class LessonReader {
 };
 
 Lesson LessonReader::read(const toml::table& root) {
-  const Table file(root, "", problems_);
+  const Table file(root, "", vocabulary_.keys, problems_);
   read_head(file);
 
   const std::optional<Table> query = reader_.table(file["query"], "query");
@@ -127,21 +120,8 @@ Lesson LessonReader::read(const toml::table& root) {
   if (lesson_.warm_start && !path_field)
     problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
-  const Field time_field = file["time"];
-  if (const auto time = reader_.table(time_field, "time")) read_time(*time, time_field.place());
-  if (const auto growth = reader_.table(file["growth"], "growth")) read_growth(*growth);
-  if (const auto study = reader_.table(file["study"], "study")) read_study(*study);
   if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
-  const Act* own = vocabulary_.act(lesson_.act);
-  for (const Act* act : vocabulary_.acts) {
-    if (act->needs.table != act->name || act->name == kPathTable) continue;
-    if (own != nullptr && own->needs.table == act->needs.table) continue;
-    if (const Field field = file[act->name]) {
-      problems_.add(field.place(),
-                    fmt::format("a table [{0}] without granularity '{0}'", act->name),
-                    fmt::format("granularity = \"{}\" in [steps]", act->name));
-    }
-  }
+  read_act_table(file);
   read_prose(file["prose"]);
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -415,7 +395,7 @@ void LessonReader::read_path(const Table& path, Place place) {
   if (seconds && !frames)
     problems_.add(seconds.place(), "a clock without 'frames'", "'frames' in [path]");
 
-  const std::size_t positions = read.frames > 0 ? read.frames : read.x().points.size();
+  const std::size_t positions = read.positions();
   const std::size_t vertices = lesson_.x().vertices.size() + lesson_.y().vertices.size();
   if (positions * vertices > kScannedVertices) {
     problems_.add(
@@ -464,184 +444,14 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
   return read;
 }
 
-void LessonReader::read_time(const Table& time, Place place) {
-  using namespace limits;
-  LessonTime read;
-  read.seconds = reader_.number(time["seconds"], 0.0, kSeconds).value_or(read.seconds);
-  if (read.seconds == 0.0) {
-    problems_.add(time["seconds"].place(), "'seconds' is 0",
-                  fmt::format("number above 0, up to {}", kSeconds));
-  }
-  const Field frames = time["frames"];
-  const Field moments = time["moments"];
-  std::size_t positions = 1;
-  if (const auto& path = lesson_.path_of_shapes)
-    positions = path->frames > 0 ? path->frames : path->x().points.size();
-  if (frames || !moments) {
-    if (moments) problems_.add(moments.place(), "'moments' besides 'frames'", "one of the two");
-    if (!frames) problems_.add(place, "a simulation without frames", "'frames' or 'moments'");
-    read.frames = reader_.whole_number(frames, 2, kMoments).value_or(read.frames);
-    if (frames && positions * read.frames > kMoments) {
-      problems_.add(frames.place(),
-                    fmt::format("{} frames at each of {} positions", read.frames, positions),
-                    fmt::format("a product of at most {}", kMoments));
-    }
-  } else {
-    read.frames = 0;
-    read.moments = read_moments(moments, read.seconds, positions);
-  }
-  lesson_.time = std::move(read);
-}
-
-std::vector<std::vector<double>> LessonReader::read_moments(const Field& field, double last,
-                                                            std::size_t positions) {
-  using namespace limits;
-  std::vector<std::vector<double>> all;
-  std::size_t count = 0;
-  for (const Field& list : reader_.entries(field, "list of seconds")) {
-    std::vector<double>& moments = all.emplace_back();
-    const std::vector<Field> entries =
-        reader_.entries(list, fmt::format("number from 0 to {:g}", last));
-    for (const Field& entry : entries) {
-      const std::optional<double> moment = reader_.number(entry, 0.0, last);
-      if (!moment) continue;
-      if (!moments.empty() && *moment <= moments.back())
-        problems_.add(entry.place(), entry.label + " does not come later", "ascending moments");
-      moments.push_back(*moment);
-    }
-    if (list.node->is_array() && entries.empty())
-      problems_.add(list.place(), list.label + " is empty", "at least one moment");
-    count += moments.size();
-  }
-  if (!field.node->is_array()) return all;
-  if (all.size() != positions) {
-    problems_.add(field.place(), fmt::format("{} lists for {} positions", all.size(), positions),
-                  "a list for each position of X");
-  }
-  if (count > kMoments)
-    problems_.add(field.place(), fmt::format("{} moments", count),
-                  fmt::format("at most {} in all", kMoments));
-  return all;
-}
-
-void LessonReader::read_growth(const Table& growth) {
-  using namespace limits;
-  LessonGrowth read;
-  const Field vertices = growth["vertices"];
-  const std::vector<Field> sizes =
-      reader_.entries(vertices, fmt::format("whole number from 3 to {}", kMeasuredVertices));
-  if (vertices && vertices.node->is_array() && (sizes.size() < 2 || sizes.size() > kSizes))
-    problems_.add(vertices, fmt::format("'vertices' has {} entries", sizes.size()));
-  for (const Field& entry : sizes) {
-    const std::optional<int> size = reader_.whole_number(entry, 3, kMeasuredVertices);
-    if (!size) continue;
-    if (!read.vertices.empty() && *size <= read.vertices.back()) {
-      problems_.add(entry.place(), fmt::format("{} vertices after {}", *size, read.vertices.back()),
-                    "ascending numbers");
-    }
-    read.vertices.push_back(*size);
-  }
-  const long all = std::accumulate(read.vertices.begin(), read.vertices.end(), 0L);
-  if (all > kMeasuredTogether) {
-    problems_.add(vertices.place(), fmt::format("{} vertices in all", all),
-                  fmt::format("a sum of at most {}", kMeasuredTogether));
-  }
-  read.runs = reader_.whole_number(growth["runs"], 1, kMeasuredRuns).value_or(read.runs);
-  read.seed = reader_.whole_number(growth["seed"], 0, kSeed).value_or(read.seed);
-  read.tolerance =
-      reader_.number(growth["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(read.tolerance);
-  if (const auto times = reader_.table(growth["times"], "growth.times"))
-    read_growth_times(*times, read);
-  lesson_.growth = std::move(read);
-}
-
-/// Pieces are timed up to the largest outlines that are cut, all else at each size.
-void LessonReader::read_growth_times(const Table& times, LessonGrowth& growth) {
-  using namespace limits;
-  GrowthTimes& read = growth.times.emplace();
-  read.machine = reader_.text(times["machine"], kNameLength).value_or("");
-  for (const auto& [name, member] : kGrowthTimes) {
-    const Field field = times[name];
-    std::vector<double>& list = read.*member;
-    for (const Field& entry :
-         reader_.entries(field, fmt::format("number from 1 to {:g}", kNanoseconds))) {
-      if (const std::optional<double> ns = reader_.number(entry, 1.0, kNanoseconds))
-        list.push_back(*ns);
-    }
-    const bool fits = list.size() == growth.vertices.size() ||
-                      (member == &GrowthTimes::pieces && list.size() < growth.vertices.size());
-    if (field && field.node->is_array() && !fits) {
-      problems_.add(field.place(),
-                    fmt::format("{} times for {} sizes", list.size(), growth.vertices.size()),
-                    fmt::format("those that `gjkscope study models` measures at {} sizes",
-                                growth.vertices.size()));
-    }
-  }
-}
-
-void LessonReader::read_study(const Table& study) {
-  using namespace limits;
-  LessonStudy read;
-  const Field results = study["results"];
-  const Field family = study["family"];
-  const Field marks = study["marks"];
-  read.results = reader_.text(results, kPathLength).value_or("");
-  if (!read.results.empty()) {
-    const std::filesystem::path file = folder_ / read.results;
-    const FileText text = read_file_(file, kResultsBytes);
-    if (!text.text) {
-      problems_.add(results.place(), fmt::format("{}: {}", file.string(), text.problem),
-                    "accuracy.json of `gjkscope study accuracy --out`");
-    } else if (text.text->size() > kResultsBytes) {
-      problems_.add(results.place(), fmt::format("{}: the file is too large", file.string()),
-                    fmt::format("at most {} bytes", static_cast<int>(kResultsBytes)));
-    } else {
-      try {
-        StudyResults found = parse_study_results(*text.text);
-        read.processor = std::move(found.processor);
-        read.dots = std::move(found.dots);
-      } catch (const std::runtime_error& error) {
-        problems_.add(results.place(), fmt::format("{}: {}", file.string(), error.what()));
-      }
-    }
-  }
-  if (read.dots.empty()) return;
-  read.family = reader_.name(family, "family", families_in(read.dots)).value_or("");
-  std::vector<std::string> known;
-  for (const StudyDot& dot : of_family(read.dots, read.family)) known.push_back(dot.configuration);
-  const std::vector<Field> entries = reader_.entries(marks, "table [[study.marks]]");
-  if (marks && marks.node->is_array() && (entries.empty() || entries.size() > kMarks))
-    problems_.add(marks, fmt::format("{} marks", entries.size()));
-  for (const Field& entry : entries) {
-    const std::optional<Table> table = reader_.table(entry, "study.marks");
-    if (!table || read.family.empty()) continue;
-    const Field configuration = (*table)["configuration"];
-    StudyMark mark;
-    std::vector<std::string> earlier;
-    for (const StudyMark& other : read.marks) earlier.push_back(other.configuration);
-    mark.beside = reader_.name((*table)["beside"], "earlier mark", earlier).value_or("");
-    mark.about = reader_.text((*table)["about"], kAboutLength).value_or("");
-    mark.note = reader_.text((*table)["note"], kNoteLength).value_or("");
-    const std::optional<std::string> name = reader_.name(configuration, "configuration", known);
-    if (!name) continue;
-    mark.configuration = *name;
-    if (std::find(earlier.begin(), earlier.end(), *name) != earlier.end()) {
-      problems_.add(configuration.place(), fmt::format("configuration '{}' is named twice", *name),
-                    "each configuration once");
-    }
-    read.marks.push_back(std::move(mark));
-  }
-  lesson_.study = std::move(read);
-}
-
 /// A block, a listing or an effect goes with one act, or shows the second run.
 void LessonReader::check_needs(const Term& term, const Field& field, std::string_view what) {
   if (!term.act.empty() && lesson_.act != term.act) {
     const Act* act = vocabulary_.act(term.act);
     problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
                   fmt::format("granularity = \"{}\" in [steps]", term.act) +
-                      (act != nullptr && !act->needs.table.empty()
-                           ? fmt::format(", and a table [{}]", act->needs.table)
+                      (act != nullptr && !act->needs.table_name().empty()
+                           ? fmt::format(", and a table [{}]", act->needs.table_name())
                            : std::string()));
   }
   if (term.second_run && !beside_) {
@@ -665,9 +475,9 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
                   std::move(expected));
   };
   const ActNeeds& needs = act.needs;
-  if (!needs.table.empty() && !file[needs.table])
-    return refuse("without its table", fmt::format("a table [{}]", needs.table));
-  if (!needs.takes_path && file[kPathTable]) refuse("with a path", "no table [path]");
+  if (const std::string_view table = needs.table_name(); !table.empty() && !file[table])
+    return refuse("without its table", fmt::format("a table [{}]", table));
+  if (needs.path == PathUse::refused && file["path"]) refuse("with a path", "no table [path]");
   if (shapes_read_ < 2) return;
   const int largest =
       static_cast<int>(std::max(lesson_.x().vertices.size(), lesson_.y().vertices.size()));
@@ -722,6 +532,24 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
   if (until && !act.needs.why_no_until.empty()) {
     problems_.add(until.place(), fmt::format("'until' with granularity '{}'", act.name),
                   fmt::format("no 'until': {}", act.needs.why_no_until));
+  }
+}
+
+void LessonReader::read_act_table(const Table& file) {
+  const TableKind* own = vocabulary_.act(lesson_.act)->needs.table;
+  for (const TableKind* kind : tables_of(vocabulary_.acts)) {
+    const Field field = file[kind->name];
+    if (!field) continue;
+    if (kind != own) {
+      const std::vector<std::string> acts = names_of(acts_with(vocabulary_.acts, *kind));
+      problems_.add(field.place(),
+                    fmt::format("a table [{}] without granularity '{}'", kind->name,
+                                fmt::join(acts, "' or '")),
+                    fmt::format("granularity = \"{}\" in [steps]", fmt::join(acts, "\" or \"")));
+    } else if (const auto table = reader_.table(field, kind->name)) {
+      lesson_.table =
+          kind->read({*table, field.place(), reader_, problems_, lesson_, folder_, read_file_});
+    }
   }
 }
 
@@ -953,8 +781,9 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
                  fmt::format("at most {} bytes", static_cast<int>(limits::kFileBytes)));
     return std::nullopt;
   }
-  if (const std::optional<Place> place = detail::too_deep_key(text)) {
-    problems.add(*place, "a key of too many parts", fmt::format("at most {}", detail::kDeepestKey));
+  if (const std::optional<Place> place = toml_file::too_deep_key(text)) {
+    problems.add(*place, "a key of too many parts",
+                 fmt::format("at most {}", toml_file::kDeepestKey));
     return std::nullopt;
   }
   try {
@@ -963,7 +792,7 @@ std::optional<toml::table> parse_toml(std::string_view text, Problems& problems)
     constexpr std::size_t kLongest = 200;  // the parser quotes what it stumbled on, however long
     const auto& begin = error.source().begin;
     const std::string what = std::string(error.description()).substr(0, kLongest);
-    problems.add(within(text, detail::place_at(begin)), "not TOML: " + what);
+    problems.add(within(text, toml_file::place_at(begin)), "not TOML: " + what);
     return std::nullopt;
   }
 }
@@ -1005,13 +834,13 @@ Place place_of_key(const std::filesystem::path& file, std::string_view dotted_ke
       const auto found = table->find(part);
       if (found == table->end()) break;
       node = &found->second;
-      place = detail::place_at(found->first.source().begin);
+      place = toml_file::place_at(found->first.source().begin);
     } else if (const toml::array* array = node->as_array()) {
       std::size_t index = 0;
       const auto result = std::from_chars(part.data(), part.data() + part.size(), index);
       if (result.ec != std::errc() || index >= array->size()) break;
       node = array->get(index);
-      place = detail::place_at(node->source().begin);
+      place = toml_file::place_at(node->source().begin);
     } else {
       break;
     }

@@ -16,7 +16,8 @@ namespace gjkscope {
 /// Texts must be UTF-8, numbers finite, and the vertices of `options.start` there.
 [[nodiscard]] std::string lesson_toml(const Lesson& lesson);
 
-/// The same lesson where the paths in it do not depend on its own: it can be written anywhere.
-[[nodiscard]] Lesson with_absolute_results(Lesson lesson);
+/// The same lesson, where a file that it names is named by its whole path: it can be written
+/// anywhere.
+[[nodiscard]] Lesson with_absolute_file(Lesson lesson);
 
 }  // namespace gjkscope

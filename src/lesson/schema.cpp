@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "lesson/names.hpp"
+#include "lesson/table_kind.hpp"
+#include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
 
@@ -14,17 +16,13 @@ std::string one_of() {
   return fmt::format("one of: {}", fmt::join(names_of<E>(), ", "));
 }
 
-std::string text_up_to(int length) { return fmt::format("text of 1 to {} characters", length); }
-
-std::vector<LessonKey> make_keys() {
+std::vector<LessonKey> own_keys() {
   using namespace limits;
   const std::string camera_height =
       fmt::format("number from {} to {}", kSmallestCameraHeight, kLargest);
   const std::string stretch = fmt::format("number from {} to {}", 1.0 / kMostStretch, kMostStretch);
   const std::string required(kRequired);
   const std::string point_list = "list of points [x, y]";
-  const std::string times =
-      fmt::format("list of numbers from 1 to {:g}, one a size: nanoseconds", kNanoseconds);
   const std::string list_of_turns = fmt::format("list of numbers from {} to {}", -kTurn, kTurn);
   return {
       {"", "title", text_up_to(kTitleLength), required, "heading of every frame"},
@@ -40,9 +38,6 @@ std::vector<LessonKey> make_keys() {
       {"", "steps", "table [steps]", "its defaults", "which frames there are"},
       {"", "path", "table [path]", "the shapes stay where they are",
        "positions of the shapes, one run each"},
-      {"", "time", "table [time]", "no time", "the moments that frames show"},
-      {"", "growth", "table [growth]", "none", "random polygons that runs are measured with"},
-      {"", "study", "table [study]", "none", "results of `gjkscope study accuracy`"},
       {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
       {"", "questions", "tables [[questions]]", "none", "what frames ask before they tell it"},
@@ -123,58 +118,8 @@ std::vector<LessonKey> make_keys() {
       {"path.Y", "turns", list_of_turns, "Y does not turn",
        "degrees that Y is turned by at its corners, as many as `points`"},
 
-      {"time", "seconds", fmt::format("number above 0, up to {}", kSeconds), required,
-       "how long the simulation takes; with `frames` the last is at its end"},
-      {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), "`moments`",
-       "moments at equal steps, for each position of X"},
-      {"time", "moments", "list of lists of ascending numbers from 0 to `seconds`", "`frames`",
-       "seconds of the frames, a list for each position of X"},
-
-      {"growth", "vertices",
-       fmt::format("list of 2 to {} whole numbers from 3 to {}, ascending", kSizes,
-                   kMeasuredVertices),
-       required,
-       fmt::format("numbers of vertices of each of the two polygons; their sum is at most {}",
-                   kMeasuredTogether)},
-      {"growth", "runs", fmt::format("whole number from 1 to {}", kMeasuredRuns), "100",
-       "runs with each number of vertices, of which frames show the averages"},
-      {"growth", "seed", fmt::format("whole number from 0 to {}", kSeed), "1",
-       "of the random polygons: the same number gives the same ones"},
-      {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
-       "the iterations until lower >= (1 - tolerance) * upper are counted, too"},
-      {"growth", "times", "table [growth.times]", "none",
-       "with granularity `general-growth`: how long methods take, as `gjkscope study models` "
-       "measures and writes it"},
-      {"growth.times", "machine", text_up_to(kNameLength), required, "what it was measured on"},
-      {"growth.times", "pairs", times, required, "all pairs of segments"},
-      {"growth.times", "pieces", times, required,
-       "convex pieces, cut beforehand, up to the largest that are cut"},
-      {"growth.times", "boxes", times, required, "trees of boxes, built beforehand"},
-      {"growth.times", "circles", times, required, "trees of circles"},
-      {"growth.times", "remembered", times, required,
-       "trees of boxes, from the closest pair of the position before"},
-      {"growth.times", "collide", times, required,
-       "trees of boxes, only to find whether they collide"},
-      {"growth.times", "build", times, required, "building both trees of boxes"},
-
-      {"study", "results", text_up_to(kPathLength), required,
-       "accuracy.json of a study, as seen from the folder of the lesson"},
-      {"study", "family", text_up_to(kNameLength), required,
-       "family of pairs that is shown, one of the file's"},
-      {"study", "marks", fmt::format("1 to {} tables [[study.marks]]", kMarks), required,
-       "configurations that frames introduce, in this order"},
-      {"study.marks", "configuration", text_up_to(kNameLength), required,
-       "one of the family's configurations"},
-      {"study.marks", "beside", text_up_to(kNameLength), "the mark before",
-       "an earlier mark, which it is compared with"},
-      {"study.marks", "about", text_up_to(kAboutLength), "none",
-       "what it does, for the panel `study`"},
-      {"study.marks", "note", text_up_to(kNoteLength), "none",
-       "a sentence about it, for the frame that introduces it"},
-
       {"views", "show", "world, difference, or a granularity that fills a view", required,
-       "the two shapes, Y - X, iterations and support calls as the polygons of [growth] grow, or "
-       "what [study] shows: one pair, then error against time"},
+       "the two shapes, Y - X, or what the granularity plots"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
       {"views", "camera", "table { center = [x, y], height = h, stretch = s }",
        "fits what is drawn", "the part of the world that is seen"},
@@ -201,7 +146,8 @@ std::vector<LessonKey> make_keys() {
       {"questions", "ask", "name of a question", required,
        "what is asked; each granularity has questions of its own"},
       {"questions", "at", fmt::format("whole number from 1 to {}", kCap), "each that can",
-       "iteration that answers; with `time` the mark that is asked about, from 1"},
+       "iteration that answers; where frames do not follow a run of GJK, the part that is asked "
+       "about"},
 
       {"expect", "stop",
        "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "
@@ -221,8 +167,18 @@ std::vector<LessonKey> make_keys() {
 
 }  // namespace
 
-const std::vector<LessonKey>& lesson_keys() {
-  static const std::vector<LessonKey> keys = make_keys();
+std::string text_up_to(int length) { return fmt::format("text of 1 to {} characters", length); }
+
+std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts) {
+  std::vector<LessonKey> keys = own_keys();
+  for (const TableKind* table : tables_of(acts)) {
+    const std::vector<std::string> names = names_of(acts_with(acts, *table));
+    keys.push_back({"", std::string(table->name), fmt::format("table [{}]", table->name), "none",
+                    fmt::format("{}; needed with granularity `{}`, and only then", table->meaning,
+                                fmt::join(names, "` or `"))});
+    const std::vector<LessonKey> more = table->keys();
+    keys.insert(keys.end(), more.begin(), more.end());
+  }
   return keys;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The keys of a lesson file, one table: the loader reads from it which keys there are, which are
+// The keys of a lesson file, one list: the loader reads from it which keys there are, which are
 // required and what a message says was expected; lessons/README.md shows it.
 
 #include <string>
@@ -20,8 +20,14 @@ struct LessonKey {
 
 inline constexpr std::string_view kRequired = "required";
 
-/// All keys, in the order in which README.md lists them.
-[[nodiscard]] const std::vector<LessonKey>& lesson_keys();
+struct Act;
+
+/// All keys, in the order in which README.md lists them: those of every lesson, then those of the
+/// tables that acts need.
+[[nodiscard]] std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts);
+
+/// "text of 1 to 80 characters"
+[[nodiscard]] std::string text_up_to(int length);
 
 /// Limits of what a lesson may hold: what a frame can show, and what a run should have to compute.
 namespace limits {
@@ -41,21 +47,7 @@ inline constexpr double kShortest = 0.001;    ///< Of a motion, in seconds.
 inline constexpr double kLongest = 3600.0;
 inline constexpr double kTurn = 360.0;          ///< Degrees.
 inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.
-inline constexpr int kMoments = 500;            ///< Of a simulation, at all positions together.
-inline constexpr double kSeconds = 3600.0;
-inline constexpr int kSizes = 16;                    ///< Numbers of vertices that are measured.
-inline constexpr int kMeasuredVertices = 1'000'000;  ///< Of one polygon.
-inline constexpr int kMeasuredTogether = 2'000'000;  ///< Of all sizes: a second or so.
-inline constexpr int kMeasuredRuns = 200;            ///< With each number of vertices.
-inline constexpr int kResultsBytes = 1 << 24;        ///< Of a file of the study.
-inline constexpr int kPathLength = 1000;
-inline constexpr double kNanoseconds = 1e15;  ///< That a method takes.
-inline constexpr int kNameLength = 80;        ///< Of a family or a configuration.
-inline constexpr int kMarks = 8;              ///< Of a study: as many as the panel can explain.
-inline constexpr int kAboutLength = 60;
-inline constexpr int kNoteLength = 200;
-inline constexpr int kSeed = 1'000'000'000;
-inline constexpr int kCap = 100;  ///< The steps of all positions are kept in memory.
+inline constexpr int kCap = 100;                ///< The steps of all positions are kept in memory.
 inline constexpr int kSimplexVertices = 3;
 inline constexpr int kOutlineVertices = 3;  ///< At least, of each of several outlines.
 /// Coordinates: doubles of this size still differ by less than a frame shows of a world as large;

@@ -6,9 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lesson/schema.hpp"
-
-namespace gjkscope::detail {
+namespace gjkscope::toml_file {
 
 namespace {
 
@@ -104,11 +102,12 @@ void refuse_other_keys(const toml::table& table, const std::vector<std::string>&
 
 }  // namespace
 
-Table::Table(const toml::table& table, std::string_view schema, Problems& problems)
-    : table_(table), schema_(schema) {
+Table::Table(const toml::table& table, std::string_view name, const std::vector<LessonKey>& keys,
+             Problems& problems)
+    : table_(table), name_(name), keys_(keys) {
   std::vector<std::string> known;
-  for (const LessonKey& key : lesson_keys()) {
-    if (key.table != schema) continue;
+  for (const LessonKey& key : keys) {
+    if (key.table != name) continue;
     known.push_back(key.key);
     if (key.otherwise == kRequired && !table.contains(key.key)) {
       problems.add(place_at(table.source().begin), fmt::format("missing key '{}'", key.key),
@@ -119,8 +118,8 @@ Table::Table(const toml::table& table, std::string_view schema, Problems& proble
 }
 
 Field Table::operator[](std::string_view key) const {
-  for (const LessonKey& known : lesson_keys()) {
-    if (known.table == schema_ && known.key == key) {
+  for (const LessonKey& known : keys_) {
+    if (known.table == name_ && known.key == key) {
       return {table_.get(key), fmt::format("'{}'", key), known.type};
     }
   }
@@ -131,9 +130,10 @@ void Reader::wrong_type(const Field& field) {
   problems_.add(field, fmt::format("{} is {}", field.label, kind_of(*field.node)));
 }
 
-std::optional<Table> Reader::table(const Field& field, std::string_view schema) {
+std::optional<Table> Reader::table(const Field& field, std::string_view name) {
   if (!field) return std::nullopt;
-  if (const toml::table* table = field.node->as_table()) return Table(*table, schema, problems_);
+  if (const toml::table* table = field.node->as_table())
+    return Table(*table, name, keys_, problems_);
   wrong_type(field);
   return std::nullopt;
 }
@@ -316,4 +316,4 @@ std::optional<Place> too_deep_key(std::string_view toml) {
   return std::nullopt;
 }
 
-}  // namespace gjkscope::detail
+}  // namespace gjkscope::toml_file

@@ -1,6 +1,6 @@
 #pragma once
-// Reads TOML values against the schema and collects what is wrong with them, each with its place.
-// Every function reports before it returns nothing; a caller need not report again.
+// Reads TOML values against the keys of lesson files and collects what is wrong with them, each
+// with its place. Every function reports before it returns nothing; a caller need not report again.
 
 #include <toml++/toml.h>
 
@@ -12,8 +12,9 @@
 
 #include "lesson/names.hpp"
 #include "lesson/problem.hpp"
+#include "lesson/schema.hpp"
 
-namespace gjkscope::detail {
+namespace gjkscope::toml_file {
 
 /// At least 1, 1, whatever the parser says.
 [[nodiscard]] Place place_at(const toml::source_position& position);
@@ -57,24 +58,29 @@ class Problems {
 /// A table of the file. Opening it reports unknown and missing keys.
 class Table {
  public:
-  Table(const toml::table& table, std::string_view schema, Problems& problems);
+  /// `name`: that of LessonKey::table.
+  Table(const toml::table& table, std::string_view name, const std::vector<LessonKey>& keys,
+        Problems& problems);
   [[nodiscard]] Field operator[](std::string_view key) const;
 
  private:
   const toml::table& table_;
-  std::string schema_;
+  std::string name_;
+  const std::vector<LessonKey>& keys_;
 };
 
 class Reader {
  public:
-  explicit Reader(Problems& problems) : problems_(problems) {}
+  /// `keys`: all that a file may have.
+  Reader(const std::vector<LessonKey>& keys, Problems& problems)
+      : keys_(keys), problems_(problems) {}
 
   /// The table, if the field is there and is one.
-  std::optional<Table> table(const Field& field, std::string_view schema);
+  std::optional<Table> table(const Field& field, std::string_view name);
   /// The entries of a list, each expected to be `expected`; empty if the field is not there.
   std::vector<Field> entries(const Field& field, std::string_view expected);
 
-  /// The values of a table whose keys are among `known`, which need not be in the schema.
+  /// The values of a table whose keys are among `known`.
   std::vector<std::pair<std::string, Field>> named_entries(const Field& field,
                                                            const std::vector<std::string>& known);
 
@@ -97,6 +103,7 @@ class Reader {
 
  private:
   void wrong_type(const Field& field);
+  const std::vector<LessonKey>& keys_;
   Problems& problems_;
 };
 
@@ -105,4 +112,4 @@ class Reader {
 [[nodiscard]] std::optional<Place> too_deep_key(std::string_view toml);
 inline constexpr int kDeepestKey = 16;
 
-}  // namespace gjkscope::detail
+}  // namespace gjkscope::toml_file

@@ -1,8 +1,16 @@
 #include "lesson/vocabulary.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "lesson/table_kind.hpp"
 
 namespace gjkscope {
+
+std::string_view ActNeeds::table_name() const {
+  if (path == PathUse::needed) return "path";
+  return table != nullptr ? table->name : std::string_view();
+}
 
 const AskInfo* Act::ask(std::string_view asked) const {
   const auto found = std::find_if(asks.begin(), asks.end(),
@@ -32,6 +40,23 @@ std::vector<std::string> names_of(const std::vector<const Act*>& acts) {
   std::vector<std::string> names;
   for (const Act* act : acts) names.emplace_back(act->name);
   return names;
+}
+
+std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts) {
+  std::vector<const TableKind*> tables;
+  for (const Act* act : acts) {
+    const TableKind* table = act->needs.table;
+    if (table != nullptr && std::find(tables.begin(), tables.end(), table) == tables.end())
+      tables.push_back(table);
+  }
+  return tables;
+}
+
+std::vector<const Act*> acts_with(const std::vector<const Act*>& acts, const TableKind& table) {
+  std::vector<const Act*> out;
+  std::copy_if(acts.begin(), acts.end(), std::back_inserter(out),
+               [&](const Act* act) { return act->needs.table == &table; });
+  return out;
 }
 
 }  // namespace gjkscope

@@ -8,19 +8,26 @@
 #include <vector>
 
 #include "lesson/run.hpp"
+#include "lesson/schema.hpp"
 
 namespace gjkscope {
 
-/// What an act wants of a lesson.
+/// Whether a table [path] goes with an act.
+enum class PathUse { refused, possible, needed };
+
+/// What an act needs of a lesson.
 struct ActNeeds {
-  /// A table of the file, "path" say. A lesson has no table that only other acts want.
-  std::string_view table = {};
+  /// A table of its own; nullptr: none. A lesson has no table that only other acts need.
+  const TableKind* table = nullptr;
+  PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
   int most_vertices = 0;      ///< Of each shape; 0: as many as a lesson may have.
-  bool takes_path = true;     ///< False: no table [path] may go with it.
   bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
   bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
+
+  /// The table that must be there, "path" among them; empty: none.
+  [[nodiscard]] std::string_view table_name() const;
 };
 
 /// A question that frames of an act can ask.
@@ -68,7 +75,8 @@ struct Vocabulary {
   std::vector<const Act*> plots;  ///< Those that fill a view with a plot, called like the act.
   std::vector<Term> blocks;
   std::vector<Term> listings;
-  std::vector<Term> effects;  ///< That views can call for.
+  std::vector<Term> effects;    ///< That views can call for.
+  std::vector<LessonKey> keys;  ///< All that a file may have: lesson_keys(acts).
 
   /// nullptr when there is none of this name.
   [[nodiscard]] const Act* act(std::string_view name) const;
@@ -78,5 +86,11 @@ struct Vocabulary {
 [[nodiscard]] const Term* find_term(const std::vector<Term>& terms, std::string_view name);
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Term>& terms);
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<const Act*>& acts);
+
+/// The tables that acts need, each once.
+[[nodiscard]] std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts);
+/// Those that need a table.
+[[nodiscard]] std::vector<const Act*> acts_with(const std::vector<const Act*>& acts,
+                                                const TableKind& table);
 
 }  // namespace gjkscope

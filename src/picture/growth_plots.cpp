@@ -7,6 +7,7 @@
 #include <span>
 
 #include "effects/growth.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 namespace {
@@ -17,7 +18,7 @@ double power_of_ten_from(double value) { return std::pow(10.0, std::ceil(std::lo
 
 /// A plot without series: n along x, and the frame's n.
 Plot against_vertices(const LessonRun& run, const Frame& frame) {
-  const std::vector<int>& sizes = run.lesson.growth->vertices;
+  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
   Plot plot;
   plot.x = {1.0, power_of_ten_from(sizes.back()), true, "vertices n of each polygon"};
   const int size = frame.part.value_or(ShownSize{-1}).index;
@@ -45,7 +46,7 @@ PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::str
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> measured = measured_by(effects, frame);
-  const LessonGrowth& growth = *run.lesson.growth;
+  const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
   Plot plot = against_vertices(run, frame);
   double most = Growth::kLarsenMost;
   for (const Sample& sample : effects.get<Growth>(frame)) most = std::max(most, sample.iterations);
@@ -65,7 +66,7 @@ Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& fr
 Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> measured = measured_by(effects, frame);
   Plot plot = against_vertices(run, frame);
-  const double largest = run.lesson.growth->vertices.back();
+  const double largest = run.lesson.table.as<LessonGrowth>()->vertices.back();
   plot.y = {1.0, power_of_ten_from(largest * largest), true, ""};
   PlotSeries all{PlotStyle::fourth, "n · n differences", {}};
   for (const Sample& sample : measured)

@@ -51,6 +51,7 @@ Vocabulary make_vocabulary() {
     out.acts.push_back(&staged->act);
     if (staged->plot_title != nullptr) out.plots.push_back(&staged->act);
   }
+  out.keys = lesson_keys(out.acts);
   for (const Block* block : registered_blocks())
     out.blocks.push_back({block->name, block->act, block->second_run, block->takes_listing});
   for (const Listing* listing : registered_listings())

@@ -4,6 +4,7 @@
 #include "lesson/run.hpp"
 #include "picture/acts/study.hpp"
 #include "picture/plot.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lesson/run.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope {
 

@@ -256,9 +256,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.until.reset();
   lesson.phases.clear();
   lesson.questions.clear();
-  lesson.time.reset();
-  lesson.growth.reset();
-  lesson.study.reset();
+  lesson.table = {};
   lesson.beside.reset();
   for (LessonShape& shape : lesson.bodies) {
     if (!staged.act.needs.takes_radius) shape.radius = 0.0;

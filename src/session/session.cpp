@@ -20,11 +20,7 @@ constexpr std::size_t kMostEntries = 500;
 constexpr std::size_t kMostRemembered = 1'000'000;
 
 std::size_t weight(const Lesson& lesson) {
-  std::size_t vertices = lesson.x().vertices.size() + lesson.y().vertices.size();
-  if (lesson.study) {
-    for (const StudyDot& dot : lesson.study->dots) vertices += dot.x.size() + dot.y.size();
-  }
-  return vertices;
+  return lesson.x().vertices.size() + lesson.y().vertices.size();
 }
 
 /// The lesson's camera that makes `seen` of it in `card`: a page may widen a lesson's camera.

@@ -212,10 +212,8 @@ class SiteWriter {
 
   [[nodiscard]] Json page_data(const Lesson& lesson, const std::string& kind) const {
     Json files = Json::object();
-    if (lesson.study) {
-      const fs::path results = fs::path(lesson.path).parent_path() / lesson.study->results;
-      files[results.filename().string()] = read_whole(results);
-    }
+    if (const auto& file = lesson.table.file)
+      files[fs::path(file->path).filename().string()] = *file->text;
     return {{"kind", kind},
             {"id", lesson.id},
             {"name", lesson.id + ".toml"},

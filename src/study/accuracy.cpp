@@ -7,10 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lesson/study_results.hpp"
 #include "study/counter.hpp"
 #include "study/less_work.hpp"
 #include "study/truth.hpp"
+#include "tables/study_results.hpp"
 
 namespace gjkscope::study {
 namespace {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/decimal.hpp"
 #include "study/less_work.hpp"
 #include "study/report.hpp"
 

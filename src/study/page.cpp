@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/decimal.hpp"
 #include "lesson/html.hpp"
 #include "study/less_work.hpp"
 #include "study/report.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lesson/decimal.hpp"
 #include "picture/study_plot.hpp"
 #include "study/report.hpp"
 

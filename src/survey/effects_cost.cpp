@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "effects/registry.hpp"
+#include "lesson/decimal.hpp"
 #include "picture/frame.hpp"
 
 namespace gjkscope {

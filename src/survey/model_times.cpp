@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "algorithms/general_growth/measure.hpp"
+#include "lesson/decimal.hpp"
 #include "models/brute.hpp"
 #include "study/accuracy.hpp"
 #include "study/interleave.hpp"
@@ -118,10 +119,10 @@ std::vector<ModelTimes> model_times(const Lesson& lesson, int turns,
                                     const std::function<bool()>& go_on) {
   if (lesson.act != "general-growth") return {};
   const study::Machine machine = study::this_machine();
-  ModelTimes out{lesson.id, lesson.growth->vertices, {}};
+  ModelTimes out{lesson.id, lesson.table.as<LessonGrowth>()->vertices, {}};
   out.times.machine = fmt::format("{}, {}", machine.processor, machine.compiler);
   for (const int size : out.sizes) {
-    if (!measure(out.times, size, lesson.growth->seed, turns, go_on)) return {};
+    if (!measure(out.times, size, lesson.table.as<LessonGrowth>()->seed, turns, go_on)) return {};
   }
   return {std::move(out)};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lesson/lesson.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 

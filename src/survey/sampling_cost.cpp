@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "lesson/decimal.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 

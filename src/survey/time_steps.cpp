@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "effects/balance.hpp"
+#include "lesson/decimal.hpp"
 #include "picture/registry.hpp"
+#include "tables/time.hpp"
 
 namespace gjkscope {
 namespace {
@@ -44,7 +46,7 @@ std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
     const Balance::Value& balance = effects.get<Balance>(*frame);
     if (!balance.moments.empty()) scenes.push_back({i, balance});
   }
-  const LessonTime time = *lesson.time;
+  const LessonTime time = *lesson.table.as<LessonTime>();
   const auto simulate = [time](const BeamScene& scene, double step) {
     return swing(scene.balance.masses, scene.balance.weights[1], time, scene.position, step);
   };
@@ -144,7 +146,7 @@ std::vector<TimeStepCost> motions(const Lesson& lesson, int repetitions,
 
 std::vector<TimeStepCost> time_step_costs(const Lesson& lesson, int repetitions,
                                           const std::function<bool()>& go_on) {
-  if (lesson.time) return beams(lesson, repetitions, go_on);
+  if (lesson.table.as<LessonTime>()) return beams(lesson, repetitions, go_on);
   const bool moves = lesson.path_of_shapes && lesson.path_of_shapes->seconds;
   return moves ? motions(lesson, repetitions, go_on) : std::vector<TimeStepCost>();
 }

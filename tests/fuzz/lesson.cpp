@@ -18,6 +18,7 @@
 #include "lesson/run.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
+#include "tables/growth.hpp"
 #include "trace/trace_json.hpp"
 #include "trace/trace_text.hpp"
 
@@ -51,10 +52,11 @@ class LessonFile {
 };
 
 bool is_cheap(const Lesson& lesson) {
-  if (lesson.growth) {
-    const std::vector<int>& sizes = lesson.growth->vertices;
+  if (lesson.table.as<LessonGrowth>()) {
+    const std::vector<int>& sizes = lesson.table.as<LessonGrowth>()->vertices;
     const auto grown = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-    if (kMostGrown < grown * static_cast<std::size_t>(lesson.growth->runs)) return false;
+    if (kMostGrown < grown * static_cast<std::size_t>(lesson.table.as<LessonGrowth>()->runs))
+      return false;
   }
   const gjk::Options& options = lesson.options;
   const bool all_stops = options.stop_on_repeated_support && options.stop_on_no_progress;

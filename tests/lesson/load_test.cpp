@@ -13,6 +13,9 @@
 #include "lesson_texts.hpp"
 #include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
+#include "tables/growth.hpp"
+#include "tables/study.hpp"
+#include "tables/time.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
@@ -393,7 +396,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"growth\"",
                 "granularity 'growth' without its table"},
         Refused{"[steps]", "¦[growth]\nvertices = [3, 4]\n[steps]",
-                "a table [growth] without granularity 'growth'"},
+                "a table [growth] without granularity 'growth' or 'general-growth'"},
         Refused{"show = \"difference\"", "show = ¦\"growth\"",
                 "view 'growth' without granularity 'growth'"},
         Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without granularity 'growth'"},
@@ -417,10 +420,10 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   const std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->time);
-  EXPECT_EQ(loaded.lesson->time->seconds, 6.0);
-  EXPECT_EQ(loaded.lesson->time->frames, 0);
-  ASSERT_EQ(loaded.lesson->time->moments.size(), 4u);
+  ASSERT_TRUE(loaded.lesson->table.as<LessonTime>());
+  EXPECT_EQ(loaded.lesson->table.as<LessonTime>()->seconds, 6.0);
+  EXPECT_EQ(loaded.lesson->table.as<LessonTime>()->frames, 0);
+  ASSERT_EQ(loaded.lesson->table.as<LessonTime>()->moments.size(), 4u);
   const LessonRun run = run_lesson(*loaded.lesson);
   ASSERT_EQ(run.frames.size(), 2u + 4u + 1u + 3u);
   EXPECT_EQ(seconds_of(run, run.frames[1]), 3.0);
@@ -459,12 +462,12 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
   const std::string text = testing::file_text(testing::lessons_folder() / "lazy-hull.toml");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->growth);
-  EXPECT_EQ(loaded.lesson->growth->vertices.size(), 12u);
-  EXPECT_EQ(loaded.lesson->growth->vertices.back(), 1'000'000);
-  EXPECT_EQ(loaded.lesson->growth->runs, 100);
-  EXPECT_EQ(loaded.lesson->growth->seed, 1998);
-  EXPECT_EQ(loaded.lesson->growth->tolerance, 0.001);
+  ASSERT_TRUE(loaded.lesson->table.as<LessonGrowth>());
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->vertices.size(), 12u);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->vertices.back(), 1'000'000);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->runs, 100);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->seed, 1998);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->tolerance, 0.001);
   const Edits refused = {
       {"[3, 10,", "[2, 10,", "entry 1 of 'vertices' is 2"},
       {"[3, 10,", "[3, 3, 10,", "3 vertices after 3; expected ascending numbers"},
@@ -489,9 +492,9 @@ TEST(Load, GrowthHasATimeForEachSize) {
   const std::string text = testing::file_text(testing::lessons_folder() / "general-growth.toml");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->growth->times);
-  EXPECT_EQ(loaded.lesson->growth->times->pieces.size(), 4u);
-  EXPECT_EQ(loaded.lesson->growth->times->build.size(), 9u);
+  ASSERT_TRUE(loaded.lesson->table.as<LessonGrowth>()->times);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->times->pieces.size(), 4u);
+  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->times->build.size(), 9u);
   const Edits refused = {{"vertices = [10, 30,", "vertices = [30,", "9 times for 8 sizes"},
                          {"pieces = [", "pieces = [1, 2, 3, 4, 5, 6, ", "10 times for 9 sizes"},
                          {"boxes = [", "boxes = [-1, ", "entry 1 of 'boxes' is -1"},
@@ -504,7 +507,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   const std::string text = testing::file_text(file);
   const LoadedLesson loaded = parse_lesson(text, file, vocabulary());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  const LessonStudy& study = *loaded.lesson->study;
+  const LessonStudy& study = *loaded.lesson->table.as<LessonStudy>();
   for (const StudyMark& mark : study.marks)
     EXPECT_EQ(study.dot(mark.configuration).configuration, mark.configuration);
   EXPECT_FALSE(study.processor.empty());
@@ -679,7 +682,7 @@ TEST(Load, AnEmptyFileMissesEveryRequiredKey) {
   const LoadedLesson loaded = parse("");
   EXPECT_FALSE(loaded.lesson);
   std::size_t required = 0;
-  for (const LessonKey& key : lesson_keys()) {
+  for (const LessonKey& key : vocabulary().keys) {
     required += key.table.empty() && key.otherwise == kRequired;
   }
   EXPECT_EQ(loaded.problems.size(), required);

@@ -45,7 +45,7 @@ std::string joined(const std::vector<std::string>& rows) {
 
 TEST(Readme, ListsEveryKey) {
   std::vector<std::string> rows;
-  for (const LessonKey& key : lesson_keys()) {
+  for (const LessonKey& key : vocabulary().keys) {
     rows.push_back(fmt::format("| `{}{}{}` | {} | {} | {} |", key.table,
                                key.table.empty() ? "" : ".", key.key, key.type, key.otherwise,
                                key.meaning));

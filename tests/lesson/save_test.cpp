@@ -17,6 +17,9 @@
 #include "lesson/names.hpp"
 #include "lesson_texts.hpp"
 #include "picture/registry.hpp"
+#include "tables/growth.hpp"
+#include "tables/study.hpp"
+#include "tables/time.hpp"
 
 namespace gjkscope {
 namespace save_test {
@@ -380,7 +383,7 @@ Lesson any_lesson(Random& random) {
     out.warm_start = one_in(random, 2);
   }
   if (out.act == "time") {
-    LessonTime& time = out.time.emplace();
+    LessonTime time;
     time.seconds = 0.5 + std::abs(any_number(random, 3000.0));
     time.frames = one_in(random, 2) ? 0 : 2 + static_cast<int>(below(random, 4));
     const auto& path = out.path_of_shapes;
@@ -392,9 +395,10 @@ Lesson any_lesson(Random& random) {
       for (int i = static_cast<int>(below(random, 3)); i < 4; ++i)
         moments.push_back(time.seconds * i / 3);
     }
+    out.table = ActTable(time);
   }
   if (out.act == "growth") {
-    LessonGrowth& growth = out.growth.emplace();
+    LessonGrowth growth;
     for (int size = 3; growth.vertices.size() < 2 || !one_in(random, 4); size *= 2)
       growth.vertices.push_back(size + static_cast<int>(below(random, 3)));
     growth.runs = 1 + static_cast<int>(below(random, 200));
@@ -407,16 +411,20 @@ Lesson any_lesson(Random& random) {
           (*growth.times.*member).push_back(1.0 + std::abs(any_number(random, 1e9)));
       }
     }
+    out.table = ActTable(growth);
   }
   if (out.act == "study") {
-    static const LessonStudy kShipped =
-        *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", vocabulary()).lesson->study;
-    LessonStudy& study = out.study.emplace(kShipped);
-    study.results = std::filesystem::absolute(testing::lessons_folder() / study.results).string();
-    study.marks.resize(1 + below(random, study.marks.size()));
+    static const ActTable kShipped =
+        with_absolute_file(
+            *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", vocabulary()).lesson)
+            .table;
+    out.table = kShipped;
+    std::vector<StudyMark>& marks = out.table.edit<LessonStudy>().marks;
+    marks.resize(1 + below(random, marks.size()));
   }
   for (LessonView& view : out.views) {
-    if ((out.growth || out.study) && one_in(random, 2)) view.kind = ViewKind::plot;
+    if ((out.act == "growth" || out.act == "study") && one_in(random, 2))
+      view.kind = ViewKind::plot;
     if (!shows_shapes(view.kind)) view.camera.reset();
     if (!shows_shapes(view.kind)) view.close_up.reset();
     if (!shows_shapes(view.kind) && !out.beside) view.effects.clear();
@@ -463,9 +471,9 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     long_prose += text.find("\"\"\"\\\n") != std::string::npos;
     points += made.x().vertices.size() == 1;
     paths += made.path_of_shapes.has_value();
-    timed += made.time.has_value();
-    grown += made.growth.has_value();
-    studied += made.study.has_value();
+    timed += made.table.as<LessonTime>() != nullptr;
+    grown += made.table.as<LessonGrowth>() != nullptr;
+    studied += made.table.as<LessonStudy>() != nullptr;
   }
   fmt::print(
       "{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed, {} grown, "

@@ -11,6 +11,7 @@
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/words.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 namespace costs_test {
@@ -18,9 +19,9 @@ namespace costs_test {
 /// Two sizes, with times.
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("general-growth");
-  lesson.growth->vertices = {10, 30};
-  lesson.growth->times = {"a processor", {2e3, 9e6},  {7e3},       {4e3, 5e3},
-                          {3e3, 8e3},    {4e3, 15e2}, {1e3, 11e2}, {2e4, 6e4}};
+  lesson.table.edit<LessonGrowth>().vertices = {10, 30};
+  lesson.table.edit<LessonGrowth>().times = {"a processor", {2e3, 9e6},  {7e3},       {4e3, 5e3},
+                                             {3e3, 8e3},    {4e3, 15e2}, {1e3, 11e2}, {2e4, 6e4}};
   lesson.questions.clear();
   return lesson;
 }
@@ -57,16 +58,17 @@ TEST(CostFrames, SayWhatWasTimed) {
   EXPECT_TRUE(holds(told.texts[4].caption, "It agrees.")) << told.texts[4].caption;
   EXPECT_TRUE(holds(told.texts[7].caption, "It does not agree here.")) << told.texts[7].caption;
   Lesson other = small_lesson();
-  std::swap(other.growth->times->boxes, other.growth->times->circles);
+  std::swap(other.table.edit<LessonGrowth>().times->boxes,
+            other.table.edit<LessonGrowth>().times->circles);
   EXPECT_TRUE(holds(Told(other).texts[7].caption, "It agrees."));
-  other.growth->times.reset();
+  other.table.edit<LessonGrowth>().times.reset();
   EXPECT_EQ(Told(other).texts.size(), 1u + 2 + kClaims + 1) << "without times no frame is of them";
 }
 
 TEST(CostFrames, TheShippedTimesBelongToTheSizes) {
   const Lesson lesson = testing::shipped_lesson("general-growth");
-  ASSERT_TRUE(lesson.growth->times);
-  const GrowthTimes& times = *lesson.growth->times;
+  ASSERT_TRUE(lesson.table.as<LessonGrowth>()->times);
+  const GrowthTimes& times = *lesson.table.as<LessonGrowth>()->times;
   EXPECT_TRUE(std::is_sorted(times.pairs.begin(), times.pairs.end()));
   EXPECT_LT(1000.0 * times.boxes.back(), times.pairs.back()) << "a thousand times faster";
 }
@@ -86,7 +88,8 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   // Of a few segments all pairs of nodes are visited, or nearly.
   Lesson small = small_lesson();
   small.questions = {{"visits", 2}, {"agrees", 4}};
-  std::swap(small.growth->times->boxes, small.growth->times->circles);
+  std::swap(small.table.edit<LessonGrowth>().times->boxes,
+            small.table.edit<LessonGrowth>().times->circles);
   const std::vector<FrameText> of_small = asked(Told(small));
   ASSERT_EQ(of_small.size(), 2u);
   EXPECT_EQ(of_small[0].question->answer, "3.0 times, as n");

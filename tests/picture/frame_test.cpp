@@ -20,6 +20,7 @@
 #include "picture/theme.hpp"
 #include "picture/timeline.hpp"
 #include "picture/words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope {
 
@@ -53,7 +54,7 @@ bool inside(const Rect& outer, const Rect& inner) {
 
 /// True for labels of the vertices of a shape that moves.
 bool moves(const Lesson& lesson, const std::string& role) {
-  if (lesson.study) return true;  // each pair has shapes of its own
+  if (lesson.table.as<LessonStudy>()) return true;  // each pair has shapes of its own
   if (!lesson.path_of_shapes) return false;
   const bool of_x = role == "shape.x.label";
   return !(of_x ? lesson.path_of_shapes->x() : lesson.path_of_shapes->y()).points.empty();

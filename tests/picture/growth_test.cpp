@@ -12,14 +12,15 @@
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/words.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 namespace growth_test {
 
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("lazy-hull");
-  lesson.growth->vertices = {3, 10, 100, 1000, 3000};
-  lesson.growth->runs = 20;
+  lesson.table.edit<LessonGrowth>().vertices = {3, 10, 100, 1000, 3000};
+  lesson.table.edit<LessonGrowth>().runs = 20;
   return lesson;
 }
 
@@ -28,7 +29,7 @@ struct Told {
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
   /// The text of a size, or of the outcome.
   [[nodiscard]] const FrameText& at(int detail) const {
-    const std::size_t sizes = run.lesson.growth->vertices.size();
+    const std::size_t sizes = run.lesson.table.as<LessonGrowth>()->vertices.size();
     return texts[texts.size() - 1 - sizes + static_cast<std::size_t>(detail)];
   }
   [[nodiscard]] const Growth::Value& measured() { return effects.get<Growth>(run.frames.back()); }
@@ -72,11 +73,11 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
   EXPECT_TRUE(holds(outcome.caption, "up to n = " + last_kept)) << outcome.caption;
 
   Lesson easy = small_lesson();
-  easy.growth->vertices = {3, 10};
+  easy.table.edit<LessonGrowth>().vertices = {3, 10};
   EXPECT_TRUE(holds(Told(easy).at(2).caption, "no more than Larsen's 6 at any n"))
       << Told(easy).at(2).caption;
   Lesson hard = small_lesson();
-  hard.growth->vertices = {1000, 3000};
+  hard.table.edit<LessonGrowth>().vertices = {1000, 3000};
   EXPECT_TRUE(holds(Told(hard).at(2).caption, "more than Larsen's 3 to 6"))
       << Told(hard).at(2).caption;
 }

@@ -175,7 +175,7 @@ TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
     });
     lesson.listing = "gjk";
     lesson.phases.clear();
-    lesson.time.reset();
+    lesson.table = {};
     lesson.questions.clear();
     for (const char* act : {"answer", "support", "witness"}) {
       lesson.act = act;

@@ -9,18 +9,20 @@
 #include <set>
 
 #include "effects/rounded_pair.hpp"
+#include "lesson/decimal.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/study_plot.hpp"
 #include "picture/study_words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope {
 namespace study_test {
 
 struct Shown {
   Shown() : run(run_lesson(testing::shipped_lesson("accuracy-cost"))), effects(run) {}
-  [[nodiscard]] const LessonStudy& study() const { return *run.lesson.study; }
+  [[nodiscard]] const LessonStudy& study() const { return *run.lesson.table.as<LessonStudy>(); }
   [[nodiscard]] std::vector<StudyDot> family() const {
     return of_family(study().dots, study().family);
   }

@@ -15,6 +15,7 @@
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 #include "session/edit.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 namespace session_test {
@@ -506,7 +507,8 @@ std::vector<Lesson> lessons_of_outlines() {
   std::vector<Lesson> out;
   for (Lesson& lesson : testing::shipped_lessons()) {
     const Act* act = vocabulary().act(lesson.act);
-    if (act->algorithm != nullptr && !act->algorithm->follows_gjk && !lesson.growth)
+    if (act->algorithm != nullptr && !act->algorithm->follows_gjk &&
+        !lesson.table.as<LessonGrowth>())
       out.push_back(std::move(lesson));
   }
   return out;
@@ -548,7 +550,7 @@ TEST(Session, ACornerOfAnOutlineMayBeDraggedAnywhere) {
 
 TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {
   Lesson lesson = shipped_lesson("lazy-hull");
-  lesson.growth->vertices = {3, 5};
+  lesson.table.edit<LessonGrowth>().vertices = {3, 5};
   Session session(fonts());
   ASSERT_TRUE(session.open(lesson, {}));
   const auto runs = [&] { return session.effects().count(Growth::kName).runs; };

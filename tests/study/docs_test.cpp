@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "lesson/study_results.hpp"
 #include "study/report.hpp"
+#include "tables/study_results.hpp"
 
 namespace gjkscope::study {
 namespace docs_test {

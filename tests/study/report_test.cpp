@@ -7,8 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "lesson/study_results.hpp"
+#include "lesson/decimal.hpp"
 #include "small_study.hpp"
+#include "tables/study_results.hpp"
 
 namespace gjkscope::study {
 namespace report_test {

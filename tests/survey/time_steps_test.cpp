@@ -6,6 +6,7 @@
 
 #include "effects/balance.hpp"
 #include "lessons.hpp"
+#include "tables/time.hpp"
 
 namespace gjkscope {
 namespace time_steps_test {

@@ -27,6 +27,7 @@
 #include "picture/theme.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope {
 namespace app_test {
@@ -1059,7 +1060,7 @@ TEST(App, AnExactRunOfManyVerticesDoesNotHoldUpTheWindow) {
 TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   HeadlessApp window("accuracy-cost");
   Session& session = window.session();
-  const LessonStudy study = *session.lesson().study;
+  const LessonStudy study = *session.lesson().table.as<LessonStudy>();
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   const int all = session.frame_count() - 2;  // the frame that shows all dots
   session.go_to(all);
@@ -1096,7 +1097,7 @@ TEST(Study, EnterOpensTheRunOfTheConfigurationThatTheFrameIntroduces) {
   Session& session = window.session();
   window.key("Enter");
   EXPECT_EQ(session.lesson().id, "accuracy-cost") << "the first frame introduces none";
-  const std::vector<StudyMark> marks = session.lesson().study->marks;
+  const std::vector<StudyMark> marks = session.lesson().table.as<LessonStudy>()->marks;
   int opened = 0;
   for (int i = 0; i < session.frame_count(); ++i) {
     const StudyFrame shown =
@@ -1121,7 +1122,7 @@ TEST(Study, EveryDotOpens) {
   window.session().go_to(window.session().frame_count() - 2);
   window.settle();
   const std::vector<StudyDot> family =
-      of_family(window.session().lesson().study->dots, "nearly parallel");
+      of_family(window.session().lesson().table.as<LessonStudy>()->dots, "nearly parallel");
   std::set<std::string> titles;
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (!family[i].error) continue;
@@ -1140,12 +1141,12 @@ TEST(Study, TheDrawerChoosesTheFamilyAndUndoTakesItBack) {
   window.key("A");
   window.settle();
   Lesson lesson = window.session().lesson();
-  lesson.study->family = "random";
+  lesson.table.edit<LessonStudy>().family = "random";
   EXPECT_TRUE(window.app().edit("family", std::move(lesson)));
   window.settle();
-  EXPECT_EQ(window.session().lesson().study->family, "random");
+  EXPECT_EQ(window.session().lesson().table.as<LessonStudy>()->family, "random");
   window.key("Z", true);
-  EXPECT_EQ(window.session().lesson().study->family, "nearly parallel");
+  EXPECT_EQ(window.session().lesson().table.as<LessonStudy>()->family, "nearly parallel");
 }
 
 TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
@@ -1153,19 +1154,20 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   const fs::path results = folder.path() / "accuracy.json";
   fs::copy_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "accuracy-cost.json", results);
   HeadlessApp window(results.string());
-  ASSERT_TRUE(window.session().lesson().study);
-  EXPECT_FALSE(window.session().lesson().study->marks.empty());
+  ASSERT_TRUE(window.session().lesson().table.as<LessonStudy>());
+  EXPECT_FALSE(window.session().lesson().table.as<LessonStudy>()->marks.empty());
   fs::create_directories(folder.path() / "elsewhere");
   const fs::path saved = folder.path() / "elsewhere" / "mine.toml";
   window.app().save_to(saved);
   const LoadedLesson read = load_lesson(saved, vocabulary());
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
-  EXPECT_EQ(read.lesson->study->dots, window.session().lesson().study->dots);
+  EXPECT_EQ(read.lesson->table.as<LessonStudy>()->dots,
+            window.session().lesson().table.as<LessonStudy>()->dots);
 
   std::ofstream(results) << R"({"machine": {"processor": "abacus"}, "rows": [{"family": 3}]})";
   window.app().open_path(results);
   EXPECT_NE(window.app().message().find("row 1: "), std::string::npos) << window.app().message();
-  EXPECT_TRUE(window.session().lesson().study) << "what was open stays";
+  EXPECT_TRUE(window.session().lesson().table.as<LessonStudy>()) << "what was open stays";
 }
 
 }  // namespace app_test

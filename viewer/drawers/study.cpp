@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "app.hpp"
+#include "lesson/decimal.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
 #include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
 #include "study/configuration.hpp"
+#include "tables/study.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -65,7 +67,7 @@ std::vector<StudyMark> marks_to_show(const std::vector<StudyDot>& family) {
   std::vector<StudyMark> marks;
   for (const StudyDot& dot : front_of(family)) marks.push_back({dot.configuration, "", "", ""});
   if (marks.empty()) marks.push_back({family.front().configuration, "", "", ""});
-  if (marks.size() > limits::kMarks) marks.resize(limits::kMarks);
+  if (marks.size() > LessonStudy::kMostMarks) marks.resize(LessonStudy::kMostMarks);
   return marks;
 }
 
@@ -86,7 +88,7 @@ struct Study {
 
   /// The dots that the lesson's plot shows, by their index; empty without a study.
   [[nodiscard]] std::vector<StudyDot> dots() const {
-    const auto& study = session().lesson().study;
+    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
     return study ? of_family(study->dots, study->family) : std::vector<StudyDot>();
   }
 
@@ -129,7 +131,7 @@ struct Study {
   }
 
   void open_introduced() {
-    const auto& study = session().lesson().study;
+    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
     const StudyFrame shown = session().frame().part.value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
@@ -158,7 +160,7 @@ struct Study {
 
   void draw() {
     if (can_go_back() && ImGui::Button("Back to the study (B)")) return go_back();
-    const auto& study = session().lesson().study;
+    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
     if (!study) {
       ImGui::TextWrapped(
           "Error against time of every way to run GJK. Open the accuracy.json that "
@@ -175,8 +177,9 @@ struct Study {
     }
     if (family != study->family) {
       Lesson lesson = session().lesson();
-      lesson.study->family = family;
-      lesson.study->marks = marks_to_show(of_family(lesson.study->dots, family));
+      LessonStudy& shown = lesson.table.edit<LessonStudy>();
+      shown.family = family;
+      shown.marks = marks_to_show(of_family(shown.dots, family));
       app.edit("family", std::move(lesson));
       return;
     }
@@ -226,7 +229,6 @@ struct Study {
 
 void open_results(App& app, std::string_view json, const fs::path& file) {
   LessonStudy study;
-  study.results = fs::absolute(file).string();
   try {
     StudyResults results = parse_study_results(json);
     study.processor = std::move(results.processor);
@@ -238,11 +240,12 @@ void open_results(App& app, std::string_view json, const fs::path& file) {
   if (!loaded.lesson) return app.say(to_string(loaded.problems.front()), true);
   Lesson lesson = std::move(*loaded.lesson);
   const std::vector<std::string> families = families_in(study.dots);
-  const bool has_family =
-      std::find(families.begin(), families.end(), lesson.study->family) != families.end();
-  study.family = has_family ? lesson.study->family : families.front();
+  const std::string& shipped = lesson.table.as<LessonStudy>()->family;
+  const bool has_family = std::find(families.begin(), families.end(), shipped) != families.end();
+  study.family = has_family ? shipped : families.front();
   study.marks = marks_to_show(of_family(study.dots, study.family));
-  lesson.study = std::move(study);
+  lesson.table = ActTable(std::move(study));
+  lesson.table.file = {fs::absolute(file).string(), std::make_shared<const std::string>(json)};
   if (app.show(std::move(lesson), {}, file.string())) app.show_drawer("Study");
 }
 
@@ -256,7 +259,10 @@ Drawer study_drawer(App& app) {
                       "Study",
                       {"Enter"},
                       [study] { study->open_introduced(); },
-                      [&app] { return app.session().lesson().study && !app.session().question(); }},
+                      [&app] {
+                        return app.session().lesson().table.as<LessonStudy>() &&
+                               !app.session().question();
+                      }},
                      {"Back to the study", "Study", {"B"}, [study] { study->go_back(); }}};
   return drawer;
 }

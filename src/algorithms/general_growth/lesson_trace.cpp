@@ -25,8 +25,9 @@ std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const Run
   static std::mutex mutex;
   static std::pair<LessonGrowth, std::shared_ptr<const AlgorithmTrace>> last;
   const std::lock_guard lock(mutex);
-  if (last.second == nullptr || !(last.first == *lesson.growth))
-    last = {*lesson.growth, std::make_shared<const GeneralGrowthTrace>(*lesson.growth)};
+  if (last.second == nullptr || !(last.first == *lesson.table.as<LessonGrowth>()))
+    last = {*lesson.table.as<LessonGrowth>(),
+            std::make_shared<const GeneralGrowthTrace>(*lesson.table.as<LessonGrowth>())};
   return last.second;
 }
 

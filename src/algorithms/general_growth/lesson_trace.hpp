@@ -5,6 +5,7 @@
 #include "algorithms/general_growth/measure.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/lesson.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope {
 

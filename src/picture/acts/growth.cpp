@@ -6,6 +6,7 @@
 
 #include "picture/acts/acts.hpp"
 #include "picture/layers/layers.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -19,7 +20,7 @@ void growth_frames(LessonRun& run, int index) {
   add_step_frames(run, index, is_support_or_end);
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   if (last < 0) return;
-  const int sizes = static_cast<int>(run.lesson.growth->vertices.size());
+  const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
   for (int i = 0; i <= sizes; ++i)
     run.frames.push_back({.run = index, .step = last, .part = {ShownSize{i}, i}});
 }
@@ -29,7 +30,7 @@ bool is_about_sizes(const Frame& frame) { return frame.part.as<ShownSize>() != n
 
 /// nullptr where a frame is about all sizes.
 const int* vertices_of(const LessonRun& run, const Frame& frame) {
-  const std::vector<int>& sizes = run.lesson.growth->vertices;
+  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
   const auto size = static_cast<std::size_t>(frame.part.as<ShownSize>()->index);
   return size < sizes.size() ? &sizes[size] : nullptr;
 }
@@ -99,8 +100,8 @@ const StagedAct kGrowth{
     .act = {.name = "growth",
             .meaning = "support step of the run, then number of vertices in [growth]; then the "
                        "outcome",
-            .needs = {.table = "growth",
-                      .takes_path = false,
+            .needs = {.table = &LessonGrowth::kTable,
+                      .path = PathUse::refused,
                       .why_no_until = "frames show how the run ends"},
             .add_frames = growth_frames,
             .follows_run = true},

@@ -22,7 +22,7 @@ Tick path_tick(const LessonRun& run, const Frame& frame) {
 const StagedAct kPath{
     .act = {.name = "path",
             .meaning = "position of X on the path",
-            .needs = {.table = "path"},
+            .needs = {.path = PathUse::needed},
             .add_frames = path_frames,
             .sweeps = true},
     .position = position_on_path,

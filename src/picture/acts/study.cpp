@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 
+#include "lesson/decimal.hpp"
 #include "picture/acts/acts.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/study_words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -19,7 +21,7 @@ constexpr std::array<AskInfo, 2> kStudyAsks = {
 void study_frames(LessonRun& run, int index) {
   using enum StudyStage;
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  const int all_marks = static_cast<int>(run.lesson.study->marks.size());
+  const int all_marks = static_cast<int>(run.lesson.table.as<LessonStudy>()->marks.size());
   const int first = std::min(2, all_marks);
   int count = 0;
   const auto add = [&](StudyStage stage, int marks) {
@@ -52,9 +54,10 @@ Tick study_tick(const LessonRun& run, const Frame& frame) {
   constexpr std::array<std::string_view, 11> kLabels = {
       "shapes", "gap", "float",        "double", "error",       "errors",
       "times",  "",    "of the marks", "of all", "what to take"};
-  tick.label = stage == mark
-                   ? run.lesson.study->marks[static_cast<std::size_t>(marks - 1)].configuration
-                   : std::string(kLabels[static_cast<std::size_t>(stage)]);
+  tick.label = stage == mark ? run.lesson.table.as<LessonStudy>()
+                                   ->marks[static_cast<std::size_t>(marks - 1)]
+                                   .configuration
+                             : std::string(kLabels[static_cast<std::size_t>(stage)]);
   return tick;
 }
 
@@ -62,8 +65,8 @@ void study_values(const Story& story, FrameText& text) {
   using enum StudyStage;
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
-  for (const StudyDot& dot :
-       introduced(*story.run.lesson.study, story.frame.part.as<StudyFrame>()->marks)) {
+  for (const StudyDot& dot : introduced(*story.run.lesson.table.as<LessonStudy>(),
+                                        story.frame.part.as<StudyFrame>()->marks)) {
     text.values.emplace_back(dot.configuration,
                              fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
   }
@@ -76,7 +79,7 @@ bool study_fill(SceneBuilder& scene, const Fonts& fonts) {
 }
 
 std::string study_plot_title(const LessonRun& run) {
-  return fmt::format("Pairs: {}", run.lesson.study->family);
+  return fmt::format("Pairs: {}", run.lesson.table.as<LessonStudy>()->family);
 }
 
 }  // namespace
@@ -87,8 +90,8 @@ const StagedAct kStudy{
                 "part of three acts: the pair X and Y, its gap, its answers in float and double, "
                 "what an error is; the axis of errors, that of times, each mark of [study]; the "
                 "front of the marks, that of all, what to take",
-            .needs = {.table = "study",
-                      .takes_path = false,
+            .needs = {.table = &LessonStudy::kTable,
+                      .path = PathUse::refused,
                       .why_no_until = "frames show how the run ends"},
             .add_frames = study_frames,
             .asks = kStudyAsks,

@@ -1,3 +1,5 @@
+#include "tables/time.hpp"
+
 #include <fmt/format.h>
 
 #include "effects/balance.hpp"
@@ -8,7 +10,7 @@ namespace {
 
 void time_frames(LessonRun& run, int index) {
   if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
-  const int moments = static_cast<int>(run.lesson.time->at(index).size());
+  const int moments = static_cast<int>(run.lesson.table.as<LessonTime>()->at(index).size());
   for (int i = 0; i < moments; ++i)
     run.frames.push_back({.run = index, .step = 0, .part = {BeamMoment{i}, i}});
 }
@@ -33,7 +35,7 @@ const StagedAct kTime{
             .meaning =
                 "moment of [time], at each position of X; for a point query whose `start` is a "
                 "segment",
-            .needs = {.table = "time",
+            .needs = {.table = &LessonTime::kTable,
                       .start = 2,
                       .why_no_until = "frames go through the first region tests"},
             .add_frames = time_frames},

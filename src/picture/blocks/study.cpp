@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "effects/rounded_pair.hpp"
+#include "lesson/decimal.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/study_plot.hpp"
 #include "picture/study_words.hpp"
 #include "picture/words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -172,7 +174,7 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 }
 
 void study(PanelBuilder& panel) {
-  const LessonStudy& study = *panel.run.lesson.study;
+  const LessonStudy& study = *panel.run.lesson.table.as<LessonStudy>();
   const StudyFrame frame = *panel.frame.part.as<StudyFrame>();
   const std::vector<StudyDot> family = of_family(study.dots, study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);

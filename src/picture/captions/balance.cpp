@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "picture/captions/story.hpp"
+#include "tables/time.hpp"
 
 namespace gjkscope::captions {
 
@@ -47,7 +48,7 @@ void balance(const Story& story, FrameText& text) {
   const std::string tilts =
       level ? "the beam is level"
             : format("{} is down by {}°", tilt > 0.0 ? a : b, fixed(std::abs(tilt), 1));
-  const double share = beam.seconds / story.run.lesson.time->seconds;
+  const double share = beam.seconds / story.run.lesson.table.as<LessonTime>()->seconds;
   if (beam.seconds == 0.0) {
     text.caption = missing
                        ? format(

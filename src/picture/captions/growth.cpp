@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "picture/captions/story.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -82,7 +83,7 @@ void growth(const Story& story, FrameText& text) {
   const Growth::Value& measured = story.effects.get<Growth>(story.frame);
   const auto index = static_cast<std::size_t>(story.frame.part.as<ShownSize>()->index);
   if (index < measured.size()) return size(measured[index], text);
-  outcome(measured, story.run.lesson.growth->tolerance, text);
+  outcome(measured, story.run.lesson.table.as<LessonGrowth>()->tolerance, text);
 }
 
 }  // namespace gjkscope::captions

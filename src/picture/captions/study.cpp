@@ -9,8 +9,10 @@
 #include <numbers>
 
 #include "effects/rounded_pair.hpp"
+#include "lesson/decimal.hpp"
 #include "picture/captions/story.hpp"
 #include "picture/study_words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -216,7 +218,7 @@ std::string ratio_words(double ratio) {
 }  // namespace
 
 void study_question(const Story& story, FrameText& text) {
-  const LessonStudy& study = *story.run.lesson.study;
+  const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
   const StudyFrame before = *story.frame.part.as<StudyFrame>();
   const std::string& ask =
       story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
@@ -245,7 +247,7 @@ void study_question(const Story& story, FrameText& text) {
 }
 
 void study(const Story& story, FrameText& text) {
-  const LessonStudy& study = *story.run.lesson.study;
+  const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
   const StudyFrame frame = *story.frame.part.as<StudyFrame>();
   const auto pair = [&]() -> const RoundedPair::Value& {
     return story.effects.get<RoundedPair>(story.frame);

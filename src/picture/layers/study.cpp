@@ -13,6 +13,7 @@
 #include "picture/study_words.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
+#include "tables/study.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -261,7 +262,7 @@ class PairPicture {
 void study(SceneBuilder& scene, const Fonts& fonts) {
   const StudyFrame shown = *scene.frame.part.as<StudyFrame>();
   if (shown.stage < StudyStage::error_axis) return PairPicture(scene, fonts, shown.stage).draw();
-  add_plot(scene, study_plot(*scene.run.lesson.study, shown), fonts);
+  add_plot(scene, study_plot(*scene.run.lesson.table.as<LessonStudy>(), shown), fonts);
 }
 
 }  // namespace gjkscope::layers

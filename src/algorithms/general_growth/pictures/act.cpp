@@ -4,6 +4,7 @@
 
 #include "algorithms/general_growth/pictures/shown.hpp"
 #include "picture/registry.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::costs {
 namespace {
@@ -48,8 +49,8 @@ const StagedAct kAct{
     .act = {.name = "general-growth",
             .meaning = "number of segments in [growth], then their times, then what Larsen says of "
                        "the methods",
-            .needs = {.table = "growth",
-                      .takes_path = false,
+            .needs = {.table = &LessonGrowth::kTable,
+                      .path = PathUse::refused,
                       .why_no_until = "frames show all sizes"},
             .add_frames = add_algorithm_frames,
             .asks = kAsks,

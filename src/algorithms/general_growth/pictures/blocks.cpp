@@ -1,6 +1,8 @@
 #include "picture/blocks/blocks.hpp"
 
 #include "algorithms/general_growth/pictures/shown.hpp"
+#include "lesson/decimal.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::costs {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "algorithms/general_growth/pictures/shown.hpp"
 #include "picture/stage.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::costs {
 namespace {

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "algorithms/general_growth/pictures/shown.hpp"
+#include "lesson/decimal.hpp"
+#include "tables/growth.hpp"
 
 namespace gjkscope::costs {
 namespace {

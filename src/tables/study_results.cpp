@@ -1,4 +1,4 @@
-#include "lesson/study_results.hpp"
+#include "tables/study_results.hpp"
 
 #include <fmt/format.h>
 
@@ -131,13 +131,6 @@ std::string error_text(double error) {
   if (error == 0.0) return "0";
   return error >= 0.1 && error < 1000.0 ? fmt::format("{:.2g}", error)
                                         : fmt::format("{:.1e}", error);
-}
-
-std::string time_text(double ns) {
-  if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
-  if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
-  if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
-  return ns < 1e12 ? fmt::format("{:.3g} s", ns / 1e9) : fmt::format("{:.0f} s", ns / 1e9);
 }
 
 }  // namespace gjkscope

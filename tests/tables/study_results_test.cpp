@@ -1,4 +1,4 @@
-#include "lesson/study_results.hpp"
+#include "tables/study_results.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -67,8 +67,6 @@ inline constexpr double kNoDigit = 0.5;
 
 /// "1.2e-16", "0", "none" (infinite), "" (no number).
 [[nodiscard]] std::string error_text(double error);
-/// "86 ns", "1.23 µs", "34.5 ms", "2.1 s".
-[[nodiscard]] std::string time_text(double ns);
 
 /// Names of the families, in the order of their first dots.
 [[nodiscard]] std::vector<std::string> families_in(const std::vector<StudyDot>& dots);

@@ -1,0 +1,148 @@
+#include "lesson/toml_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "lesson/decimal.hpp"
+#include "lesson/problem.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr int kWidth = 120;  // characters of a line that can be broken
+constexpr std::string_view kIndent = "    ";
+
+/// What stands between the quotes.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\u{:04X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+/// Where a line of TOML's long texts may begin. Parsers skip what they take for a blank: ' ' and,
+/// some of them, Unicode's, which are in the ranges left out here.
+bool may_begin_line(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte > ' ' && byte < 0x80) || (byte >= 0xC3 && byte < 0xE0);
+}
+
+bool fits(std::string_view name, std::string_view value) {
+  return character_count(name) + character_count(" = ") + character_count(value) <= kWidth;
+}
+
+}  // namespace
+
+std::string as_text(std::string_view text) { return '"' + escaped(text) + '"'; }
+
+std::vector<std::string> as_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> out;
+  for (const std::string& text : texts) out.push_back(as_text(text));
+  return out;
+}
+
+std::string in_brackets(const Eigen::Vector2d& point) {
+  return fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y()));
+}
+
+std::string in_brackets(const std::vector<double>& numbers) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(decimal(number));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void TomlText::write_empty() {
+  if (!header_.empty()) text_ += fmt::format("\n{}\n", header_);
+  header_.clear();
+}
+
+void TomlText::key(std::string_view name, std::string_view value) {
+  write_empty();
+  text_ += fmt::format("{} = {}\n", name, value);
+}
+
+void TomlText::list(std::string_view name, const std::vector<std::string>& entries) {
+  const std::string one_line = fmt::format("[{}]", fmt::join(entries, ", "));
+  if (fits(name, one_line)) return key(name, one_line);
+  std::string lines = "[";
+  int width = kWidth;
+  for (const std::string& entry : entries) {
+    width += character_count(" ,") + character_count(entry);
+    if (width > kWidth) {
+      lines += fmt::format("\n{}", kIndent);
+      width = character_count(kIndent) + character_count(entry) + 1;
+    } else {
+      lines += ' ';
+    }
+    lines += entry + ",";
+  }
+  key(name, lines + "\n]");
+}
+
+void TomlText::list(std::string_view name, const std::vector<double>& numbers) {
+  std::vector<std::string> entries;
+  for (const double number : numbers) entries.push_back(decimal(number));
+  list(name, entries);
+}
+
+void TomlText::list(std::string_view name, const std::vector<int>& numbers) {
+  std::vector<std::string> entries;
+  for (const int number : numbers) entries.push_back(std::to_string(number));
+  list(name, entries);
+}
+
+void TomlText::list(std::string_view name, const std::vector<Eigen::Vector2d>& points) {
+  std::vector<std::string> entries;
+  for (const Eigen::Vector2d& point : points) entries.push_back(in_brackets(point));
+  list(name, entries);
+}
+
+void TomlText::long_text(std::string_view name, std::string_view text) {
+  const std::string short_form = as_text(text);
+  if (fits(name, short_form) || !may_begin_line(text.front())) return key(name, short_form);
+  std::string lines = "\"\"\"";
+  int width = kWidth;
+  while (!text.empty()) {
+    std::size_t end = 1;  // of a word and the blanks behind it
+    while (end < text.size() && !(text[end - 1] == ' ' && may_begin_line(text[end]))) ++end;
+    const std::string word = escaped(text.substr(0, end));
+    text.remove_prefix(end);
+    width += character_count(word);
+    if (width >= kWidth) {
+      lines += fmt::format("\\\n{}", kIndent);
+      width = character_count(kIndent) + character_count(word);
+    }
+    lines += word;
+  }
+  key(name, lines + "\"\"\"");
+}
+
+void TomlText::number(std::string_view name, double value, double otherwise) {
+  if (!same_bits(value, otherwise)) key(name, decimal(value));
+}
+
+void TomlText::whole_number(std::string_view name, int value, int otherwise) {
+  if (value != otherwise) key(name, std::to_string(value));
+}
+
+void TomlText::text(std::string_view name, std::string_view value, std::string_view otherwise) {
+  if (value != otherwise) key(name, as_text(value));
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,41 @@
+#pragma once
+// [study]: results of `gjkscope study accuracy`, and those of them that a lesson introduces.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "lesson/act_table.hpp"
+#include "tables/study_results.hpp"
+
+namespace gjkscope {
+
+/// A configuration of the study that a lesson introduces.
+struct StudyMark {
+  std::string configuration;  ///< One of the family's.
+  std::string beside;  ///< An earlier mark's, which it is compared with; empty: the one before.
+  std::string about;   ///< What it does, in a few words.
+  std::string note;    ///< A sentence about it, for the frame that introduces it.
+  friend bool operator==(const StudyMark&, const StudyMark&) = default;
+};
+
+/// Results of the study of accuracy, read from the file that the table names, and those of them
+/// that a lesson introduces one after the other.
+struct LessonStudy {
+  static constexpr int kMostMarks = 8;  ///< As many as the panel can explain.
+  std::string family;                   ///< The family of pairs that is shown.
+  std::vector<StudyMark> marks;
+  std::string processor;       ///< From the file: what it was measured on,
+  std::vector<StudyDot> dots;  ///< and the results for all families.
+
+  /// The dot of a configuration of the family.
+  [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {
+    return *std::find_if(dots.begin(), dots.end(), [&](const StudyDot& each) {
+      return each.family == family && each.configuration == configuration;
+    });
+  }
+  static const TableKind kTable;
+  friend bool operator==(const LessonStudy&, const LessonStudy&) = default;
+};
+
+}  // namespace gjkscope
