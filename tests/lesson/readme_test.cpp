@@ -142,7 +142,7 @@ TEST(Chapters, SayWhereTheirFileIsWrong) {
 
 /// What files define and what is registered: nothing may be left out of the tables, and each table
 /// is documented (above, and in `explain`).
-TEST(Registries, HoldEveryActBlockListingLayerEffectAndDrawerThatIsDefined) {
+TEST(Registries, HoldEveryActTableBlockListingLayerEffectAndDrawerThatIsDefined) {
   const auto defined = [](std::string_view kind, const std::filesystem::path& folder) {
     const std::regex definition(fmt::format("^const {}( |\\n)+(\\w+::)?k(\\w+)", kind));
     std::multiset<std::string> names;
@@ -173,6 +173,7 @@ TEST(Registries, HoldEveryActBlockListingLayerEffectAndDrawerThatIsDefined) {
   EXPECT_EQ(defined("Listing", picture), listed(picture / "blocks" / "listings.def"));
   EXPECT_EQ(defined("Layer", picture), listed(picture / "layers" / "list.def"));
   EXPECT_EQ(defined("EffectInfo", source / "effects"), listed(source / "effects" / "list.def"));
+  EXPECT_EQ(defined("TableKind", source / "tables").size(), tables_of(vocabulary().acts).size());
   const std::filesystem::path viewer = source.parent_path() / "viewer";
   std::multiset<std::string> drawers;
   for (const auto& entry : std::filesystem::directory_iterator(viewer / "drawers")) {

@@ -1,0 +1,124 @@
+// An act from elsewhere with a table of its own: this folder's code has never heard of either.
+
+#include "lesson/act_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
+#include "lesson/table_kind.hpp"
+#include "picture/registry.hpp"
+
+namespace gjkscope {
+namespace act_table_test {
+
+struct Walls {
+  int count = 0;
+  static const TableKind kTable;
+  friend bool operator==(const Walls&, const Walls&) = default;
+};
+
+struct Doors {
+  int count = 0;
+  static const TableKind kTable;
+  friend bool operator==(const Doors&, const Doors&) = default;
+};
+
+std::vector<LessonKey> wall_keys() {
+  return {{"walls", "count", "whole number from 1 to 9", std::string(kRequired), "how many"}};
+}
+
+ActTable read_walls(const TableSource& source) {
+  return ActTable(Walls{source.reader.whole_number(source.table["count"], 1, 9).value_or(1)});
+}
+
+void write_walls(const ActTable& table, TomlText& out) {
+  out.table("[walls]");
+  out.key("count", std::to_string(table.as<Walls>()->count));
+}
+
+const TableKind Walls::kTable = {"walls", "walls to walk along", wall_keys, read_walls,
+                                 write_walls};
+const TableKind Doors::kTable = {"doors", "ways out", {}, {}, {}};
+
+LoadedLesson load(const std::string& act, const std::string& table) {
+  static const Act kWalk{.name = "walk",
+                         .meaning = "wall",
+                         .needs = {.table = &Walls::kTable, .path = PathUse::refused}};
+  Vocabulary known = vocabulary();
+  known.acts.push_back(&kWalk);
+  known.keys = lesson_keys(known.acts);
+  return parse_lesson(R"(title = "Walls"
+chapter = 3
+order = 1
+prose = "Walk."
+shapes.X.vertices = [[2.7, 2.3]]
+shapes.Y.vertices = [[0, 0], [1, 0]]
+views = [{ show = "world" }]
+expect.stop = "repeated-support"
+steps.granularity = ")" + act +
+                          "\"\n" + table,
+                      "walls.toml", known);
+}
+
+std::string complaint(const std::string& act, const std::string& table) {
+  const LoadedLesson loaded = load(act, table);
+  return loaded.problems.empty() ? "" : to_string(loaded.problems.front());
+}
+
+TEST(ActTable, OfAnActFromElsewhereIsReadAndWritten) {
+  const LoadedLesson loaded = load("walk", "[walls]\ncount = 7\n");
+  ASSERT_TRUE(loaded.lesson) << to_string(loaded.problems.front());
+  ASSERT_NE(loaded.lesson->table.as<Walls>(), nullptr);
+  EXPECT_EQ(loaded.lesson->table.as<Walls>()->count, 7);
+  EXPECT_EQ(loaded.lesson->table.as<Doors>(), nullptr);
+  EXPECT_NE(lesson_toml(*loaded.lesson).find("\n[walls]\ncount = 7\n"), std::string::npos);
+}
+
+TEST(ActTable, IsRefusedWhereItIsWrong) {
+  EXPECT_EQ(complaint("walk", "[walls]\ncount = 10\n"),
+            "walls.toml:11:9: 'count' is 10; expected whole number from 1 to 9");
+  EXPECT_EQ(complaint("walk", "[walls]\n"),
+            "walls.toml:10:1: missing key 'count'; expected whole number from 1 to 9");
+  EXPECT_EQ(complaint("walk", "walls = { count = 1, colour = 2 }\n"),
+            "walls.toml:10:22: unknown key 'colour'; expected one of: count");
+  EXPECT_EQ(complaint("walk", "walls = 4\n"),
+            "walls.toml:10:9: 'walls' is a number; expected table [walls]");
+  EXPECT_EQ(complaint("walk", ""),
+            "walls.toml:9:21: granularity 'walk' without its table; expected a table [walls]");
+  EXPECT_EQ(complaint("phase", "[walls]\ncount = 7\n"),
+            "walls.toml:10:1: a table [walls] without granularity 'walk'; expected granularity = "
+            "\"walk\" in [steps]");
+  EXPECT_EQ(complaint("walk", "[walls]\ncount = 7\n[path]\npoints = [[0, 0], [1, 1]]\n"),
+            "walls.toml:9:21: granularity 'walk' with a path; expected no table [path]");
+}
+
+TEST(ActTable, IsSharedUntilOneIsEdited) {
+  ActTable one{Walls{3}};
+  ActTable other = one;
+  EXPECT_EQ(one.as<Walls>(), other.as<Walls>());
+  Walls& edited = other.edit<Walls>();
+  edited.count = 4;
+  EXPECT_EQ(&other.edit<Walls>(), &edited) << "it is its own by now";
+  EXPECT_EQ(one.as<Walls>()->count, 3);
+  EXPECT_EQ(other.as<Walls>()->count, 4);
+}
+
+TEST(ActTable, IsTheSameWithTheSameValueAndFile) {
+  const ActTable three{Walls{3}};
+  EXPECT_EQ(three, ActTable(Walls{3}));
+  EXPECT_NE(three, ActTable(Walls{4}));
+  EXPECT_NE(three, ActTable(Doors{3}));
+  EXPECT_NE(three, ActTable());
+  EXPECT_EQ(ActTable(), ActTable());
+  ActTable with_file = three;
+  with_file.file = {"a.json", nullptr};
+  EXPECT_NE(three, with_file);
+  ActTable elsewhere = with_file;
+  EXPECT_EQ(elsewhere, with_file);
+  elsewhere.file->path = "b.json";
+  EXPECT_NE(elsewhere, with_file);
+}
+
+}  // namespace act_table_test
+}  // namespace gjkscope
