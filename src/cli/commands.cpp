@@ -24,6 +24,7 @@
 #include "picture/frame.hpp"
 #include "picture/registry.hpp"
 #include "picture/theme.hpp"
+#include "tables/trees.hpp"
 #include "trace/trace_json.hpp"
 #include "trace/trace_text.hpp"
 
@@ -271,7 +272,7 @@ int print_trace(const Environment& env, const ReadCase& read, ModelMethod method
   lesson.act = method == ModelMethod::pieces      ? "convex-pieces"
                : method == ModelMethod::lin_canny ? "lin-canny"
                                                   : "hierarchy-distance";
-  if (method == ModelMethod::circles) lesson.volumes = VolumeKind::circles;
+  if (method == ModelMethod::circles) lesson.table = ActTable(LessonTrees{VolumeKind::circles});
   const LessonRun run = run_lesson(std::move(lesson));
   print_trace(env, traced(run), json);
   if (std::isfinite(run.algorithm_traces[0]->answer("distance"))) return kDone;

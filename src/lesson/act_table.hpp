@@ -1,6 +1,6 @@
 #pragma once
-// The table of a lesson file that the lesson's act needs. This folder keeps it and does not know
-// what it holds: see lesson/table_kind.hpp.
+// The table of a lesson file that only the lesson's act takes. This folder keeps it and does not
+// know what it holds: see lesson/table_kind.hpp.
 
 #include <memory>
 #include <optional>

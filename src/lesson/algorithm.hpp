@@ -49,8 +49,6 @@ struct Algorithm {
   bool follows_gjk = false;
   /// The names of its stop reasons, which `expect.stop` can check where no run of GJK is made.
   std::span<const std::string_view> stops = {};
-  /// It builds trees of the volumes that a lesson chooses (`query.volumes`).
-  bool has_volumes = false;
 };
 
 }  // namespace gjkscope

@@ -18,9 +18,6 @@ namespace gjkscope {
 
 enum class ScalarKind { half, single, double_, exact };
 
-/// What bounds segments in trees.
-enum class VolumeKind { boxes, circles, tiles };
-
 /// Of `start` the pairs that count.
 [[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
   return a.direction_rule == b.direction_rule && a.region_order == b.region_order &&
@@ -159,14 +156,12 @@ struct Lesson {
   /// Start at the first vertices, unless told otherwise.
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
-  VolumeKind volumes = VolumeKind::boxes;
-  double tile = 0.5;  ///< Largest radius of the circles that tile segments.
 
   std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  ActTable table;  ///< The one that the act needs (ActNeeds::table), if it needs one.
+  ActTable table;  ///< That which the act takes (ActNeeds::table); may be empty.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.

@@ -24,10 +24,6 @@ using toml_file::Problems;
 using toml_file::Reader;
 using toml_file::Table;
 
-std::string one_of(const std::vector<std::string>& names) {
-  return fmt::format("one of: {}", fmt::join(names, ", "));
-}
-
 bool has_vertex(const LessonShape& shape, const std::string& name) {
   const auto& names = shape.vertex_names;
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -91,7 +87,6 @@ class LessonReader {
   double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
-  Field volumes_;
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
   std::array<Field, kBodyKeys.size()> radii_;        ///< Of the bodies.
@@ -335,12 +330,6 @@ void LessonReader::read_query(const Table& query) {
   read_start(query["start"]);
   warm_ = query["warm"];
   lesson_.warm_start = reader_.yes_or_no(warm_).value_or(false);
-  volumes_ = query["volumes"];
-  lesson_.volumes = reader_.choice<VolumeKind>(volumes_, "volume").value_or(lesson_.volumes);
-  const Field tile = query["tile"];
-  lesson_.tile = reader_.number(tile, limits::kLeastTile, limits::kLargest).value_or(lesson_.tile);
-  if (tile && lesson_.volumes != VolumeKind::tiles)
-    problems_.add(tile.place(), "'tile' without tiles", "volumes = \"tiles\"");
 }
 
 void LessonReader::read_start(const Field& start) {
@@ -513,10 +502,6 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
     if (!radius || act.needs.takes_radius) continue;
     problems_.add(radius.place(), fmt::format("'radius' with granularity '{}'", act.name),
                   "no 'radius': only a frame that tells how a run of GJK ends subtracts it");
-  }
-  if (volumes_ && (act.algorithm == nullptr || !act.algorithm->has_volumes)) {
-    problems_.add(volumes_.place(), fmt::format("'volumes' with granularity '{}'", act.name),
-                  "no 'volumes': it builds no trees");
   }
   const Field until = steps["until"];
   lesson_.until = reader_.choice<gjk::Phase>(until, "phase");

@@ -25,13 +25,6 @@ struct Named<ScalarKind> {
        {"exact", ScalarKind::exact}}};
 };
 template <>
-struct Named<VolumeKind> {
-  static constexpr std::array<std::pair<std::string_view, VolumeKind>, 3> kTable = {
-      {{"boxes", VolumeKind::boxes},
-       {"circles", VolumeKind::circles},
-       {"tiles", VolumeKind::tiles}}};
-};
-template <>
 struct Named<ViewKind> {
   static constexpr std::array<std::pair<std::string_view, ViewKind>, 2> kTable = {
       {{"world", ViewKind::world}, {"difference", ViewKind::difference}}};

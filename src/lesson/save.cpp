@@ -70,8 +70,6 @@ void write_query(TomlText& out, const Lesson& lesson) {
   out.whole_number("cap", options.iteration_cap, defaults.options.iteration_cap);
   write_start(out, lesson);
   if (lesson.warm_start) out.key("warm", "true");
-  out.choice("volumes", lesson.volumes, defaults.volumes);
-  out.number("tile", lesson.tile, defaults.tile);
 }
 
 void write_steps(TomlText& out, const Lesson& lesson) {

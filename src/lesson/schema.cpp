@@ -11,11 +11,6 @@ namespace gjkscope {
 
 namespace {
 
-template <class E>
-std::string one_of() {
-  return fmt::format("one of: {}", fmt::join(names_of<E>(), ", "));
-}
-
 std::vector<LessonKey> own_keys() {
   using namespace limits;
   const std::string camera_height =
@@ -69,12 +64,13 @@ std::vector<LessonKey> own_keys() {
        "the hull, and frames that tell the end subtract the radii; only with granularities whose "
        "frames tell how a run of GJK ends"},
 
-      {"query", "scalar", one_of<ScalarKind>(), "double", "numbers that the run computes with"},
-      {"query", "beside", one_of<ScalarKind>(), "no second run",
+      {"query", "scalar", one_of(names_of<ScalarKind>()), "double",
+       "numbers that the run computes with"},
+      {"query", "beside", one_of(names_of<ScalarKind>()), "no second run",
        "numbers of a second run from the same vertices, for the effect `second-run`"},
-      {"query", "direction", one_of<gjk::DirectionRule>(), "perpendicular",
+      {"query", "direction", one_of(names_of<gjk::DirectionRule>()), "perpendicular",
        "how the search direction is built"},
-      {"query", "regions", one_of<gjk::RegionOrder>(), "vertices-first",
+      {"query", "regions", one_of(names_of<gjk::RegionOrder>()), "vertices-first",
        "order of the region tests; unchecked: vertices first, and each of them is believed"},
       {"query", "stop", "list of: repeated-support, no-progress", "both",
        "stop tests that may be left out; origin inside, zero direction and the cap always apply"},
@@ -89,15 +85,9 @@ std::vector<LessonKey> own_keys() {
        "vertex first"},
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
-      {"query", "volumes", one_of<VolumeKind>(), "boxes",
-       "what bounds segments, with granularities of trees; tiles: circles over small circles that "
-       "cover the segments, "
-       "and `tolerance` is the relative error that is allowed"},
-      {"query", "tile", fmt::format("number from {} to {}", kLeastTile, kLargest), "0.5",
-       "largest radius of these small circles, with volumes = \"tiles\""},
 
       {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
-      {"steps", "until", one_of<gjk::Phase>(), "the whole run",
+      {"steps", "until", one_of(names_of<gjk::Phase>()), "the whole run",
        "frames end with the first step of this phase; along a path each shows it (else the closest "
        "point)"},
       {"steps", "phases", fmt::format("list of: {}", fmt::join(names_of<gjk::Phase>(), ", ")),
@@ -136,7 +126,7 @@ std::vector<LessonKey> own_keys() {
       {"views.close-up", "height", camera_height, required,
        "height of what is enlarged in world units"},
       {"views.close-up", "stretch", stretch, "1", "as for a camera"},
-      {"views.close-up", "corner", one_of<CardCorner>(), "bottom right",
+      {"views.close-up", "corner", one_of(names_of<CardCorner>()), "bottom right",
        "where it stands in the view"},
 
       {"panel", "blocks", "list of panel blocks", "none", "blocks from top to bottom"},
@@ -169,13 +159,20 @@ std::vector<LessonKey> own_keys() {
 
 std::string text_up_to(int length) { return fmt::format("text of 1 to {} characters", length); }
 
+std::string one_of(const std::vector<std::string>& names) {
+  return fmt::format("one of: {}", fmt::join(names, ", "));
+}
+
 std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts) {
   std::vector<LessonKey> keys = own_keys();
   for (const TableKind* table : tables_of(acts)) {
     const std::vector<std::string> names = names_of(acts_with(acts, *table));
-    keys.push_back({"", std::string(table->name), fmt::format("table [{}]", table->name), "none",
-                    fmt::format("{}; needed with granularity `{}`, and only then", table->meaning,
-                                fmt::join(names, "` or `"))});
+    keys.push_back(
+        {"", std::string(table->name), fmt::format("table [{}]", table->name),
+         table->is_optional ? "its defaults" : "none",
+         fmt::format("{}; {} granularity `{}`{}", table->meaning,
+                     table->is_optional ? "only with" : "needed with", fmt::join(names, "` or `"),
+                     table->is_optional ? "" : ", and only then")});
     const std::vector<LessonKey> more = table->keys();
     keys.insert(keys.end(), more.begin(), more.end());
   }

@@ -26,8 +26,12 @@ struct Act;
 /// tables that acts need.
 [[nodiscard]] std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts);
 
+// Types of keys, as messages say them.
+
 /// "text of 1 to 80 characters"
 [[nodiscard]] std::string text_up_to(int length);
+/// "one of: boxes, circles"
+[[nodiscard]] std::string one_of(const std::vector<std::string>& names);
 
 /// Limits of what a lesson may hold: what a frame can show, and what a run should have to compute.
 namespace limits {
@@ -54,7 +58,6 @@ inline constexpr int kOutlineVertices = 3;  ///< At least, of each of several ou
 /// their products stay far from overflow in single precision, too.
 inline constexpr double kLargest = 1e18;
 inline constexpr double kLargestHalf = 65504.0;  ///< The largest finite half.
-inline constexpr double kLeastTile = 1e-3;       // radius of the circles that tile segments
 inline constexpr double kSmallestCameraHeight = 1e-18;
 inline constexpr double kMostStretch = 1e9;
 }  // namespace limits

@@ -1,5 +1,5 @@
 #pragma once
-// A table of lesson files that single acts need, as this folder sees it. Those there are stand in
+// A table of lesson files that single acts take, as this folder sees it. Those there are stand in
 // src/tables.
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct TableSource {
   const FileReader& read_file;
 };
 
-/// An act names the one that it needs (ActNeeds::table).
+/// An act names the one that it takes (ActNeeds::table).
 struct TableKind {
   std::string_view name;             ///< "growth": it is written [growth].
   std::string_view meaning;          ///< What it holds.
@@ -33,6 +33,7 @@ struct TableKind {
   /// The table, though it has problems: these are reported.
   ActTable (*read)(const TableSource& source);
   void (*write)(const ActTable& table, TomlText& out);
+  bool is_optional = false;  ///< Its keys have defaults; without it Lesson::table is empty.
 };
 
 }  // namespace gjkscope

@@ -9,7 +9,7 @@ namespace gjkscope {
 
 std::string_view ActNeeds::table_name() const {
   if (path == PathUse::needed) return "path";
-  return table != nullptr ? table->name : std::string_view();
+  return table != nullptr && !table->is_optional ? table->name : std::string_view();
 }
 
 const AskInfo* Act::ask(std::string_view asked) const {

@@ -17,7 +17,7 @@ enum class PathUse { refused, possible, needed };
 
 /// What an act needs of a lesson.
 struct ActNeeds {
-  /// A table of its own; nullptr: none. A lesson has no table that only other acts need.
+  /// A table of its own; nullptr: none. A lesson has no table that only other acts take.
   const TableKind* table = nullptr;
   PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
@@ -87,9 +87,9 @@ struct Vocabulary {
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Term>& terms);
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<const Act*>& acts);
 
-/// The tables that acts need, each once.
+/// The tables that acts take, each once.
 [[nodiscard]] std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts);
-/// Those that need a table.
+/// Those that take a table.
 [[nodiscard]] std::vector<const Act*> acts_with(const std::vector<const Act*>& acts,
                                                 const TableKind& table);
 

@@ -7,6 +7,7 @@
 #include "lesson/save.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
+#include "tables/trees.hpp"
 #include "trace/trace_json.hpp"
 #include "trace/trace_text.hpp"
 
@@ -104,18 +105,22 @@ TEST(Outlines, TheWalkSaysWhyItDoesNotTakeAHole) {
 TEST(Volumes, AreChosenWhereTreesAreBuilt) {
   const auto with_volumes = [](const std::string& volumes, const std::string& granularity) {
     return lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n", granularity) +
-           "[query]\nvolumes = \"" + volumes + "\"\n";
+           "[trees]\nvolumes = \"" + volumes + "\"\n";
   };
   const LoadedLesson loaded = load(with_volumes("circles", "hierarchy-distance"));
   ASSERT_TRUE(loaded.lesson);
-  EXPECT_EQ(loaded.lesson->volumes, VolumeKind::circles);
-  EXPECT_EQ(load(lesson_toml(*loaded.lesson)).lesson->volumes, VolumeKind::circles);
+  EXPECT_EQ(trees_of(*loaded.lesson).volumes, VolumeKind::circles);
+  EXPECT_EQ(*load(lesson_toml(*loaded.lesson)).lesson, *loaded.lesson);
+  const LoadedLesson without =
+      load(lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n", "hierarchy-distance"));
+  EXPECT_EQ(trees_of(*without.lesson).volumes, VolumeKind::boxes);
+  EXPECT_EQ(lesson_toml(*without.lesson).find("[trees]"), std::string::npos);
   EXPECT_EQ(problem(with_volumes("balls", "hierarchy-distance")),
             "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles, tiles");
-  EXPECT_EQ(
-      problem(with_volumes("circles", "lin-canny")),
-      "x.toml:16:11: 'volumes' with granularity 'lin-canny'; expected no 'volumes': it builds "
-      "no trees");
+  EXPECT_EQ(problem(with_volumes("circles", "lin-canny")),
+            "x.toml:15:1: a table [trees] without granularity 'hierarchy-collide' or "
+            "'hierarchy-distance'; expected granularity = \"hierarchy-collide\" or "
+            "\"hierarchy-distance\" in [steps]");
 }
 
 }  // namespace outlines_test

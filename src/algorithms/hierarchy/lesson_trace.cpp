@@ -5,6 +5,7 @@
 #include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"
 #include "models/sphere_tree.hpp"
+#include "tables/trees.hpp"
 #include "trace/fields.hpp"
 
 namespace gjkscope {
@@ -82,7 +83,7 @@ class Told : public OutlineTrace {
   [[nodiscard]] Json result_json(const Lesson& lesson) const override {
     const models::SearchResult& result = search_.trace.result;
     return {{"stop", name_of(result.stop)},
-            {"volumes", name_of(lesson.volumes)},
+            {"volumes", name_of(trees_of(lesson).volumes)},
             {"visits", result.visits},
             {"tests", result.measured},
             {"looked_up", result.hits},
@@ -147,14 +148,15 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
     const models::SearchTrace& last = static_cast<const Told&>(*before).search().trace;
     if (last.result.segments.first >= 0) told.options.remembered = last.result.segments;
   }
+  const LessonTrees trees = trees_of(lesson);
   const auto search = [&]<class V>(std::type_identity<V>, const auto& items) {
     run_search<V>(told, models::build_hierarchy<V>(items(told.x)),
                   models::build_hierarchy<V>(items(told.y)));
   };
   const auto tiles = [&](const models::Model& model) {
-    return models::tiles_of(model, lesson.tile, kMostTiles);
+    return models::tiles_of(model, trees.tile, kMostTiles);
   };
-  switch (lesson.volumes) {
+  switch (trees.volumes) {
     case VolumeKind::boxes:
       search(std::type_identity<models::Box>{}, models::items_of);
       break;
@@ -187,16 +189,14 @@ const Algorithm kHierarchyCollide{.name = "hierarchy-collide",
                                   .answers = kCollideAnswers,
                                   .values = kValues,
                                   .run = search_for<Goal::collide>,
-                                  .stops = std::span(kStops).subspan(1),
-                                  .has_volumes = true};
+                                  .stops = std::span(kStops).subspan(1)};
 
 const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .phases = kPhases,
                                    .answers = kDistanceAnswers,
                                    .values = kValues,
                                    .run = search_for<Goal::distance>,
-                                   .stops = std::span(kStops).subspan(1),
-                                   .has_volumes = true};
+                                   .stops = std::span(kStops).subspan(1)};
 
 const SearchTold* search_told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kHierarchyCollide && run.act->algorithm != &kHierarchyDistance)

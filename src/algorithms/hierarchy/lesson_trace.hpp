@@ -12,7 +12,7 @@
 
 namespace gjkscope {
 
-/// Whichever a lesson asks for (`query.volumes`).
+/// Whichever a lesson asks for (`trees.volumes`).
 using Volume = std::variant<models::Box, models::Circle>;
 using TreeNode = models::Node<Volume>;
 

@@ -20,11 +20,11 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
       is_answer(over > static_cast<int>(search.trace.steps.size())) {}
 
 std::string_view Shown::volumes() const {
-  return lesson.volumes == VolumeKind::boxes ? "boxes" : "circles";
+  return trees_of(lesson).volumes == VolumeKind::boxes ? "boxes" : "circles";
 }
 
 std::string_view Shown::volume() const {
-  return lesson.volumes == VolumeKind::boxes ? "box" : "circle";
+  return trees_of(lesson).volumes == VolumeKind::boxes ? "box" : "circle";
 }
 
 std::vector<NodeState> Shown::node_states(bool of_x) const {
@@ -154,7 +154,8 @@ const StagedAct kCollide{
             .meaning =
                 "visit of a pair of volumes, in search of segments that meet, and what comes "
                 "of it; then the answer",
-            .needs = {.why_no_until = "frames show how the search ends"},
+            .needs = {.table = &LessonTrees::kTable,
+                      .why_no_until = "frames show how the search ends"},
             .add_frames = add_frames,
             .asks = kCollideAsks,
             .answering_step = answering_step,
@@ -173,7 +174,8 @@ const StagedAct kDistance{
     .act = {.name = "hierarchy-distance",
             .meaning = "visit of a pair of volumes, in search of the closest segments, and what "
                        "comes of it; then the answer",
-            .needs = {.why_no_until = "frames show how the search ends"},
+            .needs = {.table = &LessonTrees::kTable,
+                      .why_no_until = "frames show how the search ends"},
             .add_frames = add_frames,
             .asks = kDistanceAsks,
             .answering_step = answering_step,

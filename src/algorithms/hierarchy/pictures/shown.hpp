@@ -5,6 +5,7 @@
 #include "effects/algorithm_facts.hpp"
 #include "picture/act.hpp"
 #include "picture/blocks/blocks.hpp"
+#include "tables/trees.hpp"
 
 namespace gjkscope::searches {
 
@@ -57,7 +58,7 @@ struct Shown {
     return search.tree(of_x)[static_cast<std::size_t>(node_index(of_x))];
   }
   /// Leaves are small circles; several may have the same segment.
-  [[nodiscard]] bool has_tiles() const { return lesson.volumes == VolumeKind::tiles; }
+  [[nodiscard]] bool has_tiles() const { return trees_of(lesson).volumes == VolumeKind::tiles; }
   [[nodiscard]] bool are_leaves() const { return node(true).is_leaf() && node(false).is_leaf(); }
   [[nodiscard]] const std::string& name(bool of_x) const {
     return (of_x ? lesson.x() : lesson.y()).name;

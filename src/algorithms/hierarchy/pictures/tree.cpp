@@ -240,7 +240,8 @@ int most_in_heap(const Shown& shown) {
 }
 
 std::string trees_title(const LessonRun& run) {
-  return run.lesson.volumes == VolumeKind::boxes ? "The trees of boxes" : "The trees of circles";
+  return trees_of(run.lesson).volumes == VolumeKind::boxes ? "The trees of boxes"
+                                                           : "The trees of circles";
 }
 
 }  // namespace gjkscope::searches

@@ -1,0 +1,50 @@
+#include "tables/trees.hpp"
+
+#include <fmt/format.h>
+
+#include "lesson/decimal.hpp"
+#include "lesson/table_kind.hpp"
+
+namespace gjkscope {
+namespace {
+
+using toml_file::Field;
+
+constexpr double kLeastTile = 1e-3;
+
+std::vector<LessonKey> tree_keys() {
+  return {
+      {"trees", "volumes", one_of(names_of<VolumeKind>()), "boxes",
+       "what bounds segments; tiles: circles over small circles that cover the segments, and "
+       "`query.tolerance` is the relative error that is allowed"},
+      {"trees", "tile", fmt::format("number from {} to {}", kLeastTile, limits::kLargest), "0.5",
+       "largest radius of these small circles, with volumes = \"tiles\""},
+  };
+}
+
+ActTable read_trees(const TableSource& source) {
+  LessonTrees trees;
+  trees.volumes =
+      source.reader.choice<VolumeKind>(source.table["volumes"], "volume").value_or(trees.volumes);
+  const Field tile = source.table["tile"];
+  trees.tile = source.reader.number(tile, kLeastTile, limits::kLargest).value_or(trees.tile);
+  if (tile && trees.volumes != VolumeKind::tiles)
+    source.problems.add(tile.place(), "'tile' without tiles", "volumes = \"tiles\"");
+  return ActTable(trees);
+}
+
+void write_trees(const ActTable& table, TomlText& out) {
+  const LessonTrees& trees = *table.as<LessonTrees>();
+  const LessonTrees defaults;
+  out.table("[trees]");
+  out.choice("volumes", trees.volumes, defaults.volumes);
+  out.number("tile", trees.tile, defaults.tile);
+  out.write_empty();
+}
+
+}  // namespace
+
+const TableKind LessonTrees::kTable = {
+    "trees", "how trees of segments are built", tree_keys, read_trees, write_trees, true};
+
+}  // namespace gjkscope
