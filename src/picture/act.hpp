@@ -2,6 +2,7 @@
 // An act as pictures know it: how its frames are placed in the lesson, told and drawn. Each is a
 // value in a file of acts/, listed in acts/list.def.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ struct StagedAct {
   void (*words)(const Story& story, FrameText& text) = nullptr;
   /// Draws what the step adds to a view; layers below and above it do the rest (layers/).
   void (*stage)(SceneBuilder& scene) = nullptr;
+  /// Extends `seen` by what a view of run `index` shows beyond the shapes; a view without a camera
+  /// fits that, too.
+  void (*reach)(const LessonRun& run, int index, ViewKind view,
+                Eigen::AlignedBox2d& seen) = nullptr;
   /// The question of a frame that asks one.
   void (*question)(const Story& story, FrameText& text) = captions::question;
   /// The values that prose can name and the sidecar file lists.

@@ -35,7 +35,10 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     return camera;
   }
   Eigen::AlignedBox2d seen;
-  for (const PositionedRun& positioned : run.runs) {
+  const StagedAct& act = staged(run);
+  for (std::size_t index = 0; index < run.runs.size(); ++index) {
+    const PositionedRun& positioned = run.runs[index];
+    if (act.reach != nullptr) act.reach(run, static_cast<int>(index), view.kind, seen);
     const auto box_of = [&](std::size_t body) {
       Eigen::AlignedBox2d box;
       for (const Vector2d& vertex : positioned.bodies[body].world) box.extend(vertex);

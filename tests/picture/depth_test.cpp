@@ -7,6 +7,7 @@
 #include "algorithms/depth/lesson_trace.hpp"
 #include "lessons.hpp"
 #include "picture/frame.hpp"
+#include "picture/stage.hpp"
 #include "picture/words.hpp"
 
 namespace gjkscope {
@@ -41,6 +42,21 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     EXPECT_EQ(texts.back().phase, "answer");
     EXPECT_EQ(value_of_text(texts.back(), "depth"),
               Numbers(lesson)(lesson.expect.answers.at(0).second));
+  }
+}
+
+TEST(DepthFrames, AViewWithoutACameraHasRoomForXMovedByT) {
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    Lesson lesson = testing::shipped_lesson(id);
+    for (LessonView& view : lesson.views) view.camera.reset();
+    const LessonRun run = run_lesson(lesson);
+    const Rect card{{0.0, 0.0}, {400.0, 400.0}};
+    const Camera camera = camera_of(run, run.lesson.views[0], card);
+    for (const Eigen::Vector2d& vertex : run.runs[0].x().world) {
+      const Eigen::Vector2d at = vertex + depth_trace(run, 0)->result.translation - camera.center;
+      EXPECT_LT(at.cwiseAbs().maxCoeff(), 0.5 * camera.height);
+    }
   }
 }
 

@@ -95,6 +95,14 @@ Tick tick(const LessonRun& run, const Frame& frame) {
           .event = at.is_event};
 }
 
+/// X, moved by t.
+void reach(const LessonRun& run, int index, ViewKind view, Eigen::AlignedBox2d& seen) {
+  const depth::Result<double>& result = depth_trace(run, index)->result;
+  if (view != ViewKind::world || !result.translation.allFinite()) return;
+  for (const Eigen::Vector2d& vertex : run.runs[static_cast<std::size_t>(index)].x().world)
+    seen.extend(vertex + result.translation);
+}
+
 const StagedAct kAct{
     .act = {.name = "depth",
             .meaning = "phase of the polygon that expands where GJK has found the shapes to "
@@ -109,6 +117,7 @@ const StagedAct kAct{
     .tick = depths::tick,
     .words = depths::words,
     .stage = depths::stage,
+    .reach = depths::reach,
     .question = depths::question,
     .values = depths::values,
 };
