@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "picture/picture.hpp"
+#include "picture/theme.hpp"
 
 namespace gjkscope {
 

@@ -7,6 +7,7 @@
 #include "lesson/decimal.hpp"
 #include "study/less_work.hpp"
 #include "study/report.hpp"
+#include "tables/study_results.hpp"
 
 namespace gjkscope::study {
 namespace {

@@ -10,6 +10,7 @@
 #include "lesson/decimal.hpp"
 #include "picture/study_plot.hpp"
 #include "study/report.hpp"
+#include "tables/study_results.hpp"
 
 namespace gjkscope {
 namespace {

@@ -8,6 +8,7 @@
 #include "effects/balance.hpp"
 #include "lesson/decimal.hpp"
 #include "picture/registry.hpp"
+#include "tables/study_results.hpp"
 #include "tables/time.hpp"
 
 namespace gjkscope {
