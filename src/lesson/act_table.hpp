@@ -1,7 +1,8 @@
 #pragma once
-// The table of a lesson file that only the lesson's act takes. This folder keeps it and does not
-// know what it holds: see lesson/table_kind.hpp.
+// A table that only some acts take, as a lesson holds it. This folder does not know what is in it:
+// see lesson/table_kind.hpp.
 
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,18 +15,18 @@ struct TableKind;
 /// A file that a table names.
 struct NamedFile {
   std::string path;                         ///< As seen from the lesson's folder.
-  std::shared_ptr<const std::string> text;  ///< What stood in it.
+  std::shared_ptr<const std::string> text;  ///< What stood in it; never nullptr.
 };
 
-/// A value of a type T that has == and `static const TableKind kTable`. Copies share the value
+/// A value of a type T that has == and `static const TableKind kKind`. Copies share the value
 /// until one of them is edited.
 class ActTable {
  public:
   ActTable() = default;  ///< No table.
   template <class T>
-  requires requires { &T::kTable; }
+  requires requires { &T::kKind; }
   explicit ActTable(T value)
-      : kind_(&T::kTable),
+      : kind_(&T::kKind),
         value_(std::make_shared<T>(std::move(value))),
         is_same_([](const void* a, const void* b) {
           return *static_cast<const T*>(a) == *static_cast<const T*>(b);
@@ -35,16 +36,19 @@ class ActTable {
   /// nullptr where the table is of another type.
   template <class T>
   [[nodiscard]] const T* as() const {
-    return kind_ == &T::kTable ? static_cast<const T*>(value_.get()) : nullptr;
+    return kind_ == &T::kKind ? static_cast<const T*>(value_.get()) : nullptr;
   }
-  /// The value, no longer shared. The table must be of this type.
+  /// The value, no longer shared. The table must be of this type. Use the reference before the
+  /// table is copied.
   template <class T>
   [[nodiscard]] T& edit() {
+    assert(as<T>() != nullptr);
     if (value_.use_count() > 1) value_ = std::make_shared<T>(*as<T>());
     return *static_cast<T*>(value_.get());
   }
 
-  std::optional<NamedFile> file;  ///< That the table names.
+  /// The file that the table names, if any. Its path stands here alone, not in the value.
+  std::optional<NamedFile> file;
 
   friend bool operator==(const ActTable& a, const ActTable& b) {
     if (a.kind_ != b.kind_ || a.file.has_value() != b.file.has_value()) return false;

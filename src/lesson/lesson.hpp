@@ -125,7 +125,7 @@ struct LessonPath {
 /// make a question.
 struct LessonQuestion {
   std::string ask;        ///< One that the act can ask (Act::asks): "support".
-  std::optional<int> at;  ///< The iteration that answers, or of a study the mark, from 1; without
+  std::optional<int> at;  ///< The iteration that answers, or the part asked about, from 1; without
                           ///< it each that can.
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
@@ -161,7 +161,7 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  ActTable table;  ///< That which the act takes (ActNeeds::table); may be empty.
+  ActTable table;  ///< That of the act (ActNeeds::table), if it takes one and the file has it.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.

@@ -91,6 +91,7 @@ class LessonReader {
   std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
   std::array<Field, kBodyKeys.size()> radii_;        ///< Of the bodies.
   Field beside_;
+  bool act_is_known_ = true;  ///< False: the file names one that there is not.
   std::map<std::string, int> line_of_vertex_name_;
 };
 
@@ -437,11 +438,13 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
 void LessonReader::check_needs(const Term& term, const Field& field, std::string_view what) {
   if (!term.act.empty() && lesson_.act != term.act) {
     const Act* act = vocabulary_.act(term.act);
+    std::string expected = fmt::format("granularity = \"{}\" in [steps]", term.act);
+    if (act != nullptr) {
+      for (const std::string_view table : act->needs.required_tables())
+        expected += fmt::format(", and a table [{}]", table);
+    }
     problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
-                  fmt::format("granularity = \"{}\" in [steps]", term.act) +
-                      (act != nullptr && !act->needs.table_name().empty()
-                           ? fmt::format(", and a table [{}]", act->needs.table_name())
-                           : std::string()));
+                  expected);
   }
   if (term.second_run && !beside_) {
     problems_.add(field.place(), fmt::format("{} without a second run", what),
@@ -464,8 +467,9 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
                   std::move(expected));
   };
   const ActNeeds& needs = act.needs;
-  if (const std::string_view table = needs.table_name(); !table.empty() && !file[table])
-    return refuse("without its table", fmt::format("a table [{}]", table));
+  for (const std::string_view table : needs.required_tables()) {
+    if (!file[table]) return refuse("without its table", fmt::format("a table [{}]", table));
+  }
   if (needs.path == PathUse::refused && file["path"]) refuse("with a path", "no table [path]");
   if (shapes_read_ < 2) return;
   const int largest =
@@ -489,6 +493,8 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
   if (const std::optional<std::string> chosen = reader_.name(granularity, "granularity", known)) {
     lesson_.act = *chosen;
     check_act(*vocabulary_.act(*chosen), granularity, file);
+  } else {
+    act_is_known_ = !granularity;
   }
   const Act& act = *vocabulary_.act(lesson_.act);
   if (act.algorithm == nullptr || act.algorithm->follows_gjk) {
@@ -524,16 +530,19 @@ void LessonReader::read_act_table(const Table& file) {
   const TableKind* own = vocabulary_.act(lesson_.act)->needs.table;
   for (const TableKind* kind : tables_of(vocabulary_.acts)) {
     const Field field = file[kind->name];
+    const std::optional<Table> table = reader_.table(field, kind->name);
     if (!field) continue;
-    if (kind != own) {
+    ActTable read;
+    if (table)
+      read = kind->read({*table, field.place(), reader_, problems_, lesson_, folder_, read_file_});
+    if (kind == own) {
+      lesson_.table = std::move(read);
+    } else if (act_is_known_) {
       const std::vector<std::string> acts = names_of(acts_with(vocabulary_.acts, *kind));
       problems_.add(field.place(),
                     fmt::format("a table [{}] without granularity '{}'", kind->name,
                                 fmt::join(acts, "' or '")),
                     fmt::format("granularity = \"{}\" in [steps]", fmt::join(acts, "\" or \"")));
-    } else if (const auto table = reader_.table(field, kind->name)) {
-      lesson_.table =
-          kind->read({*table, field.place(), reader_, problems_, lesson_, folder_, read_file_});
     }
   }
 }

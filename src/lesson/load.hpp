@@ -30,8 +30,8 @@ struct LoadedLesson {
 [[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
                                        const Vocabulary& vocabulary);
 
-/// The same from text; `name` stands for the file in problems and gives the lesson's id. Results of
-/// a study are read by `read`.
+/// The same from text; `name` stands for the file in problems and gives the lesson's id. `read`
+/// reads the file that its table names, if any.
 [[nodiscard]] LoadedLesson parse_lesson(std::string_view text, const std::filesystem::path& name,
                                         const Vocabulary& vocabulary,
                                         const FileReader& read = read_file);

@@ -14,7 +14,8 @@
 namespace gjkscope {
 
 template <class E>
-struct Named;  // specialised below: static constexpr kTable of (name, value)
+struct Named;  // specialised below and beside its enumeration: static constexpr kTable of (name,
+               // value)
 
 template <>
 struct Named<ScalarKind> {

@@ -124,7 +124,7 @@ void write_expect(TomlText& out, const Expectation& expect) {
       answers.push_back(fmt::format("{} = {}", name, decimal(value)));
     out.key("answer", fmt::format("{{ {} }}", fmt::join(answers, ", ")));
   }
-  out.write_empty();
+  out.write_header();
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace gjkscope {
 /// Texts must be UTF-8, numbers finite, and the vertices of `options.start` there.
 [[nodiscard]] std::string lesson_toml(const Lesson& lesson);
 
-/// The same lesson, where a file that it names is named by its whole path: it can be written
+/// The same lesson, with the absolute path of the file that its table names: it can be written
 /// anywhere.
 [[nodiscard]] Lesson with_absolute_file(Lesson lesson);
 

@@ -170,9 +170,8 @@ std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts) {
     keys.push_back(
         {"", std::string(table->name), fmt::format("table [{}]", table->name),
          table->is_optional ? "its defaults" : "none",
-         fmt::format("{}; {} granularity `{}`{}", table->meaning,
-                     table->is_optional ? "only with" : "needed with", fmt::join(names, "` or `"),
-                     table->is_optional ? "" : ", and only then")});
+         fmt::format("{}; {} with granularity `{}`, refused with any other", table->meaning,
+                     table->is_optional ? "optional" : "required", fmt::join(names, "`, `"))});
     const std::vector<LessonKey> more = table->keys();
     keys.insert(keys.end(), more.begin(), more.end());
   }

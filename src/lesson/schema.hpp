@@ -1,6 +1,6 @@
 #pragma once
-// The keys of a lesson file, one list: the loader reads from it which keys there are, which are
-// required and what a message says was expected; lessons/README.md shows it.
+// The keys of a lesson file: the loader reads from them which there are, which are required and
+// what a message says was expected; lessons/README.md lists them.
 
 #include <string>
 #include <string_view>
@@ -23,7 +23,7 @@ inline constexpr std::string_view kRequired = "required";
 struct Act;
 
 /// All keys, in the order in which README.md lists them: those of every lesson, then those of the
-/// tables that acts need.
+/// tables that acts take.
 [[nodiscard]] std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts);
 
 // Types of keys, as messages say them.

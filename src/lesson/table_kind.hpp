@@ -1,6 +1,5 @@
 #pragma once
-// A table of lesson files that single acts take, as this folder sees it. Those there are stand in
-// src/tables.
+// What this folder must know of a table that only some acts take. The tables are in src/tables.
 
 #include <filesystem>
 #include <string_view>
@@ -22,18 +21,20 @@ struct TableSource {
   toml_file::Problems& problems;
   const Lesson& lesson;                 ///< Its shapes, query and path have been read.
   const std::filesystem::path& folder;  ///< That of the lesson.
-  const FileReader& read_file;
+  const FileReader& read_file;          ///< Use this one: a page has its files in memory.
 };
 
 /// An act names the one that it takes (ActNeeds::table).
 struct TableKind {
-  std::string_view name;             ///< "growth": it is written [growth].
-  std::string_view meaning;          ///< What it holds.
-  std::vector<LessonKey> (*keys)();  ///< Those of the table and of tables in it.
-  /// The table, though it has problems: these are reported.
+  std::string_view name;     ///< "growth": it is written [growth].
+  std::string_view meaning;  ///< What it holds.
+  /// Those of [growth] and of the tables in it: LessonKey::table is "growth", "growth.times".
+  /// The key `growth` itself comes from lesson_keys.
+  std::vector<LessonKey> (*keys)();
+  /// Reports every problem. What it returns counts only where there is none.
   ActTable (*read)(const TableSource& source);
   void (*write)(const ActTable& table, TomlText& out);
-  bool is_optional = false;  ///< Its keys have defaults; without it Lesson::table is empty.
+  bool is_optional = false;  ///< A file may leave the table out; then Lesson::table is empty.
 };
 
 }  // namespace gjkscope

@@ -1,6 +1,6 @@
 #pragma once
 // Reads TOML values against the keys of lesson files and collects what is wrong with them, each
-// with its place. Every function reports before it returns nothing; a caller need not report again.
+// with its place. Whoever refuses a value reports it; a required key that is missing was reported.
 
 #include <toml++/toml.h>
 
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lesson/names.hpp"

@@ -67,13 +67,13 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-void TomlText::write_empty() {
+void TomlText::write_header() {
   if (!header_.empty()) text_ += fmt::format("\n{}\n", header_);
   header_.clear();
 }
 
 void TomlText::key(std::string_view name, std::string_view value) {
-  write_empty();
+  write_header();
   text_ += fmt::format("{} = {}\n", name, value);
 }
 

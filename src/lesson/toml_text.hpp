@@ -27,8 +27,8 @@ class TomlText {
  public:
   /// The table that the next keys belong to; without any it is not written.
   void table(std::string_view header) { header_ = header; }
-  /// The table that was begun, though it has no keys.
-  void write_empty();
+  /// The header of the table that was begun, though it has no keys.
+  void write_header();
 
   /// `value` is written as it is.
   void key(std::string_view name, std::string_view value);

@@ -7,9 +7,11 @@
 
 namespace gjkscope {
 
-std::string_view ActNeeds::table_name() const {
-  if (path == PathUse::needed) return "path";
-  return table != nullptr && !table->is_optional ? table->name : std::string_view();
+std::vector<std::string_view> ActNeeds::required_tables() const {
+  std::vector<std::string_view> names;
+  if (path == PathUse::needed) names.emplace_back("path");
+  if (table != nullptr && !table->is_optional) names.push_back(table->name);
+  return names;
 }
 
 const AskInfo* Act::ask(std::string_view asked) const {

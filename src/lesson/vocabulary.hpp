@@ -1,6 +1,7 @@
 #pragma once
-// What a lesson file can name though it is defined above this folder: acts, panel blocks, listings
-// and effects. The loader is handed all of them, and looks up names and needs; lesson/ names none.
+// What a lesson file can hold though it is defined above this folder: acts and their tables, panel
+// blocks, listings and effects. The loader is handed all of them, and looks up names and needs;
+// lesson/ names none.
 
 #include <span>
 #include <string>
@@ -17,7 +18,7 @@ enum class PathUse { refused, possible, needed };
 
 /// What an act needs of a lesson.
 struct ActNeeds {
-  /// A table of its own; nullptr: none. A lesson has no table that only other acts take.
+  /// The table that the act takes; nullptr: none. A lesson has no other act's table.
   const TableKind* table = nullptr;
   PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
@@ -26,8 +27,8 @@ struct ActNeeds {
   bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
 
-  /// The table that must be there, "path" among them; empty: none.
-  [[nodiscard]] std::string_view table_name() const;
+  /// The tables that must be there, "path" among them.
+  [[nodiscard]] std::vector<std::string_view> required_tables() const;
 };
 
 /// A question that frames of an act can ask.
@@ -89,7 +90,7 @@ struct Vocabulary {
 
 /// The tables that acts take, each once.
 [[nodiscard]] std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts);
-/// Those that take a table.
+/// The acts that take this table.
 [[nodiscard]] std::vector<const Act*> acts_with(const std::vector<const Act*>& acts,
                                                 const TableKind& table);
 

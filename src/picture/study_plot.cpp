@@ -103,7 +103,7 @@ Plot study_plot(const std::vector<StudyDot>& family) {
 }
 
 Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
-  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   const std::vector<StudyDot> front = front_of(family);
   const bool has_all = frame.stage == StudyStage::all || frame.stage == StudyStage::choice;
   const bool has_time = frame.stage != StudyStage::error_axis;

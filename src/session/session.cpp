@@ -16,7 +16,7 @@ namespace gjkscope {
 namespace {
 
 constexpr std::size_t kMostEntries = 500;
-/// Vertices in all entries of the history together: some tens of megabytes.
+/// Vertices of shapes in all entries of the history together: some tens of megabytes.
 constexpr std::size_t kMostRemembered = 1'000'000;
 
 std::size_t weight(const Lesson& lesson) {

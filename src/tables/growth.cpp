@@ -37,7 +37,7 @@ std::vector<LessonKey> growth_keys() {
       {"growth", "seed", fmt::format("whole number from 0 to {}", kLargestSeed), "1",
        "of the random polygons: the same number gives the same ones"},
       {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
-       "the iterations until lower >= (1 - tolerance) * upper are counted, too"},
+       "frames also count the iterations until lower >= (1 - tolerance) * upper"},
       {"growth", "times", "table [growth.times]", "none",
        "with granularity `general-growth`: how long methods take, as `gjkscope study models` "
        "measures and writes it"},
@@ -126,7 +126,7 @@ void write_growth(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonGrowth::kTable = {"growth", "random polygons that runs are measured with",
-                                        growth_keys, read_growth, write_growth};
+const TableKind LessonGrowth::kKind = {"growth", "random polygons that runs are measured with",
+                                       growth_keys, read_growth, write_growth};
 
 }  // namespace gjkscope

@@ -45,7 +45,7 @@ struct LessonGrowth {
   double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
                              ///< lower >= (1 - tolerance) * upper.
   std::optional<GrowthTimes> times = {};
-  static const TableKind kTable;
+  static const TableKind kKind;
   friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 

@@ -54,9 +54,7 @@ std::optional<NamedFile> read_results(const TableSource& source, LessonStudy& st
                         fmt::format("at most {} bytes", kResultsBytes));
   } else {
     try {
-      StudyResults found = parse_study_results(*read.text);
-      study.processor = std::move(found.processor);
-      study.dots = std::move(found.dots);
+      study.results = std::make_shared<const StudyResults>(parse_study_results(*read.text));
       return NamedFile{*path, std::make_shared<const std::string>(*std::move(read.text))};
     } catch (const std::runtime_error& error) {
       source.problems.add(results.place(), fmt::format("{}: {}", file.string(), error.what()));
@@ -67,7 +65,7 @@ std::optional<NamedFile> read_results(const TableSource& source, LessonStudy& st
 
 void read_mark(const TableSource& source, const Table& table, LessonStudy& study) {
   std::vector<std::string> known;
-  for (const StudyDot& dot : of_family(study.dots, study.family))
+  for (const StudyDot& dot : of_family(study.dots(), study.family))
     known.push_back(dot.configuration);
   std::vector<std::string> earlier;
   for (const StudyMark& other : study.marks) earlier.push_back(other.configuration);
@@ -92,7 +90,7 @@ ActTable read_study(const TableSource& source) {
   LessonStudy study;
   std::optional<NamedFile> file = read_results(source, study);
   if (!file) return {};
-  study.family = reader.name(table["family"], "family", families_in(study.dots)).value_or("");
+  study.family = reader.name(table["family"], "family", families_in(study.dots())).value_or("");
   const Field marks = table["marks"];
   const std::vector<Field> entries = reader.entries(marks, "table [[study.marks]]");
   if (marks && marks.node->is_array() &&
@@ -123,7 +121,7 @@ void write_study(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonStudy::kTable = {"study", "results of `gjkscope study accuracy`", study_keys,
-                                       read_study, write_study};
+const TableKind LessonStudy::kKind = {"study", "results of `gjkscope study accuracy`", study_keys,
+                                      read_study, write_study};
 
 }  // namespace gjkscope

@@ -2,6 +2,7 @@
 // [study]: results of `gjkscope study accuracy`, and those of them that a lesson introduces.
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,17 +26,23 @@ struct LessonStudy {
   static constexpr int kMostMarks = 8;  ///< As many as the panel can explain.
   std::string family;                   ///< The family of pairs that is shown.
   std::vector<StudyMark> marks;
-  std::string processor;       ///< From the file: what it was measured on,
-  std::vector<StudyDot> dots;  ///< and the results for all families.
+  std::shared_ptr<const StudyResults> results;  ///< From the file; shared, as they are many.
 
+  /// What it was measured on.
+  [[nodiscard]] const std::string& processor() const { return results->processor; }
+  /// Of all families.
+  [[nodiscard]] const std::vector<StudyDot>& dots() const { return results->dots; }
   /// The dot of a configuration of the family.
   [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {
-    return *std::find_if(dots.begin(), dots.end(), [&](const StudyDot& each) {
+    return *std::find_if(dots().begin(), dots().end(), [&](const StudyDot& each) {
       return each.family == family && each.configuration == configuration;
     });
   }
-  static const TableKind kTable;
-  friend bool operator==(const LessonStudy&, const LessonStudy&) = default;
+  static const TableKind kKind;
+  friend bool operator==(const LessonStudy& a, const LessonStudy& b) {
+    return a.family == b.family && a.marks == b.marks &&
+           (a.results == b.results || *a.results == *b.results);
+  }
 };
 
 }  // namespace gjkscope

@@ -37,6 +37,7 @@ struct StudyDot {
 struct StudyResults {
   std::string processor;       ///< Of the machine that it was measured on.
   std::vector<StudyDot> dots;  ///< The timed rows of accuracy.json, in the order of the file.
+  friend bool operator==(const StudyResults&, const StudyResults&) = default;
 };
 /// Throws std::runtime_error that says what is wrong with which row.
 [[nodiscard]] StudyResults parse_study_results(std::string_view json);

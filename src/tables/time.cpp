@@ -20,7 +20,7 @@ std::vector<LessonKey> time_keys() {
   return {
       {"time", "seconds", fmt::format("number above 0, up to {}", kLongestSimulation),
        std::string(kRequired),
-       "how long the simulation takes; with `frames` the last is at its end"},
+       "length of the simulation; with `frames` the last frame is at its end"},
       {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), "`moments`",
        "moments at equal steps, for each position of X"},
       {"time", "moments", "list of lists of ascending numbers from 0 to `seconds`", "`frames`",
@@ -99,7 +99,7 @@ void write_time(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonTime::kTable = {"time", "the moments that frames show", time_keys, read_time,
-                                      write_time};
+const TableKind LessonTime::kKind = {"time", "the moments that frames show", time_keys, read_time,
+                                     write_time};
 
 }  // namespace gjkscope

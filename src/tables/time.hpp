@@ -21,7 +21,7 @@ struct LessonTime {
     for (int i = 0; i < frames; ++i) out.push_back(seconds * i / (frames - 1));
     return out;
   }
-  static const TableKind kTable;
+  static const TableKind kKind;
   friend bool operator==(const LessonTime&, const LessonTime&) = default;
 };
 

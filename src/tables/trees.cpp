@@ -15,10 +15,10 @@ constexpr double kLeastTile = 1e-3;
 std::vector<LessonKey> tree_keys() {
   return {
       {"trees", "volumes", one_of(names_of<VolumeKind>()), "boxes",
-       "what bounds segments; tiles: circles over small circles that cover the segments, and "
-       "`query.tolerance` is the relative error that is allowed"},
+       "what bounds the segments. With tiles, small circles cover the segments, larger circles "
+       "bound those, and `query.tolerance` is the relative error that is allowed"},
       {"trees", "tile", fmt::format("number from {} to {}", kLeastTile, limits::kLargest), "0.5",
-       "largest radius of these small circles, with volumes = \"tiles\""},
+       "largest radius of these small circles; only with volumes = \"tiles\""},
   };
 }
 
@@ -39,12 +39,12 @@ void write_trees(const ActTable& table, TomlText& out) {
   out.table("[trees]");
   out.choice("volumes", trees.volumes, defaults.volumes);
   out.number("tile", trees.tile, defaults.tile);
-  out.write_empty();
+  out.write_header();
 }
 
 }  // namespace
 
-const TableKind LessonTrees::kTable = {
+const TableKind LessonTrees::kKind = {
     "trees", "how trees of segments are built", tree_keys, read_trees, write_trees, true};
 
 }  // namespace gjkscope

@@ -1,6 +1,10 @@
 #pragma once
 // [trees]: what bounds segments in trees of volumes.
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "lesson/act_table.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
@@ -20,7 +24,7 @@ struct Named<VolumeKind> {
 struct LessonTrees {
   VolumeKind volumes = VolumeKind::boxes;
   double tile = 0.5;  ///< Largest radius of the circles that tile segments.
-  static const TableKind kTable;
+  static const TableKind kKind;
   friend bool operator==(const LessonTrees&, const LessonTrees&) = default;
 };
 

@@ -1,8 +1,11 @@
-// An act from elsewhere with a table of its own: this folder's code has never heard of either.
+// An act from elsewhere with a table of its own: lesson/ knows neither of them.
 
 #include "lesson/act_table.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
@@ -14,13 +17,13 @@ namespace act_table_test {
 
 struct Walls {
   int count = 0;
-  static const TableKind kTable;
+  static const TableKind kKind;
   friend bool operator==(const Walls&, const Walls&) = default;
 };
 
 struct Doors {
   int count = 0;
-  static const TableKind kTable;
+  static const TableKind kKind;
   friend bool operator==(const Doors&, const Doors&) = default;
 };
 
@@ -37,14 +40,13 @@ void write_walls(const ActTable& table, TomlText& out) {
   out.key("count", std::to_string(table.as<Walls>()->count));
 }
 
-const TableKind Walls::kTable = {"walls", "walls to walk along", wall_keys, read_walls,
-                                 write_walls};
-const TableKind Doors::kTable = {"doors", "ways out", {}, {}, {}};
+const TableKind Walls::kKind = {"walls", "walls to walk along", wall_keys, read_walls, write_walls};
+const TableKind Doors::kKind = {"doors", "ways out", {}, {}, {}};
 
 LoadedLesson load(const std::string& act, const std::string& table) {
   static const Act kWalk{.name = "walk",
                          .meaning = "wall",
-                         .needs = {.table = &Walls::kTable, .path = PathUse::refused}};
+                         .needs = {.table = &Walls::kKind, .path = PathUse::refused}};
   Vocabulary known = vocabulary();
   known.acts.push_back(&kWalk);
   known.keys = lesson_keys(known.acts);
@@ -91,6 +93,13 @@ TEST(ActTable, IsRefusedWhereItIsWrong) {
             "\"walk\" in [steps]");
   EXPECT_EQ(complaint("walk", "[walls]\ncount = 7\n[path]\npoints = [[0, 0], [1, 1]]\n"),
             "walls.toml:9:21: granularity 'walk' with a path; expected no table [path]");
+}
+
+TEST(ActTable, IsReadWhateverTheActIs) {
+  const LoadedLesson loaded = load("wlak", "[walls]\ncount = 10\n");
+  ASSERT_EQ(loaded.problems.size(), 2u) << "nobody knows whether the act takes it";
+  EXPECT_TRUE(loaded.problems[0].what.starts_with("unknown granularity 'wlak'"));
+  EXPECT_EQ(loaded.problems[1].what, "'count' is 10");
 }
 
 TEST(ActTable, IsSharedUntilOneIsEdited) {

@@ -510,7 +510,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   const LessonStudy& study = *loaded.lesson->table.as<LessonStudy>();
   for (const StudyMark& mark : study.marks)
     EXPECT_EQ(study.dot(mark.configuration).configuration, mark.configuration);
-  EXPECT_FALSE(study.processor.empty());
+  EXPECT_FALSE(study.processor().empty());
   const LessonRun run = run_lesson(*loaded.lesson);
   EXPECT_EQ(run.frames.size(), 5 + study.marks.size() + 3 + loaded.lesson->questions.size());
   EXPECT_EQ(run.frames.front().part.as<StudyFrame>()->stage, StudyStage::shapes);

@@ -119,8 +119,16 @@ TEST(Volumes, AreChosenWhereTreesAreBuilt) {
             "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles, tiles");
   EXPECT_EQ(problem(with_volumes("circles", "lin-canny")),
             "x.toml:15:1: a table [trees] without granularity 'hierarchy-collide' or "
-            "'hierarchy-distance'; expected granularity = \"hierarchy-collide\" or "
-            "\"hierarchy-distance\" in [steps]");
+            "'hierarchy-distance' or 'hierarchy-orders'; expected granularity = "
+            "\"hierarchy-collide\" or \"hierarchy-distance\" or \"hierarchy-orders\" in [steps]");
+  LoadedLesson tiles = load(with_volumes("tiles", "hierarchy-orders") + "tile = 0.25\n");
+  ASSERT_TRUE(tiles.lesson);
+  EXPECT_EQ(trees_of(*tiles.lesson), (LessonTrees{VolumeKind::tiles, 0.25}));
+  EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson);
+  tiles.lesson->table = ActTable(LessonTrees{});
+  EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson) << "an empty table stays";
+  EXPECT_EQ(problem(with_volumes("circles", "hierarchy-distance") + "tile = 0.25\n"),
+            "x.toml:17:8: 'tile' without tiles; expected volumes = \"tiles\"");
 }
 
 }  // namespace outlines_test

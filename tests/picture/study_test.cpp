@@ -24,7 +24,7 @@ struct Shown {
   Shown() : run(run_lesson(testing::shipped_lesson("accuracy-cost"))), effects(run) {}
   [[nodiscard]] const LessonStudy& study() const { return *run.lesson.table.as<LessonStudy>(); }
   [[nodiscard]] std::vector<StudyDot> family() const {
-    return of_family(study().dots, study().family);
+    return of_family(study().dots(), study().family);
   }
   LessonRun run;
   EffectGraph effects;
@@ -127,7 +127,7 @@ TEST(StudyPicture, TheMachineIsNamed) {
   Shown shown;
   const std::vector<FrameText> texts = lesson_texts(shown.run, shown.effects);
   EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const FrameText& text) {
-    return holds(text.caption, shown.study().processor);
+    return holds(text.caption, shown.study().processor());
   }));
 }
 

@@ -1061,7 +1061,7 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   HeadlessApp window("accuracy-cost");
   Session& session = window.session();
   const LessonStudy study = *session.lesson().table.as<LessonStudy>();
-  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   const int all = session.frame_count() - 2;  // the frame that shows all dots
   session.go_to(all);
   window.settle();
@@ -1122,7 +1122,7 @@ TEST(Study, EveryDotOpens) {
   window.session().go_to(window.session().frame_count() - 2);
   window.settle();
   const std::vector<StudyDot> family =
-      of_family(window.session().lesson().table.as<LessonStudy>()->dots, "nearly parallel");
+      of_family(window.session().lesson().table.as<LessonStudy>()->dots(), "nearly parallel");
   std::set<std::string> titles;
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (!family[i].error) continue;
@@ -1161,8 +1161,8 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   window.app().save_to(saved);
   const LoadedLesson read = load_lesson(saved, vocabulary());
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
-  EXPECT_EQ(read.lesson->table.as<LessonStudy>()->dots,
-            window.session().lesson().table.as<LessonStudy>()->dots);
+  EXPECT_EQ(read.lesson->table.as<LessonStudy>()->dots(),
+            window.session().lesson().table.as<LessonStudy>()->dots());
 
   std::ofstream(results) << R"({"machine": {"processor": "abacus"}, "rows": [{"family": 3}]})";
   window.app().open_path(results);

@@ -13,7 +13,6 @@
 #include "app.hpp"
 #include "lesson/decimal.hpp"
 #include "lesson/load.hpp"
-#include "lesson/schema.hpp"
 #include "picture/acts/study.hpp"
 #include "picture/registry.hpp"
 #include "study/configuration.hpp"
@@ -89,7 +88,7 @@ struct Study {
   /// The dots that the lesson's plot shows, by their index; empty without a study.
   [[nodiscard]] std::vector<StudyDot> dots() const {
     const LessonStudy* study = session().lesson().table.as<LessonStudy>();
-    return study ? of_family(study->dots, study->family) : std::vector<StudyDot>();
+    return study ? of_family(study->dots(), study->family) : std::vector<StudyDot>();
   }
 
   /// The pair that a configuration answers worst, stepped as it computes.
@@ -170,7 +169,7 @@ struct Study {
     }
     std::string family = study->family;
     if (ImGui::BeginCombo("family", family.c_str())) {
-      for (const std::string& name : families_in(study->dots)) {
+      for (const std::string& name : families_in(study->dots())) {
         if (ImGui::Selectable(name.c_str(), name == family)) family = name;
       }
       ImGui::EndCombo();
@@ -179,7 +178,7 @@ struct Study {
       Lesson lesson = session().lesson();
       LessonStudy& shown = lesson.table.edit<LessonStudy>();
       shown.family = family;
-      shown.marks = marks_to_show(of_family(shown.dots, family));
+      shown.marks = marks_to_show(of_family(shown.dots(), family));
       app.edit("family", std::move(lesson));
       return;
     }
@@ -230,20 +229,18 @@ struct Study {
 void open_results(App& app, std::string_view json, const fs::path& file) {
   LessonStudy study;
   try {
-    StudyResults results = parse_study_results(json);
-    study.processor = std::move(results.processor);
-    study.dots = std::move(results.dots);
+    study.results = std::make_shared<const StudyResults>(parse_study_results(json));
   } catch (const std::runtime_error& error) {
     return app.say(fmt::format("{}: {}", file.string(), error.what()), true);
   }
   LoadedLesson loaded = load_lesson(shipped_study(app), vocabulary());
   if (!loaded.lesson) return app.say(to_string(loaded.problems.front()), true);
   Lesson lesson = std::move(*loaded.lesson);
-  const std::vector<std::string> families = families_in(study.dots);
+  const std::vector<std::string> families = families_in(study.dots());
   const std::string& shipped = lesson.table.as<LessonStudy>()->family;
   const bool has_family = std::find(families.begin(), families.end(), shipped) != families.end();
   study.family = has_family ? shipped : families.front();
-  study.marks = marks_to_show(of_family(study.dots, study.family));
+  study.marks = marks_to_show(of_family(study.dots(), study.family));
   lesson.table = ActTable(std::move(study));
   lesson.table.file = {fs::absolute(file).string(), std::make_shared<const std::string>(json)};
   if (app.show(std::move(lesson), {}, file.string())) app.show_drawer("Study");

@@ -25,9 +25,9 @@ std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const Run
   static std::mutex mutex;
   static std::pair<LessonGrowth, std::shared_ptr<const AlgorithmTrace>> last;
   const std::lock_guard lock(mutex);
-  if (last.second == nullptr || !(last.first == *lesson.table.as<LessonGrowth>()))
-    last = {*lesson.table.as<LessonGrowth>(),
-            std::make_shared<const GeneralGrowthTrace>(*lesson.table.as<LessonGrowth>())};
+  const LessonGrowth& growth = *lesson.table.as<LessonGrowth>();
+  if (last.second == nullptr || !(last.first == growth))
+    last = {growth, std::make_shared<const GeneralGrowthTrace>(growth)};
   return last.second;
 }
 

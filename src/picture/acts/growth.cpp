@@ -100,7 +100,7 @@ const StagedAct kGrowth{
     .act = {.name = "growth",
             .meaning = "support step of the run, then number of vertices in [growth]; then the "
                        "outcome",
-            .needs = {.table = &LessonGrowth::kTable,
+            .needs = {.table = &LessonGrowth::kKind,
                       .path = PathUse::refused,
                       .why_no_until = "frames show how the run ends"},
             .add_frames = growth_frames,

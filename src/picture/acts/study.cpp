@@ -90,7 +90,7 @@ const StagedAct kStudy{
                 "part of three acts: the pair X and Y, its gap, its answers in float and double, "
                 "what an error is; the axis of errors, that of times, each mark of [study]; the "
                 "front of the marks, that of all, what to take",
-            .needs = {.table = &LessonStudy::kTable,
+            .needs = {.table = &LessonStudy::kKind,
                       .path = PathUse::refused,
                       .why_no_until = "frames show how the run ends"},
             .add_frames = study_frames,

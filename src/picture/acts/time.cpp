@@ -35,7 +35,7 @@ const StagedAct kTime{
             .meaning =
                 "moment of [time], at each position of X; for a point query whose `start` is a "
                 "segment",
-            .needs = {.table = &LessonTime::kTable,
+            .needs = {.table = &LessonTime::kKind,
                       .start = 2,
                       .why_no_until = "frames go through the first region tests"},
             .add_frames = time_frames},

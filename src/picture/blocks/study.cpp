@@ -141,7 +141,7 @@ void beaten(PanelBuilder& panel, const LessonStudy& study) {
 
 /// The front of all ways, numbered as in the plot, with as much about each as there is room for.
 void front(PanelBuilder& panel, const LessonStudy& study) {
-  const std::vector<StudyDot> best = front_of(of_family(study.dots, study.family));
+  const std::vector<StudyDot> best = front_of(of_family(study.dots(), study.family));
   heading(panel, "The front of all ways");
   const bool is_short = best.size() < 6;
   const bool is_long = best.size() > 8;
@@ -176,7 +176,7 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 void study(PanelBuilder& panel) {
   const LessonStudy& study = *panel.run.lesson.table.as<LessonStudy>();
   const StudyFrame frame = *panel.frame.part.as<StudyFrame>();
-  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
   if (frame.stage == StudyStage::front) return beaten(panel, study);
   if (frame.stage == StudyStage::all) return front(panel, study);

@@ -143,7 +143,7 @@ void time_axis(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> marks = introduced(study, 2);
   text.caption = format(
       "The second axis is the time for one pair, on one thread of an {}. Farther left is faster.",
-      study.processor);
+      study.processor());
   std::vector<std::string> times;
   for (const StudyDot& dot : marks)
     times.push_back(format("{} takes {}", dot.configuration, time_text(dot.ns)));
@@ -182,7 +182,7 @@ void front(const LessonStudy& study, FrameText& text) {
 }
 
 void all(const LessonStudy& study, FrameText& text) {
-  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   const std::vector<StudyDot> best = front_of(family);
   text.caption = format(
       "All {} ways that were measured; {} are new: other tolerances, caps, rules and starts.",
@@ -194,7 +194,7 @@ void all(const LessonStudy& study, FrameText& text) {
 }
 
 void choice(const LessonStudy& study, FrameText& text) {
-  const std::vector<StudyDot> family = of_family(study.dots, study.family);
+  const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   text.caption =
       "Take the fastest way with the digits that you need, and a proved one if a wrong answer "
       "would "

@@ -49,7 +49,7 @@ const StagedAct kAct{
     .act = {.name = "general-growth",
             .meaning = "number of segments in [growth], then their times, then what Larsen says of "
                        "the methods",
-            .needs = {.table = &LessonGrowth::kTable,
+            .needs = {.table = &LessonGrowth::kKind,
                       .path = PathUse::refused,
                       .why_no_until = "frames show all sizes"},
             .add_frames = add_algorithm_frames,

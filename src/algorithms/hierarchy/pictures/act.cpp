@@ -154,7 +154,7 @@ const StagedAct kCollide{
             .meaning =
                 "visit of a pair of volumes, in search of segments that meet, and what comes "
                 "of it; then the answer",
-            .needs = {.table = &LessonTrees::kTable,
+            .needs = {.table = &LessonTrees::kKind,
                       .why_no_until = "frames show how the search ends"},
             .add_frames = add_frames,
             .asks = kCollideAsks,
@@ -174,7 +174,7 @@ const StagedAct kDistance{
     .act = {.name = "hierarchy-distance",
             .meaning = "visit of a pair of volumes, in search of the closest segments, and what "
                        "comes of it; then the answer",
-            .needs = {.table = &LessonTrees::kTable,
+            .needs = {.table = &LessonTrees::kKind,
                       .why_no_until = "frames show how the search ends"},
             .add_frames = add_frames,
             .asks = kDistanceAsks,

@@ -152,7 +152,10 @@ bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   return true;
 }
 
-std::string orders_title(const LessonRun&) { return "Pairs of boxes, as visited"; }
+std::string orders_title(const LessonRun& run) {
+  return trees_of(run.lesson).volumes == VolumeKind::boxes ? "Pairs of boxes, as visited"
+                                                           : "Pairs of circles, as visited";
+}
 
 /// The candidates of both searches; once they are the same one of them is enough.
 void candidates(SceneBuilder& scene) {
@@ -267,7 +270,8 @@ const StagedAct kOrders{
     .act = {.name = "hierarchy-orders",
             .meaning = "number of visits of two searches for the distance, of which one takes the "
                        "nearer child first and one the left one; then the answer",
-            .needs = {.why_no_until = "frames show how both searches end"},
+            .needs = {.table = &LessonTrees::kKind,
+                      .why_no_until = "frames show how both searches end"},
             .add_frames = add_order_frames,
             .algorithm = &kHierarchyDistance},
     .position = order_position,
