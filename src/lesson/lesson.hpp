@@ -161,7 +161,7 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  ActTable table;  ///< That of the act (ActNeeds::table), if it takes one and the file has it.
+  ActTable table;  ///< The one that the act takes (ActNeeds::table); empty where there is none.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.

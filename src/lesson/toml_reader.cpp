@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -118,12 +119,11 @@ Table::Table(const toml::table& table, std::string_view name, const std::vector<
 }
 
 Field Table::operator[](std::string_view key) const {
-  for (const LessonKey& known : keys_) {
-    if (known.table == name_ && known.key == key) {
-      return {table_.get(key), fmt::format("'{}'", key), known.type};
-    }
-  }
-  return {};
+  const auto known = std::find_if(keys_.begin(), keys_.end(), [&](const LessonKey& each) {
+    return each.table == name_ && each.key == key;
+  });
+  assert(known != keys_.end());
+  return {table_.get(key), fmt::format("'{}'", key), known->type};
 }
 
 void Reader::wrong_type(const Field& field) {

@@ -62,6 +62,7 @@ class Table {
   /// `name`: that of LessonKey::table.
   Table(const toml::table& table, std::string_view name, const std::vector<LessonKey>& keys,
         Problems& problems);
+  /// One of its LessonKeys; absent where the file does not have it.
   [[nodiscard]] Field operator[](std::string_view key) const;
 
  private:

@@ -43,14 +43,19 @@ bool fits(std::string_view name, std::string_view value) {
   return character_count(name) + character_count(" = ") + character_count(value) <= kWidth;
 }
 
+template <class T, class Text>
+std::vector<std::string> texts_of(const std::vector<T>& values, Text text) {
+  std::vector<std::string> out;
+  for (const T& value : values) out.push_back(text(value));
+  return out;
+}
+
 }  // namespace
 
 std::string as_text(std::string_view text) { return '"' + escaped(text) + '"'; }
 
 std::vector<std::string> as_texts(const std::vector<std::string>& texts) {
-  std::vector<std::string> out;
-  for (const std::string& text : texts) out.push_back(as_text(text));
-  return out;
+  return texts_of(texts, as_text);
 }
 
 std::string in_brackets(const Eigen::Vector2d& point) {
@@ -58,9 +63,7 @@ std::string in_brackets(const Eigen::Vector2d& point) {
 }
 
 std::string in_brackets(const std::vector<double>& numbers) {
-  std::vector<std::string> texts;
-  for (const double number : numbers) texts.push_back(decimal(number));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+  return fmt::format("[{}]", fmt::join(texts_of(numbers, decimal), ", "));
 }
 
 bool same_bits(double a, double b) {
@@ -96,21 +99,15 @@ void TomlText::list(std::string_view name, const std::vector<std::string>& entri
 }
 
 void TomlText::list(std::string_view name, const std::vector<double>& numbers) {
-  std::vector<std::string> entries;
-  for (const double number : numbers) entries.push_back(decimal(number));
-  list(name, entries);
+  list(name, texts_of(numbers, decimal));
 }
 
 void TomlText::list(std::string_view name, const std::vector<int>& numbers) {
-  std::vector<std::string> entries;
-  for (const int number : numbers) entries.push_back(std::to_string(number));
-  list(name, entries);
+  list(name, texts_of(numbers, [](int number) { return std::to_string(number); }));
 }
 
 void TomlText::list(std::string_view name, const std::vector<Eigen::Vector2d>& points) {
-  std::vector<std::string> entries;
-  for (const Eigen::Vector2d& point : points) entries.push_back(in_brackets(point));
-  list(name, entries);
+  list(name, texts_of(points, [](const Eigen::Vector2d& point) { return in_brackets(point); }));
 }
 
 void TomlText::long_text(std::string_view name, std::string_view text) {

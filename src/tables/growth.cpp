@@ -79,33 +79,34 @@ GrowthTimes read_times(const TableSource& source, const Table& table, std::size_
 }
 
 ActTable read_growth(const TableSource& source) {
-  const auto& [table, place, reader, problems, lesson, folder, read_file] = source;
   LessonGrowth growth;
-  const Field vertices = table["vertices"];
+  const Field vertices = source.table["vertices"];
   const std::vector<Field> sizes =
-      reader.entries(vertices, fmt::format("whole number from 3 to {}", kMeasuredVertices));
+      source.reader.entries(vertices, fmt::format("whole number from 3 to {}", kMeasuredVertices));
   if (vertices && vertices.node->is_array() && (sizes.size() < 2 || sizes.size() > kSizes))
-    problems.add(vertices, fmt::format("'vertices' has {} entries", sizes.size()));
+    source.problems.add(vertices, fmt::format("'vertices' has {} entries", sizes.size()));
   for (const Field& entry : sizes) {
-    const std::optional<int> size = reader.whole_number(entry, 3, kMeasuredVertices);
+    const std::optional<int> size = source.reader.whole_number(entry, 3, kMeasuredVertices);
     if (!size) continue;
     if (!growth.vertices.empty() && *size <= growth.vertices.back()) {
-      problems.add(entry.place(),
-                   fmt::format("{} vertices after {}", *size, growth.vertices.back()),
-                   "ascending numbers");
+      source.problems.add(entry.place(),
+                          fmt::format("{} vertices after {}", *size, growth.vertices.back()),
+                          "ascending numbers");
     }
     growth.vertices.push_back(*size);
   }
   const long all = std::accumulate(growth.vertices.begin(), growth.vertices.end(), 0L);
   if (all > kMeasuredTogether) {
-    problems.add(vertices.place(), fmt::format("{} vertices in all", all),
-                 fmt::format("a sum of at most {}", kMeasuredTogether));
+    source.problems.add(vertices.place(), fmt::format("{} vertices in all", all),
+                        fmt::format("a sum of at most {}", kMeasuredTogether));
   }
-  growth.runs = reader.whole_number(table["runs"], 1, kMeasuredRuns).value_or(growth.runs);
-  growth.seed = reader.whole_number(table["seed"], 0, kLargestSeed).value_or(growth.seed);
-  growth.tolerance =
-      reader.number(table["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(growth.tolerance);
-  if (const auto times = reader.table(table["times"], "growth.times"))
+  growth.runs =
+      source.reader.whole_number(source.table["runs"], 1, kMeasuredRuns).value_or(growth.runs);
+  growth.seed =
+      source.reader.whole_number(source.table["seed"], 0, kLargestSeed).value_or(growth.seed);
+  growth.tolerance = source.reader.number(source.table["tolerance"], 0.0, std::nextafter(1.0, 0.0))
+                         .value_or(growth.tolerance);
+  if (const auto times = source.reader.table(source.table["times"], "growth.times"))
     growth.times = read_times(source, *times, growth.vertices.size());
   return ActTable(std::move(growth));
 }

@@ -86,18 +86,18 @@ void read_mark(const TableSource& source, const Table& table, LessonStudy& study
 }
 
 ActTable read_study(const TableSource& source) {
-  const auto& [table, place, reader, problems, lesson, folder, read_file] = source;
   LessonStudy study;
   std::optional<NamedFile> file = read_results(source, study);
   if (!file) return {};
-  study.family = reader.name(table["family"], "family", families_in(study.dots())).value_or("");
-  const Field marks = table["marks"];
-  const std::vector<Field> entries = reader.entries(marks, "table [[study.marks]]");
+  study.family =
+      source.reader.name(source.table["family"], "family", families_in(study.dots())).value_or("");
+  const Field marks = source.table["marks"];
+  const std::vector<Field> entries = source.reader.entries(marks, "table [[study.marks]]");
   if (marks && marks.node->is_array() &&
       (entries.empty() || entries.size() > LessonStudy::kMostMarks))
-    problems.add(marks, fmt::format("{} marks", entries.size()));
+    source.problems.add(marks, fmt::format("{} marks", entries.size()));
   for (const Field& entry : entries) {
-    const std::optional<Table> mark = reader.table(entry, "study.marks");
+    const std::optional<Table> mark = source.reader.table(entry, "study.marks");
     if (mark && !study.family.empty()) read_mark(source, *mark, study);
   }
   ActTable read(std::move(study));

@@ -63,26 +63,27 @@ std::vector<std::vector<double>> read_moments(const TableSource& source, const F
 }
 
 ActTable read_time(const TableSource& source) {
-  const auto& [table, place, reader, problems, lesson, folder, read_file] = source;
   LessonTime time;
-  const Field seconds = table["seconds"];
-  time.seconds = reader.number(seconds, 0.0, kLongestSimulation).value_or(time.seconds);
-  if (time.seconds == 0.0) problems.add(seconds, "'seconds' is 0");
-  const Field frames = table["frames"];
-  const Field moments = table["moments"];
-  const std::size_t positions = lesson.path_of_shapes ? lesson.path_of_shapes->positions() : 1;
+  const Field seconds = source.table["seconds"];
+  time.seconds = source.reader.number(seconds, 0.0, kLongestSimulation).value_or(time.seconds);
+  if (time.seconds == 0.0) source.problems.add(seconds, "'seconds' is 0");
+  const Field frames = source.table["frames"];
+  const Field moments = source.table["moments"];
+  const std::size_t positions =
+      source.lesson.path_of_shapes ? source.lesson.path_of_shapes->positions() : 1;
   if (moments && !frames) {
     time.frames = 0;
     time.moments = read_moments(source, moments, time.seconds, positions);
     return ActTable(std::move(time));
   }
-  if (moments) problems.add(moments.place(), "'moments' besides 'frames'", "one of the two");
-  if (!frames) problems.add(place, "a simulation without frames", "'frames' or 'moments'");
-  time.frames = reader.whole_number(frames, 2, kMoments).value_or(time.frames);
+  if (moments) source.problems.add(moments.place(), "'moments' besides 'frames'", "one of the two");
+  if (!frames)
+    source.problems.add(source.place, "a simulation without frames", "'frames' or 'moments'");
+  time.frames = source.reader.whole_number(frames, 2, kMoments).value_or(time.frames);
   if (frames && positions * time.frames > kMoments) {
-    problems.add(frames.place(),
-                 fmt::format("{} frames at each of {} positions", time.frames, positions),
-                 fmt::format("a product of at most {}", kMoments));
+    source.problems.add(frames.place(),
+                        fmt::format("{} frames at each of {} positions", time.frames, positions),
+                        fmt::format("a product of at most {}", kMoments));
   }
   return ActTable(std::move(time));
 }

@@ -52,21 +52,16 @@ class LessonFile {
 };
 
 bool is_cheap(const Lesson& lesson) {
-  if (lesson.table.as<LessonGrowth>()) {
-    const std::vector<int>& sizes = lesson.table.as<LessonGrowth>()->vertices;
+  if (const LessonGrowth* growth = lesson.table.as<LessonGrowth>()) {
+    const std::vector<int>& sizes = growth->vertices;
     const auto grown = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-    if (kMostGrown < grown * static_cast<std::size_t>(lesson.table.as<LessonGrowth>()->runs))
-      return false;
+    if (kMostGrown < grown * static_cast<std::size_t>(growth->runs)) return false;
   }
   const gjk::Options& options = lesson.options;
   const bool all_stops = options.stop_on_repeated_support && options.stop_on_no_progress;
   const auto iterations = static_cast<std::size_t>(all_stops ? std::min(options.iteration_cap, 10)
                                                              : options.iteration_cap);
-  std::size_t positions = 1;
-  if (const auto& path = lesson.path_of_shapes; path) {
-    positions = path->frames > 0 ? static_cast<std::size_t>(path->frames)
-                                 : std::max(path->x().points.size(), path->y().points.size());
-  }
+  const std::size_t positions = lesson.path_of_shapes ? lesson.path_of_shapes->positions() : 1;
   const std::size_t vertices = lesson.x().vertices.size() + lesson.y().vertices.size();
   return positions * iterations * vertices <= kMostScanned;
 }

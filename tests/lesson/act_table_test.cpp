@@ -2,6 +2,7 @@
 
 #include "lesson/act_table.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,6 +11,7 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lesson/table_kind.hpp"
+#include "lesson_texts.hpp"
 #include "picture/registry.hpp"
 
 namespace gjkscope {
@@ -50,17 +52,8 @@ LoadedLesson load(const std::string& act, const std::string& table) {
   Vocabulary known = vocabulary();
   known.acts.push_back(&kWalk);
   known.keys = lesson_keys(known.acts);
-  return parse_lesson(R"(title = "Walls"
-chapter = 3
-order = 1
-prose = "Walk."
-shapes.X.vertices = [[2.7, 2.3]]
-shapes.Y.vertices = [[0, 0], [1, 0]]
-views = [{ show = "world" }]
-expect.stop = "repeated-support"
-steps.granularity = ")" + act +
-                          "\"\n" + table,
-                      "walls.toml", known);
+  const std::string steps = fmt::format("steps.granularity = \"{}\"\n", act);
+  return parse_lesson(testing::kShortestLesson + steps + table, "walls.toml", known);
 }
 
 std::string complaint(const std::string& act, const std::string& table) {

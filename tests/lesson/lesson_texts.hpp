@@ -40,6 +40,17 @@ inline std::vector<std::filesystem::path> shipped_lesson_files() {
   return files;
 }
 
+/// A lesson with no key that it could do without.
+inline const std::string kShortestLesson = R"(title = "Shortest"
+chapter = 1
+order = 1
+prose = "Nothing."
+shapes.X.vertices = [[0, 0]]
+shapes.Y.vertices = [[1, 0], [2, 0]]
+views = [{ show = "world" }]
+expect.stop = "repeated-support"
+)";
+
 /// A lesson with every key there is, but for those of a motion (motion_test.cpp).
 inline const std::string kFullLesson = R"(title = "Two triangles"
 chapter = 4

@@ -128,16 +128,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
 }
 
 TEST(Load, WhatIsMissingHasItsDefault) {
-  const LoadedLesson loaded = parse(R"(
-title = "Shortest"
-chapter = 1
-order = 1
-prose = "Nothing."
-shapes.X.vertices = [[0, 0]]
-shapes.Y.vertices = [[1, 0], [2, 0]]
-views = [{ show = "world" }]
-expect.stop = "repeated-support"
-)");
+  const LoadedLesson loaded = parse(testing::kShortestLesson);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   const Lesson& lesson = *loaded.lesson;
   EXPECT_EQ(lesson.x().name, "X");

@@ -386,10 +386,7 @@ Lesson any_lesson(Random& random) {
     LessonTime time;
     time.seconds = 0.5 + std::abs(any_number(random, 3000.0));
     time.frames = one_in(random, 2) ? 0 : 2 + static_cast<int>(below(random, 4));
-    const auto& path = out.path_of_shapes;
-    const std::size_t positions = !path              ? 1
-                                  : path->frames > 0 ? static_cast<std::size_t>(path->frames)
-                                                     : path->x().points.size();
+    const std::size_t positions = out.path_of_shapes ? out.path_of_shapes->positions() : 1;
     while (time.frames == 0 && time.moments.size() < positions) {
       std::vector<double>& moments = time.moments.emplace_back();
       for (int i = static_cast<int>(below(random, 3)); i < 4; ++i)
