@@ -28,8 +28,8 @@ template <class R, class S, int D>
     }
   } else {
     const bool by_itself = ended && state.stop != StopReason::within_tolerance;
-    OutsideBounds<R, S, D> outside(state, query, prepared);
-    bounds = outside.prove(by_itself, out.simplex);
+    OutsideBounds<R, S, D> outside(state, query, prepared, out.simplex);
+    bounds = outside.prove(by_itself);
     if (R(0) < bounds.lower) out.verdict = Verdict::separated;
     tight = !by_itself || outside.is_tight();
   }
@@ -97,7 +97,7 @@ template <class R, class S, int D>
   if (state.error != Error::none || state.best.count == 0) return out;
   out.verdict = Verdict::undecided;
   out.iterations = state.iteration;
-  out.simplex = state.best;
+  out.simplex.take(state.best);
   if constexpr (ScalarTraits<R>::kExact) {
     detail::set_exact_answer(state, query, prepared, out);
   } else {

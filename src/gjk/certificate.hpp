@@ -108,8 +108,10 @@ inline constexpr int kEdgeRoundings = D == 2 ? 3 : 8;
 template <class R, class S, int D>
 class OutsideBounds {
  public:
-  OutsideBounds(const State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared)
-      : query_(query), prepared_(prepared), face_(state.best) {
+  /// `face`: the run's last simplex. `prove` replaces its weights where they are too inexact.
+  OutsideBounds(const State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
+                Simplex<R, D>& face)
+      : query_(query), prepared_(prepared), face_(face) {
     lower_ = plane_bound(state, prepared_);
     R most_sq(0);
     R least_sq(0);
@@ -125,12 +127,12 @@ class OutsideBounds {
   }
 
   /// `ended`: the run stopped neither by its cap nor within its tolerance, so that wide bounds mean
-  /// that rounding misled it. Replaces the weights of `simplex`, the run's last, where too inexact.
-  [[nodiscard]] Bounds<R> prove(bool ended, Simplex<R, D>& simplex) {
+  /// that rounding misled it.
+  [[nodiscard]] Bounds<R> prove(bool ended) {
     measure();
     near_ = R(kNear) * foot_.distance < prepared_.reach;
     const bool is_wide = !(upper_ < no_bound()) || (ended && !is_allowed());
-    if (near_ || is_wide || is_too_rounded()) measure_anew(simplex);
+    if (near_ || is_wide || is_too_rounded()) measure_anew();
     if ((near_ || is_wide) && is_certainly_farthest()) {
       lower_ = larger(R(foot_.distance - error_), lower_);
     }
@@ -162,7 +164,7 @@ class OutsideBounds {
   }
 
   /// As `measure`, with about twice the digits; replaces weights that may be too inexact.
-  [[gnu::noinline]] void measure_anew(Simplex<R, D>& simplex) {
+  [[gnu::noinline]] void measure_anew() {
     const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
     foot_ = foot_of<R>(face);
     if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place
@@ -174,8 +176,7 @@ class OutsideBounds {
     const R few = R(kCarefulRoundings) * u_;
     R to_p = foot_.distance;
     if (!is_inside_ || R(kThin) * foot_.height < foot_.longest) {
-      simplex.weights = weights_of<R>(face);
-      face_.weights = simplex.weights;
+      face_.weights = weights_of<R>(face);
       if (!is_inside_) to_p = larger(to_p, distance_of_p(face));
     }
     R moved = careful_error();
@@ -248,7 +249,7 @@ class OutsideBounds {
 
   const Query<S, D>& query_;
   const Prepared<R, D>& prepared_;
-  Simplex<R, D> face_;  ///< The run's last simplex.
+  Simplex<R, D>& face_;
   R u_ = ScalarTraits<R>::unit_roundoff();
   R size_ = R(0);          ///< The distance from O to the farthest vertex of the face.
   int nearest_ = 0;        ///< The vertex of the face that is nearest to O.

@@ -95,29 +95,26 @@ struct Coordinates {
   std::array<Barycentric<S, D>, (1 << kCount)> of_face;
   SignSet signs = 0;
 
-  explicit Coordinates(const Simplex<S, D>& simplex) {
-    of_face[0] = {};
-    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // no condition uses these
-    for (int b = 1; b < kCount; ++b) {
-      for (int a = 0; a < b; ++a) {
-        const Face face = static_cast<Face>(face_of(a) | face_of(b));
-        note(face, segment_coordinates(simplex, a, b));
-      }
-    }
-    if constexpr (kCount > 2 && D > 2) {
-      for (const Face face : {0b0111, 0b1011, 0b1101, 0b1110}) {
-        if (face < of_face.size()) note(face, barycentric(simplex, face));
-      }
-    }
-    if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
-  }
+  explicit Coordinates(const Simplex<S, D>& simplex)
+      : Coordinates(simplex, std::make_index_sequence<(1 << kCount)>()) {}
 
  private:
-  void note(Face face, const Barycentric<S, D>& coordinates) {
-    of_face[face] = coordinates;
+  template <std::size_t... kFaces>
+  Coordinates(const Simplex<S, D>& simplex, std::index_sequence<kFaces...> /*all*/)
+      : of_face{in_face<kFaces>(simplex)...} {
+    signs = (signs_in(kFaces) | ...);
+  }
+  template <Face kFace>
+  [[nodiscard]] static Barycentric<S, D> in_face(const Simplex<S, D>& simplex) {
+    if constexpr (vertex_count(kFace) < 2) return {};  // no condition uses these
+    return barycentric(simplex, kFace);
+  }
+  [[nodiscard]] SignSet signs_in(Face face) const {
+    SignSet out = 0;
     for (int i = 0; i < kCount; ++i) {
-      signs |= SignSet{S(0) < coordinates.numerator[i]} << (4 * face + i);
+      out |= SignSet{S(0) < of_face[face].numerator[i]} << (4 * face + i);
     }
+    return out;
   }
 };
 
@@ -170,11 +167,12 @@ void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordin
                  DirectionRule rule) {
   const int size = vertex_count(face);
   state.region = face;
-  set_weights(state.simplex, face, coordinates);
+  set_weights(state.simplex.weights, face, coordinates);
   const bool has_line = 1 < size && size <= D && S(0) < coordinates.denominator;
   const S from_line_sq = has_line ? distance_sq(state.simplex, face) : S(1);
   const bool at_origin = size == D + 1 || from_line_sq == S(0);
-  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero()) : weighted_point(state.simplex, face);
+  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero())
+                      : weighted_point(state.simplex, face, state.simplex.weights);
   state.p_sq = dot(state.p, state.p);
   if (has_line && !ScalarTraits<S>::kExact && rule == DirectionRule::perpendicular) {
     state.p_sq = from_line_sq;
@@ -194,7 +192,9 @@ void find_region(State<S, D>& state, const Options& options, Rec& record) {
     if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
     if (!kRegionConditions[face].holds(coordinates.signs)) continue;
     const bool doubtful = checked && vertex_count(face) == D + 1;
-    if (!doubtful || weights_reach_origin(state.simplex, coordinates.of_face[face])) found = face;
+    if (!doubtful || weights_reach_origin(state.simplex, coordinates.of_face[face])) {
+      found = face;
+    }
     break;
   }
   if (found == 0) {
@@ -245,11 +245,7 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
 
   const bool nearer = came_nearer(state);
   if (nearer) {
-    state.best.count = kept;
-    for (int i = 0; i < kept; ++i) {  // a copy of the whole would wait for the writes above
-      state.best.vertices[i] = simplex.vertices[i];
-      state.best.weights[i] = simplex.weights[i];
-    }
+    state.best.take(simplex);
     state.best_sq = state.p_sq;
   }
   const bool answered = kept == D + 1 || (!nearer && options.stop_on_no_progress);

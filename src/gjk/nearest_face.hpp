@@ -10,7 +10,7 @@ namespace gjk {
 /// Of the vertices and all faces that O projects into, the one with the point nearest to O.
 /// `of_face`: the coordinates of O in every face of two vertices or more.
 template <class S, int D>
-[[nodiscard, gnu::noinline]] Face nearest_face(Simplex<S, D> simplex,
+[[nodiscard, gnu::noinline]] Face nearest_face(const Simplex<S, D>& simplex,
                                                std::span<const Barycentric<S, D>> of_face) {
   Face best = 0;
   S best_sq(0);
@@ -20,8 +20,9 @@ template <class S, int D>
         in_face.count == 1 || std::all_of(in_face.begin(), in_face.end(),
                                           [&](int i) { return S(0) < of_face[face].numerator[i]; });
     if (!projects_into) continue;
-    set_weights(simplex, face, of_face[face]);
-    const Vec<S, D> point = weighted_point(simplex, face);
+    std::array<S, D + 1> weights;
+    set_weights(weights, face, of_face[face]);
+    const Vec<S, D> point = weighted_point(simplex, face, weights);
     const S point_sq = dot(point, point);
     if (best == 0 || point_sq < best_sq) {
       best = face;
@@ -34,15 +35,16 @@ template <class S, int D>
 /// True when the weights of a full simplex put P at O up to rounding. When false, the simplex is so
 /// thin that its volumes, and their signs, may be rounding errors.
 template <class S, int D>
-[[nodiscard, gnu::noinline]] bool weights_reach_origin(Simplex<S, D> simplex,
-                                                       const Barycentric<S, D>& coordinates) {
+[[nodiscard]] bool weights_reach_origin(const Simplex<S, D>& simplex,
+                                        const Barycentric<S, D>& coordinates) {
   if constexpr (ScalarTraits<S>::kExact) {
     return true;
   } else {
-    set_weights(simplex, simplex.all(), coordinates);
+    std::array<S, D + 1> weights;
+    set_weights(weights, simplex.all(), coordinates);
     const S rounding =
         S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * largest_coordinate(simplex);
-    return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+    return !(rounding < norm_max(weighted_point(simplex, simplex.all(), weights)));
   }
 }
 

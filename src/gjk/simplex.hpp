@@ -53,6 +53,16 @@ struct Simplex {
   int count = 0;
 
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
+
+  /// Copies what is in use, number by number: a copy of the whole would wait for fresh writes to
+  /// it.
+  void take(const Simplex& other) {
+    count = other.count;
+    for (int i = 0; i < count; ++i) {
+      vertices[i] = other.vertices[i];
+      weights[i] = other.weights[i];
+    }
+  }
 };
 
 /// Barycentric coordinates of O's projection onto the affine hull of a face, before the division:
@@ -63,6 +73,14 @@ struct Barycentric {
   std::array<S, D + 1> numerator;  ///< 0 for vertices outside the face.
   S denominator;
 };
+
+template <class S, int D>
+[[nodiscard]] Barycentric<S, D> vertex_coordinates(int a) {
+  Barycentric<S, D> out{};
+  out.numerator[a] = S(1);
+  out.denominator = S(1);
+  return out;
+}
 
 // Segment AB: fractional lengths, with n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
@@ -137,10 +155,7 @@ template <class S, int D>
       return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
     }
   }
-  Barycentric<S, D> point{};
-  point.numerator[vertex[0]] = S(1);
-  point.denominator = S(1);
-  return point;
+  return vertex_coordinates<S, D>(vertex[0]);
 }
 
 /// A normal of a facet (an edge in the plane, a triangle in space), as `perpendicular` makes it.
@@ -154,14 +169,14 @@ template <class S, int D>
   return perpendicular<S, D>(edges);
 }
 
-/// Sets the weights of `face` from its coordinates. A segment divides by its squared length, as the
-/// slides do; a larger face by the sum of the numerators, so that the weights add up to 1.
+/// Sets the weights of P in `face` from its coordinates. A segment divides by its squared length,
+/// as the slides do; a larger face by the sum of the numerators, so that the weights add up to 1.
 template <class S, int D>
-void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coordinates) {
+void set_weights(std::array<S, D + 1>& weights, Face face, const Barycentric<S, D>& coordinates) {
   const FaceVertices& in_face = vertices_of(face);
-  simplex.weights.fill(S(0));
+  weights.fill(S(0));
   if (in_face.count == 1) {
-    simplex.weights[in_face.index[0]] = S(1);
+    weights[in_face.index[0]] = S(1);
     return;
   }
   S divisor = coordinates.denominator;
@@ -169,7 +184,7 @@ void set_weights(Simplex<S, D>& simplex, Face face, const Barycentric<S, D>& coo
     divisor = S(0);
     for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
-  for (const int i : in_face) simplex.weights[i] = coordinates.numerator[i] / divisor;
+  for (const int i : in_face) weights[i] = coordinates.numerator[i] / divisor;
 }
 
 /// The largest magnitude of a coordinate of the simplex.
@@ -180,15 +195,16 @@ template <class S, int D>
   return size;
 }
 
-/// The sum of the vertices of `face`, each times its weight in the simplex.
+/// The sum of the vertices of `face`, each times its weight.
 template <class S, int D>
-[[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face) {
+[[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face,
+                                       const std::array<S, D + 1>& weights) {
   const FaceVertices& in_face = vertices_of(face);
   if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
   Vec<S, D> point = Vec<S, D>::Zero();
   for (const int i : in_face) {
     for (int k = 0; k < D; ++k) {
-      point[k] = point[k] + S(simplex.weights[i] * simplex.vertices[i].w[k]);
+      point[k] = point[k] + S(weights[i] * simplex.vertices[i].w[k]);
     }
   }
   return point;

@@ -12,7 +12,7 @@ namespace gjk {
 template <class R, int D>
 [[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex) {
   const R rounding = R(2) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
-  return !(rounding < norm_max(weighted_point(simplex, simplex.all())));
+  return !(rounding < norm_max(weighted_point(simplex, simplex.all(), simplex.weights)));
 }
 
 /// The point from + beyond of a shape's frame in the world, computed with about twice the digits:

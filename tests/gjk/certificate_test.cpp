@@ -43,8 +43,8 @@ Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
     return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
   }
   gjk::Simplex<R, 2> simplex = state.best;
-  gjk::OutsideBounds<R, S, 2> outside(state, query, prepared);
-  const gjk::Bounds<R> bounds = outside.prove(ended, simplex);
+  gjk::OutsideBounds<R, S, 2> outside(state, query, prepared, simplex);
+  const gjk::Bounds<R> bounds = outside.prove(ended);
   return {bounds, outside.is_tight()};
 }
 

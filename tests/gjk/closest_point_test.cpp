@@ -288,11 +288,11 @@ TEST(divisors, "segments divide by the squared length, larger faces by the sum o
   gjk::Barycentric<double, 2> coordinates;
   coordinates.numerator = {1, 1, 2};
   coordinates.denominator = 8;
-  gjk::set_weights(simplex, 0b011, coordinates);
+  gjk::set_weights(simplex.weights, 0b011, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0.125, 0.125, 0}));
-  gjk::set_weights(simplex, 0b111, coordinates);
+  gjk::set_weights(simplex.weights, 0b111, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0.25, 0.25, 0.5}));
-  gjk::set_weights(simplex, 0b100, coordinates);
+  gjk::set_weights(simplex.weights, 0b100, coordinates);
   CHECK((simplex.weights == std::array<double, 3>{0, 0, 1}));
 }
 

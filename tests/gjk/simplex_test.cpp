@@ -106,14 +106,14 @@ TEST(tetrahedron, "a triangle in space takes Johnson's recursion, a tetrahedron 
 TEST(weighted, "the weighted point of a vertex is the vertex, to the last bit") {
   auto simplex = simplex_of<2>({{0.1, 0.2}, {0.3, 0.4}});
   simplex.weights[1] = 1.0 / 3.0;
-  CHECK(gjk::weighted_point(simplex, 0b10) == simplex.vertices[1].w);
+  CHECK(gjk::weighted_point(simplex, 0b10, simplex.weights) == simplex.vertices[1].w);
   simplex.weights[0] = 0.5;
   simplex.weights[1] = 0.5;
-  CHECK_NEAR(0.2, gjk::weighted_point(simplex, 0b11)[0], 1e-16);
+  CHECK_NEAR(0.2, gjk::weighted_point(simplex, 0b11, simplex.weights)[0], 1e-16);
   auto triangle = simplex_of<2>({{4, 0}, {0, 8}, {16, 4}});
   triangle.weights = {0.25, 0.5, 0.25};
-  CHECK((gjk::weighted_point(triangle, 0b111) == Vec<double, 2>(5, 5)));
-  CHECK((gjk::weighted_point(triangle, 0b101) == Vec<double, 2>(5, 1)));
+  CHECK((gjk::weighted_point(triangle, 0b111, triangle.weights) == Vec<double, 2>(5, 5)));
+  CHECK((gjk::weighted_point(triangle, 0b101, triangle.weights) == Vec<double, 2>(5, 1)));
 }
 
 }  // namespace simplex_test
