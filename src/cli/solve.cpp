@@ -5,7 +5,7 @@
 #include <ostream>
 #include <type_traits>
 
-#include "algorithms/depth/depth.hpp"
+#include "algorithms/depth/lesson_trace.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "lesson/case.hpp"

@@ -9,6 +9,7 @@
 
 #include "effects/registry.hpp"
 #include "geometry/minkowski.hpp"
+#include "instances/instances.hpp"
 #include "tables/growth.hpp"
 
 namespace gjkscope {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/registry.hpp"
+#include "instances/instances.hpp"
 
 namespace gjkscope {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "instances/instances.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/query.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "gjk/gjk.hpp"
+#include "instances/instances.hpp"
 #include "models/hierarchy.hpp"
 
 namespace models {

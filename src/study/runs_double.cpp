@@ -1,3 +1,4 @@
+#include "instances/instances.hpp"
 #include "study/runs.hpp"
 
 namespace gjkscope::study {

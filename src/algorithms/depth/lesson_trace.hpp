@@ -3,8 +3,18 @@
 // and told as JSON and as text.
 
 #include "algorithms/depth/depth.hpp"
+#include "instances/instances.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
+
+/// The depth in the scalars of lessons, compiled once.
+#define GJKSCOPE_DEPTH_INSTANCE(linkage, S)                                        \
+  linkage template depth::Result<S> depth::penetration<S>(const gjk::Query<S, 2>&, \
+                                                          const gjk::Options&);
+GJKSCOPE_DEPTH_INSTANCE(extern, Eigen::half)
+GJKSCOPE_DEPTH_INSTANCE(extern, float)
+GJKSCOPE_DEPTH_INSTANCE(extern, double)
+GJKSCOPE_DEPTH_INSTANCE(extern, gjkscope::Rational)
 
 namespace gjkscope {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "instances/instances.hpp"
 #include "lesson/vocabulary.hpp"
 #include "trace/fields.hpp"
 

@@ -1,0 +1,4 @@
+#include "instances/instances.hpp"
+
+GJKSCOPE_INSTANCES(, gjkscope::Rational, 2)
+GJKSCOPE_INSTANCES(, gjkscope::Rational, 3)

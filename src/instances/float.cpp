@@ -1,0 +1,4 @@
+#include "instances/instances.hpp"
+
+GJKSCOPE_INSTANCES(, float, 2)
+GJKSCOPE_INSTANCES(, float, 3)

@@ -1,0 +1,4 @@
+#include "instances/instances.hpp"
+
+GJKSCOPE_INSTANCES(, Eigen::half, 2)
+GJKSCOPE_INSTANCES(, Eigen::half, 3)
