@@ -51,6 +51,7 @@ class Expansion {
 
   friend Expansion operator+(const Expansion& a, const Expansion& b) {
     Expansion out;
+    out.components_.reserve(a.components_.size() + b.components_.size());
     auto next_a = a.components_.begin();
     auto next_b = b.components_.begin();
     long double sum = 0.0;
@@ -85,6 +86,7 @@ class Expansion {
 
   [[nodiscard]] Expansion times(long double factor) const {
     Expansion out;
+    out.components_.reserve(2 * components_.size());
     long double carry = 0.0;
     for (const long double component : components_) {
       const DoubleWord<long double> product = exact_product(component, factor);

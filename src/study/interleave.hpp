@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <random>
 #include <vector>
 
 namespace gjkscope::study {
@@ -69,11 +71,11 @@ struct Timing {
   return quartiles(std::move(ratios));
 }
 
-/// Runs all contestants `repetitions` times, beginning with another one each time. `go_on` is asked
-/// before each sweep: when it says no, the repetitions that are complete are what there is. A
-/// contestant whose sweep is shorter than `least_seconds` takes as many in a turn as fill them, and
-/// one more before the clock starts: so it is not timed with the caches and predictions that
-/// whoever came before has left.
+/// Runs all contestants `repetitions` times, in another order each time: caches and branch
+/// predictors remember who came before, and nobody should always follow a contestant that did the
+/// same work. With `least_seconds`, a contestant takes as many sweeps in a turn as fill them, and
+/// one more before the clock starts. `go_on` is asked before each turn: when it says no, the
+/// repetitions that are complete are what there is.
 [[nodiscard]] inline std::vector<Timing> interleave(
     const std::vector<Contestant>& contestants, std::size_t queries, std::size_t repetitions,
     const std::function<bool()>& go_on = [] { return true; }, double least_seconds = 0.0) {
@@ -92,15 +94,18 @@ struct Timing {
       sweeps.back() *= 2;
     }
   }
+  std::vector<std::size_t> order(contestants.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937 chance;
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
-    for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+    std::shuffle(order.begin(), order.end(), chance);
+    for (const std::size_t i : order) {
       if (!go_on()) {
         for (Timing& timing : timings) timing.ns.resize(repetition);
         return timings;
       }
-      const std::size_t i = (repetition + turn) % contestants.size();
       const int count = sweeps[i];
-      if (count > 1) keep(contestants[i].sweep());
+      if (least_seconds > 0.0) keep(contestants[i].sweep());
       const Clock::time_point begin = Clock::now();
       for (int sweep = 0; sweep < count; ++sweep) keep(contestants[i].sweep());
       const std::chrono::duration<double, std::nano> taken = Clock::now() - begin;
