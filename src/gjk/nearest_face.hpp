@@ -20,7 +20,7 @@ template <class S, int D>
         in_face.count == 1 || std::all_of(in_face.begin(), in_face.end(),
                                           [&](int i) { return S(0) < of_face[face].numerator[i]; });
     if (!projects_into) continue;
-    std::array<S, D + 1> weights;
+    std::array<S, D + 1> weights{};
     set_weights(weights, face, of_face[face]);
     const Vec<S, D> point = weighted_point(simplex, face, weights);
     const S point_sq = dot(point, point);
@@ -40,7 +40,7 @@ template <class S, int D>
   if constexpr (ScalarTraits<S>::kExact) {
     return true;
   } else {
-    std::array<S, D + 1> weights;
+    std::array<S, D + 1> weights{};
     set_weights(weights, simplex.all(), coordinates);
     const S rounding =
         S(4 * D + 4) * ScalarTraits<S>::unit_roundoff() * largest_coordinate(simplex);

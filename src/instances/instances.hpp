@@ -5,6 +5,7 @@
 #include "geometry/rational.hpp"
 #include "gjk/gjk.hpp"
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type takes none.
 /// Names what runs in S are made of; `linkage` is `extern` where they are declared only.
 #define GJKSCOPE_INSTANCES(linkage, S, D)                                                          \
   linkage template gjk::Result<S, D> gjk::distance<S>(const gjk::Query<S, D>&,                     \
@@ -21,6 +22,7 @@
                                                  const gjk::Options&, const gjk::Prepared<S, D>&); \
   linkage template gjk::Bounds<gjk::ScalarTraits<S>::Real> gjk::bounds_so_far(                     \
       const gjk::State<S, D>&, const gjk::Prepared<S, D>&);
+// NOLINTEND(bugprone-macro-parentheses)
 
 GJKSCOPE_INSTANCES(extern, Eigen::half, 2)
 GJKSCOPE_INSTANCES(extern, Eigen::half, 3)

@@ -7,10 +7,12 @@
 #include "lesson/algorithm.hpp"
 #include "lesson/run.hpp"
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type takes none.
 /// The depth in the scalars of lessons, compiled once.
 #define GJKSCOPE_DEPTH_INSTANCE(linkage, S)                                        \
   linkage template depth::Result<S> depth::penetration<S>(const gjk::Query<S, 2>&, \
                                                           const gjk::Options&);
+// NOLINTEND(bugprone-macro-parentheses)
 GJKSCOPE_DEPTH_INSTANCE(extern, Eigen::half)
 GJKSCOPE_DEPTH_INSTANCE(extern, float)
 GJKSCOPE_DEPTH_INSTANCE(extern, double)
