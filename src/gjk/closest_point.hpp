@@ -95,26 +95,29 @@ struct Coordinates {
   std::array<Barycentric<S, D>, (1 << kCount)> of_face;
   SignSet signs = 0;
 
-  explicit Coordinates(const Simplex<S, D>& simplex)
-      : Coordinates(simplex, std::make_index_sequence<(1 << kCount)>()) {}
+  explicit Coordinates(const Simplex<S, D>& simplex) {
+    of_face[0] = {};
+    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // no condition uses these
+    for (int b = 1; b < kCount; ++b) {
+      for (int a = 0; a < b; ++a) {
+        const Face face = static_cast<Face>(face_of(a) | face_of(b));
+        note(face, segment_coordinates(simplex, a, b));
+      }
+    }
+    if constexpr (kCount > 2 && D > 2) {
+      for (const Face face : {0b0111, 0b1011, 0b1101, 0b1110}) {
+        if (face < of_face.size()) note(face, barycentric(simplex, face));
+      }
+    }
+    if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
+  }
 
  private:
-  template <std::size_t... kFaces>
-  Coordinates(const Simplex<S, D>& simplex, std::index_sequence<kFaces...> /*all*/)
-      : of_face{in_face<kFaces>(simplex)...} {
-    signs = (signs_in(kFaces) | ...);
-  }
-  template <Face kFace>
-  [[nodiscard]] static Barycentric<S, D> in_face(const Simplex<S, D>& simplex) {
-    if constexpr (vertex_count(kFace) < 2) return {};  // no condition uses these
-    return barycentric(simplex, kFace);
-  }
-  [[nodiscard]] SignSet signs_in(Face face) const {
-    SignSet out = 0;
+  void note(Face face, const Barycentric<S, D>& coordinates) {
+    of_face[face] = coordinates;
     for (int i = 0; i < kCount; ++i) {
-      out |= SignSet{S(0) < of_face[face].numerator[i]} << (4 * face + i);
+      signs |= SignSet{S(0) < coordinates.numerator[i]} << (4 * face + i);
     }
-    return out;
   }
 };
 

@@ -74,14 +74,6 @@ struct Barycentric {
   S denominator;
 };
 
-template <class S, int D>
-[[nodiscard]] Barycentric<S, D> vertex_coordinates(int a) {
-  Barycentric<S, D> out{};
-  out.numerator[a] = S(1);
-  out.denominator = S(1);
-  return out;
-}
-
 // Segment AB: fractional lengths, with n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
 template <class S, int D>
@@ -155,7 +147,10 @@ template <class S, int D>
       return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
     }
   }
-  return vertex_coordinates<S, D>(vertex[0]);
+  Barycentric<S, D> point{};
+  point.numerator[vertex[0]] = S(1);
+  point.denominator = S(1);
+  return point;
 }
 
 /// A normal of a facet (an edge in the plane, a triangle in space), as `perpendicular` makes it.
