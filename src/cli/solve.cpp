@@ -8,6 +8,7 @@
 #include "algorithms/depth/lesson_trace.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
+#include "instances/instances.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "lesson/scalar.hpp"

@@ -54,8 +54,8 @@ struct Simplex {
 
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
 
-  /// Copies what is in use, number by number: a copy of the whole would wait for fresh writes to
-  /// it.
+  /// Copies the vertices in use, each by itself: processors wait where one wide read follows
+  /// several narrow writes.
   void take(const Simplex& other) {
     count = other.count;
     for (int i = 0; i < count; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// The core in the scalars of lessons, compiled once: who includes this and links
-// gjkscope::instances calls it, and need not compile it again.
+// The core in the scalars of lessons, compiled once. A source that includes this, and links
+// gjkscope::instances, calls the compiled code instead of compiling it again.
 
 #include "geometry/rational.hpp"
 #include "gjk/gjk.hpp"
