@@ -22,6 +22,12 @@
 namespace gjkscope {
 namespace {
 
+#if IMGUI_VERSION_NUM >= 18700  // Debian 12 has 1.79, Debian 13 has 1.90
+constexpr ImGuiKey_ kKeypadEnter = ImGuiKey_KeypadEnter;
+#else
+constexpr ImGuiKey_ kKeypadEnter = ImGuiKey_KeyPadEnter;
+#endif
+
 constexpr double kUiType = 15.0;  // pixels at scale 1
 constexpr int kWidth = 1440;
 constexpr int kHeight = 900;
@@ -192,7 +198,7 @@ struct Window::Impl {
                                         {ImGuiKey_Space, SDL_SCANCODE_SPACE},
                                         {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
                                         {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
-                                        {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+                                        {kKeypadEnter, SDL_SCANCODE_KP_ENTER},
                                         {ImGuiKey_A, SDL_SCANCODE_A},
                                         {ImGuiKey_C, SDL_SCANCODE_C},
                                         {ImGuiKey_V, SDL_SCANCODE_V},

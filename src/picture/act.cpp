@@ -13,8 +13,6 @@
 
 namespace gjkscope {
 
-using fmt::format;
-
 bool asks_later(const LessonRun& run, int index) {
   return std::any_of(run.frames.begin() + index, run.frames.end(),
                      [](const Frame& later) { return later.question >= 0; });
@@ -24,26 +22,27 @@ std::string position_in_run(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
   const bool asks = asks_later(run, index);
   if (frame.step < 0)
-    return asks ? "start" : format("start · {} of {}", index + 1, run.frames.size());
+    return asks ? "start" : fmt::format("start · {} of {}", index + 1, run.frames.size());
   const gjk::Step<double, 2>& step = run.step(frame);
   const std::string_view phase = name_of(step.phase);
-  if (asks) return format("iteration {} · {}", step.iteration, phase);
-  return format("iteration {} of {} · {}", step.iteration, run.run(frame).trace.result.iterations,
-                phase);
+  if (asks) return fmt::format("iteration {} · {}", step.iteration, phase);
+  return fmt::format("iteration {} of {} · {}", step.iteration,
+                     run.run(frame).trace.result.iterations, phase);
 }
 
 std::string position_on_path(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  const std::string position = format("position {} of {}", frame.run + 1, run.runs.size());
+  const std::string position = fmt::format("position {} of {}", frame.run + 1, run.runs.size());
   const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
-  return has_clock ? format("{} · t = {} s", position, fixed(run.run(frame).time, 2)) : position;
+  return has_clock ? fmt::format("{} · t = {} s", position, fixed(run.run(frame).time, 2))
+                   : position;
 }
 
 std::string position_in_lesson(const LessonRun& run, int index) {
   if (run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds)
     return position_on_path(run, index);
-  return asks_later(run, index) ? format("step {}", index + 1)
-                                : format("{} of {}", index + 1, run.frames.size());
+  return asks_later(run, index) ? fmt::format("step {}", index + 1)
+                                : fmt::format("{} of {}", index + 1, run.frames.size());
 }
 
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
@@ -53,7 +52,7 @@ Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   std::string dropped;
   for (const gjk::SupportPoint<double, 2>& vertex : step.record.dropped)
     dropped += (dropped.empty() ? " " : ", ") + run.pair_name(vertex.pair);
-  return {.group = format("iteration {}", step.iteration),
+  return {.group = fmt::format("iteration {}", step.iteration),
           .label = phase + dropped,
           .short_label = phase,
           .event = run.info(frame).is_event};
@@ -61,7 +60,7 @@ Tick tick_of_step(const LessonRun& run, const Frame& frame) {
 
 std::string group_of_position(const LessonRun& run, const Frame& frame,
                               const std::string& otherwise) {
-  return run.runs.size() > 1 ? format("position {}", frame.run + 1) : otherwise;
+  return run.runs.size() > 1 ? fmt::format("position {}", frame.run + 1) : otherwise;
 }
 
 void add_step_frames(LessonRun& run, int index,
@@ -96,13 +95,13 @@ std::string position_in_algorithm(const LessonRun& run, int index) {
   const AlgorithmPart part = part_of(run, frame);
   if (part == AlgorithmPart::start) return "start";
   if (part == AlgorithmPart::answer)
-    return format("answer · {} of {}", index + 1, run.frames.size());
+    return fmt::format("answer · {} of {}", index + 1, run.frames.size());
   const StepInfo at = run.info(frame);
-  if (run.runs.size() > 1) return format("{} · {}", position_on_path(run, index), at.phase);
-  if (asks_later(run, index)) return format("iteration {} · {}", at.iteration, at.phase);
+  if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at.phase);
+  if (asks_later(run, index)) return fmt::format("iteration {} · {}", at.iteration, at.phase);
   const AlgorithmTrace& trace = run.algorithm_trace(frame);
-  return format("iteration {} of {} · {}", at.iteration, trace.info(trace.steps() - 1).iteration,
-                at.phase);
+  return fmt::format("iteration {} of {} · {}", at.iteration,
+                     trace.info(trace.steps() - 1).iteration, at.phase);
 }
 
 Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
@@ -115,7 +114,7 @@ Tick tick_of_algorithm(const LessonRun& run, const Frame& frame) {
             .short_label = "end",
             .event = true};
   const StepInfo at = run.info(frame);
-  return {.group = group_of_position(run, frame, format("iteration {}", at.iteration)),
+  return {.group = group_of_position(run, frame, fmt::format("iteration {}", at.iteration)),
           .label = std::string(at.phase),
           .event = at.is_event};
 }

@@ -12,8 +12,6 @@
 namespace gjkscope {
 namespace {
 
-using fmt::format;
-
 struct Group {
   std::string label;
   std::vector<Tick> ticks;
@@ -28,8 +26,9 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       tick = act.tick(run, frame);
     } else {
       // A question belongs to the group of its answer.
-      tick = {.group = run.act->follows_run ? format("iteration {}", run.answering_iteration(frame))
-                                            : groups.back().label,
+      tick = {.group = run.act->follows_run
+                           ? fmt::format("iteration {}", run.answering_iteration(frame))
+                           : groups.back().label,
               .label = "question",
               .short_label = "?",
               .question = true};

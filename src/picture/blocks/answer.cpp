@@ -14,7 +14,6 @@ namespace gjkscope::blocks {
 namespace {
 
 using Eigen::Vector2d;
-using fmt::format;
 using rows::kRow;
 using rows::kTightRow;
 
@@ -68,12 +67,14 @@ void witness(PanelBuilder& panel) {
       [](const auto& vertex) { return vertex.w; });
   write_sum(
       panel,
-      sum(format("The same weights on {}", lesson.y().name), "y =", WitnessPart::on_y, result.y),
+      sum(fmt::format("The same weights on {}", lesson.y().name), "y =", WitnessPart::on_y,
+          result.y),
       [&](gjk::VertexPair pair) { return lesson.y().vertex_names[pair.y]; },
       [&](const auto& vertex) { return positioned.y().world[vertex.pair.y]; });
   write_sum(
       panel,
-      sum(format("The same weights on {}", lesson.x().name), "x =", WitnessPart::on_x, result.x),
+      sum(fmt::format("The same weights on {}", lesson.x().name), "x =", WitnessPart::on_x,
+          result.x),
       [&](gjk::VertexPair pair) { return lesson.x().vertex_names[pair.x]; },
       [&](const auto& vertex) { return positioned.x().world[vertex.pair.x]; });
   panel.write("heading", panel.left, "|y − x| = |P|", type::kHeading);
@@ -84,7 +85,7 @@ void witness(PanelBuilder& panel) {
   const RoundShapes::Value* round = RoundShapes::of(panel.effects, panel.run, panel.frame);
   if (round == nullptr) return;
   const bool is_known = reached >= WitnessPart::distance;
-  panel.write("heading", panel.left, format("less the radii, {}", panel.numbers(round->radii)),
+  panel.write("heading", panel.left, fmt::format("less the radii, {}", panel.numbers(round->radii)),
               type::kHeading);
   panel.write(is_known ? "code.current" : "untried", panel.right,
               is_known ? panel.numbers(round->distance) : "–", type::kCodeBold, Align::right);
@@ -110,7 +111,7 @@ void counters(PanelBuilder& panel) {
   panel.write("code.current", panel.right, std::to_string(calls), type::kCodeBold, Align::right);
   panel.y += kRow;
   panel.write("heading", panel.left, "Differences computed", type::kHeading);
-  panel.write("code.current", panel.right, format("{} of {}", touched, all), type::kCodeBold,
+  panel.write("code.current", panel.right, fmt::format("{} of {}", touched, all), type::kCodeBold,
               Align::right);
   panel.y += kRow - 3.0;
   panel.bar(panel.left, panel.right, 0.0, all, touched, "weight.bar");
@@ -226,8 +227,8 @@ void bound_steps(PanelBuilder& panel) {
       if (high - low < 4.0) low = std::max(x0, 0.5 * (low + high) - 2.0), high = low + 4.0;
       panel.add("bounds.bar", Box{{{low, middle - 4.0}, {high, middle + 4.0}}, 2.0});
       panel.write("code", panel.right,
-                  format("{} … {}", fixed(bounds.lower, 3), fixed(bounds.upper, 3)), type::kCode,
-                  Align::right);
+                  fmt::format("{} … {}", fixed(bounds.lower, 3), fixed(bounds.upper, 3)),
+                  type::kCode, Align::right);
     }
     while (step < static_cast<int>(steps.size()) &&
            steps[static_cast<std::size_t>(step)].iteration == iteration)

@@ -9,7 +9,6 @@
 
 namespace gjkscope::blocks {
 
-using fmt::format;
 using namespace rows;
 
 namespace {
@@ -18,7 +17,7 @@ void balance(PanelBuilder& panel) {
   const Balance::Value& value = panel.effects.get<Balance>(panel.frame);
   if (value.moments.empty()) return;
   const Beam& beam = value.moments[panel.frame.part.as<BeamMoment>()->index];
-  panel.heading(format("The beam at t = {} s", fixed(beam.seconds, 2)));
+  panel.heading(fmt::format("The beam at t = {} s", fixed(beam.seconds, 2)));
   const double mass_at = panel.left + 168.0;
   const double arm_at = panel.left + 268.0;
   panel.write("heading", mass_at, "mass", type::kHeading, Align::right);
@@ -43,8 +42,8 @@ void balance(PanelBuilder& panel) {
   panel.write("body", panel.left, "tilt", type::kBody);
   panel.write("code.current", panel.right,
               degrees < kLevel ? "level"
-                               : format("{}°, {} down", fixed(degrees, 1),
-                                        panel.words.vertex(beam.angle > 0.0 ? 0 : 1)),
+                               : fmt::format("{}°, {} down", fixed(degrees, 1),
+                                             panel.words.vertex(beam.angle > 0.0 ? 0 : 1)),
               type::kCodeBold, Align::right);
   panel.y += kRow;
 }

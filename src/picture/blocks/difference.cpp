@@ -7,7 +7,6 @@
 
 namespace gjkscope::blocks {
 
-using fmt::format;
 using namespace rows;
 
 namespace {
@@ -36,7 +35,7 @@ void pairs(PanelBuilder& panel) {
     if ((i + 1) % per_x == 0) panel.y += 6.0;
   }
   if (all > kMost) {
-    panel.write("body.muted", panel.left, format("and {} more", all - kMost), type::kBody);
+    panel.write("body.muted", panel.left, fmt::format("and {} more", all - kMost), type::kBody);
     panel.y += kRow;
   }
 }

@@ -9,7 +9,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using fmt::format;
 using namespace rows;
 
 struct Issue {
@@ -51,7 +50,7 @@ void issues(PanelBuilder& panel) {
     const bool over = i < panel.frame.run || (current && panel.frame.step >= 0);
     if (current) panel.highlight("highlight", kTightRow);
     const std::string role = current ? "strong" : over ? "body" : "untried";
-    panel.write(role, panel.left, format("{}  {}", i + 1, issue.where),
+    panel.write(role, panel.left, fmt::format("{}  {}", i + 1, issue.where),
                 current ? type::kStrong : type::kBody);
     if (over)
       panel.write(current ? "code.current" : "code", panel.right, outcome(panel, value, end),

@@ -11,7 +11,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using fmt::format;
 using namespace rows;
 
 /// "+0.31 −0.20": two digits, so that three numbers fit beside their condition.
@@ -90,7 +89,7 @@ void signs(PanelBuilder& panel) {
   const double name_at = panel.left + 164.0;
   const auto feature = [&](gjk::Face face) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
-    return format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
+    return fmt::format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
   // Q's place in the maps is told when the maps are there.
   const auto* map = panel.frame.part.as<MapStage>();
@@ -122,7 +121,7 @@ void signs(PanelBuilder& panel) {
       const double x = panel.left + 44.0 * i;
       if (lit && !current) sign_highlight(panel, x);
       panel.write(lit ? "code.current" : "code", x,
-                  format("{} {}", "uvw"[i], gjk::contains(face, i) ? "+" : "−"),
+                  fmt::format("{} {}", "uvw"[i], gjk::contains(face, i) ? "+" : "−"),
                   lit ? type::kCodeBold : type::kCode);
     }
     panel.write(current ? "body" : "body.muted", name_at, feature(face),
@@ -153,9 +152,9 @@ void orders(PanelBuilder& panel) {
   const OrderStage stage = *panel.frame.part.as<OrderStage>();
   if (stage == OrderStage::numbers) return numbers_of(panel);
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
-  panel.heading(format("{} first, {} tests of the edges",
-                       chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices",
-                       chain.whole ? "whole" : "short"));
+  panel.heading(fmt::format("{} first, {} tests of the edges",
+                            chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices",
+                            chain.whole ? "whole" : "short"));
   const gjk::FaceList list = gjk::tested_faces(3, chain.order);
   const int tried = static_cast<int>(chain.tests.size());
   for (int i = 0; i < list.count; ++i) {

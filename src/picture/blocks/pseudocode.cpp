@@ -46,7 +46,6 @@ namespace {
 using State = LineView::State;
 
 using namespace rows;
-using fmt::format;
 using gjk::Phase;
 
 /// One line of a listing: its text, and what of the run it stands for.
@@ -102,21 +101,21 @@ Lines gjk_lines(const LessonRun& run) {
   Lines lines = {
       {"S ← initial simplex"},
       {"loop"},
-      {point ? format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
+      {point ? fmt::format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
        Phase::closest},
       {"  drop vertices without weight", Phase::cull},
-      {format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
+      {fmt::format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
        {},
        {},
        false,
        Phase::cull},
-      {format("  d ← normal of S, to {}", q), Phase::direction},
+      {fmt::format("  d ← normal of S, to {}", q), Phase::direction},
       {"  if d = 0: stop", {}, {}, false, Phase::direction},
       {point ? "  V ← support point along d" : "  V ← support(Y,d) − support(X,−d)",
        Phase::support},
   };
   if (!last.empty())
-    lines.push_back({format("  if {}: stop", last), {}, {}, false, Phase::support});
+    lines.push_back({fmt::format("  if {}: stop", last), {}, {}, false, Phase::support});
   lines.push_back({"  add V to S", Phase::add});
   return lines;
 }
@@ -151,8 +150,8 @@ LineView weights_line(const PanelBuilder& panel) {
                                                                      : State::past};
   const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
   if (panel.run.lesson.listing == "segment" && value.weights.size() == 2) {
-    line.value = format("{}, {}", panel.numbers.weight(value.weights[0]),
-                        panel.numbers.weight(value.weights[1]));
+    line.value = fmt::format("{}, {}", panel.numbers.weight(value.weights[0]),
+                             panel.numbers.weight(value.weights[1]));
   }
   return line;
 }
@@ -263,7 +262,7 @@ void support_listing(PanelBuilder& panel) {
               known ? panel.numbers.point(panel.state.d) : std::string()});
   write_line(panel, "V ← first vertex", {state, {}, current ? names[0] : std::string()});
   write_line(panel, "for each other vertex p",
-             {state, {}, current ? format("{} of them", names.size() - 1) : std::string()});
+             {state, {}, current ? fmt::format("{} of them", names.size() - 1) : std::string()});
   write_line(panel, "  if dot(d, p) > dot(d, V): V ← p", {state, {}, {}});
   write_line(panel, "return V", {state, {}, best});
 }
@@ -311,8 +310,9 @@ void structures_listing(PanelBuilder& panel) {
              {State::idle, {}, weighed ? panel.numbers.weight(simplex.weights[newest]) : "–"});
   write_line(panel, "Simplex", {State::past, {}, "S"});
   write_line(panel, "  vertices: 1, 2 or 3", {State::current, {}, panel.words.face(simplex.all())});
-  write_line(panel, "  count",
-             {State::current, {}, format("{}, a {}-simplex", simplex.count, simplex.count - 1)});
+  write_line(
+      panel, "  count",
+      {State::current, {}, fmt::format("{}, a {}-simplex", simplex.count, simplex.count - 1)});
 }
 
 void segment_listing(PanelBuilder& panel) { region_chain(panel, segment_lines(), true); }

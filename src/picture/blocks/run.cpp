@@ -10,7 +10,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using fmt::format;
 using gjk::Phase;
 using namespace rows;
 
@@ -59,7 +58,7 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
   }
   panel.subject = {};
   if (names.size() > kShown) {
-    panel.write("body.muted", x0, format("and {} more", names.size() - kShown), type::kBody);
+    panel.write("body.muted", x0, fmt::format("and {} more", names.size() - kShown), type::kBody);
     panel.y += kTightRow;
   }
 }
@@ -171,7 +170,7 @@ void bounds(PanelBuilder& panel) {
     size = std::max(size, (vertex - positioned.y().world[0]).norm());
   const double high = bounds.upper < kRounding * size ? 0.0 : bounds.upper;
   panel.write("code.current", panel.right,
-              known ? format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",
+              known ? fmt::format("[{}, {}]", panel.numbers(low), panel.numbers(high)) : "–",
               type::kCode, Align::right);
   panel.y += 22.0;
   const double first_high = known ? positioned.bounds.front().upper : 0.0;
@@ -226,10 +225,10 @@ void direction_rules(PanelBuilder& panel) {
   for (const gjk::DirectionRule rule :
        {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
     const bool towards = rule == gjk::DirectionRule::towards_origin;
-    panel.write(
-        "strong", panel.left,
-        towards ? format("d = {} − P", query_name(panel.run)) : format("d = cross({}, z)", edge),
-        type::kStrong);
+    panel.write("strong", panel.left,
+                towards ? fmt::format("d = {} − P", query_name(panel.run))
+                        : fmt::format("d = cross({}, z)", edge),
+                type::kStrong);
     const bool used = panel.run.lesson.options.direction_rule == rule;
     panel.write("body.muted", panel.right, used ? "used by this run" : "for comparison",
                 type::kTick, Align::right);
@@ -241,7 +240,7 @@ void direction_rules(PanelBuilder& panel) {
     panel.write("code.current", panel.right, known ? panel.numbers.point(found->d) : "–",
                 type::kCode, Align::right);
     panel.y += kTightRow;
-    panel.write("code", panel.left + 12.0, format("dot(d, {})", edge), type::kCode);
+    panel.write("code", panel.left + 12.0, fmt::format("dot(d, {})", edge), type::kCode);
     panel.write(known && found->dot_with_edge == 0.0 ? "pass"
                 : known                              ? "fail"
                                                      : "code",

@@ -13,7 +13,6 @@ namespace gjkscope::blocks {
 namespace {
 
 using Answer = EveryScalar::Answer;
-using fmt::format;
 using namespace rows;
 
 /// As many digits as tell the numbers of a scalar apart.
@@ -57,9 +56,9 @@ std::string relation(const PanelBuilder& panel, const Answer& answer, const Answ
                      int iteration, bool ended) {
   if (ended) {
     const int last = answer.run.trace.result.iterations;
-    if (&answer == &exact) return format("ends in iteration {}", last);
+    if (&answer == &exact) return fmt::format("ends in iteration {}", last);
     if (answer.parting == 0) return "the same steps as exact";
-    return format("parts from exact in iteration {}", answer.parting);
+    return fmt::format("parts from exact in iteration {}", answer.parting);
   }
   const gjk::Step<double, 2>* mine = support_step(answer.run, iteration);
   const gjk::Step<double, 2>* right = support_step(exact.run, iteration);
@@ -68,9 +67,9 @@ std::string relation(const PanelBuilder& panel, const Answer& answer, const Answ
   };
   if (&answer == &exact) return "support point " + name(mine);
   if (answer.parting != 0 && answer.parting < iteration)
-    return format("parted in iteration {}", answer.parting);
+    return fmt::format("parted in iteration {}", answer.parting);
   if (mine == nullptr && right == nullptr) return "the same steps so far";
-  if (name(mine) != name(right)) return format("parts: {}, not {}", name(mine), name(right));
+  if (name(mine) != name(right)) return fmt::format("parts: {}, not {}", name(mine), name(right));
   return answer.parting == iteration ? "parts: only one of both goes on"
                                      : "support point " + name(mine);
 }
@@ -114,7 +113,7 @@ void scalars(PanelBuilder& panel) {
   const int unit = unit_of(length);
   const double scale = std::pow(10.0, -unit);
   std::string title = ended ? "What each scalar answers"
-                            : format("Distance of P in iteration {}", std::max(iteration, 1));
+                            : fmt::format("Distance of P in iteration {}", std::max(iteration, 1));
   if (unit != 0) title += ", in units of 10" + raised(unit);
   panel.heading(title);
   panel.y += 4.0;

@@ -9,7 +9,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using fmt::format;
 using gjk::StopReason;
 using namespace rows;
 
@@ -36,19 +35,20 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
   switch (test.reason) {
     case StopReason::origin_inside:
       if (test.holds) return "all weights > 0";
-      return format("{:.0f} {}, needs 3", test.left, test.left == 1.0 ? "vertex" : "vertices");
+      return fmt::format("{:.0f} {}, needs 3", test.left, test.left == 1.0 ? "vertex" : "vertices");
     case StopReason::zero_direction:
       return "|d| = " + number(panel.state.d.norm());
     case StopReason::repeated_support:
-      return format("{} {}", panel.run.pair_name(panel.state.support.pair),
-                    test.holds ? "is in S" : "is new");
+      return fmt::format("{} {}", panel.run.pair_name(panel.state.support.pair),
+                         test.holds ? "is in S" : "is new");
     case StopReason::no_progress:
-      return format("{} is {} farther", panel.run.pair_name(panel.state.support.pair),
-                    test.holds ? "no" : number((test.left - test.right) / panel.state.d.norm()));
+      return fmt::format(
+          "{} is {} farther", panel.run.pair_name(panel.state.support.pair),
+          test.holds ? "no" : number((test.left - test.right) / panel.state.d.norm()));
     case StopReason::within_tolerance:
-      return format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
+      return fmt::format("{} {} {}", number(test.left), test.holds ? "≤" : ">", number(test.right));
     default:
-      return format("{:.0f} of {:.0f}", test.right, test.left);
+      return fmt::format("{:.0f} of {:.0f}", test.right, test.left);
   }
 }
 
@@ -114,12 +114,12 @@ void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* t
   if (lengths.size() < 2) return row(panel, TestMark::fails, name, "no P before");
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   const std::string length =
-      panel.run.point_query() ? format("|{} − P|", query_name(panel.run)) : "|P|";
+      panel.run.point_query() ? fmt::format("|{} − P|", query_name(panel.run)) : "|P|";
   if (test && test->tried && test->holds) {
     return row(panel, TestMark::holds, name,
-               format("{} = {}, as before", length, number(lengths[0])));
+               fmt::format("{} = {}, as before", length, number(lengths[0])));
   }
-  row(panel, TestMark::fails, name, format("{} < {}", number(lengths[0]), number(lengths[1])));
+  row(panel, TestMark::fails, name, fmt::format("{} < {}", number(lengths[0]), number(lengths[1])));
 }
 
 void stop_tests(PanelBuilder& panel) {

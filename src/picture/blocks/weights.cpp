@@ -12,7 +12,6 @@ namespace gjkscope::blocks {
 namespace {
 
 using Eigen::Vector2d;
-using fmt::format;
 using namespace rows;
 
 constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
@@ -45,7 +44,7 @@ void weights(PanelBuilder& panel) {
                             : panel.run.pair_name(value.simplex.vertices[i].pair),
                 type::kStrong);
     panel.bar(x0, x1, kLow, kHigh, weight,
-              point_query ? format("weight.bar.{}", kLetters[i]) : "weight.bar");
+              point_query ? fmt::format("weight.bar.{}", kLetters[i]) : "weight.bar");
     panel.write("code.current", panel.right,
                 panel.run.lesson.scalar == ScalarKind::double_ ? signed_fixed(weight, 3)
                                                                : panel.numbers.weight(weight),
@@ -76,8 +75,8 @@ void weights(PanelBuilder& panel) {
     panel.write("code", panel.left, text, type::kCode);
     panel.y += kTightRow + 2.0;
   };
-  formula(format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
-  formula(format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+  formula(fmt::format("u = dot({1} − {2}, {1} − {0}) / |{1} − {0}|²", a, b, q));
+  formula(fmt::format("v = dot({2} − {0}, {1} − {0}) / |{1} − {0}|²", a, b, q));
 }
 
 }  // namespace
@@ -152,8 +151,8 @@ void unit_vector(PanelBuilder& panel) {
     panel.y += kRow;
   };
   panel.heading("The unit vector of " + a + b);
-  row(format("length = |{} − {}|", b, a), panel.numbers(built->length));
-  row(format("n = ({} − {}) / length", b, a), panel.numbers.point(built->n));
+  row(fmt::format("length = |{} − {}|", b, a), panel.numbers(built->length));
+  row(fmt::format("n = ({} − {}) / length", b, a), panel.numbers.point(built->n));
   panel.rule();
   panel.heading("Fractional lengths along n");
   const double of_g = panel.right - 96.0;
@@ -171,8 +170,8 @@ void unit_vector(PanelBuilder& panel) {
     panel.write("code.current", panel.right, number(from_q), style, Align::right);
     panel.y += kRow;
   };
-  both(format("dot({} − G, n)", b), built->of_g.to_b, built->of_q.to_b, false);
-  both(format("dot(G − {}, n)", a), built->of_g.from_a, built->of_q.from_a, false);
+  both(fmt::format("dot({} − G, n)", b), built->of_g.to_b, built->of_q.to_b, false);
+  both(fmt::format("dot(G − {}, n)", a), built->of_g.from_a, built->of_q.from_a, false);
   both("u = first row / length", built->of_g.to_b / built->length, built->of_q.to_b / built->length,
        true);
   both("v = second row / length", built->of_g.from_a / built->length,
@@ -202,8 +201,8 @@ void areas(PanelBuilder& panel) {
   const auto row = [&](const std::string& from, const std::string& to, const std::string& third,
                        double area, const std::string& weight) {
     panel.write("strong", panel.left, from + to + third, type::kStrong);
-    panel.write("code", panel.left + 42.0, format("½ cross({1}−{0}, {2}−{0})", from, to, third),
-                type::kCode);
+    panel.write("code", panel.left + 42.0,
+                fmt::format("½ cross({1}−{0}, {2}−{0})", from, to, third), type::kCode);
     panel.write("code", panel.right - 96.0, fixed(area, 3), type::kCode, Align::right);
     panel.write("code.current", panel.right, weight, type::kCodeBold, Align::right);
     panel.y += kRow;
@@ -213,7 +212,7 @@ void areas(PanelBuilder& panel) {
                                         corners[(i + 2) % 3]};
     sum += value.weights[i];
     row(q, names[(i + 1) % 3], names[(i + 2) % 3], signed_area(part),
-        format("{} {}", kLetters[i], signed_fixed(value.weights[i], 3)));
+        fmt::format("{} {}", kLetters[i], signed_fixed(value.weights[i], 3)));
   }
   row(names[0], names[1], names[2], signed_area(corners), "sum " + fixed(sum, 3));
 }

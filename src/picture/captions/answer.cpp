@@ -12,13 +12,12 @@
 namespace gjkscope::captions {
 
 using Eigen::Vector2d;
-using fmt::format;
 
 std::string closest_features(const Story& story) {
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const Lesson& lesson = story.run.lesson;
-  return format("{} of {} and {} of {}", feature_name(story.run, simplex, true), lesson.x().name,
-                feature_name(story.run, simplex, false), lesson.y().name);
+  return fmt::format("{} of {} and {} of {}", feature_name(story.run, simplex, true),
+                     lesson.x().name, feature_name(story.run, simplex, false), lesson.y().name);
 }
 
 namespace {
@@ -27,21 +26,21 @@ namespace {
 std::string place_of_p(const Story& story) {
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
-  return simplex.count == 1 ? format("is {}", words.vertex(0))
+  return simplex.count == 1 ? fmt::format("is {}", words.vertex(0))
                             : "lies on the " + words.kind_and_face(simplex.all());
 }
 
 void overlap(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = format("{} and {} overlap: they share a point x = y, so y − x = O lies in Z.",
-                        lesson.x().name, lesson.y().name);
+  text.caption = fmt::format("{} and {} overlap: they share a point x = y, so y − x = O lies in Z.",
+                             lesson.x().name, lesson.y().name);
   const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
-  text.detail = format("O lies {} the {}: the distance is 0 in both views.",
-                       simplex.count == 1   ? "at"
-                       : simplex.count == 2 ? "on"
-                                            : "in",
-                       words.kind_and_face(simplex.all()));
+  text.detail = fmt::format("O lies {} the {}: the distance is 0 in both views.",
+                            simplex.count == 1   ? "at"
+                            : simplex.count == 2 ? "on"
+                                                 : "in",
+                            words.kind_and_face(simplex.all()));
 }
 
 void warm_start(const Story& story, FrameText& text) {
@@ -49,7 +48,7 @@ void warm_start(const Story& story, FrameText& text) {
   const std::string starts =
       SimplexWords(story.run, story.trace.initial.simplex).face(story.trace.initial.simplex.all());
   const std::string count =
-      format("{} iteration{}", result.iterations, result.iterations == 1 ? "" : "s");
+      fmt::format("{} iteration{}", result.iterations, result.iterations == 1 ? "" : "s");
   const gjk::Simplex<double, 2>& start = story.trace.initial.simplex;
   const auto in_start = [&](const gjk::SupportPoint<double, 2>& vertex) {
     return std::any_of(start.vertices.begin(), start.vertices.begin() + start.count,
@@ -60,33 +59,33 @@ void warm_start(const Story& story, FrameText& text) {
       std::all_of(result.simplex.vertices.begin(),
                   result.simplex.vertices.begin() + result.simplex.count, in_start);
   if (story.frame.run == 0) {
-    text.caption =
-        format("No run came before this one: it starts cold from {} and takes {}.", starts, count);
+    text.caption = fmt::format("No run came before this one: it starts cold from {} and takes {}.",
+                               starts, count);
   } else if (is_same) {
-    text.caption = format(
+    text.caption = fmt::format(
         "Start from {}, where the last run ended. P is still on that simplex: {} confirms it.",
         starts, count);
   } else if (result.iterations == 1) {
     text.caption =
-        format("Start from {}, where the last run ended. The new P lies in it: {} finds it.",
-               starts, count);
+        fmt::format("Start from {}, where the last run ended. The new P lies in it: {} finds it.",
+                    starts, count);
   } else {
-    text.caption = format(
+    text.caption = fmt::format(
         "Start from {}, where the last run ended. P is no longer on that simplex; finding it takes "
         "{}.",
         starts, count);
   }
   text.detail = result.distance > 0.0
-                    ? format("Closest are {}, {} apart.", closest_features(story),
-                             story.numbers(result.distance))
-                    : format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
-                             story.run.lesson.y().name);
+                    ? fmt::format("Closest are {}, {} apart.", closest_features(story),
+                                  story.numbers(result.distance))
+                    : fmt::format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
+                                  story.run.lesson.y().name);
   if (!story.run.lesson.has_block(blocks::kStarts.name)) return;
   const auto cold = [&](int run) { return story.effects.get<ColdStart>({.run = run}).iterations; };
   const int last = static_cast<int>(story.run.runs.size()) - 1;
   if (story.frame.run < last) {
     if (story.frame.run > 0)
-      text.detail += format(" A cold start takes {}.", cold(story.frame.run));
+      text.detail += fmt::format(" A cold start takes {}.", cold(story.frame.run));
     return;
   }
   int cold_sum = 0;
@@ -95,8 +94,8 @@ void warm_start(const Story& story, FrameText& text) {
     cold_sum += cold(i);
     warm_sum += story.run.runs[static_cast<std::size_t>(i)].trace.result.iterations;
   }
-  text.detail += format(" All {} runs take {} iterations; cold starts would take {}.", last + 1,
-                        warm_sum, cold_sum);
+  text.detail += fmt::format(" All {} runs take {} iterations; cold starts would take {}.",
+                             last + 1, warm_sum, cold_sum);
 }
 
 /// How the shapes, and with them Z, moved since the last position.
@@ -107,19 +106,19 @@ std::string moves(const Story& story) {
   const Vector2d y_by = story.positioned.y().placement.translate - last.y().placement.translate;
   const std::string z_by = story.numbers.point(y_by - x_by);
   if (x_by == y_by) {
-    return format("Both moved by {}: Z and everything in it stay where they were.",
-                  story.numbers.point(x_by));
+    return fmt::format("Both moved by {}: Z and everything in it stay where they were.",
+                       story.numbers.point(x_by));
   }
   if (y_by.norm() == 0.0) {
-    return format("The {} moved by {}, so Z slides by {}, the opposite way.", lesson.x().name,
-                  story.numbers.point(x_by), z_by);
+    return fmt::format("The {} moved by {}, so Z slides by {}, the opposite way.", lesson.x().name,
+                       story.numbers.point(x_by), z_by);
   }
   if (x_by.norm() == 0.0) {
-    return format("The {} moved by {}, and Z slides with it by {}.", lesson.y().name,
-                  story.numbers.point(y_by), z_by);
+    return fmt::format("The {} moved by {}, and Z slides with it by {}.", lesson.y().name,
+                       story.numbers.point(y_by), z_by);
   }
-  return format("Z slides by {}: the move of the {} minus that of the {}.", z_by, lesson.y().name,
-                lesson.x().name);
+  return fmt::format("Z slides by {}: the move of the {} minus that of the {}.", z_by,
+                     lesson.y().name, lesson.x().name);
 }
 
 void slide(const Story& story, FrameText& text) {
@@ -128,22 +127,22 @@ void slide(const Story& story, FrameText& text) {
   const std::string change =
       story.frame.run > 0
           ? moves(story)
-          : format("Z = {} − {}. Drawn around the {}, it is the {} grown by the {}.",
-                   lesson.y().name, lesson.x().name, lesson.y().name, lesson.y().name,
-                   lesson.x().name);
+          : fmt::format("Z = {} − {}. Drawn around the {}, it is the {} grown by the {}.",
+                        lesson.y().name, lesson.x().name, lesson.y().name, lesson.y().name,
+                        lesson.x().name);
   if (distance > 0.0) {
     text.caption = change;
     text.detail =
-        format("Three times the same distance, {}: {} to {}, p to the grown {}, O to Z.",
-               story.numbers(distance), lesson.x().name, lesson.y().name, lesson.y().name);
+        fmt::format("Three times the same distance, {}: {} to {}, p to the grown {}, O to Z.",
+                    story.numbers(distance), lesson.x().name, lesson.y().name, lesson.y().name);
   } else if (story.trace.result.verdict == gjk::Verdict::touching) {
-    text.caption =
-        format("The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
-               lesson.x().name, lesson.y().name, lesson.y().name);
+    text.caption = fmt::format(
+        "The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
+        lesson.x().name, lesson.y().name, lesson.y().name);
     text.detail = change + " All three distances are 0.";
   } else {
-    text.caption = format("The {} and the {} overlap: p lies inside the grown {}, O inside Z.",
-                          lesson.x().name, lesson.y().name, lesson.y().name);
+    text.caption = fmt::format("The {} and the {} overlap: p lies inside the grown {}, O inside Z.",
+                               lesson.x().name, lesson.y().name, lesson.y().name);
     text.detail = change + " All three distances are 0.";
   }
 }
@@ -178,19 +177,20 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
   const std::string letter = of_x ? "x" : "y";
   const bool one_vertex =
       std::all_of(names.begin(), names.end(), [&](const auto& name) { return name == names[0]; });
-  text.caption = format("The same weights on the vertices of {} give {} = {}.", shape.name, letter,
-                        weighted(story, names));
+  text.caption = fmt::format("The same weights on the vertices of {} give {} = {}.", shape.name,
+                             letter, weighted(story, names));
   const std::string point = story.numbers.point(of_x ? result.x : result.y);
   if (!one_vertex) {
-    text.detail = format("{} = {} is the point of {} closest to {}.", letter, point, shape.name,
-                         of_x ? story.run.lesson.y().name : story.run.lesson.x().name);
+    text.detail =
+        fmt::format("{} = {} is the point of {} closest to {}.", letter, point, shape.name,
+                    of_x ? story.run.lesson.y().name : story.run.lesson.x().name);
   } else if (names.size() == 1) {
     text.detail =
-        format("P is a single difference, so {} is {} itself: {}.", letter, names[0], point);
+        fmt::format("P is a single difference, so {} is {} itself: {}.", letter, names[0], point);
   } else {
     text.detail =
-        format("{} differences come from {}, so {} is {} itself: {}.",
-               names.size() == 2 ? "Both" : "All three", names[0], letter, names[0], point);
+        fmt::format("{} differences come from {}, so {} is {} itself: {}.",
+                    names.size() == 2 ? "Both" : "All three", names[0], letter, names[0], point);
   }
 }
 
@@ -201,11 +201,11 @@ void answer(const Story& story, FrameText& text) {
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
   const bool is_round = RoundShapes::of(story.effects, story.run, story.frame) != nullptr;
-  text.caption = format(
+  text.caption = fmt::format(
       "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
       is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,
       story.numbers(story.trace.result.distance));
-  text.detail = format("Closest are {}, so P {}.", closest_features(story), place_of_p(story));
+  text.detail = fmt::format("Closest are {}, so P {}.", closest_features(story), place_of_p(story));
 }
 
 void witness(const Story& story, FrameText& text) {
@@ -213,14 +213,15 @@ void witness(const Story& story, FrameText& text) {
   const SimplexWords words(story.run, result.simplex);
   std::vector<std::string> of_z;
   for (int i = 0; i < result.simplex.count; ++i) {
-    of_z.push_back(result.simplex.count == 1 ? words.vertex(i) : format("({})", words.vertex(i)));
+    of_z.push_back(result.simplex.count == 1 ? words.vertex(i)
+                                             : fmt::format("({})", words.vertex(i)));
   }
   switch (*story.frame.part.as<WitnessPart>()) {
     case WitnessPart::p:
-      text.caption =
-          format("{}P = {} is the point of Z closest to O.",
-                 x_has_moved(story) ? story.run.lesson.x().name + " has moved. " : std::string(),
-                 weighted(story, of_z));
+      text.caption = fmt::format(
+          "{}P = {} is the point of Z closest to O.",
+          x_has_moved(story) ? story.run.lesson.x().name + " has moved. " : std::string(),
+          weighted(story, of_z));
       text.detail =
           "Each difference remembers its two vertices. Put the weights on those: first on Y's, "
           "then "
@@ -233,11 +234,11 @@ void witness(const Story& story, FrameText& text) {
     case WitnessPart::distance:
       if (!(result.distance > 0.0)) return overlap(story, text);
       text.caption =
-          format("y − x = {} − {} = {} = P, so |y − x| = |P| = {}.", story.numbers.point(result.y),
-                 story.numbers.point(result.x), story.numbers.point(result.y - result.x),
-                 story.numbers(result.distance));
-      text.detail = format("Closest are {}: the two letters of each difference say which.",
-                           closest_features(story));
+          fmt::format("y − x = {} − {} = {} = P, so |y − x| = |P| = {}.",
+                      story.numbers.point(result.y), story.numbers.point(result.x),
+                      story.numbers.point(result.y - result.x), story.numbers(result.distance));
+      text.detail = fmt::format("Closest are {}: the two letters of each difference say which.",
+                                closest_features(story));
   }
 }
 

@@ -10,8 +10,6 @@
 
 namespace gjkscope::captions {
 
-using fmt::format;
-
 namespace {
 
 /// "0.00008": the degrees by which a direction misses being perpendicular to the simplex, with one
@@ -40,16 +38,17 @@ void direction_rules(const Story& story, FrameText& text) {
   const std::string value = story.numbers(towards->dot_with_edge);
   if (story.knows.phase_is(gjk::Phase::direction)) {
     text.caption =
-        format("d = {0} − P should be perpendicular to {1}, but dot(d, {2}) = {3}, not 0.", story.q,
-               story.edge_words(), edge, value);
+        fmt::format("d = {0} − P should be perpendicular to {1}, but dot(d, {2}) = {3}, not 0.",
+                    story.q, story.edge_words(), edge, value);
     const bool seen = std::any_of(
         story.run.lesson.views.begin(), story.run.lesson.views.end(),
         [](const LessonView& view) { return view.camera && view.camera->stretch != 1.0; });
-    text.detail = format("That is {}° off, {}. With d = cross({}, z) the dot product is exactly 0.",
-                         off_by(story, towards->d),
-                         seen ? "which only the stretched view shows" : "too little to see", edge);
+    text.detail =
+        fmt::format("That is {}° off, {}. With d = cross({}, z) the dot product is exactly 0.",
+                    off_by(story, towards->d),
+                    seen ? "which only the stretched view shows" : "too little to see", edge);
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
-    text.detail = format(
+    text.detail = fmt::format(
         "The distance is {}. Being {}° off, d did no harm here. Larger errors can find a wrong "
         "vertex.",
         story.numbers(story.trace.result.distance), off_by(story, towards->d));

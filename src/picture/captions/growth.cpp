@@ -11,12 +11,11 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
 using Sample = Growth::Sample;
 
 double all_differences(const Sample& sample) { return 1.0 * sample.vertices * sample.vertices; }
 
-std::string larsen() { return format("{} to {}", Growth::kLarsenLeast, Growth::kLarsenMost); }
+std::string larsen() { return fmt::format("{} to {}", Growth::kLarsenLeast, Growth::kLarsenMost); }
 
 /// Iterations that ten times as many vertices add, from one size to another.
 double each_tenfold(const Sample& from, const Sample& to) {
@@ -27,20 +26,21 @@ double each_tenfold(const Sample& from, const Sample& to) {
 void size(const Sample& sample, FrameText& text) {
   const std::string iterations = fixed(sample.iterations, 1);
   const std::string calls = fixed(sample.support_calls, 1);
-  text.caption = format("n = {}: {} iterations on average, {} in the worst run; {} {} of Larsen.",
-                        grouped(sample.vertices), iterations, sample.most_iterations,
-                        sample.iterations > Growth::kLarsenMost    ? "more than the"
-                        : sample.iterations < Growth::kLarsenLeast ? "fewer than the"
-                                                                   : "within the",
-                        larsen());
-  text.detail = format("GJK computes {} of the {} differences{}. ", fixed(sample.touched_points, 1),
-                       grouped(all_differences(sample)),
-                       calls == iterations ? "" : format(" in {} support calls", calls));
+  text.caption =
+      fmt::format("n = {}: {} iterations on average, {} in the worst run; {} {} of Larsen.",
+                  grouped(sample.vertices), iterations, sample.most_iterations,
+                  sample.iterations > Growth::kLarsenMost    ? "more than the"
+                  : sample.iterations < Growth::kLarsenLeast ? "fewer than the"
+                                                             : "within the",
+                  larsen());
+  text.detail = fmt::format("GJK computes {} of the {} differences{}. ",
+                            fixed(sample.touched_points, 1), grouped(all_differences(sample)),
+                            calls == iterations ? "" : fmt::format(" in {} support calls", calls));
   text.detail += sample.is_climbed
-                     ? format("Climbing looks at {} vertices, scanning at {}.",
-                              grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
-                     : format("Each support call scans every vertex: {} in all.",
-                              grouped(sample.seen_vertices));
+                     ? fmt::format("Climbing looks at {} vertices, scanning at {}.",
+                                   grouped(sample.seen_vertices), grouped(sample.scanned_vertices))
+                     : fmt::format("Each support call scans every vertex: {} in all.",
+                                   grouped(sample.seen_vertices));
 }
 
 /// The first size that takes more than Larsen's iterations; the end when there is none.
@@ -53,26 +53,26 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
   const Sample& first = measured.front();
   const Sample& last = measured.back();
   const auto above = first_above(measured);
-  text.caption = format("From {} iterations on average at n = {} to {} at n = {}: {}.",
-                        fixed(first.iterations, 1), grouped(first.vertices),
-                        fixed(last.iterations, 1), grouped(last.vertices),
-                        above == measured.begin()
-                            ? format("more than Larsen's {}", larsen())
-                            : format("no more than Larsen's {} {}", Growth::kLarsenMost,
-                                     above == measured.end()
-                                         ? "at any n"
-                                         : format("up to n = {}", grouped((above - 1)->vertices))));
+  text.caption = fmt::format(
+      "From {} iterations on average at n = {} to {} at n = {}: {}.", fixed(first.iterations, 1),
+      grouped(first.vertices), fixed(last.iterations, 1), grouped(last.vertices),
+      above == measured.begin()
+          ? fmt::format("more than Larsen's {}", larsen())
+          : fmt::format("no more than Larsen's {} {}", Growth::kLarsenMost,
+                        above == measured.end()
+                            ? "at any n"
+                            : fmt::format("up to n = {}", grouped((above - 1)->vertices))));
   if (above != measured.end()) {
     const Sample& from = above == measured.begin() ? *above : *(above - 1);
     if (&from != &last) {
-      text.detail = format("Beyond, ten times as many vertices add about {}. ",
-                           fixed(each_tenfold(from, last), 1));
+      text.detail = fmt::format("Beyond, ten times as many vertices add about {}. ",
+                                fixed(each_tenfold(from, last), 1));
     }
   }
   const auto [least, most] = std::minmax_element(
       measured.begin(), measured.end(),
       [](const auto& a, const auto& b) { return a.within_tolerance < b.within_tolerance; });
-  text.detail += format(
+  text.detail += fmt::format(
       "For {:g} %, {} to {} are enough at every n. Larsen's numbers are for polyhedra.",
       100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
 }

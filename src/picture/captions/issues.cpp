@@ -7,7 +7,6 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
 using IssueKind = NumericalIssue::Kind;
 
 /// "E, F and G"
@@ -23,10 +22,10 @@ std::string why(const Story& story) {
   const std::string support = story.run.pair_name(story.state.support.pair);
   switch (story.state.stop) {
     case gjk::StopReason::repeated_support:
-      return format("{} is in S already", support);
+      return fmt::format("{} is in S already", support);
     case gjk::StopReason::no_progress:
       return story.positioned.follows_support(story.frame.step)
-                 ? format("{} lies no farther along d than S", support)
+                 ? fmt::format("{} lies no farther along d than S", support)
                  : "P came no closer";
     default:
       return stop_test(story.run, story.frame);
@@ -43,42 +42,44 @@ void issue(const Story& story, FrameText& text) {
   switch (issue.kind) {
     case IssueKind::direction:
       text.caption =
-          format("{} lies beyond the edge {}. d must be perpendicular to it.", q, feature);
-      text.detail = format("d = {0} − P seems right. But P is rounded, so {0} − P is, too.", q);
+          fmt::format("{} lies beyond the edge {}. d must be perpendicular to it.", q, feature);
+      text.detail =
+          fmt::format("d = {0} − P seems right. But P is rounded, so {0} − P is, too.", q);
       return;
     case IssueKind::repeated:
-      text.caption = format("{} lies beyond the vertex {}. When has GJK found it?", q, feature);
+      text.caption =
+          fmt::format("{} lies beyond the vertex {}. When has GJK found it?", q, feature);
       text.detail = "Without a test it would search in the same direction for ever.";
       return;
     case IssueKind::contained:
-      text.caption = format("{} lies inside the polygon.", q);
-      text.detail = format("Then P will be {0}, and {0} − P points nowhere.", q);
+      text.caption = fmt::format("{} lies inside the polygon.", q);
+      text.detail = fmt::format("Then P will be {0}, and {0} − P points nowhere.", q);
       return;
     case IssueKind::vertex:
-      text.caption = format("{} is the vertex {}.", q, feature);
-      text.detail = format("Then P will be {0}, and {0} − P is 0.", q);
+      text.caption = fmt::format("{} is the vertex {}.", q, feature);
+      text.detail = fmt::format("Then P will be {0}, and {0} − P is 0.", q);
       return;
     case IssueKind::edge:
-      text.caption = format("{} lies on the edge {}.", q, feature);
-      text.detail =
-          format("P will be {}. The edge has two normals, and no side of it is the right one.", q);
+      text.caption = fmt::format("{} lies on the edge {}.", q, feature);
+      text.detail = fmt::format(
+          "P will be {}. The edge has two normals, and no side of it is the right one.", q);
       return;
     case IssueKind::interior:
-      text.caption = format("{} lies on the segment {}, inside the polygon.", q, feature);
+      text.caption = fmt::format("{} lies on the segment {}, inside the polygon.", q, feature);
       text.detail =
-          format("P will be {} again. Both normals of the segment find something new.", q);
+          fmt::format("P will be {} again. Both normals of the segment find something new.", q);
       return;
     case IssueKind::notch: {
       const auto& inside = story.effects.get<ShapeHull>(story.frame).y.inside;
       text.caption =
-          format("The polygon is not convex at {}, and {} lies in that notch.",
-                 story.run.lesson.y().vertex_names[static_cast<std::size_t>(inside[0])], q);
-      text.detail = format("{} is outside of the polygon, but inside its hull.", q);
+          fmt::format("The polygon is not convex at {}, and {} lies in that notch.",
+                      story.run.lesson.y().vertex_names[static_cast<std::size_t>(inside[0])], q);
+      text.detail = fmt::format("{} is outside of the polygon, but inside its hull.", q);
       return;
     }
     case IssueKind::collinear:
-      text.caption =
-          format("{} lies beyond {}, three vertices on one line.", q, named(story, issue.support));
+      text.caption = fmt::format("{} lies beyond {}, three vertices on one line.", q,
+                                 named(story, issue.support));
       text.detail = "Their triangle has area 0, so it has no barycentric coordinates.";
       return;
   }
@@ -91,48 +92,50 @@ void issue_solved(const Story& story, FrameText& text) {
   switch (issue.kind) {
     case IssueKind::direction: {
       const std::string edge = story.words.vertex(1) + " − " + story.words.vertex(0);
-      text.caption =
-          format("dot({} − P, {}) = {}, not 0. GJK takes d = cross({}, z): the dot product is 0.",
-                 q, edge, story.numbers(issue.dot_with_edge), edge);
+      text.caption = fmt::format(
+          "dot({} − P, {}) = {}, not 0. GJK takes d = cross({}, z): the dot product is 0.", q, edge,
+          story.numbers(issue.dot_with_edge), edge);
       text.detail =
           "z is the normal of the plane. A slightly wrong d can find a wrong support point.";
       return;
     }
     case IssueKind::repeated:
-      text.caption = format("Case 1: the support point {} is in S already. GJK stops.", support);
+      text.caption =
+          fmt::format("Case 1: the support point {} is in S already. GJK stops.", support);
       text.detail =
-          format("No point of the polygon lies farther along d, so none is closer to {}.", q);
+          fmt::format("No point of the polygon lies farther along d, so none is closer to {}.", q);
       return;
     case IssueKind::contained:
-      text.caption = format("Case 2: {} lies in the triangle {}. GJK stops without a direction.", q,
-                            story.words.face(story.state.simplex.all()));
+      text.caption =
+          fmt::format("Case 2: {} lies in the triangle {}. GJK stops without a direction.", q,
+                      story.words.face(story.state.simplex.all()));
       text.detail = "All three vertices have positive weights. The distance is 0.";
       return;
     case IssueKind::vertex:
-      text.caption = format("Case 3a: P = {}, so d = 0. GJK tests for that, and stops.", q);
+      text.caption = fmt::format("Case 3a: P = {}, so d = 0. GJK tests for that, and stops.", q);
       text.detail = "Without the test every vertex would be farthest along d.";
       return;
     case IssueKind::edge:
       text.caption =
-          format("Case 3b: either normal of the edge will do. GJK stops: {}.", why(story));
+          fmt::format("Case 3b: either normal of the edge will do. GJK stops: {}.", why(story));
       text.detail =
           "Outwards the support point is an end of the edge. Inwards it is new, but P stays.";
       return;
     case IssueKind::interior:
       text.caption =
-          format("Case 4: P stays where it was, whatever GJK adds. It stops: {}.", why(story));
-      text.detail = format("GJK compares |{} − P| with that of the iteration before.", q);
+          fmt::format("Case 4: P stays where it was, whatever GJK adds. It stops: {}.", why(story));
+      text.detail = fmt::format("GJK compares |{} − P| with that of the iteration before.", q);
       return;
     case IssueKind::notch:
       text.caption =
-          format("GJK says that the distance is 0. The polygon is {} away.",
-                 story.numbers(story.effects.get<ShapeHull>(story.frame).outline_distance));
+          fmt::format("GJK says that the distance is 0. The polygon is {} away.",
+                      story.numbers(story.effects.get<ShapeHull>(story.frame).outline_distance));
       text.detail = "GJK answers for the convex hull. Cut such a polygon into convex pieces first.";
       return;
     case IssueKind::collinear:
-      text.caption = format("{} are equally far along d: each may be the support point.",
-                            named(story, issue.support));
-      text.detail = format("Whichever it is, GJK stops ({}), and P is right.", why(story));
+      text.caption = fmt::format("{} are equally far along d: each may be the support point.",
+                                 named(story, issue.support));
+      text.detail = fmt::format("Whichever it is, GJK stops ({}), and P is right.", why(story));
       return;
   }
 }
@@ -141,7 +144,7 @@ void issue_question(const Story& story, FrameText& text) {
   const int last = last_step(story.run.lesson, story.trace);
   text.question = FrameQuestion{"stop", stop_tests(story.run),
                                 stop_test(story.run, {.run = story.frame.run, .step = last})};
-  text.caption = format(
+  text.caption = fmt::format(
       "Question: which test will stop GJK, with {} there? V is the support point, "
       "S the simplex.",
       story.q);

@@ -11,8 +11,6 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
-
 std::string feature(const Story& story, gjk::Face face) {
   return gjk::vertex_count(face) == 3 ? "the interior" : story.words.kind_and_face(face);
 }
@@ -34,8 +32,8 @@ std::string negatives(const Story& story) {
   int count = 0;
   for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
     if (weights[i] > 0.0) continue;
-    out +=
-        format("{}{} = {}", count > 0 ? " and " : "", "uvw"[i], story.numbers.weight(weights[i]));
+    out += fmt::format("{}{} = {}", count > 0 ? " and " : "", "uvw"[i],
+                       story.numbers.weight(weights[i]));
     ++count;
   }
   return count == 0 ? "no coordinate is negative"
@@ -49,9 +47,9 @@ std::string edge_opposite(const Story& story, int vertex) {
 
 void negative(const Story& story, FrameText& text, int i) {
   const std::string edge = edge_opposite(story, i);
-  text.caption = format("{} is negative in the whole half-plane beyond {}.", "uvw"[i], edge);
-  text.detail =
-      format("The Voronoi region of {} is only the part of it that projects onto {}.", edge, edge);
+  text.caption = fmt::format("{} is negative in the whole half-plane beyond {}.", "uvw"[i], edge);
+  text.detail = fmt::format(
+      "The Voronoi region of {} is only the part of it that projects onto {}.", edge, edge);
 }
 
 }  // namespace
@@ -61,8 +59,8 @@ void maps(const Story& story, FrameText& text) {
   switch (*story.frame.part.as<MapStage>()) {
     case MapStage::voronoi:
       text.caption =
-          format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
-                 story.q, region);
+          fmt::format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
+                      story.q, region);
       text.detail =
           "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
           "w.";
@@ -80,8 +78,8 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::negative_w:
       return negative(story, text, 2);
     case MapStage::signs:
-      text.caption = format("The half-planes overlap: beyond {}, v and w are both negative.",
-                            story.words.vertex(0));
+      text.caption = fmt::format("The half-planes overlap: beyond {}, v and w are both negative.",
+                                 story.words.vertex(0));
       text.detail =
           "Three lines make seven regions again, one for each feature, but with other borders.";
       return;
@@ -93,10 +91,11 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::difference: {
       const gjk::Face face = by_signs(story);
       const bool agree = face == story.state.region;
-      text.caption = agree ? format("At {}, {}. The signs name {}, and it is the closest feature.",
-                                    story.q, negatives(story), region)
-                           : format("At {}, {}. The signs name {}, but {} is closest.", story.q,
-                                    negatives(story), feature(story, face), region);
+      text.caption =
+          agree ? fmt::format("At {}, {}. The signs name {}, and it is the closest feature.",
+                              story.q, negatives(story), region)
+                : fmt::format("At {}, {}. The signs name {}, but {} is closest.", story.q,
+                              negatives(story), feature(story, face), region);
       text.detail =
           "Marked: where the maps disagree. The signs alone do not find the region; further tests "
           "do.";
@@ -110,9 +109,9 @@ void orders(const Story& story, FrameText& text) {
   if (chains.empty()) return;
   const OrderStage stage = *story.frame.part.as<OrderStage>();
   if (stage == OrderStage::numbers) {
-    text.caption = format(
+    text.caption = fmt::format(
         "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
-    text.detail = format(
+    text.detail = fmt::format(
         "A short edge test asks for the sign of one area: for {}, {} ≤ 0. Next: vertices first.",
         story.words.face(0b011), story.words.coordinate(story.state.simplex.all(), 2));
     return;
@@ -123,34 +122,35 @@ void orders(const Story& story, FrameText& text) {
   const std::string distance = story.numbers(chain.p.norm());
   const std::string taken = story.words.face(chain.region);
   if (chain.error > 0.0) {
-    text.caption = format(
+    text.caption = fmt::format(
         "{} first: the short test of {} is true in the whole shaded half-plane. It gives P′, wrong "
         "by |P′ − P| = {}.",
         chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
         story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
-    text.detail = format(
+    text.detail = fmt::format(
         "P′ {}: it is {} from {}, the triangle {}. Next: {}.",
         off ? "is not even on " + taken : "is on the wrong edge", distance, story.q,
         story.distance(),
         stage == OrderStage::vertices_first_short ? "the same tests, edges first" : "whole tests");
   } else if (stage == OrderStage::vertices_first_short) {
     text.caption =
-        format("Vertices first: the first true test is that of {}, and it is right.", region);
-    text.detail = format("P′ = P, at distance {}. {} Next: the same tests, edges first.", distance,
-                         is_edge ? "The vertices are ruled out, and here the short test is enough."
-                                 : "The edges are not tested.");
+        fmt::format("Vertices first: the first true test is that of {}, and it is right.", region);
+    text.detail =
+        fmt::format("P′ = P, at distance {}. {} Next: the same tests, edges first.", distance,
+                    is_edge ? "The vertices are ruled out, and here the short test is enough."
+                            : "The edges are not tested.");
   } else if (stage == OrderStage::edges_first_short) {
-    text.caption = format(
+    text.caption = fmt::format(
         "Edges first: the short test of {} is true in the shaded half-plane, and here it is right.",
         taken);
     text.detail =
-        format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
+        fmt::format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
   } else {
-    text.caption = format(
+    text.caption = fmt::format(
         "Whole tests also ask for u, v > 0 on the edge. Edges first, they still give {}.", region);
-    text.detail = format(
+    text.detail = fmt::format(
         "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
         "The interior is left.",
         distance);

@@ -8,8 +8,6 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
-
 /// Vertices of a large shape to choose from: this many, evenly spaced, and the right one.
 constexpr int kMostVertices = 8;
 
@@ -43,18 +41,18 @@ class Asking {
         story_.knows.direction ? "d" : "d = " + story_.numbers.point(step_.after.d);
     if (run_.point_query()) {
       text_.caption =
-          format("Question: which vertex of {} lies farthest along {}?", story_.set_name(), d);
+          fmt::format("Question: which vertex of {} lies farthest along {}?", story_.set_name(), d);
       return;
     }
     const std::vector<std::string> of_x = some_vertices(x, pair.x);
-    text_.caption = format(
+    text_.caption = fmt::format(
         "Question: which vertex of {} lies farthest along {}, and which vertex of {} along −d?",
         y.name, d, x.name);
-    text_.detail = format("{}: {}      {}: {}", y.name, listed_choices(asked_.choices), x.name,
-                          listed_choices(of_x));
+    text_.detail = fmt::format("{}: {}      {}: {}", y.name, listed_choices(asked_.choices), x.name,
+                               listed_choices(of_x));
     std::vector<std::string> pairs;
     for (const std::string& of_y : asked_.choices) {
-      for (const std::string& name : of_x) pairs.push_back(format("{}−{}", of_y, name));
+      for (const std::string& name : of_x) pairs.push_back(fmt::format("{}−{}", of_y, name));
     }
     asked_.choices = std::move(pairs);
   }
@@ -69,9 +67,9 @@ class Asking {
     // In the order of the tests the first one left would be the answer.
     if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());
     asked_.answer = words_.face(step_.after.region);
-    text_.caption =
-        format("Question: which Voronoi region of {} holds {}?",
-               run_.point_query() ? words_.face(before_.simplex.all()) : "the simplex", story_.q);
+    text_.caption = fmt::format(
+        "Question: which Voronoi region of {} holds {}?",
+        run_.point_query() ? words_.face(before_.simplex.all()) : "the simplex", story_.q);
   }
 
   void dropped() {
@@ -85,8 +83,8 @@ class Asking {
                     : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)
                                           : "two of them";
     text_.caption =
-        format("Question: which vertex of the {} can P do without, so that GJK drops it?",
-               gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
+        fmt::format("Question: which vertex of the {} can P do without, so that GJK drops it?",
+                    gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
   }
 
   void stop() {

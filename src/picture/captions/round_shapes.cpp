@@ -7,8 +7,6 @@
 
 namespace gjkscope::captions {
 
-using fmt::format;
-
 void round_shapes(const Story& story, FrameText& text) {
   const RoundShapes::Value* round = RoundShapes::of(story.effects, story.run, story.frame);
   const bool is_told = story.knows.has_ended &&
@@ -19,24 +17,25 @@ void round_shapes(const Story& story, FrameText& text) {
   const LessonShape& y = story.run.lesson.y();
   const std::string radii =
       x.radius > 0.0 && y.radius > 0.0
-          ? format("the radii {} + {}", story.numbers(x.radius), story.numbers(y.radius))
-          : format("the radius {}", story.numbers(round->radii));
+          ? fmt::format("the radii {} + {}", story.numbers(x.radius), story.numbers(y.radius))
+          : fmt::format("the radius {}", story.numbers(round->radii));
   if (!(distance > 0.0)) {
-    text.detail += format(" Rounded, they overlap by {} or more.", story.numbers(round->radii));
+    text.detail +=
+        fmt::format(" Rounded, they overlap by {} or more.", story.numbers(round->radii));
     return;
   }
-  const std::string answer = format("GJK's distance {}", story.numbers(distance));
+  const std::string answer = fmt::format("GJK's distance {}", story.numbers(distance));
   switch (round->meeting) {
     case RoundShapes::Meeting::apart:
-      text.detail = format("Less {}, {} leaves {} between the round shapes.", radii, answer,
-                           story.numbers(round->distance));
+      text.detail = fmt::format("Less {}, {} leaves {} between the round shapes.", radii, answer,
+                                story.numbers(round->distance));
       return;
     case RoundShapes::Meeting::touching:
-      text.detail = format("{} is just {}: the round shapes touch.", answer, radii);
+      text.detail = fmt::format("{} is just {}: the round shapes touch.", answer, radii);
       return;
     case RoundShapes::Meeting::overlapping:
-      text.detail = format("{} is less than {}: the round shapes overlap by {}.", answer, radii,
-                           story.numbers(-round->distance));
+      text.detail = fmt::format("{} is less than {}: the round shapes overlap by {}.", answer,
+                                radii, story.numbers(-round->distance));
   }
 }
 

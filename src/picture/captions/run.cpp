@@ -14,30 +14,30 @@
 
 namespace gjkscope::captions {
 
-using fmt::format;
-
 void start(const Story& story, FrameText& text) {
   if (story.state.stop == gjk::StopReason::failed) {
-    text.caption = format("GJK refuses this query: {}.", name_of(story.state.error));
+    text.caption = fmt::format("GJK refuses this query: {}.", name_of(story.state.error));
     text.detail = "It gives no distance rather than a wrong one.";
     return;
   }
   const int count = story.state.simplex.count;
   if (story.run.lesson.options.start.count == 0) {
-    text.caption = format("Start with {}, the vertex farthest along the line between the centres.",
-                          story.words.face(story.state.simplex.all()));
+    text.caption =
+        fmt::format("Start with {}, the vertex farthest along the line between the centres.",
+                    story.words.face(story.state.simplex.all()));
   } else if (count == 1) {
     text.caption =
-        format("Start with {}. Any {} will do.", story.words.face(story.state.simplex.all()),
-               story.run.point_query() ? "vertex" : "difference");
+        fmt::format("Start with {}. Any {} will do.", story.words.face(story.state.simplex.all()),
+                    story.run.point_query() ? "vertex" : "difference");
   } else {
-    text.caption = format("Start with the {} as the simplex S.", story.simplex_name());
+    text.caption = fmt::format("Start with the {} as the simplex S.", story.simplex_name());
   }
   text.detail =
       count == 1
-          ? format("The simplex S is this one point. First: which point of S is closest to {}?",
-                   story.q)
-          : format("Any vertices will do. First: which point of S is closest to {}?", story.q);
+          ? fmt::format(
+                "The simplex S is this one point. First: which point of S is closest to {}?",
+                story.q)
+          : fmt::format("Any vertices will do. First: which point of S is closest to {}?", story.q);
 }
 
 void cull(const Story& story, FrameText& text) {
@@ -46,8 +46,8 @@ void cull(const Story& story, FrameText& text) {
   const gjk::Phase next = story.trace.steps[story.frame.step + 1].phase;
   if (dropped.empty()) {
     if (story.state.simplex.count == 1) {
-      text.caption = format("There is nothing to drop: S is the single vertex {}.",
-                            story.words.face(story.state.region));
+      text.caption = fmt::format("There is nothing to drop: S is the single vertex {}.",
+                                 story.words.face(story.state.region));
     } else if (story.state.simplex.count == 3) {
       text.caption = "S keeps all three vertices: each has a positive weight.";
     } else {
@@ -61,62 +61,62 @@ void cull(const Story& story, FrameText& text) {
                                     ? story.words.face(story.state.region)
                                     : story.edge_name(story.state.region);
     const std::string_view lies = story.state.simplex.count == 1 ? "is" : "lies on";
-    text.caption =
-        dropped.size() == 1
-            ? format("{0} is dropped: P {2} {1}, so the weight of {0} is 0.", names, feature, lies)
-            : format("{0} are dropped: P {2} {1}, so the weights of {0} are 0.", names, feature,
-                     lies);
+    text.caption = dropped.size() == 1
+                       ? fmt::format("{0} is dropped: P {2} {1}, so the weight of {0} is 0.", names,
+                                     feature, lies)
+                       : fmt::format("{0} are dropped: P {2} {1}, so the weights of {0} are 0.",
+                                     names, feature, lies);
   }
   if (next == gjk::Phase::stop) {
     text.detail =
         story.state.simplex.count == 3
-            ? format("P = {}: no point is closer. The search is over.", story.q)
+            ? fmt::format("P = {}: no point is closer. The search is over.", story.q)
         : story.knows.is_at_query && !dropped.empty()
-            ? format("P = {}, as before {} was added. No point is closer than distance 0.", story.q,
-                     story.run.pair_name(dropped[0].pair))
+            ? fmt::format("P = {}, as before {} was added. No point is closer than distance 0.",
+                          story.q, story.run.pair_name(dropped[0].pair))
             : "P is no closer than in the last iteration. The search is over.";
   } else if (story.knows.is_at_query) {
-    text.detail =
-        format("P = {} already, but GJK has not checked. Next: a search direction d.", story.q);
+    text.detail = fmt::format(
+        "P = {} already, but GJK has not checked. Next: a search direction d.", story.q);
   } else {
-    text.detail = format("Next: a search direction d, towards points closer to {}.", story.q);
+    text.detail = fmt::format("Next: a search direction d, towards points closer to {}.", story.q);
   }
 }
 
 void direction(const Story& story, FrameText& text) {
   const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
-    text.caption = format("d = 0, because P = {}.", story.q);
+    text.caption = fmt::format("d = 0, because P = {}.", story.q);
     text.detail = "No direction is left to search in.";
   } else if (!note.from_normal) {
     text.caption =
-        format("d points from P to {}. Next: which vertex lies farthest that way?", story.q);
-    text.detail = format("d = {} − P = {}. The arrow shows its direction, not its length.", story.q,
-                         story.numbers.point(story.state.d));
+        fmt::format("d points from P to {}. Next: which vertex lies farthest that way?", story.q);
+    text.detail = fmt::format("d = {} − P = {}. The arrow shows its direction, not its length.",
+                              story.q, story.numbers.point(story.state.d));
   } else {
     const auto vertex = [&](int i) {
       const std::string name = story.words.vertex(i);
-      return story.run.point_query() ? name : format("({})", name);  // "(L−D)"
+      return story.run.point_query() ? name : fmt::format("({})", name);  // "(L−D)"
     };
     const std::string d = story.numbers.point(story.state.d);
-    const std::string edge = format("{} − {}", vertex(1), vertex(0));
+    const std::string edge = fmt::format("{} − {}", vertex(1), vertex(0));
     if (note.sign_is_arbitrary) {
       text.caption =
-          format("d is perpendicular to {}. {} lies on its line, so either sign will do.",
-                 story.edge_words(), story.q);
+          fmt::format("d is perpendicular to {}. {} lies on its line, so either sign will do.",
+                      story.edge_words(), story.q);
     } else {
-      text.caption =
-          format("d is perpendicular to {} and points to {}'s side.", story.edge_words(), story.q);
+      text.caption = fmt::format("d is perpendicular to {} and points to {}'s side.",
+                                 story.edge_words(), story.q);
     }
-    const std::string turned = format("{} turned clockwise by 90°", edge);
+    const std::string turned = fmt::format("{} turned clockwise by 90°", edge);
     if (story.knows.is_at_query) {
-      text.detail = format("{} − P = 0, but d = {} is {}. So the test d = 0 does not stop GJK.",
-                           story.q, d, turned);
+      text.detail = fmt::format(
+          "{} − P = 0, but d = {} is {}. So the test d = 0 does not stop GJK.", story.q, d, turned);
     } else if (note.flipped) {
-      text.detail = format("{} is {}. Its dot product with {} − {} is negative, so d = {}.", turned,
-                           story.numbers.point(note.normal), story.q, vertex(0), d);
+      text.detail = fmt::format("{} is {}. Its dot product with {} − {} is negative, so d = {}.",
+                                turned, story.numbers.point(note.normal), story.q, vertex(0), d);
     } else {
-      text.detail = format("d = {} is {}. It needs neither P nor a division.", d, turned);
+      text.detail = fmt::format("d = {} is {}. It needs neither P nor a division.", d, turned);
     }
   }
 }
@@ -150,8 +150,9 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
       names.push_back(shape.vertex_names[static_cast<std::size_t>(entry.index)]);
   }
   if (names.empty()) return {};
-  return format(" In {}, {} lie{} as far as {}.", shape.name, fmt::join(names, " and "),
-                names.size() == 1 ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
+  return fmt::format(" In {}, {} lie{} as far as {}.", shape.name, fmt::join(names, " and "),
+                     names.size() == 1 ? "s" : "",
+                     shape.vertex_names[static_cast<std::size_t>(kept)]);
 }
 
 /// What a support point that is not in the simplex is to it.
@@ -164,20 +165,20 @@ std::string news(const Story& story, const std::string& name) {
       });
   const auto next = static_cast<std::size_t>(story.frame.step) + 1;
   if (was_dropped && steps[next].after.stop == gjk::StopReason::no_progress) {
-    return format(
+    return fmt::format(
         "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,
         story.edge_words());
   }
-  return format("{} is {}. No point of {} lies beyond the dashed line.", name,
-                was_dropped ? "no longer in the simplex" : "not in the simplex yet",
-                story.set_name());
+  return fmt::format("{} is {}. No point of {} lies beyond the dashed line.", name,
+                     was_dropped ? "no longer in the simplex" : "not in the simplex yet",
+                     story.set_name());
 }
 
 /// Why a distance of 0 is one: P is O.
 /// "The distance is 1.2"; where scalars are compared each has an answer of its own.
 std::string distance_is(const Story& story, const std::string& distance) {
   return story.run.lesson.has_block(blocks::kScalars.name)
-             ? format("In {} the distance is {}", name_of(story.run.lesson.scalar), distance)
+             ? fmt::format("In {} the distance is {}", name_of(story.run.lesson.scalar), distance)
              : "The distance is " + distance;
 }
 
@@ -185,18 +186,19 @@ std::string zero_distance(const Story& story) {
   const gjk::Face all = story.state.simplex.all();
   const std::string answer = distance_is(story, "0");
   if (gjk::vertex_count(all) == 1)
-    return format("{}: {} is the vertex {}.", answer, story.q, story.words.face(all));
-  return format("{}: {} lies on {}.", answer, story.q, story.edge_name(all));
+    return fmt::format("{}: {} is the vertex {}.", answer, story.q, story.words.face(all));
+  return fmt::format("{}: {} lies on {}.", answer, story.q, story.edge_name(all));
 }
 
 /// How the run ends: the distance, and between which features.
 std::string outcome(const Story& story) {
   if (story.knows.is_at_query) return zero_distance(story);
   const std::string answer = distance_is(story, story.numbers(story.trace.result.distance));
-  if (!story.run.point_query()) return format("{}, between {}.", answer, closest_features(story));
+  if (!story.run.point_query())
+    return fmt::format("{}, between {}.", answer, closest_features(story));
   const gjk::Face all = story.state.simplex.all();
-  return format("{}: P {} the {}.", answer, gjk::vertex_count(all) == 1 ? "is" : "lies on",
-                story.words.kind_and_face(all));
+  return fmt::format("{}: P {} the {}.", answer, gjk::vertex_count(all) == 1 ? "is" : "lies on",
+                     story.words.kind_and_face(all));
 }
 
 /// How much farther along d the support point lies than P: a length.
@@ -209,10 +211,10 @@ double farther_than_p(const Story& story) {
 std::string proved(const Story& story) {
   const BestSupport::Value& best = story.effects.get<BestSupport>(story.frame);
   const bool is_new = best && is_found_by(*best, story.state);
-  return format("All of {} lies behind the {} line, at least {} from {}. P is {} from {}.",
-                story.set_name(), is_new ? "dashed" : "thin",
-                story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance(),
-                story.q);
+  return fmt::format("All of {} lies behind the {} line, at least {} from {}. P is {} from {}.",
+                     story.set_name(), is_new ? "dashed" : "thin",
+                     story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance(),
+                     story.q);
 }
 
 }  // namespace
@@ -228,32 +230,34 @@ void support(const Story& story, FrameText& text) {
     const std::string all = tied(story, scan, farthest->value);
     text.caption =
         all.empty()
-            ? format("{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
-                     story.numbers(farthest->value),
-                     count == 2 ? "larger of the two" : format("largest of all {}", count))
-            : format(
+            ? fmt::format(
+                  "{0} lies farthest along d: dot(d, {0}) = {1} is the {2}.", name,
+                  story.numbers(farthest->value),
+                  count == 2 ? "larger of the two" : fmt::format("largest of all {}", count))
+            : fmt::format(
                   "{0} lie equally far along d: each dot product is {1}. The scan keeps {2}, the "
                   "first it saw.",
                   all, story.numbers(farthest->value), name);
   } else {
-    text.caption =
-        format("{} lies farthest along d: {} is {}'s farthest vertex along d, {} is {}'s along −d.",
-               name, story.run.lesson.y().vertex_names[pair.y], story.run.lesson.y().name,
-               story.run.lesson.x().vertex_names[pair.x], story.run.lesson.x().name);
+    text.caption = fmt::format(
+        "{} lies farthest along d: {} is {}'s farthest vertex along d, {} is {}'s along −d.", name,
+        story.run.lesson.y().vertex_names[pair.y], story.run.lesson.y().name,
+        story.run.lesson.x().vertex_names[pair.x], story.run.lesson.x().name);
   }
   const bool known = has_pair(story.state.simplex, pair);
-  text.detail = known ? format("{} is already in the simplex: no point of {} lies farther along d.",
-                               name, story.set_name())
-                      : news(story, name);
+  text.detail =
+      known ? fmt::format("{} is already in the simplex: no point of {} lies farther along d.",
+                          name, story.set_name())
+            : news(story, name);
   if (story.shows(OtherNormal::kName)) {
     if (const OtherNormal::Value& other = story.effects.get<OtherNormal>(story.frame)) {
       const std::string found = story.run.pair_name(other->support);
-      text.detail =
-          format("−d finds {}. {}", found,
-                 known && other->in_simplex   ? "Both are in the simplex."
-                 : known || other->in_simplex ? format("{} is in the simplex, {} is not.",
-                                                       known ? name : found, known ? found : name)
-                                              : "Neither is in the simplex.");
+      text.detail = fmt::format("−d finds {}. {}", found,
+                                known && other->in_simplex ? "Both are in the simplex."
+                                : known || other->in_simplex
+                                    ? fmt::format("{} is in the simplex, {} is not.",
+                                                  known ? name : found, known ? found : name)
+                                    : "Neither is in the simplex.");
     }
   }
   if (story.run.point_query()) return;
@@ -264,50 +268,54 @@ void support(const Story& story, FrameText& text) {
 
 void stop(const Story& story, FrameText& text) {
   const auto& [lower, upper] = story.run.bounds(story.frame);
-  const std::string bounds =
-      format("The distance lies between {} and {}.", story.numbers(lower), story.numbers(upper));
+  const std::string bounds = fmt::format("The distance lies between {} and {}.",
+                                         story.numbers(lower), story.numbers(upper));
   const std::string support = story.run.pair_name(story.state.support.pair);
   switch (story.state.stop) {
     case gjk::StopReason::running:
-      text.caption = format("Go on: {} is not in the simplex, and lies {} farther along d than P.",
-                            support, story.numbers(farther_than_p(story)));
-      text.detail = story.knows.is_at_query
-                        ? format("P = {} already, at distance 0, but GJK has not checked.", story.q)
-                    : lower > 0.0
-                        ? proved(story)
-                        : format("No line found so far separates {} from {}. P is {} from {}.",
-                                 story.q, story.set_name(), story.distance(), story.q);
+      text.caption =
+          fmt::format("Go on: {} is not in the simplex, and lies {} farther along d than P.",
+                      support, story.numbers(farther_than_p(story)));
+      text.detail =
+          story.knows.is_at_query
+              ? fmt::format("P = {} already, at distance 0, but GJK has not checked.", story.q)
+          : lower > 0.0 ? proved(story)
+                        : fmt::format("No line found so far separates {} from {}. P is {} from {}.",
+                                      story.q, story.set_name(), story.distance(), story.q);
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
           story.knows.is_at_query
-              ? format(
+              ? fmt::format(
                     "Stop: {} is already in the simplex, so no point of {} lies farther along d.",
                     support, story.set_name())
-              : format("Stop: {} is already in the simplex, so no point of {} is closer to {}.",
-                       support, story.set_name(), story.q);
+              : fmt::format(
+                    "Stop: {} is already in the simplex, so no point of {} is closer to {}.",
+                    support, story.set_name(), story.q);
       text.detail = outcome(story);
       if (lower > 0.0) {
-        text.detail += format(" All of {} lies behind the dashed line.", story.set_name());
+        text.detail += fmt::format(" All of {} lies behind the dashed line.", story.set_name());
       }
       return;
     case gjk::StopReason::origin_inside:
-      text.caption = format("Stop: {} lies inside the triangle {}.", story.q,
-                            story.words.face(story.state.simplex.all()));
-      text.detail = story.run.point_query()
-                        ? format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
-                        : format("So {} and {} overlap: the distance is 0.",
-                                 story.run.lesson.x().name, story.run.lesson.y().name);
+      text.caption = fmt::format("Stop: {} lies inside the triangle {}.", story.q,
+                                 story.words.face(story.state.simplex.all()));
+      text.detail =
+          story.run.point_query()
+              ? fmt::format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
+              : fmt::format("So {} and {} overlap: the distance is 0.", story.run.lesson.x().name,
+                            story.run.lesson.y().name);
       return;
     case gjk::StopReason::zero_direction:
-      text.caption = format("Stop: d = 0, because P = {}.", story.q);
+      text.caption = fmt::format("Stop: d = 0, because P = {}.", story.q);
       text.detail = zero_distance(story);
       return;
     case gjk::StopReason::no_progress:
-      text.caption = story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
-                         ? format("Stop: P is no closer to {} than in the last iteration.", story.q)
-                         : format("Stop: no point of {} lies farther along d than the simplex.",
-                                  story.set_name());
+      text.caption =
+          story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
+              ? fmt::format("Stop: P is no closer to {} than in the last iteration.", story.q)
+              : fmt::format("Stop: no point of {} lies farther along d than the simplex.",
+                            story.set_name());
       text.detail = outcome(story);
       return;
     case gjk::StopReason::within_tolerance:
@@ -315,22 +323,22 @@ void stop(const Story& story, FrameText& text) {
       text.detail = bounds;
       return;
     case gjk::StopReason::iteration_cap:
-      text.caption = format("Stop: GJK has used all {} iterations. P is not the answer yet.",
-                            story.state.iteration);
+      text.caption = fmt::format("Stop: GJK has used all {} iterations. P is not the answer yet.",
+                                 story.state.iteration);
       text.detail = bounds;
       return;
     case gjk::StopReason::failed:
-      text.caption = format("GJK refuses this query: {}.", name_of(story.state.error));
+      text.caption = fmt::format("GJK refuses this query: {}.", name_of(story.state.error));
       return;
   }
 }
 
 void add(const Story& story, FrameText& text) {
   const int count = story.state.simplex.count;
-  text.caption = format("{} joins the simplex, which is now the {}.", story.words.vertex(count - 1),
-                        story.simplex_name());
-  text.detail = format("Iteration {} asks again: which point of S is closest to {}?",
-                       story.state.iteration, story.q);
+  text.caption = fmt::format("{} joins the simplex, which is now the {}.",
+                             story.words.vertex(count - 1), story.simplex_name());
+  text.detail = fmt::format("Iteration {} asks again: which point of S is closest to {}?",
+                            story.state.iteration, story.q);
 }
 
 namespace {
@@ -381,8 +389,9 @@ void put_weights(const Story& story, FrameText& text) {
     if (measures)
       text.values.emplace_back(std::string(1, "uvw"[i]),
                                story.numbers.weight(of_q.weights[vertex]));
-    of_p += format("{}{} {}", of_p.empty() ? "" : ", ",
-                   story.numbers.weight(simplex.weights[vertex]), story.words.vertex(order[i]));
+    of_p +=
+        fmt::format("{}{} {}", of_p.empty() ? "" : ", ",
+                    story.numbers.weight(simplex.weights[vertex]), story.words.vertex(order[i]));
   }
   text.values.emplace_back("weights", of_p);
 }

@@ -12,7 +12,6 @@ namespace gjkscope::captions {
 namespace {
 
 using Eigen::Vector2d;
-using fmt::format;
 
 std::string arithmetic(ScalarKind scalar) {
   switch (scalar) {
@@ -67,12 +66,12 @@ std::string inside(const Story& story, const SecondRun::Value& second,
     return SimplexWords(story.run, simplex).face(simplex.all());
   };
   const std::string found = triangle(second.run);
-  std::string out = format("It ends with {} inside {}, at distance 0.", story.q, found);
+  std::string out = fmt::format("It ends with {} inside {}, at distance 0.", story.q, found);
   const std::optional<PositionedRun>& mended = second.mended;
   if (mended && mended->trace.result.stop == gjk::StopReason::origin_inside &&
       triangle(*mended) == found) {
-    out += format(" So does {} with d = cross({} − {}, z).", in_first, story.words.vertex(1),
-                  story.words.vertex(0));
+    out += fmt::format(" So does {} with d = cross({} − {}, z).", in_first, story.words.vertex(1),
+                       story.words.vertex(0));
   }
   return out;
 }
@@ -92,7 +91,7 @@ void second_run(const Story& story, FrameText& text) {
   in_other.scalar = *story.run.lesson.beside;
   const Numbers numbers(in_other);
   const auto point = [&](const Vector2d& v) {
-    return format("({}, {})", numbers(v.x()), numbers(v.y()));
+    return fmt::format("({}, {})", numbers(v.x()), numbers(v.y()));
   };
   const double degrees = degrees_between(mine.d, beside.d);
   const std::string name = story.run.pair_name(mine.support.pair);
@@ -102,7 +101,7 @@ void second_run(const Story& story, FrameText& text) {
       const double away = (mine.p - beside.p).norm();
       if (away == 0.0) {
         if (mine.p_sq != beside.p_sq) {
-          text.detail = format(
+          text.detail = fmt::format(
               "So {}. Its squared distance from {}, rounded to {}, is {}, so the distance is {}; "
               "{} has {}.",
               story.p_is(), story.q, in_first, story.numbers(mine.p_sq), story.distance(), other,
@@ -110,51 +109,53 @@ void second_run(const Story& story, FrameText& text) {
         }
         return;
       }
-      text.detail = format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(), other,
-                           point(beside.p + story.positioned.x().world[0]), numbers(away));
+      text.detail =
+          fmt::format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(), other,
+                      point(beside.p + story.positioned.x().world[0]), numbers(away));
       return;
     }
     case gjk::Phase::direction:
       if (degrees < 0.05) return;
-      text.caption =
-          format("d = {} − P inherits the error of P: it is {}° off.", story.q, fixed(degrees, 1));
-      text.detail =
-          format("Here d = {}; in {} d = {}.", story.numbers.point(mine.d), other, point(beside.d));
+      text.caption = fmt::format("d = {} − P inherits the error of P: it is {}° off.", story.q,
+                                 fixed(degrees, 1));
+      text.detail = fmt::format("Here d = {}; in {} d = {}.", story.numbers.point(mine.d), other,
+                                point(beside.d));
       return;
     case gjk::Phase::support:
       if (mine.support.pair == beside.support.pair) {
         const double along = farthest(story.run.step(story.frame));
         const double along_beside = farthest(*step);
         if (!story.run.point_query() || along == along_beside) return;
-        text.caption =
-            format("{0} lies farthest along d: dot(d, {0}) = {1}, rounded to {2}; {3} has {4}.",
-                   name, story.numbers(along), in_first, other, numbers(along_beside));
+        text.caption = fmt::format(
+            "{0} lies farthest along d: dot(d, {0}) = {1}, rounded to {2}; {3} has {4}.", name,
+            story.numbers(along), in_first, other, numbers(along_beside));
         return;
       }
       if (is_tie(beside, mine.support.pair)) {
-        text.detail = format("In {} {} and {} lie equally far along d: either is right.", other,
-                             name_beside, name);
+        text.detail = fmt::format("In {} {} and {} lie equally far along d: either is right.",
+                                  other, name_beside, name);
         return;
       }
-      text.caption = format("{} finds {}, the farthest vertex along its d. {} finds {}.", first,
-                            name, at_the_start(other), name_beside);
-      text.detail = format("{} is the wrong support point, because round-off turned d by {}°.",
-                           name, fixed(degrees, 1));
+      text.caption = fmt::format("{} finds {}, the farthest vertex along its d. {} finds {}.",
+                                 first, name, at_the_start(other), name_beside);
+      text.detail = fmt::format("{} is the wrong support point, because round-off turned d by {}°.",
+                                name, fixed(degrees, 1));
       return;
     case gjk::Phase::stop:
       if (!story.knows.has_ended) {
         if (beside.stop == gjk::StopReason::running && mine.p_sq != beside.p_sq) {
-          text.detail = format("P is {} away, the root of the rounded square; {} has {}.",
-                               story.distance(), other, numbers(std::sqrt(beside.p_sq)));
+          text.detail = fmt::format("P is {} away, the root of the rounded square; {} has {}.",
+                                    story.distance(), other, numbers(std::sqrt(beside.p_sq)));
         }
         return;
       }
       if (beside.stop != gjk::StopReason::running) return;
-      text.caption = format("{} stops at distance {}: {} is already in the simplex. {} adds {}.",
-                            first, story.distance(), name, at_the_start(other), name_beside);
+      text.caption =
+          fmt::format("{} stops at distance {}: {} is already in the simplex. {} adds {}.", first,
+                      story.distance(), name, at_the_start(other), name_beside);
       text.detail =
           second.run.trace.result.distance > 0.0
-              ? format("It ends at distance {}.", numbers(second.run.trace.result.distance))
+              ? fmt::format("It ends at distance {}.", numbers(second.run.trace.result.distance))
               : inside(story, second, in_first);
       return;
     default:

@@ -8,8 +8,6 @@
 
 namespace gjkscope::captions {
 
-using fmt::format;
-
 void shape_hull(const Story& story, FrameText& text) {
   const ShapeHull::Value& hulls = story.effects.get<ShapeHull>(story.frame);
   if (!story.run.point_query() || hulls.y.inside.empty()) return;
@@ -21,10 +19,10 @@ void shape_hull(const Story& story, FrameText& text) {
     });
     if (entry == scan.end()) return;
     text.detail =
-        format("{0} can never win: it lies inside the hull. Here dot(d, {0}) is only {1}.", inside,
-               story.numbers(entry->value));
+        fmt::format("{0} can never win: it lies inside the hull. Here dot(d, {0}) is only {1}.",
+                    inside, story.numbers(entry->value));
   } else if (story.knows.phase_is(gjk::Phase::stop) && story.knows.has_ended) {
-    text.detail = format(
+    text.detail = fmt::format(
         "The hull is {} away, but the polygon itself is {} away (thin line). For the polygon the "
         "answer is wrong: GJK never sees {}.",
         story.numbers(story.trace.result.distance), story.numbers(hulls.outline_distance), inside);

@@ -17,12 +17,10 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
-
 /// "7 digits", "no digit": those of an answer that are right.
 std::string right_digits(double error) {
   const int digits = error > 0.0 ? static_cast<int>(std::floor(-std::log10(error))) : 16;
-  return digits <= 0 ? "no digit" : digits == 1 ? "1 digit" : format("{} digits", digits);
+  return digits <= 0 ? "no digit" : digits == 1 ? "1 digit" : fmt::format("{} digits", digits);
 }
 
 /// "0.0000003"
@@ -35,11 +33,11 @@ std::string small_number(double value) {
 std::string of_pairs(const std::string& who, const StudyDot& dot) {
   std::string out;
   if (dot.wrong > 0)
-    out =
-        format("{} gets \"overlap or not\" wrong for {} of {} pairs. ", who, dot.wrong, dot.pairs);
+    out = fmt::format("{} gets \"overlap or not\" wrong for {} of {} pairs. ", who, dot.wrong,
+                      dot.pairs);
   if (dot.undecided > 0)
-    out += format("{} cannot tell \"overlap or not\" for {} of {} pairs. ", who, dot.undecided,
-                  dot.pairs);
+    out += fmt::format("{} cannot tell \"overlap or not\" for {} of {} pairs. ", who, dot.undecided,
+                       dot.pairs);
   return out;
 }
 
@@ -54,18 +52,18 @@ const StudyDot& compared_with(const LessonStudy& study, int mark) {
 std::string compared(double ns, double with) {
   const double ratio = ns / with;
   if (ratio > 1.0 / kSameTime && ratio < kSameTime) return "about as long as";
-  if (ratio < 1.0) return format("{:.0f} % of the time of", 100.0 * ratio);
-  return format("{:.{}f} times as long as", ratio, ratio < 10.0 ? 1 : 0);
+  if (ratio < 1.0) return fmt::format("{:.0f} % of the time of", 100.0 * ratio);
+  return fmt::format("{:.{}f} times as long as", ratio, ratio < 10.0 ? 1 : 0);
 }
 
 // The pair.
 
 void shapes(const Story& story, const RoundedPair::Value& pair, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
-  text.caption = format("Two shapes, {} and {}.", lesson.x().name, lesson.y().name);
+  text.caption = fmt::format("Two shapes, {} and {}.", lesson.x().name, lesson.y().name);
   if (!pair.facing.empty()) {
-    text.caption += format(" The edges that face each other are {} degrees from parallel.",
-                           small_number(pair.tilt * 180.0 / std::numbers::pi));
+    text.caption += fmt::format(" The edges that face each other are {} degrees from parallel.",
+                                small_number(pair.tilt * 180.0 / std::numbers::pi));
   }
   text.detail = "From afar the shapes seem to touch along these edges.";
 }
@@ -75,12 +73,12 @@ void gap(const RoundedPair::Value& pair, FrameText& text) {
     text.caption = "The shapes have a point in common: their distance is 0.";
     return;
   }
-  text.caption =
-      format("Enlarged {} times, a gap appears. The distance is the shortest way across it: {}.",
-             grouped(pair.magnification()), power_text(pair.distance(), 3));
+  text.caption = fmt::format(
+      "Enlarged {} times, a gap appears. The distance is the shortest way across it: {}.",
+      grouped(pair.magnification()), power_text(pair.distance(), 3));
   const double other = pair.ends[1].exact.length;
   if (other > pair.distance()) {
-    text.detail = format(
+    text.detail = fmt::format(
         "At the other end the gap is {}, hardly more: the last digits of the vertices decide which "
         "end is closer.",
         power_text(other, 3));
@@ -89,12 +87,12 @@ void gap(const RoundedPair::Value& pair, FrameText& text) {
 
 void in_float(const RoundedPair::Value& pair, FrameText& text) {
   const double at = pair.ends[0].exact.vertex.y();
-  text.caption = format(
+  text.caption = fmt::format(
       "A float has 24 binary digits. Near {:.2g} the next float is {} away, so each vertex moves "
       "to "
       "the nearest dot.",
       at, power_text(spacing_of_floats(at), 2));
-  text.detail = format(
+  text.detail = fmt::format(
       "GJK in float answers {}{}. That is the distance of the moved shapes (dotted); GJK knows no "
       "others.",
       power_text(pair.in_float.trace.result.distance, 3),
@@ -106,10 +104,10 @@ void in_double(const RoundedPair::Value& pair, FrameText& text) {
   text.caption =
       "A double has 53 binary digits. Its dots are 500 million times closer together, too close to "
       "draw: no vertex moves.";
-  text.detail =
-      format("GJK in double answers {}: {}.", power_text(pair.in_double.trace.result.distance, 3),
-             error == 0.0 ? "every digit that a double can hold is right"
-                          : right_digits(error) + " are right");
+  text.detail = fmt::format("GJK in double answers {}: {}.",
+                            power_text(pair.in_double.trace.result.distance, 3),
+                            error == 0.0 ? "every digit that a double can hold is right"
+                                         : right_digits(error) + " are right");
 }
 
 void error(const RoundedPair::Value& pair, FrameText& text) {
@@ -120,17 +118,17 @@ void error(const RoundedPair::Value& pair, FrameText& text) {
       "The error of an answer is how far it is off, divided by the distance or the answer, "
       "whichever "
       "is larger.";
-  text.detail = format("In float: |{} − {}| / {} = {}. {} is right. In double: {}.",
-                       power_text(answer, 3), power_text(pair.distance(), 3),
-                       power_text(std::max(answer, pair.distance()), 3), power_text(of_float, 2),
-                       capitalized(right_digits(of_float)), power_text(of_double, 2));
+  text.detail = fmt::format(
+      "In float: |{} − {}| / {} = {}. {} is right. In double: {}.", power_text(answer, 3),
+      power_text(pair.distance(), 3), power_text(std::max(answer, pair.distance()), 3),
+      power_text(of_float, 2), capitalized(right_digits(of_float)), power_text(of_double, 2));
 }
 
 // The plot.
 
 void error_axis(const LessonStudy& study, FrameText& text) {
   const StudyDot first = introduced(study, 1).front();
-  text.caption = format(
+  text.caption = fmt::format(
       "Now {} pairs like this one. Each mark is a way to run GJK, drawn at its largest error: "
       "lower "
       "is more accurate.",
@@ -141,19 +139,19 @@ void error_axis(const LessonStudy& study, FrameText& text) {
 
 void time_axis(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> marks = introduced(study, 2);
-  text.caption = format(
+  text.caption = fmt::format(
       "The second axis is the time for one pair, on one thread of an {}. Farther left is faster.",
       study.processor());
   std::vector<std::string> times;
   for (const StudyDot& dot : marks)
-    times.push_back(format("{} takes {}", dot.configuration, time_text(dot.ns)));
-  text.detail = format("{}", fmt::join(times, ", "));
+    times.push_back(fmt::format("{} takes {}", dot.configuration, time_text(dot.ns)));
+  text.detail = fmt::format("{}", fmt::join(times, ", "));
   const auto most =
       std::max_element(marks.begin(), marks.end(),
                        [](const StudyDot& a, const StudyDot& b) { return a.settled < b.settled; });
   if (most->settled > 0) {
-    text.detail += format(". Exact arithmetic must decide {} of {} pairs that {} leaves open",
-                          most->settled, most->pairs, most->configuration);
+    text.detail += fmt::format(". Exact arithmetic must decide {} of {} pairs that {} leaves open",
+                               most->settled, most->pairs, most->configuration);
   }
   text.detail += ".";
 }
@@ -162,10 +160,10 @@ void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
   const StudyMark& shown = study.marks[static_cast<std::size_t>(frame.marks - 1)];
   const StudyDot& dot = study.dot(shown.configuration);
   const StudyDot& beside = compared_with(study, frame.marks);
-  text.caption =
-      format("{}: {} for a pair, {} {}. {}.", dot.configuration, time_text(dot.ns),
-             compared(dot.ns, beside.ns), beside.configuration,
-             dot.error ? "Largest error: " + error_words(dot) : "For some pair it has no answer");
+  text.caption = fmt::format(
+      "{}: {} for a pair, {} {}. {}.", dot.configuration, time_text(dot.ns),
+      compared(dot.ns, beside.ns), beside.configuration,
+      dot.error ? "Largest error: " + error_words(dot) : "For some pair it has no answer");
   text.detail = of_pairs("It", dot) + shown.note;
 }
 
@@ -176,7 +174,7 @@ void front(const LessonStudy& study, FrameText& text) {
   for (const StudyDot& dot : best) names.push_back(dot.configuration);
   text.caption =
       "Which would you take? A mark is beaten if another is as fast, within 10 %, and as accurate.";
-  text.detail = format(
+  text.detail = fmt::format(
       "The dotted line joins the marks that none beats, the front: {}. A smaller error costs time.",
       fmt::join(names, "; "));
 }
@@ -184,10 +182,10 @@ void front(const LessonStudy& study, FrameText& text) {
 void all(const LessonStudy& study, FrameText& text) {
   const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   const std::vector<StudyDot> best = front_of(family);
-  text.caption = format(
+  text.caption = fmt::format(
       "All {} ways that were measured; {} are new: other tolerances, caps, rules and starts.",
       family.size(), family.size() - study.marks.size());
-  text.detail = format(
+  text.detail = fmt::format(
       "{} of them are the front: they beat all others that get a digit right. Times within 10 % "
       "count as equal, and so do errors within a factor of 2.",
       best.size());
@@ -200,7 +198,7 @@ void choice(const LessonStudy& study, FrameText& text) {
       "would "
       "do harm.";
   // The rule of three: 0 of n leaves room for 3 / n, with 95 % confidence.
-  text.detail = format(
+  text.detail = fmt::format(
       "Without a proof nothing tells that an answer is wrong: an error that none of {} pairs "
       "showed "
       "may still happen to one pair in {}.",
@@ -212,7 +210,7 @@ void choice(const LessonStudy& study, FrameText& text) {
 constexpr std::array<double, 6> kRatios = {1.0, 3.0, 10.0, 50.0, 200.0, 1000.0};
 
 std::string ratio_words(double ratio) {
-  return ratio == 1.0 ? "as long" : format("about {} times", ratio);
+  return ratio == 1.0 ? "as long" : fmt::format("about {} times", ratio);
 }
 
 }  // namespace
@@ -227,8 +225,8 @@ void study_question(const Story& story, FrameText& text) {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
     asked.choices = {"yes", "no"};
     asked.answer = pair.distance() > 0.0 ? "no" : "yes";
-    text.caption = format("Question: do {} and {} have a point in common?",
-                          story.run.lesson.x().name, story.run.lesson.y().name);
+    text.caption = fmt::format("Question: do {} and {} have a point in common?",
+                               story.run.lesson.x().name, story.run.lesson.y().name);
     text.detail = "yes  ·  no";
     return;
   }
@@ -241,9 +239,9 @@ void study_question(const Story& story, FrameText& text) {
     return std::abs(std::log(a) - ratio) < std::abs(std::log(b) - ratio);
   });
   asked.answer = ratio_words(*nearest);
-  text.caption = format("Question: next comes {}{}. How long does it take, compared with {}?",
-                        dot.configuration, next.about.empty() ? "" : format(" ({})", next.about),
-                        with.configuration);
+  text.caption = fmt::format(
+      "Question: next comes {}{}. How long does it take, compared with {}?", dot.configuration,
+      next.about.empty() ? "" : fmt::format(" ({})", next.about), with.configuration);
 }
 
 void study(const Story& story, FrameText& text) {

@@ -11,25 +11,23 @@
 namespace gjkscope::captions {
 namespace {
 
-using fmt::format;
-
 /// The vertices of a shape behind its support point.
 std::string behind(const LessonShape& shape, int support) {
-  return format("All of {} lies behind the dashed line through {}", shape.name,
-                shape.vertex_names[support]);
+  return fmt::format("All of {} lies behind the dashed line through {}", shape.name,
+                     shape.vertex_names[support]);
 }
 
 /// "the largest of 5", and which vertices lie as far.
 std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
                  int support, const Eigen::Vector2d& d) {
-  std::string out = format("the largest of {}", vertices.size());
+  std::string out = fmt::format("the largest of {}", vertices.size());
   const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
   constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
     const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
     if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
       continue;
-    out += format(", as large as {}'s", shape.vertex_names[static_cast<std::size_t>(i)]);
+    out += fmt::format(", as large as {}'s", shape.vertex_names[static_cast<std::size_t>(i)]);
   }
   return out;
 }
@@ -60,44 +58,46 @@ void support_in_parts(const Story& story, FrameText& text) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
           story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
-      text.caption = format("d = {} {}. Which point of Z lies farthest along d?",
-                            story.numbers.point(story.state.d),
-                            before.record.direction.from_normal
-                                ? "points from P towards O; its length does not matter"
-                                : "leads from P to O");
-      text.detail = format(
+      text.caption = fmt::format("d = {} {}. Which point of Z lies farthest along d?",
+                                 story.numbers.point(story.state.d),
+                                 before.record.direction.from_normal
+                                     ? "points from P towards O; its length does not matter"
+                                     : "leads from P to O");
+      text.detail = fmt::format(
           "dot(d, y − x) = dot(d, y) + dot(−d, x): search {} along d and {} along −d, separately.",
           lesson.y().name, lesson.x().name);
       return;
     }
     case SupportPart::of_y:
-      text.caption = format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
-                            lesson.y().name, k, story.numbers(along_y),
-                            rank(story.positioned.y().world, lesson.y(), pair.y, story.state.d));
-      text.detail = format("{}. The support point of Z is one of the ringed points {} − x.",
-                           behind(lesson.y(), pair.y), k);
+      text.caption =
+          fmt::format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
+                      lesson.y().name, k, story.numbers(along_y),
+                      rank(story.positioned.y().world, lesson.y(), pair.y, story.state.d));
+      text.detail = fmt::format("{}. The support point of Z is one of the ringed points {} − x.",
+                                behind(lesson.y(), pair.y), k);
       return;
     case SupportPart::of_x:
-      text.caption = format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
-                            lesson.x().name, c, story.numbers(along_x),
-                            rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
+      text.caption =
+          fmt::format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
+                      lesson.x().name, c, story.numbers(along_x),
+                      rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
       text.detail =
-          format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
+          fmt::format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
       return;
     default: {
       const std::string total = story.numbers(story.state.support_value);
-      text.caption = format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}{}.", name,
-                            name, story.numbers(along_y), along_x < 0.0 ? "−" : "+",
-                            story.numbers(std::abs(along_x)), total,
-                            adds_up({story.numbers(along_y), story.numbers(along_x)}, total)
-                                ? ""
-                                : " before rounding");
+      text.caption = fmt::format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}{}.",
+                                 name, name, story.numbers(along_y), along_x < 0.0 ? "−" : "+",
+                                 story.numbers(std::abs(along_x)), total,
+                                 adds_up({story.numbers(along_y), story.numbers(along_x)}, total)
+                                     ? ""
+                                     : " before rounding");
       text.detail =
           next.stop == gjk::StopReason::repeated_support
-              ? format(
+              ? fmt::format(
                     "{} is already in the simplex, so GJK stops. The distance is {}, between {}.",
                     name, story.numbers(story.trace.result.distance), closest_features(story))
-              : format(
+              : fmt::format(
                     "None of the {} differences lies beyond its line. {} + {} dot products found "
                     "it.",
                     of_x * of_y, of_y, of_x);
@@ -107,8 +107,8 @@ void support_in_parts(const Story& story, FrameText& text) {
 
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
-  text.detail += format(" GJK computed {} of {} differences.",
-                        story.effects.get<TouchedPoints>(story.frame).size(), all);
+  text.detail += fmt::format(" GJK computed {} of {} differences.",
+                             story.effects.get<TouchedPoints>(story.frame).size(), all);
 }
 
 void slab(const Story& story, FrameText& text) {
@@ -118,13 +118,13 @@ void slab(const Story& story, FrameText& text) {
   const std::string high = story.numbers(upper);
   const BestSupport::Value& widest = story.effects.get<BestSupport>(story.frame);
   if (story.knows.phase_is(gjk::Phase::closest)) {
-    text.caption =
-        format("The closest points of this simplex are {} apart, so the distance is at most that.",
-               story.distance());
+    text.caption = fmt::format(
+        "The closest points of this simplex are {} apart, so the distance is at most that.",
+        story.distance());
     text.detail =
-        widest ? format("The slab is {} wide, so the distance lies between {} and {}.",
-                        story.numbers(widest->width), low, high)
-               : format("So {} is an upper bound. Is any other pair of points closer?", high);
+        widest ? fmt::format("The slab is {} wide, so the distance lies between {} and {}.",
+                             story.numbers(widest->width), low, high)
+               : fmt::format("So {} is an upper bound. Is any other pair of points closer?", high);
     return;
   }
   const std::string k = lesson.y().vertex_names[story.state.support.pair.y];
@@ -132,41 +132,42 @@ void slab(const Story& story, FrameText& text) {
   if (story.knows.phase_is(gjk::Phase::support)) {
     const double gap = -story.state.support_value / story.state.d.norm();
     if (!(gap > 0.0)) {
-      text.caption = format(
+      text.caption = fmt::format(
           "The lines through {} and {} leave no gap: this d does not separate the shapes.", k, c);
-      text.detail = format("The distance still lies between {} and {}.", low, high);
+      text.detail = fmt::format("The distance still lies between {} and {}.", low, high);
     } else if (is_found_by(*widest, story.state)) {
-      text.caption = format(
+      text.caption = fmt::format(
           "{} is {}'s farthest vertex along d, {} is {}'s along −d: the slab between is empty and "
           "{} "
           "wide.",
           k, lesson.y().name, c, lesson.x().name, story.numbers(gap));
-      text.detail = format(
+      text.detail = fmt::format(
           "Every way from {} to {} crosses the slab, so the distance is at least {}. It is at most "
           "{}.",
           lesson.x().name, lesson.y().name, low, high);
     } else {
-      text.caption = format("The lines through {} and {} are {} apart: an earlier slab is wider.",
-                            k, c, story.numbers(gap));
-      text.detail = format("The distance lies between {} and {}.", low, high);
+      text.caption =
+          fmt::format("The lines through {} and {} are {} apart: an earlier slab is wider.", k, c,
+                      story.numbers(gap));
+      text.detail = fmt::format("The distance lies between {} and {}.", low, high);
     }
     return;
   }
   if (!story.knows.has_ended) {
     text.caption =
-        format("The bounds still differ by {}, so {} joins the simplex.",
-               story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
-    text.detail =
-        format("{}. The slab may get wider and the closest points closer, until the bounds meet.",
-               difference_as_written(high, low, story.numbers(upper - lower)));
+        fmt::format("The bounds still differ by {}, so {} joins the simplex.",
+                    story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
+    text.detail = fmt::format(
+        "{}. The slab may get wider and the closest points closer, until the bounds meet.",
+        difference_as_written(high, low, story.numbers(upper - lower)));
     return;
   }
   text.caption =
-      widest ? format("Stop: the empty slab is as wide as the closest points are apart, {}.",
-                      story.numbers(story.trace.result.distance))
-             : format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
+      widest ? fmt::format("Stop: the empty slab is as wide as the closest points are apart, {}.",
+                           story.numbers(story.trace.result.distance))
+             : fmt::format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
   text.detail = widest
-                    ? format(
+                    ? fmt::format(
                           "Closest are {}. No pair of points can be closer than the slab is wide: "
                           "the slab proves the answer.",
                           closest_features(story))

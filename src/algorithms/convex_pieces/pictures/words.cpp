@@ -7,20 +7,18 @@
 namespace gjkscope::parts {
 namespace {
 
-using fmt::format;
-
 void triangle(const Shown& shown, FrameText& text) {
   const LessonShape& shape = shown.shape(shown.step->of_x);
   const auto& triangles = shown.told.of(shown.step->of_x).triangles;
   const std::string name =
       corners_name(shape, triangles[static_cast<std::size_t>(shown.step->index)]);
   if (shown.step->index + 1 == static_cast<int>(triangles.size())) {
-    text.caption = format("Triangle {} is what is left of {}.", name, shape.name);
-    text.detail = format("{} is cut into {} triangles. A polygon with n corners gives n − 2.",
-                         shape.name, triangles.size());
+    text.caption = fmt::format("Triangle {} is what is left of {}.", name, shape.name);
+    text.detail = fmt::format("{} is cut into {} triangles. A polygon with n corners gives n − 2.",
+                              shape.name, triangles.size());
     return;
   }
-  text.caption = format("Triangle {} is an ear of {}: cut it off.", name, shape.name);
+  text.caption = fmt::format("Triangle {} is an ear of {}: cut it off.", name, shape.name);
   text.detail =
       "An ear is made of three corners in a row of what is left. It lies in there, and no other "
       "corner "
@@ -33,10 +31,10 @@ void merge(const Shown& shown, FrameText& text) {
       shown.told.of(shown.step->of_x).merges[static_cast<std::size_t>(shown.step->index)];
   const std::string name = corners_name(shape, std::array{merge.from, merge.to});
   if (merge.merged) {
-    text.caption = format("Diagonal {} goes: its two pieces become one.", name);
+    text.caption = fmt::format("Diagonal {} goes: its two pieces become one.", name);
     text.detail = "At both ends the piece still turns one way only, so it is convex.";
   } else {
-    text.caption = format("Diagonal {} stays.", name);
+    text.caption = fmt::format("Diagonal {} stays.", name);
     text.detail = "Without it a piece would have a corner that turns in.";
   }
 }
@@ -48,19 +46,19 @@ void pair(const Story& story, const Shown& shown, FrameText& text) {
   const models::PieceRun* least = shown.least(shown.step->index);
   if (run.skipped) {
     text.caption =
-        format("Skip {} and {}: their boxes are {} apart.", x, y, story.numbers(run.bound));
+        fmt::format("Skip {} and {}: their boxes are {} apart.", x, y, story.numbers(run.bound));
     text.detail =
-        format("δ is {}. Pieces are never closer than their boxes, so this pair cannot win.",
-               story.numbers(least->distance));
+        fmt::format("δ is {}. Pieces are never closer than their boxes, so this pair cannot win.",
+                    story.numbers(least->distance));
     return;
   }
-  text.caption = format("GJK: {} and {} are {} apart.", x, y, story.numbers(run.distance));
+  text.caption = fmt::format("GJK: {} and {} are {} apart.", x, y, story.numbers(run.distance));
   if (least == nullptr) {
     text.detail = "This is the first pair, so δ is its distance.";
   } else if (run.distance < least->distance) {
-    text.detail = format("That is less than {}, so δ falls.", story.numbers(least->distance));
+    text.detail = fmt::format("That is less than {}, so δ falls.", story.numbers(least->distance));
   } else {
-    text.detail = format("That is not less than δ = {}.", story.numbers(least->distance));
+    text.detail = fmt::format("That is not less than δ = {}.", story.numbers(least->distance));
   }
 }
 
@@ -69,20 +67,23 @@ void pair(const Story& story, const Shown& shown, FrameText& text) {
 void words(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   if (shown.told.refusal) {
-    text.caption = format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+    text.caption =
+        fmt::format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
     text.detail = "It needs closed outlines that do not meet themselves or each other.";
   } else if (shown.step == nullptr) {
     text.caption = "GJK needs convex shapes. So cut the shapes into convex pieces.";
     text.detail = "The distance is the least over all pairs of pieces.";
   } else if (shown.is_answer) {
     const models::PiecesAnswer& result = shown.told.result;
-    text.caption = format("{} and {} are {} apart.", shown.lesson.x().name, shown.lesson.y().name,
-                          story.numbers(result.answer.distance));
+    text.caption = fmt::format("{} and {} are {} apart.", shown.lesson.x().name,
+                               shown.lesson.y().name, story.numbers(result.answer.distance));
     if (result.answer.overlap)
-      text.caption = format("{} and {} overlap.", shown.lesson.x().name, shown.lesson.y().name);
-    text.detail = format("{} and {} pieces make {} pairs. GJK ran on {}.",
-                         shown.told.x.pieces.size(), shown.told.y.pieces.size(),
-                         shown.told.x.pieces.size() * shown.told.y.pieces.size(), result.visits);
+      text.caption =
+          fmt::format("{} and {} overlap.", shown.lesson.x().name, shown.lesson.y().name);
+    text.detail =
+        fmt::format("{} and {} pieces make {} pairs. GJK ran on {}.", shown.told.x.pieces.size(),
+                    shown.told.y.pieces.size(),
+                    shown.told.x.pieces.size() * shown.told.y.pieces.size(), result.visits);
   } else if (shown.step->phase == PiecesPhase::triangle) {
     triangle(shown, text);
   } else if (shown.step->phase == PiecesPhase::merge) {
@@ -103,16 +104,17 @@ void question(const Story& story, FrameText& text) {
                       {"it goes: the piece stays convex", "it stays: a corner would turn in"},
                       {}});
     asked.answer = asked.choices[merge.merged ? 0 : 1];
-    text.caption = format("Question: can diagonal {} be taken away?",
-                          corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
+    text.caption =
+        fmt::format("Question: can diagonal {} be taken away?",
+                    corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
     return;
   }
   const models::PieceRun& run = shown.told.result.runs[static_cast<std::size_t>(step.index)];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{
       std::string(kAskPair.name), {"run GJK", "skip: their boxes are too far apart"}, {}});
   asked.answer = asked.choices[run.skipped ? 1 : 0];
-  text.caption = format("Question: {} and {}, run or skip?", shown.piece(true, run.a),
-                        shown.piece(false, run.b));
+  text.caption = fmt::format("Question: {} and {}, run or skip?", shown.piece(true, run.a),
+                             shown.piece(false, run.b));
 }
 
 void values(const Story& story, FrameText& text) {

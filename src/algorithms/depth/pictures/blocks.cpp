@@ -12,7 +12,6 @@ namespace {
 using blocks::LineView;
 using depth::Phase;
 using depth::StopReason;
-using fmt::format;
 using namespace rows;
 
 /// Van den Bergen 2001, in the plane.
@@ -50,7 +49,7 @@ void depth_listing(PanelBuilder& panel) {
         shown.is(Phase::stop) && (!has_stopped || !repeated),
         has_stopped && !repeated ? "yes" : "no");
   write("  put V between the ends of e", Phase::expand, shown.is(Phase::expand),
-        format("{} edges", state.polygon.count));
+        fmt::format("{} edges", state.polygon.count));
   write("t ← e's nearest point", {}, shown.is_answer,
         panel.numbers.point(shown.trace.result.translation));
 }
@@ -86,7 +85,8 @@ void edges(PanelBuilder& panel) {
     panel.y += kTightRow;
   }
   if (all.size() > kMost) {
-    panel.write("body.muted", panel.left, format("and {} more", all.size() - kMost), type::kBody);
+    panel.write("body.muted", panel.left, fmt::format("and {} more", all.size() - kMost),
+                type::kBody);
     panel.y += kRow;
   }
 }
@@ -104,8 +104,8 @@ void bounds(PanelBuilder& panel) {
   const bool has_upper = known && upper >= 0.0;
   std::string text = "–";
   if (known) {
-    text = has_upper ? format("[{}, {}]", panel.numbers(lower), panel.numbers(upper))
-                     : format("≥ {}", panel.numbers(lower));
+    text = has_upper ? fmt::format("[{}, {}]", panel.numbers(lower), panel.numbers(upper))
+                     : fmt::format("≥ {}", panel.numbers(lower));
   }
   panel.write("code.current", panel.right, text, type::kCode, Align::right);
   panel.y += 22.0;

@@ -12,7 +12,6 @@ namespace {
 
 using depth::Phase;
 using depth::StopReason;
-using fmt::format;
 
 constexpr double kRounding = 1e-12;  // relative: far less than frames show
 
@@ -56,15 +55,15 @@ class Telling {
   [[nodiscard]] std::string support_name() const { return run_.pair_name(state_.support.pair); }
 
   void apart() {
-    text_.caption = format("{} and {} do not overlap: they are {} apart and have no depth.", x(),
-                           y(), number(story_.trace.result.distance));
+    text_.caption = fmt::format("{} and {} do not overlap: they are {} apart and have no depth.",
+                                x(), y(), number(story_.trace.result.distance));
     text_.detail = "O lies outside Z, so no polygon in Z holds it. Nothing needs to move.";
   }
 
   void start() {
     const gjk::Simplex<double, 2>& simplex = story_.trace.result.simplex;
     const SimplexWords words(run_, simplex);
-    text_.caption = format(
+    text_.caption = fmt::format(
         "{} and {} share points: GJK ends with O {} the {}. How deep do they overlap?", x(), y(),
         simplex.count == 1   ? "at"
         : simplex.count == 2 ? "on"
@@ -79,15 +78,15 @@ class Telling {
   void nearest() {
     const std::string name = edge();
     if (!(state_.edge.distance_sq > 0.0)) {
-      text_.caption = format("O lies on {}: its distance is 0.", name);
+      text_.caption = fmt::format("O lies on {}: its distance is 0.", name);
       text_.detail =
           "So the depth is at least 0. Next: does Z reach beyond the edge, along its normal n?";
       return;
     }
-    text_.caption =
-        format("{}{} is nearest to O, at distance {}.", static_cast<char>(std::toupper(name[0])),
-               name.substr(1), number(std::sqrt(state_.edge.distance_sq)));
-    text_.detail = format(
+    text_.caption = fmt::format("{}{} is nearest to O, at distance {}.",
+                                static_cast<char>(std::toupper(name[0])), name.substr(1),
+                                number(std::sqrt(state_.edge.distance_sq)));
+    text_.detail = fmt::format(
         "The polygon lies in Z, so the boundary of Z is no nearer: depth ≥ {}. Next: how far does "
         "Z "
         "reach along the normal n?",
@@ -98,20 +97,21 @@ class Telling {
     const double reach = state_.n.dot(state_.support.w) / state_.n.norm();
     const double upper = shown_.step->bounds.upper;
     if (is_zero(reach)) {
-      text_.caption = format("{} lies farthest along n, but no farther than O.", support_name());
+      text_.caption =
+          fmt::format("{} lies farthest along n, but no farther than O.", support_name());
       text_.detail =
-          format("No point of Z lies beyond O in this direction: {} need not move.", x());
+          fmt::format("No point of Z lies beyond O in this direction: {} need not move.", x());
       return;
     }
-    text_.caption = format("{} lies farthest along n: Z reaches {} from O in this direction.",
-                           support_name(), number(reach));
+    text_.caption = fmt::format("{} lies farthest along n: Z reaches {} from O in this direction.",
+                                support_name(), number(reach));
     text_.detail = upper < reach * (1.0 - kRounding)
-                       ? format(
+                       ? fmt::format(
                              "Moving {} that far along n parts the shapes, but a shorter move is "
                              "known: depth ≤ {}.",
                              x(), number(upper))
-                       : format("Moving {} that far along n parts it from {}: depth ≤ {}.", x(),
-                                y(), number(upper));
+                       : fmt::format("Moving {} that far along n parts it from {}: depth ≤ {}.",
+                                     x(), y(), number(upper));
   }
 
   void stop() {
@@ -119,26 +119,28 @@ class Telling {
         state_.n.dot(state_.support.w - state_.polygon.at(state_.edge.from)) / state_.n.norm();
     switch (state_.stop) {
       case StopReason::running:
-        text_.caption = format("{} lies {} beyond the edge: the edge is not part of Z's boundary.",
-                               support_name(), number(beyond));
-        text_.detail = format("Go on: {} becomes a corner of the polygon.", support_name());
+        text_.caption =
+            fmt::format("{} lies {} beyond the edge: the edge is not part of Z's boundary.",
+                        support_name(), number(beyond));
+        text_.detail = fmt::format("Go on: {} becomes a corner of the polygon.", support_name());
         return;
       case StopReason::repeated_support:
-        text_.caption = format("Stop: {} is an end of this edge, so no point of Z lies beyond it.",
-                               support_name());
+        text_.caption = fmt::format(
+            "Stop: {} is an end of this edge, so no point of Z lies beyond it.", support_name());
         break;
       case StopReason::no_progress:
-        text_.caption = format(
+        text_.caption = fmt::format(
             "Stop: {} lies no farther along n than the edge, so no point of Z lies beyond it.",
             support_name());
         break;
       default:
         text_.caption = "Stop: the search has used all its iterations. The bounds still hold.";
-        text_.detail = format("The depth lies between {} and {}.",
-                              number(shown_.trace.result.lower), number(shown_.trace.result.upper));
+        text_.detail =
+            fmt::format("The depth lies between {} and {}.", number(shown_.trace.result.lower),
+                        number(shown_.trace.result.upper));
         return;
     }
-    text_.detail = format(
+    text_.detail = fmt::format(
         "The edge is part of Z's boundary, and no other edge is nearer to O. The depth is {}.",
         number(shown_.trace.result.depth));
   }
@@ -148,8 +150,9 @@ class Telling {
       return run_.pair_name(state_.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
     };
     const int count = state_.polygon.count;
-    text_.caption = format("{} goes between the ends of the edge. The polygon now has {} edges.",
-                           support_name(), count);
+    text_.caption =
+        fmt::format("{} goes between the ends of the edge. The polygon now has {} edges.",
+                    support_name(), count);
     const std::vector<int>& outgrown = shown_.step->record.outgrown;
     if (outgrown.empty()) {
       text_.detail = "Two new edges replace the old one. Next: which edge is nearest to O now?";
@@ -157,23 +160,24 @@ class Telling {
     }
     std::vector<std::string> names;
     for (const int corner : outgrown) names.push_back(name(corner));
-    text_.detail = format("{} {} of the larger polygon: dropped.", fmt::join(names, " and "),
-                          names.size() == 1 ? "is no corner" : "are no corners");
+    text_.detail = fmt::format("{} {} of the larger polygon: dropped.", fmt::join(names, " and "),
+                               names.size() == 1 ? "is no corner" : "are no corners");
   }
 
   void answer() {
     const depth::Result<double>& result = shown_.trace.result;
     if (!(result.depth > 0.0)) {
       text_.caption =
-          format("The depth is 0: {} and {} only touch. Nothing needs to move.", x(), y());
-      text_.detail = format("They touch at {}. Along {}, no point of Z lies beyond O.",
-                            story_.numbers.point(result.x), story_.numbers.point(result.direction));
+          fmt::format("The depth is 0: {} and {} only touch. Nothing needs to move.", x(), y());
+      text_.detail =
+          fmt::format("They touch at {}. Along {}, no point of Z lies beyond O.",
+                      story_.numbers.point(result.x), story_.numbers.point(result.direction));
       return;
     }
     text_.caption =
-        format("The depth is {}. Moved by t = {}, {} just touches {}.", number(result.depth),
-               story_.numbers.point(result.translation), x(), y());
-    text_.detail = format(
+        fmt::format("The depth is {}. Moved by t = {}, {} just touches {}.", number(result.depth),
+                    story_.numbers.point(result.translation), x(), y());
+    text_.detail = fmt::format(
         "The point {} of {} then meets {} of {}. No shorter move parts them: no edge of Z is "
         "nearer "
         "to O.",

@@ -11,7 +11,6 @@
 namespace gjkscope::costs {
 namespace {
 
-using fmt::format;
 using general_growth::Sample;
 
 /// In Larsen's words, nearly.
@@ -39,35 +38,36 @@ void claim(const Shown& shown, FrameText& text) {
   const std::string n = grouped(last.segments);
   switch (shown.claim()) {
     case Claim::brute_force:
-      text.caption = format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
-      text.detail = format("With n = {} there are {} pairs of segments. Trees of boxes visit {}{}.",
-                           n, grouped(last.pairs()), grouped(last.boxes),
-                           times ? format(", in {} in place of {}", time_text(times->boxes.back()),
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail =
+          fmt::format("With n = {} there are {} pairs of segments. Trees of boxes visit {}{}.", n,
+                      grouped(last.pairs()), grouped(last.boxes),
+                      times ? fmt::format(", in {} in place of {}", time_text(times->boxes.back()),
                                           time_text(times->pairs.back()))
-                                 : "");
+                            : "");
       break;
     case Claim::wider_search:
-      text.caption = format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
-      text.detail = format(
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail = fmt::format(
           "With n = {} distance visits {} pairs of nodes, collision {}: it may stop at a gap, "
           "and distance must go on to leaves.",
           n, grouped(last.boxes), grouped(last.collide));
       break;
     case Claim::coherence:
-      text.caption = format("Larsen: {}. That was 1998; here it is.", said(shown.claim()));
-      text.detail = format(
+      text.caption = fmt::format("Larsen: {}. That was 1998; here it is.", said(shown.claim()));
+      text.detail = fmt::format(
           "A start from the last position's closest pair costs {} % of the visits. Pairs almost as "
           "close must still be ruled out.",
           fixed(100.0 * last.remembered / last.boxes, 0));
       break;
     case Claim::spheres:
-      text.caption = format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
-      text.detail = format(
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail = fmt::format(
           "Circles visit {} pairs, boxes {}{}. Larsen's code of 2000, PQP, took rectangles swept "
           "by a sphere.",
           grouped(last.circles), grouped(last.boxes),
-          times ? format(", in {} and {}", time_text(times->circles.back()),
-                         time_text(times->boxes.back()))
+          times ? fmt::format(", in {} and {}", time_text(times->circles.back()),
+                              time_text(times->boxes.back()))
                 : "");
       break;
   }
@@ -85,13 +85,14 @@ std::string repays_from(const Shown& shown) {
 
 void times(const Shown& shown, FrameText& text) {
   const GrowthTimes& times = *shown.told.times;
-  text.caption = format("n = {}: all pairs take {}, trees of boxes {}.",
-                        grouped(shown.told.samples.back().segments), time_text(times.pairs.back()),
-                        time_text(times.boxes.back()));
+  text.caption = fmt::format("n = {}: all pairs take {}, trees of boxes {}.",
+                             grouped(shown.told.samples.back().segments),
+                             time_text(times.pairs.back()), time_text(times.boxes.back()));
   const std::string from = repays_from(shown);
-  text.detail = format("Building both takes {}{}. Measured on {}.", time_text(times.build.back()),
-                       from.empty() ? "" : format(": from n = {} on one distance repays it", from),
-                       times.machine);
+  text.detail =
+      fmt::format("Building both takes {}{}. Measured on {}.", time_text(times.build.back()),
+                  from.empty() ? "" : fmt::format(": from n = {} on one distance repays it", from),
+                  times.machine);
 }
 
 /// How many times the visits of the size before, about: none more, as the segments, or as the
@@ -103,7 +104,7 @@ struct Growing {
 std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) {
   const double segments = 1.0 * sample.segments / before.segments;
   const auto words = [](double ratio, std::string_view as) {
-    return format("{} times, {}", fixed(ratio, ratio < 10.0 ? 1 : 0), as);
+    return fmt::format("{} times, {}", fixed(ratio, ratio < 10.0 ? 1 : 0), as);
   };
   return {{{1.0, "hardly"},
            {segments, words(segments, "as n")},
@@ -121,14 +122,17 @@ void words(const Story& story, FrameText& text) {
         "Each outline has n segments. Counted are pairs: of segments, of convex pieces, of nodes "
         "of two trees.";
   } else if (shown.is(GrowthPhase::size)) {
-    text.caption = format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
-                          grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
+    text.caption =
+        fmt::format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
+                    grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
     text.detail =
         sample.pieces >= 0.0
-            ? format("Trees of circles visit {}. Convex pieces: pairs that need a run of GJK: {}.",
-                     grouped(sample.circles), grouped(sample.pieces))
-            : format("Trees of circles visit {}. Cutting takes n · n steps, so it ends at n = {}.",
-                     grouped(sample.circles), general_growth::kMostCut);
+            ? fmt::format(
+                  "Trees of circles visit {}. Convex pieces: pairs that need a run of GJK: {}.",
+                  grouped(sample.circles), grouped(sample.pieces))
+            : fmt::format(
+                  "Trees of circles visit {}. Cutting takes n · n steps, so it ends at n = {}.",
+                  grouped(sample.circles), general_growth::kMostCut);
   } else if (shown.is(GrowthPhase::time)) {
     times(shown, text);
   } else if (shown.is(GrowthPhase::claim)) {
@@ -136,9 +140,9 @@ void words(const Story& story, FrameText& text) {
   } else {
     const Sample& first = shown.told.samples.front();
     text.caption =
-        format("From n = {} to {} pairs grow {}, visits {}.", grouped(first.segments),
-               grouped(sample.segments), grouped(sample.pairs() / first.pairs()) + " times",
-               grouped(sample.boxes / first.boxes) + " times");
+        fmt::format("From n = {} to {} pairs grow {}, visits {}.", grouped(first.segments),
+                    grouped(sample.segments), grouped(sample.pairs() / first.pairs()) + " times",
+                    grouped(sample.boxes / first.boxes) + " times");
     text.detail =
         "Both axes are logarithmic: a straight line is a power of n, and a flatter one a smaller "
         "power.";
@@ -162,16 +166,17 @@ void question(const Story& story, FrameText& text) {
         std::min_element(ways.begin(), ways.end(), [&](const Growing& a, const Growing& b) {
           return off(a) < off(b);
         })->words;
-    text.caption = format("Question: from n = {} to {}, how do the visits of trees of boxes grow?",
-                          grouped(last.segments), grouped(sample.segments));
+    text.caption =
+        fmt::format("Question: from n = {} to {}, how do the visits of trees of boxes grow?",
+                    grouped(last.segments), grouped(sample.segments));
   } else {
     const auto claim =
         static_cast<Claim>(static_cast<int>(answer) - (before.told.steps() - kClaims));
     asked.choices = {"yes", "no"};
     asked.answer = asked.choices[before.told.agrees(claim) ? 0 : 1];
     text.caption =
-        format("Question: Larsen says in 1998 that {}. Does it agree with what was measured?",
-               said(claim));
+        fmt::format("Question: Larsen says in 1998 that {}. Does it agree with what was measured?",
+                    said(claim));
   }
 }
 

@@ -10,7 +10,6 @@
 namespace gjkscope::searches {
 namespace {
 
-using fmt::format;
 using models::SearchPhase;
 using models::SearchStep;
 
@@ -122,7 +121,7 @@ void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, cons
                                             std::string(order_name(nearer_first)),
                                             type::kStrong}});
   scene.out.marks.push_back({"body.muted", Text{{area.max.x(), area.min.y() - 13.0},
-                                                format("{} visits", order.visited),
+                                                fmt::format("{} visits", order.visited),
                                                 type::kBody,
                                                 Align::right}});
 }
@@ -190,7 +189,7 @@ void add_order_frames(LessonRun& run, int index) {
 std::string order_position(const LessonRun& run, int index) {
   const Shown shown(run, run.frames[static_cast<std::size_t>(index)]);
   if (shown.step == nullptr) return "start";
-  return shown.is_answer ? "answer" : format("after {} visits", shown.state.visits);
+  return shown.is_answer ? "answer" : fmt::format("after {} visits", shown.state.visits);
 }
 
 Tick order_tick(const LessonRun& run, const Frame& frame) {
@@ -210,21 +209,21 @@ void tell_orders(const Story& story, FrameText& text) {
   const Order left(shown, false);
   if (shown.is_answer) {
     text.caption =
-        format("Nearer first needs {} visits, left first {}: both say {}.", nearer.visited,
-               left.visited, story.numbers(shown.search.trace.result.answer.distance));
+        fmt::format("Nearer first needs {} visits, left first {}: both say {}.", nearer.visited,
+                    left.visited, story.numbers(shown.search.trace.result.answer.distance));
     text.detail =
-        format("They measured {} and {} of {} pairs of segments.", nearer.trace.result.measured,
-               left.trace.result.measured, shown.search.pairs());
+        fmt::format("They measured {} and {} of {} pairs of segments.",
+                    nearer.trace.result.measured, left.trace.result.measured, shown.search.pairs());
   } else if (shown.step == nullptr) {
-    text.caption = format("Of two pairs of {} that wait, which one first?", shown.volumes());
+    text.caption = fmt::format("Of two pairs of {} that wait, which one first?", shown.volumes());
     text.detail =
         "Any order gives the true distance. But δ falls sooner when the nearer pair comes first.";
   } else {
     text.caption =
-        format("After {} visits: nearer first has δ = {}, left first δ = {}.", shown.state.visits,
-               delta(nearer, story.numbers), delta(left, story.numbers));
-    text.detail = format("A smaller δ cuts more. By now {} and {} pairs of {} were cut.",
-                         nearer.cuts, left.cuts, shown.volumes());
+        fmt::format("After {} visits: nearer first has δ = {}, left first δ = {}.",
+                    shown.state.visits, delta(nearer, story.numbers), delta(left, story.numbers));
+    text.detail = fmt::format("A smaller δ cuts more. By now {} and {} pairs of {} were cut.",
+                              nearer.cuts, left.cuts, shown.volumes());
   }
 }
 

@@ -7,7 +7,6 @@
 namespace gjkscope::walks {
 namespace {
 
-using fmt::format;
 using models::WalkPhase;
 using models::WalkStop;
 
@@ -42,14 +41,15 @@ class Telling {
   }
 
   void refused() {
-    text_.caption =
-        format("The walk does not take {}: {}.", shown_.walk.trace.result.flaw_in_b ? y() : x(),
-               models::name_of(shown_.walk.trace.result.flaw.fault));
+    text_.caption = fmt::format("The walk does not take {}: {}.",
+                                shown_.walk.trace.result.flaw_in_b ? y() : x(),
+                                models::name_of(shown_.walk.trace.result.flaw.fault));
     text_.detail = "It needs one closed outline of each shape, which does not meet itself.";
   }
 
   void start() {
-    text_.caption = format("The walk starts at {} and {}.", shown_.name(true), shown_.name(false));
+    text_.caption =
+        fmt::format("The walk starts at {} and {}.", shown_.name(true), shown_.name(false));
     text_.detail =
         "A feature is a vertex or an edge. Any pair of features will do: a near pair ends sooner. "
         "Next: their closest points.";
@@ -61,18 +61,18 @@ class Telling {
 
   void closest() {
     if (shown_.state.stop == WalkStop::overlap) {
-      text_.caption = format("{} and {} meet: the shapes overlap.", capitalized(shown_.name(true)),
-                             shown_.name(false));
+      text_.caption = fmt::format("{} and {} meet: the shapes overlap.",
+                                  capitalized(shown_.name(true)), shown_.name(false));
       text_.detail = "The walk stops here. It cannot say how deep the shapes overlap.";
       return;
     }
-    text_.caption = format("The closest points of {} and {} are {} apart.", shown_.name(true),
-                           shown_.name(false), distance());
+    text_.caption = fmt::format("The closest points of {} and {} are {} apart.", shown_.name(true),
+                                shown_.name(false), distance());
     for (const bool of_x : {true, false}) {
       const models::RingFeature& was = of_x ? before().a : before().b;
       if (was.is_vertex == shown_.feature(of_x).is_vertex) continue;
-      text_.detail += format("The closest point of {} is its end: {} takes over. ",
-                             shown_.name(of_x, was), shown_.name(of_x));
+      text_.detail += fmt::format("The closest point of {} is its end: {} takes over. ",
+                                  shown_.name(of_x, was), shown_.name(of_x));
     }
     text_.detail += "Next: does each point lie in the other feature's Voronoi region?";
   }
@@ -80,19 +80,19 @@ class Telling {
   void regions() {
     const models::RegionTest& found = shown_.state.found;
     if (found.crossed && found.behind) {
-      text_.caption = format("The closest point on {} lies behind {}.", point_of(!found.of_a),
-                             shown_.name(found.of_a));
+      text_.caption = fmt::format("The closest point on {} lies behind {}.", point_of(!found.of_a),
+                                  shown_.name(found.of_a));
       text_.detail =
           "Behind an edge there is no Voronoi region. Next: look at all edges for the nearest one.";
       return;
     }
     if (found.crossed) {
-      text_.caption = format("The closest point on {} lies outside the region of {}.",
-                             point_of(!found.of_a), shown_.name(found.of_a));
+      text_.caption = fmt::format("The closest point on {} lies outside the region of {}.",
+                                  point_of(!found.of_a), shown_.name(found.of_a));
       text_.detail =
-          format("It lies beyond the border to {}, which is closer to it. {}Next: go there.",
-                 shown_.name(found.of_a, found.neighbour),
-                 crosses_another() ? "Of two borders crossed the first counts. " : "");
+          fmt::format("It lies beyond the border to {}, which is closer to it. {}Next: go there.",
+                      shown_.name(found.of_a, found.neighbour),
+                      crosses_another() ? "Of two borders crossed the first counts. " : "");
       return;
     }
     text_.caption = "Each closest point lies in the Voronoi region of the other feature.";
@@ -120,17 +120,17 @@ class Telling {
   void swap() {
     const bool of_x = shown_.state.found.of_a;
     if (shown_.state.stop == WalkStop::overlap) {
-      text_.caption = format("{} lies in {}: the shapes overlap.", capitalized(shown_.name(!of_x)),
-                             point_of(of_x));
+      text_.caption = fmt::format("{} lies in {}: the shapes overlap.",
+                                  capitalized(shown_.name(!of_x)), point_of(of_x));
       text_.detail = "It lies behind each edge. The walk stops here: it cannot say how deep.";
       return;
     }
-    text_.caption = format("{} takes the place of {}.", capitalized(shown_.name(of_x)),
-                           shown_.name(of_x, of_x ? before().a : before().b));
+    text_.caption = fmt::format("{} takes the place of {}.", capitalized(shown_.name(of_x)),
+                                shown_.name(of_x, of_x ? before().a : before().b));
     text_.detail =
         shown_.step->asked > 0
-            ? format("Of {} edges it is the nearest. Next: the closest points again.",
-                     shown_.step->asked)
+            ? fmt::format("Of {} edges it is the nearest. Next: the closest points again.",
+                          shown_.step->asked)
             : "While the shapes are apart each swap lowers the distance, so no pair comes twice. "
               "Next: the closest points again.";
   }
@@ -138,22 +138,22 @@ class Telling {
   void answer() {
     const models::WalkResult& result = shown_.walk.trace.result;
     const int pairs = result.steps;
-    text_.detail =
-        format("The walk measured {} of {} pairs of features.", pairs, shown_.walk.query->pairs());
+    text_.detail = fmt::format("The walk measured {} of {} pairs of features.", pairs,
+                               shown_.walk.query->pairs());
     if (result.stop == WalkStop::overlap) {
-      text_.caption = format("{} and {} overlap: the distance is 0.", x(), y());
+      text_.caption = fmt::format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {
-      text_.caption = format("The walk says {}, but {} and {} are only {} apart.",
-                             story_.numbers(result.answer.distance), x(), y(),
-                             story_.numbers(shown_.walk.truth->distance));
+      text_.caption = fmt::format("The walk says {}, but {} and {} are only {} apart.",
+                                  story_.numbers(result.answer.distance), x(), y(),
+                                  story_.numbers(shown_.walk.truth->distance));
       text_.detail +=
           " It compares neighbours only, so it is stuck: all pairs, or pieces that are convex, "
           "give the "
           "true distance.";
     } else {
-      text_.caption =
-          format("The distance is {}, between {} and {}.", story_.numbers(result.answer.distance),
-                 shown_.name(true), shown_.name(false));
+      text_.caption = fmt::format("The distance is {}, between {} and {}.",
+                                  story_.numbers(result.answer.distance), shown_.name(true),
+                                  shown_.name(false));
     }
   }
 

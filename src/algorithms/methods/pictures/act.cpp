@@ -10,8 +10,6 @@
 namespace gjkscope::methods {
 namespace {
 
-using fmt::format;
-
 const MethodsTold& told(const LessonRun& run, const Frame& frame) {
   return *methods_told(run, frame.run);
 }
@@ -26,9 +24,9 @@ long total(const LessonRun& run, const Frame& frame, Method method) {
   return sum;
 }
 
-std::string pairs(long count) { return format("{} pair{}", count, count == 1 ? "" : "s"); }
+std::string pairs(long count) { return fmt::format("{} pair{}", count, count == 1 ? "" : "s"); }
 std::string iterations(long count) {
-  return format("{} iteration{}", count, count == 1 ? "" : "s");
+  return fmt::format("{} iteration{}", count, count == 1 ? "" : "s");
 }
 
 void add_frames(LessonRun& run, int index) {
@@ -52,36 +50,37 @@ void words(const Story& story, FrameText& text) {
   const MethodsTold& at = told(story.run, story.frame);
   const Lesson& lesson = story.run.lesson;
   if (at.is_refused()) {
-    text.caption = format("Not all methods take {}.", words_of(*at.refusal, lesson));
+    text.caption = fmt::format("Not all methods take {}.", words_of(*at.refusal, lesson));
     text.detail = "Lin-Canny needs convex outlines, and GJK takes hulls.";
     return;
   }
   const auto sum = [&](Method method) { return total(story.run, story.frame, method); };
   if (is_sum(story.frame)) {
     text.caption =
-        format("Memory saves GJK {} of {} iterations, and the trees {} of {} pairs of boxes.",
-               sum(Method::gjk_cold) - sum(Method::gjk_warm), sum(Method::gjk_cold),
-               sum(Method::tree_cold) - sum(Method::tree_front), sum(Method::tree_cold));
-    text.detail = format(
+        fmt::format("Memory saves GJK {} of {} iterations, and the trees {} of {} pairs of boxes.",
+                    sum(Method::gjk_cold) - sum(Method::gjk_warm), sum(Method::gjk_cold),
+                    sum(Method::tree_cold) - sum(Method::tree_front), sum(Method::tree_cold));
+    text.detail = fmt::format(
         "The last pair alone saves {}: nearer first finds a small δ at once. What helps is to "
         "start where the last search ended: at its front, as FCL calls it.",
         sum(Method::tree_cold) - sum(Method::tree_pair));
     return;
   }
   if (story.frame.run == 0) {
-    text.caption = format("Nothing is known yet: all methods start anew. All say {}.",
-                          story.numbers(at.answer.distance));
+    text.caption = fmt::format("Nothing is known yet: all methods start anew. All say {}.",
+                               story.numbers(at.answer.distance));
     text.detail =
-        format("GJK needs {}, Lin-Canny looks at {} of features, the trees at {} of boxes.",
-               iterations(at.at(Method::gjk_cold)), pairs(at.at(Method::lin_canny)),
-               pairs(at.at(Method::tree_cold)));
+        fmt::format("GJK needs {}, Lin-Canny looks at {} of features, the trees at {} of boxes.",
+                    iterations(at.at(Method::gjk_cold)), pairs(at.at(Method::lin_canny)),
+                    pairs(at.at(Method::tree_cold)));
     return;
   }
-  text.caption = format("All methods say {}. With what they know: GJK {}, Lin-Canny {}, trees {}.",
-                        story.numbers(at.answer.distance), iterations(at.at(Method::gjk_warm)),
-                        pairs(at.at(Method::lin_canny)), pairs(at.at(Method::tree_front)));
-  text.detail = format("From scratch: GJK {}, trees {}.", iterations(at.at(Method::gjk_cold)),
-                       pairs(at.at(Method::tree_cold)));
+  text.caption =
+      fmt::format("All methods say {}. With what they know: GJK {}, Lin-Canny {}, trees {}.",
+                  story.numbers(at.answer.distance), iterations(at.at(Method::gjk_warm)),
+                  pairs(at.at(Method::lin_canny)), pairs(at.at(Method::tree_front)));
+  text.detail = fmt::format("From scratch: GJK {}, trees {}.", iterations(at.at(Method::gjk_cold)),
+                            pairs(at.at(Method::tree_cold)));
 }
 
 constexpr AskInfo kAskFront{
@@ -142,7 +141,7 @@ void values(const Story& story, FrameText& text) {
   if (at.is_refused()) return;
   text.values.emplace_back("distance", story.numbers(at.answer.distance));
   for (const Method method : kMethods)
-    text.values.emplace_back(name_of(method), format("{} {}", at.at(method), unit_of(method)));
+    text.values.emplace_back(name_of(method), fmt::format("{} {}", at.at(method), unit_of(method)));
 }
 
 void stage(SceneBuilder& scene) {

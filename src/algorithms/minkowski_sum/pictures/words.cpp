@@ -5,13 +5,13 @@
 namespace gjkscope::sums {
 namespace {
 
-using fmt::format;
 using minkowski_sum::OriginSide;
 using minkowski_sum::Phase;
 using minkowski_sum::Source;
 
 void refused(const Shown& shown, FrameText& text) {
-  text.caption = format("The merge does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+  text.caption =
+      fmt::format("The merge does not take {}.", words_of(*shown.told.refusal, shown.lesson));
   text.detail = "It needs two convex polygons.";
 }
 
@@ -19,22 +19,23 @@ void edge(const Shown& shown, FrameText& text) {
   const minkowski_sum::Corner& from = shown.step->before.at;
   const Source source = shown.step->source;
   if (source == Source::both) {
-    text.caption = format("Parallel {} make one edge, to {}.", shown.edge(from, source),
-                          shown.corner(shown.step->after.at));
+    text.caption = fmt::format("Parallel {} make one edge, to {}.", shown.edge(from, source),
+                               shown.corner(shown.step->after.at));
     text.detail = "Both turn by the same angle, so both walks go on.";
     return;
   }
   const Source other = source == Source::y ? Source::x : Source::y;
-  text.caption = format("{} comes next: it leads to {}.", capitalized(shown.edge(from, source)),
-                        shown.corner(shown.step->after.at));
+  text.caption =
+      fmt::format("{} comes next: it leads to {}.", capitalized(shown.edge(from, source)),
+                  shown.corner(shown.step->after.at));
   const bool other_is_left = other == Source::y
                                  ? shown.step->before.edges_of_y < shown.merge.y.size()
                                  : shown.step->before.edges_of_x < shown.merge.x.size();
   text.detail =
       other_is_left
-          ? format("It turns less to the left than {}, which waits.", shown.edge(from, other))
-          : format("All edges of {} are taken.",
-                   other == Source::y ? shown.lesson.y().name : "−" + shown.lesson.x().name);
+          ? fmt::format("It turns less to the left than {}, which waits.", shown.edge(from, other))
+          : fmt::format("All edges of {} are taken.",
+                        other == Source::y ? shown.lesson.y().name : "−" + shown.lesson.x().name);
 }
 
 void inside(const Shown& shown, FrameText& text) {
@@ -42,21 +43,21 @@ void inside(const Shown& shown, FrameText& text) {
   const std::string& y = shown.lesson.y().name;
   switch (shown.merge.origin) {
     case OriginSide::inside:
-      text.caption = format("O lies on the inner side of each edge: {} and {} overlap.", x, y);
-      text.detail = format(
+      text.caption = fmt::format("O lies on the inner side of each edge: {} and {} overlap.", x, y);
+      text.detail = fmt::format(
           "A point of {} and a point of {} have the difference O: they are one point.", x, y);
       break;
     case OriginSide::on_edge:
-      text.caption = format("O lies on an edge: {} and {} touch.", x, y);
+      text.caption = fmt::format("O lies on an edge: {} and {} touch.", x, y);
       text.detail = "Their distance is 0, and no point lies inside of both.";
       break;
     case OriginSide::outside:
-      text.caption = format("O lies outside: {} and {} are apart.", x, y);
-      text.detail =
-          format("It lies beyond the {}, so {} and {} have no point in common.",
-                 shown.edge(shown.merge.corners[static_cast<std::size_t>(shown.merge.separating)],
-                            shown.merge.edges[static_cast<std::size_t>(shown.merge.separating)]),
-                 x, y);
+      text.caption = fmt::format("O lies outside: {} and {} are apart.", x, y);
+      text.detail = fmt::format(
+          "It lies beyond the {}, so {} and {} have no point in common.",
+          shown.edge(shown.merge.corners[static_cast<std::size_t>(shown.merge.separating)],
+                     shown.merge.edges[static_cast<std::size_t>(shown.merge.separating)]),
+          x, y);
       break;
   }
 }
@@ -68,17 +69,17 @@ void words(const Story& story, FrameText& text) {
   const int sums = static_cast<int>(shown.merge.corners.size());
   if (shown.told.refusal) return refused(shown, text);
   if (shown.step == nullptr) {
-    text.caption = format("{1} − {0} is the sum of {1} and −{0}.", shown.lesson.x().name,
-                          shown.lesson.y().name);
+    text.caption = fmt::format("{1} − {0} is the sum of {1} and −{0}.", shown.lesson.x().name,
+                               shown.lesson.y().name);
     text.detail =
         "−X is X turned by half a circle about O. A sum of two convex polygons has the edges of "
         "both.";
   } else if (shown.is_answer) {
-    text.caption = format("{} differences make the outline. There are {}.", sums,
-                          shown.merge.x.size() * shown.merge.y.size());
+    text.caption = fmt::format("{} differences make the outline. There are {}.", sums,
+                               shown.merge.x.size() * shown.merge.y.size());
     text.detail = "Each edge is taken once, so the work grows like m + n, not like m · n.";
   } else if (shown.step->phase == Phase::lowest) {
-    text.caption = format("{} is the lowest corner.", shown.corner(shown.step->after.at));
+    text.caption = fmt::format("{} is the lowest corner.", shown.corner(shown.step->after.at));
     text.detail =
         "It is the lowest vertex of Y plus the lowest vertex of −X. Both walks go "
         "counter-clockwise from here.";
