@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
@@ -11,9 +13,10 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// Of a shape with more vertices than this, the outline alone is drawn: names and disks would cover
-/// it and each other.
-constexpr std::size_t kMostNamed = 256;
+/// A shape with more vertices than this is drawn as its outline alone: disks would cover it.
+constexpr std::size_t kMostVertexDisks = 256;
+/// Names in a view: more would hide the shapes.
+constexpr std::size_t kMostNames = 24;
 
 /// Where GJK does not name them, names of more vertices than this would only be in the way, and
 /// disks of more vertices hide the line.
@@ -51,6 +54,53 @@ void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<V
   }
 }
 
+/// The vertices of a shape that the run ever looks at: those of all its simplices and support
+/// points. They are the same in each frame of the run, so names neither come nor go between steps.
+std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::size_t count) {
+  std::vector<bool> met(count, false);
+  const auto meet = [&](const gjk::State<double, 2>& state) {
+    const auto note = [&](const gjk::SupportPoint<double, 2>& vertex) {
+      met[static_cast<std::size_t>(is_x ? vertex.pair.x : vertex.pair.y)] = true;
+    };
+    for (int i = 0; i < state.simplex.count; ++i) note(state.simplex.vertices[i]);
+  };
+  meet(scene.positioned.trace.initial);
+  for (const auto& step : scene.positioned.trace.steps) meet(step.after);
+  return met;
+}
+
+/// The vertices of a shape that have names: all of them where a view has room for that, else those
+/// that the run looks at, and then corners that are far from all that have one.
+std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
+                                 const std::vector<Vector2d>& world) {
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i)
+    others += i == body ? 0 : scene.positioned.bodies[i].world.size();
+  if (world.size() + others <= kMostNames) return std::vector<bool>(world.size(), true);
+  std::vector<bool> named = vertices_of_run(scene, body == 0, world.size());
+  if (world.size() > kMostVertexDisks) return named;
+
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> to_named(world.size(), kFar);  // squared distances
+  const auto measure_from = [&](std::size_t from) {
+    for (std::size_t i = 0; i < world.size(); ++i)
+      to_named[i] = std::min(to_named[i], (world[i] - world[from]).squaredNorm());
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (!named[i]) continue;
+    measure_from(i);
+    ++count;
+  }
+  const std::size_t wanted = kMostNames - std::min(others, kMostNames / 2);
+  for (; count < std::min(wanted, world.size()); ++count) {
+    const auto farthest = std::max_element(to_named.begin(), to_named.end()) - to_named.begin();
+    named[static_cast<std::size_t>(farthest)] = true;
+    measure_from(static_cast<std::size_t>(farthest));
+  }
+  return named;
+}
+
 void shape(SceneBuilder& scene, std::size_t body) {
   using Kind = Subject::Kind;
   const Lesson& lesson = scene.run.lesson;
@@ -61,8 +111,8 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   std::vector<Point> points;
   for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
-  const bool named = world.size() <= kMostNamed;
-  if (!named) points = told_apart(points);
+  const bool has_corners = world.size() <= kMostVertexDisks;
+  if (!has_corners) points = told_apart(points);
   const Point middle = centroid(points);
   if (!shape.outlines.empty()) {
     outlines(scene, shape, world, role, whole);
@@ -72,7 +122,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
     if (is_convex(world)) {
       scene.area(role, points, whole);
     } else {
-      if (named) {
+      if (has_corners) {
         for (const auto& [a, b, c] : triangles(world))
           scene.area(role + ".fill", {points[a], points[b], points[c]}, whole);
       }
@@ -80,20 +130,25 @@ void shape(SceneBuilder& scene, std::size_t body) {
     }
     scene.outline(points);
   }
-  const bool has_disks = named && (scene.run.has_gjk() || points.size() <= kMostDisks);
+  const bool has_disks = has_corners && (scene.run.has_gjk() || points.size() <= kMostDisks);
   for (std::size_t i = 0; has_disks && i < points.size(); ++i) {
     const int index = static_cast<int>(i);
     scene.disk(role + ".vertex", points[i], kVertexRadius,
                is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
-    if (!scene.run.has_gjk() && points.size() > kMostLabels) continue;
-    Point away = points[i] - middle;
-    if (points.size() == 1) away = Point::Zero();
+  }
+  if (!scene.run.has_gjk() && (!has_disks || world.size() > kMostLabels)) return;
+  const std::vector<bool> named = scene.run.has_gjk() ? named_vertices(scene, body, world)
+                                                      : std::vector<bool>(world.size(), true);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (!named[i]) continue;
+    const Point at = scene.at(world[i]);
+    const Point away = world.size() == 1 ? Point::Zero() : Point(at - middle);
     // Beside a vertex that moves, no place is free for good.
-    const bool moves = lesson.path_of_shapes && points.size() > 1 &&
+    const bool moves = lesson.path_of_shapes && world.size() > 1 &&
                        !lesson.path_of_shapes->motions[body].points.empty();
     auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
     labels.push_back(scene.label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
-                                 role + ".label", type::kVertex, points[i], kSimplexRadius, away));
+                                 role + ".label", type::kVertex, at, kSimplexRadius, away));
   }
 }
 
