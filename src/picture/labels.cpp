@@ -54,6 +54,11 @@ bool contains(const Rect& outer, const Rect& inner) {
 
 /// Clips the segment's parameter range against the box, side by side (Liang and Barsky 1984).
 bool hits(const Rect& box, const Obstacles::Segment& segment) {
+  const auto is_beside = [&](int axis) {
+    return std::max(segment.a[axis], segment.b[axis]) < box.min[axis] ||
+           std::min(segment.a[axis], segment.b[axis]) > box.max[axis];
+  };
+  if (is_beside(0) || is_beside(1)) return false;
   double enter = 0.0;
   double leave = 1.0;
   const Point d = segment.b - segment.a;
@@ -128,15 +133,17 @@ Point LabelPlacer::size_of(const std::string& text, const TextStyle& style) cons
   return {fonts_.width(style, text), fonts_.cap_height(style) + 0.22 * style.size};
 }
 
-double LabelPlacer::cost_of(const Rect& box) const {
+double LabelPlacer::cost_of(const Rect& box, double least) const {
   const Rect clear = grown(box, kClearance);
   double cost = contains(bounds_, clear) ? 0.0 : kOutside;
   for (const Rect& label : taken_)
     cost += overlap(grown(box, kLabelClearance), label) ? kOverLabel : 0.0;
-  for (const Obstacles::Circle& circle : obstacles_.circles)
-    cost += hits(clear, circle) ? kOverCircle : 0.0;
-  for (const Obstacles::Segment& segment : obstacles_.segments)
-    cost += hits(clear, segment) ? kOverSegment : 0.0;
+  for (auto circle = obstacles_.circles.begin(); circle != obstacles_.circles.end() && cost < least;
+       ++circle)
+    cost += hits(clear, *circle) ? kOverCircle : 0.0;
+  for (auto segment = obstacles_.segments.begin();
+       segment != obstacles_.segments.end() && cost < least; ++segment)
+    cost += hits(clear, *segment) ? kOverSegment : 0.0;
   return cost;
 }
 
@@ -208,7 +215,9 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
-    const double cost = extra + cost_of(box) + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
+    const double on_marks = cost_of(box, best_cost);
+    if (extra + on_marks >= best_cost) return;
+    const double cost = extra + on_marks + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
                         cost_of_leader(box, request) +
                         (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
@@ -274,11 +283,13 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, boo
     if (extra >= best_cost || !is_inside(request.polygon, grown(box, 3.0 * kClearance))) return;
     const Rect wide = grown(box, kAreaClearance);
     const Rect aside = grown(box, kLineClearance);
+    const double on_marks = cost_of(box, best_cost);
+    if (extra + on_marks >= best_cost) return;
     const bool near = std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(),
                                   [&](const auto& circle) { return hits(wide, circle); }) ||
                       std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
                                   [&](const auto& segment) { return hits(aside, segment); });
-    const double cost = extra + cost_of(box) + cost_of_passing(box, false) + (near ? kNear : 0.0);
+    const double cost = extra + on_marks + cost_of_passing(box, false) + (near ? kNear : 0.0);
     if (cost < best_cost) {
       best_cost = cost;
       best = center;

@@ -93,7 +93,8 @@ class LabelPlacer {
     Point face = Point::Zero();    ///< From there to the middle, in halves of the label's size.
   };
 
-  [[nodiscard]] double cost_of(const Rect& box) const;
+  /// The cost of all that the box covers. Marks beyond a cost of `least` are not counted.
+  [[nodiscard]] double cost_of(const Rect& box, double least) const;
   /// Of a box that is nearer to another mark than to the one that it names.
   [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
   /// Of a line from a far label to what it names, which would cross other labels.

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
 
 #include "effects/facts.hpp"
 #include "effects/minkowski.hpp"
@@ -23,6 +26,9 @@ bool hull_is_ghost(const SceneBuilder& scene) {
   return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
+/// A cloud of more differences has one disk in each pixel: the others would be hidden under it.
+constexpr std::size_t kMostDisks = 1024;
+
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
@@ -43,9 +49,13 @@ void difference(SceneBuilder& scene) {
   Point middle = Point::Zero();
   for (const CloudPoint& point : cloud)
     middle += scene.at(point.z) / static_cast<double>(cloud.size());
+  const bool is_dense = cloud.size() > kMostDisks;
+  std::set<std::pair<long, long>> pixels;
   for (std::size_t i = 0; i < made; ++i) {
     const auto& [z, pair] = cloud[i];
     const Point point = scene.at(z);
+    if (is_dense && !pixels.emplace(std::lround(point.x()), std::lround(point.y())).second)
+      continue;
     scene.disk("cloud.point", point, kCloudRadius,
                {Subject::Kind::difference_vertex, pair.x, pair.y});
     if (has_names)
