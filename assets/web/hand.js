@@ -20,8 +20,9 @@ function onDown(event) {
   stop();
   const place = placeOf(event);
   // The picture stays: what is touched must be there when the browser asks whether to scroll.
-  const drags = ask({ do: "press", ...place }).dragging;
-  held = { id: event.pointerId, drags, from: place, touch: event.pointerType !== "mouse" };
+  const touch = event.pointerType !== "mouse";
+  const drags = ask({ do: "press", ...place, ...(touch && { finger: true }) }).dragging;
+  held = { id: event.pointerId, drags, from: place, touch };
   if (!held.drags) return;
   $("hint").hidden = true;
   $("stage").classList.add("drags");
@@ -36,6 +37,13 @@ function onMove(event) {
     pointed = placeOf(event);
     light(pointed);
   }
+}
+
+/** Ends a drag as if it had not been. */
+function letGo() {
+  held = null;
+  $("stage").classList.remove("drags");
+  act({ do: "cancel" });
 }
 
 function onLeave(event) {

@@ -20,9 +20,9 @@ const KIT = {
 
 const MOST_LISTED = 20000;  // characters of a case
 
-/** The vertices of a shape; of one with too many to list, a box in their place. */
+/** The vertices of a shape. */
 function world(key) {
-  const vertices = state.shapes?.[key].vertices ?? KIT.box();
+  const { vertices } = (state.shapes ?? ask({ do: "vertices" }))[key];
   return vertices.map(([x, y]) => [Number(x), Number(y)]);
 }
 function middle(points) {
@@ -53,7 +53,9 @@ function startKit() {
   for (const button of document.querySelectorAll("[data-shape]"))
     button.onclick = () => setShape(button.dataset.for, button.dataset.shape);
   $("random").onclick = setRandomPair;
-  const paste = (text) => act({ do: "case", text, name: "pasted" });
+  const paste = (text) => {
+    if (act({ do: "case", text, name: "pasted" })) $("stage").scrollIntoView({ block: "nearest" });
+  };
   $("paste").onclick = () => paste($("case").value);
   // A field takes minutes to set so many lines: a long case is shown, and not listed.
   $("case").addEventListener("beforeinput", (event) => {

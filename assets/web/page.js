@@ -65,6 +65,8 @@ function putStage(markup) {
 function show(next, moves) {
   const last = state;
   state = { ...last, ...next, question: next.question };
+  if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list
+  const focused = document.activeElement;
   endMotion();
   endMotion = () => {};
   if (moves && !matchMedia("(prefers-reduced-motion: reduce)").matches) endMotion = animate();
@@ -88,11 +90,20 @@ function show(next, moves) {
   $("step").disabled = atEnd || Boolean(state.question && next.question);
   if (!next.numbers) return;  // while dragging
   showTools(next, last);
+  keepFocus(focused);
   showNumbers();
   showVertices();
   showNumerics();
   markTranscript();
   if (last && (last.index !== state.index || last.changed !== state.changed)) keepLink();
+}
+
+/** A button that cannot be pressed any more hands the keyboard to what comes next. */
+function keepFocus(focused) {
+  if (!focused || focused === document.body || (!focused.disabled && focused.isConnected && !focused.closest("[hidden]"))) return;
+  const next = $("choices").querySelector("button");
+  if (next && !$("question").hidden) next.focus({ preventScroll: true });
+  else ($("step").disabled ? $("back") : $("step")).focus({ preventScroll: true });
 }
 
 /** Text that is the same is left alone, so that it is not announced again. */
@@ -132,7 +143,8 @@ function layout(theme = themeName($("theme").value)) {
   const below = controls + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
   const fit = Math.max(330, innerHeight / zoom - top - below);
   const two = data.views > 1;
-  const height = width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);
+  const isLow = innerHeight <= 496;  // as in style.css: the bar stands beside the figure
+  const height = isLow ? Math.max(200, innerHeight / zoom - 16) : width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);
   const panel = $("panel").hidden ? 368 : $("panel").clientWidth / zoom;
   act({ do: "layout", width, height, panel, timeline: Math.max(200, width), theme });
 }
@@ -172,7 +184,6 @@ function go(to, moves = true) {
 }
 function choose(choice) {
   act({ do: "answer", choice }, true);
-  $("step").focus();
 }
 function predict() {
   stop();
@@ -192,8 +203,16 @@ const KEYS = {
 
 function onKey(event) {
   const at = event.target;
-  if (event.ctrlKey || event.metaKey || event.altKey || $("link").open) return;
+  if (event.key === "Escape" && held?.drags) return letGo();
+  if (event.altKey || $("link").open) return;
   if (at.closest("input:not([type=checkbox]), textarea, select")) return;
+  if (event.ctrlKey || event.metaKey) {
+    const key = event.key.toLowerCase();
+    if (key !== "z" && key !== "y") return;
+    event.preventDefault();
+    act({ do: key === "y" || event.shiftKey ? "redo" : "undo" });
+    return;
+  }
   const presses = at.closest("button, summary, a, [role=button], input");
   if ((event.key === " " || event.key === "Enter") && presses) {
     if (at.getAttribute("role") === "button" && at.dataset.of) clickOn(at, event);

@@ -8,8 +8,8 @@ function connect() {
     "iteration-back": () => iteration(-1), play, predict,
     undo: () => act({ do: "undo" }), redo: () => act({ do: "redo" }),
     reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy,
-    share: async () => offer("Share", "This link holds the lesson, the step and what was changed.", await address()),
-    embed: async () => offer("Embed", "This line shows the figure in another page.",
+    share: async () => stop() || offer("Share", "This link holds the lesson, the step and what was changed.", await address()),
+    embed: async () => stop() || offer("Embed", "This line shows the figure in another page.",
       `<iframe src="${(await address("&embed")).replaceAll('"', "%22")}" width="960" height="720" title="${document.title.replaceAll('"', "&quot;")}"></iframe>`),
   };
   for (const [id, does] of Object.entries(clicks)) $(id).onclick = does;
@@ -58,6 +58,8 @@ function connect() {
 }
 
 async function start() {
+  // Steps write the address, so the link is kept first.
+  const link = location.hash;
   $("theme").value = chosenTheme();
   const wasm = await through(new DecompressionStream("gzip"), bytesOf($("wasm").textContent));
   ask = await startPlayerWith(wasm, $("fonts").textContent, data.themes);
@@ -72,7 +74,7 @@ async function start() {
   await document.fonts.ready;
   // Two shapes are asked for their distance first; how it was found comes after.
   if (data.kind === "playground") act({ do: "go", to: state.count - 1 });
-  await follow(location.hash);
+  await follow(link);
   root.dataset.ready = Math.round(performance.now());
 }
 

@@ -25,6 +25,7 @@ using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
 constexpr double kSlack = 7.0;              // pixels around a point or a line that still hit it
+constexpr double kFingerSlack = 24.0;       // the same under a finger, which hides what it touches
 constexpr std::size_t kMostText = 1 << 21;  // bytes of a case; as of a lesson file
 
 }  // namespace
@@ -103,14 +104,15 @@ std::string Player::answer(std::string_view request) {
       {"step", [](Player& p, const Asked& a) { p.session_.step(a.whole("by")); }},
       {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
       {"phase", [](Player& p, const Asked& a) { p.go_to_phase(a.whole("phase")); }},
-      {"press", [](Player& p, const Asked& a) { p.press(a.point()); }},
+      {"press", [](Player& p, const Asked& a) { p.press(a.point(), a.json.contains("finger")); }},
       {"move", [](Player& p, const Asked& a) { p.move(a.point()); }},
       {"release", [](Player& p, const Asked&) { p.release(); }},
+      {"cancel", [](Player& p, const Asked&) { p.cancel(); }},
       {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
-      {"undo", [](Player& p, const Asked&) { p.session_.undo(); }},
-      {"redo", [](Player& p, const Asked&) { p.session_.redo(); }},
+      {"undo", [](Player& p, const Asked&) { p.session_.undo(), p.session_.fit(); }},
+      {"redo", [](Player& p, const Asked&) { p.session_.redo(), p.session_.fit(); }},
       {"reset", [](Player& p, const Asked&) { p.reset(); }},
       {"predict", [](Player& p, const Asked& a) { p.session_.set_predicting(a.flag("on")); }},
       {"answer", [](Player& p, const Asked& a) { p.session_.answer(a.text("choice")); }},
@@ -119,6 +121,7 @@ std::string Player::answer(std::string_view request) {
   static const std::map<std::string_view, Tell> tells = {
       {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
+      {"vertices", [](Player& p, const Asked&) { return p.all_vertices(); }},
       {"trace", [](Player& p, const Asked&) { return p.trace(); }},
       {"frame", [](Player& p, const Asked&) { return p.whole_frame(); }},
       {"tween", [](Player& p, const Asked& a) { return p.on_the_way(a); }},
@@ -275,6 +278,13 @@ void Player::release() {
   if (!session_.problem().empty()) throw std::runtime_error(session_.problem());
 }
 
+/// Ends a drag as if it had not been.
+void Player::cancel() {
+  const bool moved = drag_ && drag_->moved;
+  release();
+  if (moved) session_.undo();
+}
+
 namespace {
 
 std::optional<std::size_t> view_at(const Session& session, const Point& p) {
@@ -294,9 +304,10 @@ Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
 
 }  // namespace
 
-void Player::press(const Point& at) {
+void Player::press(const Point& at, bool by_finger) {
   drag_.reset();
-  const Subject subject = gjkscope::held(subject_at(session_.picture(), fonts_, at, 2.0 * kSlack));
+  const double slack = by_finger ? kFingerSlack : 2.0 * kSlack;
+  const Subject subject = gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
   const std::optional<std::size_t> view = view_at(session_, at);
   if (!view) return;
   const bool in_world = session_.views()[*view].kind == ViewKind::world;
@@ -344,9 +355,8 @@ double coordinate(const std::string& text, const std::string& name) {
                        {"b", Json::array({Json::array({0, 0})})}};
   const std::vector<ReadCase> read = parse_cases(dumped(holder), name);
   if (read.front().value) return read.front().value->a.front().x();
-  throw std::runtime_error(
-      to_string(Problem{name, 1, 1, fmt::format("'{}' is no number", text.substr(0, 40)),
-                        "one like 0.25, 1e-6 or 0x1.8p-1", ""}));
+  throw std::runtime_error(fmt::format(
+      "{}: '{}' is no number; expected one like 0.25, 1e-6 or 0x1.8p-1", name, text.substr(0, 40)));
 }
 
 }  // namespace

@@ -39,14 +39,16 @@ class Player {
   void set_layout(const Asked& asked);
   void go_to_phase(int phase);
   void reset();
-  void press(const Point& at);
+  void press(const Point& at, bool by_finger);
   void move(const Point& at);
   void release();
+  void cancel();
   void put_vertex(const Asked& asked);
   void nudge(const Asked& asked);
   void set_numerics(const Asked& asked);
   [[nodiscard]] std::string linked(const Point& at);
   [[nodiscard]] std::string lesson_file() const;
+  [[nodiscard]] std::string all_vertices() const;
   [[nodiscard]] std::string trace() const;
   [[nodiscard]] std::string whole_frame() const;
   [[nodiscard]] std::string on_the_way(const Asked& asked) const;

@@ -196,6 +196,12 @@ void Player::draw_depth(Picture& picture) {
   picture.marks.push_back({"direction.label", label, -1, {}});
 }
 
+/// Of shapes of any size: `shown` leaves out those that are too long to list.
+std::string Player::all_vertices() const {
+  const Lesson& lesson = session_.lesson();
+  return dumped({{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}});
+}
+
 std::string Player::shown() {
   if (!opened_) return dumped({{"count", 0}});
   if (!session_.is_dragging() && std::exchange(measured_, session_.version()) != session_.version())

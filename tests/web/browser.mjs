@@ -297,7 +297,7 @@ action("vertices are typed as decimals and hex floats, and moved by arrow keys",
   assert.equal((await state(page)).shapes.y.vertices[0][0], "0.5");
   await page.fill("#y-0-0", "a lot");
   await page.locator("#y-0-0").press("Enter");
-  assert.match(await text(page, "problem"), /^x of K:1:1: 'a lot' is no number; expected one like 0\.25/);
+  assert.match(await text(page, "problem"), /^x of K: 'a lot' is no number; expected one like 0\.25/);
   assert.equal(await page.inputValue("#y-0-0"), "0x1p-1");
   await page.fill("#y-0-0", "1e300");
   await page.locator("#y-0-0").press("Enter");
@@ -486,7 +486,7 @@ claim("a case of 10 MB and one of 10,000 vertices are refused or drawn, not hung
     document.getElementById("paste").click();
   });
   assert.match(await text(page, "problem"), /^pasted: 1\d{7} bytes are too many; expected at most 2097152$/);
-  const ring = (n, x) => Array.from({ length: n }, (_, i) => [x + Math.cos(2 * Math.PI * i / n), Math.sin(2 * Math.PI * i / n)]);
+
   await page.evaluate((json) => {
     document.getElementById("case").value = json;
     document.getElementById("paste").click();
@@ -543,6 +543,113 @@ claim("10 MB that are pasted or linked are refused at once, and the page goes on
   assert.equal(await distance(page), 5);
   await close(page);
 }, true);
+
+claim("a link to the playground is followed in a fresh profile: a shared pair, a case, a step, an embedded figure", async () => {
+  const page = await open(url("playground"));
+  await page.click("#random");
+  const before = await state(page);
+  await page.click("#share");
+  await page.locator("#link-title", { hasText: "Share" }).waitFor();
+  const other = await open(await page.inputValue("#link-value"), "phone");
+  assert.deepEqual((await state(other)).shapes, before.shapes);
+  assert.equal(await distance(other), await distance(page));
+  await close(other);
+  await close(page);
+  const given = await open(url("playground", `#case=${encodeURIComponent('{"a":[[0,0],[1,0]],"b":[[4,4]]}')}`));
+  assert.equal(await distance(given), 5);
+  await close(given);
+  const framed = await open(url("playground", "#step=3&embed"));
+  assert.equal((await count(framed))[0], 3);
+  assert.ok(await framed.evaluate(() => document.documentElement.classList.contains("embed")));
+  await close(framed);
+});
+
+const ring = (n, x, radius = 1) => Array.from({ length: n }, (_, i) =>
+  [x + radius * Math.cos(2 * Math.PI * i / n), radius * Math.sin(2 * Math.PI * i / n)]);
+const paste = (page, shapes) => page.evaluate((json) => {
+  document.getElementById("case").value = json;
+  document.getElementById("paste").click();
+}, JSON.stringify(shapes));
+
+claim("after a long case no vertices of the shapes before are listed, and the kit keeps the long shape", async () => {
+  const page = await open(url("playground"));
+  await page.locator("#vertices-part summary").click();
+  await paste(page, { a: ring(1000, 0), b: [[5, 0], [6, 0]] });
+  assert.equal(await text(page, "vertices"), "There are too many to list.");
+  await page.click('[data-for="y"][data-shape="point"]');
+  assert.ok(Math.abs((await distance(page)) - 4.5) < 1e-9, "X is still the polygon of 1,000");
+  await close(page);
+});
+
+claim("a view of many vertices has some 24 names, those of the run among them", async () => {
+  const page = await open(url("playground"));
+  for (const n of [40, 64, 100, 150, 200, 256, 1000]) {
+    await paste(page, { a: ring(n, 0, 3), b: [[5, 5], [6, 5]] });
+    const { names, run } = await page.evaluate(() => ({
+      names: [...document.querySelectorAll("#stage text")].map((label) => label.textContent),
+      run: state.outcome.flat().join(" "),
+    }));
+    const ofX = names.filter((name) => /^x\d+$/.test(name));
+    assert.ok(ofX.length >= 1 && ofX.length <= 26, `${n} vertices: ${ofX.length} names`);
+    assert.ok(run.length > 0);
+  }
+  await close(page);
+});
+
+claim("undo brings the view back, Escape ends a drag, Ctrl+Z takes back", async () => {
+  const page = await open(url("polygons-gjk", "#step=17"));
+  const width = () => page.evaluate(() => {
+    const at = [...document.querySelectorAll('#stage circle[data-of^="z "]')].map((mark) => mark.getBoundingClientRect().x);
+    return Math.max(...at) - Math.min(...at);
+  });
+  const before = await state(page);
+  const wide = await width();
+  await page.evaluate(() => {
+    ask({ do: "nudge", shape: "x", index: 2, right: 4000, up: 3000 });
+    act({ do: "undo" });
+  });
+  assert.ok(Math.abs((await width()) - wide) < 1, `${await width()} of ${wide} pixels`);
+  await toMiddle(page, "y 0");
+  const from = await vertex(page, "y 0");
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 40, from[1] + 20);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  assert.deepEqual((await state(page)).shapes, before.shapes);
+  await dragByMouse(page, await vertex(page, "y 0"), [30, 20]);
+  assert.notDeepEqual((await state(page)).shapes, before.shapes);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual((await state(page)).shapes, before.shapes);
+  await page.keyboard.press("Control+Shift+z");
+  assert.notDeepEqual((await state(page)).shapes, before.shapes);
+  await close(page);
+});
+
+claim("on a phone a question leaves the figure in sight, and a problem is seen where the hand is", async () => {
+  const page = await open(url("polygons-gjk"), "phone");
+  await page.locator("body").press("p");
+  for (let i = 0; i < 30 && !(await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
+  const seen = await page.evaluate(() => document.querySelector(".bar").getBoundingClientRect().top - document.getElementById("stage").getBoundingClientRect().top);
+  assert.ok(seen > 250, `${seen} pixels of the figure`);
+  await close(page);
+  const wrong = await open(url("playground"), "phone");
+  await wrong.locator(".kit summary").click();
+  await wrong.fill("#case", "POLYGON((0 0,1 0,0 1,0 0))");
+  await wrong.click("#paste");
+  const { top, bottom } = await wrong.evaluate(() => document.getElementById("problem").getBoundingClientRect());
+  assert.ok(top >= 0 && bottom <= SIZES.phone.height, `from ${top} to ${bottom}`);
+  await close(wrong);
+});
+
+claim("the keyboard stays in the page's controls where Step cannot be pressed any more", async () => {
+  const page = await open(url("stop-vertex"));
+  await page.locator("#step").focus();
+  const [, all] = await count(page);
+  for (let i = 1; i < all; ++i) await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "back");
+  await close(page);
+});
 
 // Looks -------------------------------------------------------------------------------------------
 
