@@ -23,9 +23,9 @@ namespace gjkscope {
 namespace {
 
 #if IMGUI_VERSION_NUM >= 18700  // Debian 12 has 1.79, Debian 13 has 1.90
-constexpr ImGuiKey_ kKeypadEnter = ImGuiKey_KeypadEnter;
+constexpr auto kKeypadEnter = ImGuiKey_KeypadEnter;
 #else
-constexpr ImGuiKey_ kKeypadEnter = ImGuiKey_KeyPadEnter;
+constexpr auto kKeypadEnter = ImGuiKey_KeyPadEnter;
 #endif
 
 constexpr double kUiType = 15.0;  // pixels at scale 1

@@ -642,6 +642,37 @@ claim("on a phone a question leaves the figure in sight, and a problem is seen w
   await close(wrong);
 });
 
+claim("in the window of a browser with its bars on a small laptop the figure has half of the height and the caption is in sight", async () => {
+  for (const name of ["polygons-gjk", "stop-vertex", "triangle-obtuse", "minkowski-support", "penetration-depth"]) {
+    const page = await open(url(name));
+    await page.setViewportSize({ width: 1366, height: 657 });
+    await twoFrames(page);
+    const { stage, caption } = await page.evaluate(() => ({
+      stage: document.getElementById("stage").getBoundingClientRect().height,
+      caption: document.getElementById("caption").getBoundingClientRect().bottom,
+    }));
+    assert.ok(stage >= 657 / 2, `${name}: ${stage} pixels`);
+    assert.ok(caption <= 657, `${name}: the caption ends at ${caption}`);
+    await close(page);
+  }
+});
+
+claim("in a low window the controls stand beside the figure", async () => {
+  for (const [width, height] of [[740, 360], [683, 384]]) {
+    const page = await open(url("polygons-gjk", "#step=7"));
+    await page.setViewportSize({ width, height });
+    await twoFrames(page);
+    await page.evaluate(() => document.getElementById("stage").scrollIntoView({ block: "start" }));
+    const [stage, step] = await page.evaluate(() => ["stage", "step"].map((id) => {
+      const box = document.getElementById(id).getBoundingClientRect();
+      return { left: box.left, right: box.right, top: box.top, bottom: box.bottom };
+    }));
+    assert.ok(stage.bottom - stage.top <= height + 1 && stage.right <= step.left, `${width}x${height}`);
+    assert.ok(step.top >= 0 && step.bottom <= height, `${width}x${height}: Step from ${step.top} to ${step.bottom}`);
+    await close(page);
+  }
+});
+
 claim("the keyboard stays in the page's controls where Step cannot be pressed any more", async () => {
   const page = await open(url("stop-vertex"));
   await page.locator("#step").focus();
