@@ -1,8 +1,16 @@
 #include "picture/labels.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "lessons.hpp"
+#include "picture/frame.hpp"
 
 namespace gjkscope {
 namespace labels_test {
@@ -153,6 +161,58 @@ TEST_F(Labels, OfAnAreaStandInItOrNowhere) {
   EXPECT_LT(center(marks[0]).y(), 100.0);
   const std::vector<Point> thin = {{0.0, 200.0}, {200.0, 200.0}, {200.0, 206.0}, {0.0, 206.0}};
   EXPECT_TRUE(placer.place_inside({"b", "label", "role", type::kRegion, thin, {}}).empty());
+}
+
+/// A regular polygon of `count` vertices, x1, x2, ..., as X beside a segment as Y.
+Lesson lesson_of_many(int count) {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  lesson.questions.clear();
+  lesson.expect = {};
+  lesson.options.start = {};
+  lesson.x().vertices.clear();
+  lesson.x().vertex_names.clear();
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / count;
+    lesson.x().vertices.emplace_back(3.0 * std::cos(turn), 3.0 * std::sin(turn));
+    lesson.x().vertex_names.push_back(fmt::format("x{}", i + 1));
+  }
+  lesson.y().vertices = {{5.0, 5.0}, {6.0, 5.0}};
+  lesson.y().vertex_names = {"y1", "y2"};
+  return lesson;
+}
+
+/// A label that a reader sees in any frame is in all of them, or it would come and go.
+TEST(NamesOfVertices, AreFewEnoughForTheViewAndHoldThoseOfTheRun) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  for (const int count : {3, 12, 22, 23, 40, 64, 150, 256, 257, 1000}) {
+    SCOPED_TRACE(count);
+    const LessonRun run = run_lesson(lesson_of_many(count));
+    std::set<std::string> met;
+    for (const auto& step : run.runs[0].trace.steps) {
+      const auto& simplex = step.after.simplex;
+      for (int i = 0; i < simplex.count; ++i) {
+        const auto index = static_cast<std::size_t>(simplex.vertices[i].pair.x);
+        met.insert(run.lesson.x().vertex_names[index]);
+      }
+    }
+    ASSERT_FALSE(met.empty());
+    EffectGraph effects(run);
+    std::optional<std::set<std::string>> first;
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
+      std::set<std::string> names;
+      for (const Mark& mark : frame.picture.marks) {
+        if (mark.role == "shape.x.label") names.insert(std::get<Text>(mark.shape).text);
+      }
+      for (const std::string& name : met) EXPECT_TRUE(names.contains(name)) << name;
+      if (!first) first = names;
+      EXPECT_EQ(names, *first);
+      if (count + 2 <= 24) {
+        EXPECT_EQ(names.size(), static_cast<std::size_t>(count));
+      } else {
+        EXPECT_EQ(names.size(), count <= 256 ? 22 : met.size());
+      }
+    }
+  }
 }
 
 }  // namespace labels_test
