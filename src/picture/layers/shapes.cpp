@@ -25,11 +25,11 @@ constexpr std::size_t kMostDisks = 64;
 
 constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
 
-/// Without the points that are less than half a pixel from the one before.
-std::vector<Point> told_apart(const std::vector<Point>& points) {
+/// Without the points that are less than `apart` pixels from the one before.
+std::vector<Point> told_apart(const std::vector<Point>& points, double apart) {
   std::vector<Point> out;
   for (const Point& point : points) {
-    if (out.empty() || (point - out.back()).norm() >= 0.5) out.push_back(point);
+    if (out.empty() || (point - out.back()).norm() >= apart) out.push_back(point);
   }
   return out;
 }
@@ -112,7 +112,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
   std::vector<Point> points;
   for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
   const bool has_corners = world.size() <= kMostVertexDisks;
-  if (!has_corners) points = told_apart(points);
+  if (!has_corners) points = told_apart(points, 0.5);
   const Point middle = centroid(points);
   if (!shape.outlines.empty()) {
     outlines(scene, shape, world, role, whole);
@@ -128,7 +128,8 @@ void shape(SceneBuilder& scene, std::size_t body) {
       }
       scene.add(role, Polyline{points, true}, whole);
     }
-    scene.outline(points);
+    // Labels keep as far from a line as the corners that are left out here are apart.
+    scene.outline(has_corners ? points : told_apart(points, 4.0));
   }
   const bool has_disks = has_corners && (scene.run.has_gjk() || points.size() <= kMostDisks);
   for (std::size_t i = 0; has_disks && i < points.size(); ++i) {
