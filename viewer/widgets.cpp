@@ -6,11 +6,12 @@
 #include <cstdlib>
 
 #include "app.hpp"
+#include "lesson/hexadecimal.hpp"
 
 namespace gjkscope {
 
 std::string number_text(double value, bool hexadecimal) {
-  return hexadecimal ? fmt::format("{:a}", value) : fmt::format("{}", value);
+  return hexadecimal ? gjkscope::hexadecimal(value) : fmt::format("{}", value);
 }
 
 std::optional<double> read_number(const std::string& text) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lesson/file.hpp"
+#include "lesson/hexadecimal.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {
@@ -18,7 +19,7 @@ using Json = nlohmann::ordered_json;
 Json points(const std::vector<gjk::Vec<double, 2>>& vertices) {
   Json list = Json::array();
   for (const auto& v : vertices) {
-    list.push_back({fmt::format("{:a}", v.x()), fmt::format("{:a}", v.y())});
+    list.push_back({hexadecimal(v.x()), hexadecimal(v.y())});
   }
   return list;
 }

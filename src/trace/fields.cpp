@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lesson/hexadecimal.hpp"
 #include "lesson/names.hpp"
 
 namespace gjkscope::fields {
@@ -12,7 +13,7 @@ namespace gjkscope::fields {
 Json number(double value) {
   Json out;
   out["value"] = std::isfinite(value) ? Json(value) : Json();
-  out["hex"] = std::isfinite(value) ? fmt::format("{:a}", value) : fmt::format("{}", value);
+  out["hex"] = std::isfinite(value) ? hexadecimal(value) : fmt::format("{}", value);
   return out;
 }
 

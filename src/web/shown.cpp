@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/penetration.hpp"
+#include "lesson/hexadecimal.hpp"
 #include "lesson/names.hpp"
 #include "paint/svg.hpp"
 #include "picture/panel.hpp"
@@ -65,7 +66,7 @@ double bottom_of(const Mark& mark) {
 }
 
 Json number(const std::string& name, double value) {
-  return {name, fmt::format("{}", value), fmt::format("{:a}", value)};
+  return {name, fmt::format("{}", value), hexadecimal(value)};
 }
 
 void add_point(Json& list, const std::string& name, const Vector2d& point) {
@@ -124,8 +125,8 @@ Json outcome(Session& session) {
 Json shape_json(const LessonShape& shape) {
   Json vertices = Json::array();
   for (const Vector2d& v : shape.vertices) {
-    vertices.push_back({fmt::format("{}", v.x()), fmt::format("{}", v.y()),
-                        fmt::format("{:a}", v.x()), fmt::format("{:a}", v.y())});
+    vertices.push_back({fmt::format("{}", v.x()), fmt::format("{}", v.y()), hexadecimal(v.x()),
+                        hexadecimal(v.y())});
   }
   return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
 }

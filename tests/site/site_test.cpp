@@ -56,8 +56,10 @@ TEST_F(Site, APageHoldsTheFirstFrameAndAllWords) {
   EXPECT_EQ(count(text, "<svg "), 4u) << "stage and panel, in two sizes";
   EXPECT_NE(text.find(">aGk=</script>"), std::string::npos) << "the program, in base64";
   EXPECT_EQ(text.find("{{"), std::string::npos);
-  for (const char* fetched : {"<script src", "<img ", "<link ", "@import", "url(http"})
+  for (const char* fetched : {"<script src", "<img ", "@import", "url(http"})
     EXPECT_EQ(count(text, fetched), 0u) << fetched;
+  EXPECT_EQ(count(text, "<link rel=\"icon\" href=\"data:,\">"), 1u) << "no icon is asked for";
+  EXPECT_EQ(count(text, "<link "), 1u);
   EXPECT_EQ(page(testing::shipped_lesson("polygons-gjk")), text) << "same lesson, same bytes";
 }
 
