@@ -197,7 +197,7 @@ void Player::draw_depth(Picture& picture) {
   picture.marks.push_back({"direction.label", label, -1, {}});
 }
 
-/// Of shapes of any size: `shown` leaves out those that are too long to list.
+/// The vertices of both shapes, however many; `shown` leaves out those that are too long to list.
 std::string Player::all_vertices() const {
   const Lesson& lesson = session_.lesson();
   return dumped({{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}});

@@ -1,5 +1,5 @@
-// What a shape of many vertices costs whoever opens or drags it: a session's own work, without what
-// paints the picture. Prints milliseconds, by number of vertices and kind of shape.
+// Times of opening and dragging a shape of many vertices: a session's own work, without what paints
+// the picture. paints the picture. Prints milliseconds, by number of vertices and kind of shape.
 
 #include <fmt/format.h>
 
