@@ -1,6 +1,9 @@
 # Everything beyond Eigen, which the core finds for itself. scripts/packages.txt lists the Debian packages.
 
 find_package(PkgConfig REQUIRED)
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW)  # Boost says itself where it is
+endif()
 find_package(Boost REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)

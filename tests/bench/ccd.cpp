@@ -1,5 +1,6 @@
 #include <ccd/ccd.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "libraries.hpp"

@@ -98,7 +98,7 @@ TEST(Program, EveryShippedLessonPassesItsCheckAndCanBeTraced) {
     SCOPED_TRACE(id);
     const Ran traced = run_program("trace " + id + " --json");
     EXPECT_EQ(kDone, traced.exit_code) << traced.err;
-    EXPECT_EQ(id, json::parse(traced.out)["lesson"]);
+    EXPECT_EQ(lesson["id"], json::parse(traced.out)["lesson"]);
   }
 }
 

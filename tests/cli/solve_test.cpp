@@ -276,7 +276,7 @@ TEST(SolveOutlines, EveryMethodGivesTheSameAnswer) {
     const Solved solved = solve(text, ScalarKind::double_, method);
     ASSERT_EQ(kDone, solved.exit_code) << solved.err;
     const json& answer = solved.answers[0];
-    EXPECT_EQ(name, answer["method"]);
+    EXPECT_EQ(json(name), answer["method"]);
     EXPECT_EQ(2.0, answer["distance"]);
     EXPECT_EQ(false, answer["overlap"]);
     EXPECT_EQ(json({4.0, 1.0}), answer["a"]);

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <libdeflate.h>
 
+#include <regex>
 #include <sstream>
 #include <vector>
 
 #include "lesson/names.hpp"
+#include "picture/frame.hpp"
+#include "trace/trace_json.hpp"
 #include "trace/trace_text.hpp"
 
 namespace gjkscope::golden {
@@ -80,6 +84,22 @@ std::string trace(const LessonRun& run) {
   return out;
 }
 
+std::string checksums(const LessonRun& run) {
+  EffectGraph effects(run);
+  std::string words;
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  for (const FrameText& text : texts) {
+    for (const std::string* part : {&text.caption, &text.detail, &text.prose, &text.position})
+      words += *part + '\n';
+    for (const auto& [name, value] : text.values) words += name + ' ' + value + '\n';
+  }
+  const auto crc = [](const std::string& bytes) {
+    return libdeflate_crc32(0, bytes.data(), bytes.size());
+  };
+  return fmt::format("{}: {} frames, traces {:08x}, words {:08x}\n", run.lesson.id, texts.size(),
+                     crc(trace_json(traced(run))), crc(words));
+}
+
 std::string marks(const Picture& picture) {
   std::string out;
   for (const Mark& mark : picture.marks) {
@@ -88,6 +108,11 @@ std::string marks(const Picture& picture) {
     out += '\n';
   }
   return out;
+}
+
+std::string without_places_of_words(const std::string& marks) {
+  static const std::regex place(R"(: text -?[0-9.]+,-?[0-9.]+)");
+  return std::regex_replace(marks, place, ": text");
 }
 
 Difference first_difference(const std::string& expected, const std::string& got) {

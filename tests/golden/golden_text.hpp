@@ -12,8 +12,15 @@ namespace gjkscope::golden {
 /// The lesson's first run as `gjkscope trace` prints it, and one line for each run after it.
 [[nodiscard]] std::string trace(const LessonRun& run);
 
+/// One line: the number of frames, and CRC-32s of the lesson's traces as JSON, where each number
+/// has its bits, and of all words of its frames.
+[[nodiscard]] std::string checksums(const LessonRun& run);
+
 /// One line a mark, in painting order: role, shape, coordinates to a tenth of a frame pixel.
 [[nodiscard]] std::string marks(const Picture& picture);
+
+/// Such lines without the places of texts, which depend on the release of a font.
+[[nodiscard]] std::string without_places_of_words(const std::string& marks);
 
 /// The first line in which two texts differ.
 struct Difference {

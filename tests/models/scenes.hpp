@@ -1,6 +1,7 @@
 #pragma once
 // Families of pairs of models, from a seed.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

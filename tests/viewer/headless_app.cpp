@@ -106,7 +106,7 @@ void HeadlessApp::wheel(double by) {
 }
 
 void HeadlessApp::key(const std::string& key, bool ctrl, bool shift) {
-  static const std::map<std::string, ImGuiKey_> kOfPanels = {{"Enter", ImGuiKey_Enter},
+  static const std::map<std::string, int> kOfPanels = {{"Enter", ImGuiKey_Enter},
                                                              {"Tab", ImGuiKey_Tab},
                                                              {"Space", ImGuiKey_Space},
                                                              {"Delete", ImGuiKey_Delete},

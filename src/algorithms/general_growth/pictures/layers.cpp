@@ -1,6 +1,7 @@
 #include "picture/layers/layers.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/general_growth/pictures/shown.hpp"
