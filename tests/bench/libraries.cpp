@@ -70,12 +70,12 @@ Contestant prepare_stepping(std::span<const Pair<D>> pairs) {
 }
 
 /// In the plane z = 0.
-std::vector<Point<3>> flat(const std::vector<Point<2>>& points) {
+[[maybe_unused]] std::vector<Point<3>> flat(const std::vector<Point<2>>& points) {
   std::vector<Point<3>> out;
   for (const Point<2>& p : points) out.emplace_back(p[0], p[1], 0.0);
   return out;
 }
-gjk::Pose<double, 3> flat(const gjk::Pose<double, 2>& pose) {
+[[maybe_unused]] gjk::Pose<double, 3> flat(const gjk::Pose<double, 2>& pose) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = pose.rotation.matrix();
   return {turn, {pose.translation[0], pose.translation[1], 0.0}};
