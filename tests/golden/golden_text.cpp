@@ -111,8 +111,10 @@ std::string marks(const Picture& picture) {
 }
 
 std::string without_places_of_words(const std::string& marks) {
-  static const std::regex place(R"(: text -?[0-9.]+,-?[0-9.]+)");
-  return std::regex_replace(marks, place, ": text");
+  static const std::regex text(R"(: text -?[0-9.]+,-?[0-9.]+)");
+  static const std::regex follower(
+      R"(((^|\n)(leader|view-title\.box|legend\.box): (line|box))[-0-9., ]+)");
+  return std::regex_replace(std::regex_replace(marks, text, ": text"), follower, "$1 ");
 }
 
 Difference first_difference(const std::string& expected, const std::string& got) {

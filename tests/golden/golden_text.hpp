@@ -19,7 +19,8 @@ namespace gjkscope::golden {
 /// One line a mark, in painting order: role, shape, coordinates to a tenth of a frame pixel.
 [[nodiscard]] std::string marks(const Picture& picture);
 
-/// Such lines without the places of texts, which depend on the release of a font.
+/// Such lines without the places of texts and of the boxes and leaders that follow them, which
+/// depend on the release of a font.
 [[nodiscard]] std::string without_places_of_words(const std::string& marks);
 
 /// The first line in which two texts differ.

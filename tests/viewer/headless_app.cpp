@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
-#include <map>
 #include <thread>
 
 #include "fonts.hpp"
@@ -11,13 +11,30 @@
 namespace gjkscope::test {
 
 using testing::fonts;
+namespace {
+
+/// The index of a key here is its index in Dear ImGui's KeysDown.
+struct KeyOfPanels {
+  std::string_view name;
+  int key;
+};
+constexpr KeyOfPanels kKeysOfPanels[] = {{"Enter", ImGuiKey_Enter},
+                                         {"Tab", ImGuiKey_Tab},
+                                         {"Space", ImGuiKey_Space},
+                                         {"Delete", ImGuiKey_Delete},
+                                         {"Right", ImGuiKey_RightArrow},
+                                         {"Down", ImGuiKey_DownArrow},
+                                         {"A", ImGuiKey_A}};
+
+}  // namespace
 
 HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& state)
     : context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+  for (int i = 0; i < static_cast<int>(std::size(kKeysOfPanels)); ++i)
+    io.KeyMap[kKeysOfPanels[i].key] = i;
   io.MousePos = ImVec2(-1e9f, -1e9f);
   try {
     app_ = std::make_unique<App>(App::Paths{GJKSCOPE_SOURCE_DIR, state}, fonts(), name);
@@ -106,20 +123,14 @@ void HeadlessApp::wheel(double by) {
 }
 
 void HeadlessApp::key(const std::string& key, bool ctrl, bool shift) {
-  static const std::map<std::string, int> kOfPanels = {{"Enter", ImGuiKey_Enter},
-                                                             {"Tab", ImGuiKey_Tab},
-                                                             {"Space", ImGuiKey_Space},
-                                                             {"Delete", ImGuiKey_Delete},
-                                                             {"Right", ImGuiKey_RightArrow},
-                                                             {"Down", ImGuiKey_DownArrow},
-                                                             {"A", ImGuiKey_A}};
   ImGuiIO& io = ImGui::GetIO();
-  const auto of_panels = kOfPanels.find(key);
-  if (app_->panels_have_keys() && of_panels != kOfPanels.end()) {
-    io.KeysDown[of_panels->second] = true;
+  const auto of_panels = std::ranges::find(kKeysOfPanels, key, &KeyOfPanels::name);
+  if (app_->panels_have_keys() && of_panels != std::end(kKeysOfPanels)) {
+    const auto index = of_panels - std::begin(kKeysOfPanels);
+    io.KeysDown[index] = true;
     io.KeyCtrl = ctrl;
     settle();
-    io.KeysDown[of_panels->second] = false;
+    io.KeysDown[index] = false;
     io.KeyCtrl = false;
   } else {
     app_->press({key, ctrl, shift});
