@@ -16,17 +16,12 @@
 #include <tuple>
 
 #include "file_watch.hpp"
+#include "imgui_keys.hpp"
 #include "lesson/problem.hpp"
 #include "picture/tween.hpp"
 
 namespace gjkscope {
 namespace {
-
-#if IMGUI_VERSION_NUM >= 18700  // Debian 12 has 1.79, Debian 13 has 1.90
-constexpr auto kKeypadEnter = ImGuiKey_KeypadEnter;
-#else
-constexpr auto kKeypadEnter = ImGuiKey_KeyPadEnter;
-#endif
 
 constexpr double kUiType = 15.0;  // pixels at scale 1
 constexpr int kWidth = 1440;
@@ -182,6 +177,7 @@ struct Window::Impl {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.ConfigInputTextCursorBlink = false;  // a caret is no reason to draw twice a second
+    take_keys_by_index(io);
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     for (const auto& [key, scancode] : {std::pair(ImGuiKey_Tab, SDL_SCANCODE_TAB),
                                         {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},

@@ -172,10 +172,11 @@ class MarkPainter {
 
   void operator()(const Text& text) const {
     if (!style_->fill) return;
-    const ImFont& font = fonts_.font(text.style);
+    const auto& [face, density] = fonts_.font(text.style);
+    const ImFont& font = *face;
     const std::u32string characters = code_points(text.text);
     double width = 0.0;
-    for (const char32_t c : characters) width += glyph(font, c).AdvanceX;
+    for (const char32_t c : characters) width += density * glyph(font, c).AdvanceX;
 
     const double share = share_before(text.align);
     // Whole frame pixels in height: base lines of a row agree and strokes stay sharp. Whole list
@@ -183,7 +184,7 @@ class MarkPainter {
     const double scale = placement_.scale;
     const double x = std::round(placement_.origin.x() + text.at.x() * scale - share * width);
     const double y = std::round(placement_.origin.y() + std::round(text.at.y()) * scale) -
-                     std::round(font.Ascent);
+                     std::round(density * font.Ascent);
 
     list_.PushTextureID(font.ContainerAtlas->TexID);
     double pen = x;
@@ -192,10 +193,11 @@ class MarkPainter {
         const ImFontGlyph& g = glyph(font, c);
         if (g.Visible) {
           list_.PrimReserve(6, 4);
-          list_.PrimRectUV(at(pen + g.X0, y + g.Y0), at(pen + g.X1, y + g.Y1), ImVec2(g.U0, g.V0),
+          list_.PrimRectUV(at(pen + density * g.X0, y + density * g.Y0),
+                           at(pen + density * g.X1, y + density * g.Y1), ImVec2(g.U0, g.V0),
                            ImVec2(g.U1, g.V1), ink);
         }
-        pen += g.AdvanceX;
+        pen += density * g.AdvanceX;
       }
     };
     if (text.tones.empty()) write(characters, color(*style_->fill));
@@ -361,6 +363,25 @@ std::vector<unsigned short> glyph_ranges(bool (*chosen)(char32_t)) {
   return ranges;
 }
 
+/// Dear ImGui makes fonts in whole pixels since 1.90, each with as many texels per pixel as asked
+/// for.
+double density_of([[maybe_unused]] double pixels) {
+#if IMGUI_VERSION_NUM >= 19000
+  return pixels / std::floor(pixels);
+#else
+  return 1.0;
+#endif
+}
+
+void set_size(ImFontConfig& config, double pixels, [[maybe_unused]] double density) {
+#if IMGUI_VERSION_NUM >= 19000
+  config.SizePixels = static_cast<float>(std::round(pixels / density));
+  config.RasterizerDensity = static_cast<float>(density);
+#else
+  config.SizePixels = static_cast<float>(pixels);
+#endif
+}
+
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
@@ -376,7 +397,9 @@ AtlasFonts::AtlasFonts(ImFontAtlas& atlas, const Fonts& fonts, double scale) : s
     if (known != fonts_.end()) continue;
 
     const double em = style.size * scale;
-    const auto digit = static_cast<float>(fonts.digit_width_in_em(style.face) * em);
+    const double height = fonts.height_in_em(style.face);
+    const double density = density_of(height * em);
+    const auto digit = static_cast<float>(fonts.digit_width_in_em(style.face) * em / density);
     const auto add = [&](const std::vector<unsigned char>& file, double height_in_em,
                          const GlyphRanges& ranges, bool tabular, bool merge) {
       ImFontConfig config;
@@ -384,7 +407,7 @@ AtlasFonts::AtlasFonts(ImFontAtlas& atlas, const Fonts& fonts, double scale) : s
       config.FontData = const_cast<unsigned char*>(file.data());
       config.FontDataSize = static_cast<int>(file.size());
       config.FontDataOwnedByAtlas = false;
-      config.SizePixels = static_cast<float>(height_in_em * em);
+      set_size(config, height_in_em * em, density);
       config.OversampleH = 2;
       config.OversampleV = 1;
       config.GlyphRanges = ranges.data();
@@ -393,18 +416,17 @@ AtlasFonts::AtlasFonts(ImFontAtlas& atlas, const Fonts& fonts, double scale) : s
       return atlas.AddFont(&config);
     };
     const bool fixed = is_monospaced(style.face);
-    const double height = fonts.height_in_em(style.face);
     ImFont* font = add(fonts.file(style.face), height, others, fixed, false);
     add(fonts.file(style.face), height, digits, true, true);
     add(fonts.fallback_file(style.face), fonts.fallback_height_in_em(style.face), others, fixed,
         true);
-    fonts_.emplace_back(style, font);
+    fonts_.push_back({style, {font, density}});
   }
 }
 
-const ImFont& AtlasFonts::font(const TextStyle& style) const {
+const AtlasFonts::Sized& AtlasFonts::font(const TextStyle& style) const {
   for (const auto& [known, font] : fonts_) {
-    if (known == style) return *font;
+    if (known == style) return font;
   }
   throw std::out_of_range(
       fmt::format("a text style of size {} is not in type::all_styles()", style.size));

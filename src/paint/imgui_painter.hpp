@@ -23,15 +23,19 @@ class AtlasFonts {
   /// pixel; `fonts` must outlive the building of the atlas.
   AtlasFonts(ImFontAtlas& atlas, const Fonts& fonts, double scale);
 
+  struct Sized {
+    const ImFont* font;
+    double density;  ///< Pixels of the atlas per pixel of the glyphs' coordinates.
+  };
   /// Throws std::out_of_range for a style that is not in type::all_styles().
-  [[nodiscard]] const ImFont& font(const TextStyle& style) const;
+  [[nodiscard]] const Sized& font(const TextStyle& style) const;
   [[nodiscard]] double scale() const { return scale_; }
 
  private:
   using GlyphRanges = std::vector<unsigned short>;
 
   double scale_;
-  std::vector<std::pair<TextStyle, ImFont*>> fonts_;
+  std::vector<std::pair<TextStyle, Sized>> fonts_;
   // Dear ImGui keeps pointers to these until the atlas is built. One set a face.
   std::vector<std::array<GlyphRanges, 2>> ranges_;
 };

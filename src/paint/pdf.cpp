@@ -48,7 +48,7 @@ class PdfWriter {
   PdfWriter(const Fonts& fonts, const Theme& theme, const PdfWords& words, bool transparent)
       : fonts_(fonts), painter_(fonts, Medium::page), theme_(theme), transparent_(transparent) {
     surface_.reset(cairo_pdf_surface_create_for_stream(append, &bytes_, 1.0, 1.0));
-    cairo_pdf_surface_restrict_to_version(surface_.get(), CAIRO_PDF_VERSION_1_5);
+    cairo_pdf_surface_restrict_to_version(surface_.get(), CAIRO_PDF_VERSION_1_4);
     const auto say = [&](cairo_pdf_metadata_t key, const std::string& text) {
       if (!text.empty()) cairo_pdf_surface_set_metadata(surface_.get(), key, text.c_str());
     };

@@ -548,13 +548,14 @@ TEST(AtlasFonts, WidthsAreThoseOfTheFontFiles) {
   for (const TextStyle& style : type::all_styles()) {
     for (const std::string text :
          {"K − C lies farthest towards O", "0.1234567890", "‖P‖² ≤ ε · Δ₁₂ → ∞ ✓ ✗ ▸ ⊖"}) {
-      const ImFont& font = in_atlas.font(style);
-      const double drawn = font.CalcTextSizeA(font.FontSize, 1e9f, 0.0f, text.c_str()).x / kScale;
+      const auto& [font, density] = in_atlas.font(style);
+      const double drawn =
+          density * font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str()).x / kScale;
       const double width = fonts().width(style, text);
       EXPECT_NEAR(drawn, width, 0.01 * width) << text << " at size " << style.size;
     }
     for (const char32_t c : Fonts::characters()) {
-      EXPECT_NE(in_atlas.font(style).FindGlyphNoFallback(static_cast<ImWchar>(c)), nullptr)
+      EXPECT_NE(in_atlas.font(style).font->FindGlyphNoFallback(static_cast<ImWchar>(c)), nullptr)
           << std::hex << static_cast<std::uint32_t>(c);
     }
   }

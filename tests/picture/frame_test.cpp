@@ -812,7 +812,9 @@ TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
         }
       }
       for (std::size_t i = 0; i < numbers.size(); ++i) {
-        EXPECT_TRUE(inside(shown.card, numbers[i]));
+        EXPECT_TRUE(inside(shown.card, numbers[i]))
+            << numbers[i].min.transpose() << " to " << numbers[i].max.transpose() << " in "
+            << shown.card.min.transpose() << " to " << shown.card.max.transpose();
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(numbers[i], numbers[j]));
       }
     }

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "fonts.hpp"
+#include "imgui_keys.hpp"
 
 namespace gjkscope::test {
 
@@ -33,6 +34,7 @@ HeadlessApp::HeadlessApp(const std::string& name, const std::filesystem::path& s
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
+  take_keys_by_index(io);
   for (int i = 0; i < static_cast<int>(std::size(kKeysOfPanels)); ++i)
     io.KeyMap[kKeysOfPanels[i].key] = i;
   io.MousePos = ImVec2(-1e9f, -1e9f);

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 // Frame pixels.
 constexpr double kLeastApart = 64.0;    // of lines
-constexpr double kCharacter = 10.0;     // width of a figure, at most
+constexpr double kCharacter = 11.0;     // width of a figure, at most
 constexpr double kTitleRoom = 44.0;     // height of the view's title, which no number covers
 constexpr double kNumberRow = 30.0;     // of the numbers at the bottom
 constexpr double kNumberRadius = 12.0;  // around a number, which labels keep off

@@ -54,7 +54,7 @@ void growth_example(SceneBuilder& scene) {
   scene.out.obstacles.circles.push_back({o, kOriginRadius});
   scene.add("body.muted",
             Text{{card.min.x() + 14.0, card.max.y() - 14.0},
-                 fmt::format("first of {} runs, n = {}", sample.runs, grouped(sample.vertices)),
+                 fmt::format("run 1 of {}, n = {}", sample.runs, grouped(sample.vertices)),
                  type::kBody});
   scene.out.moving_labels.push_back(
       scene.label("example O", "O", "origin.label", type::kVertex, o, kOriginRadius, o - p));
