@@ -94,7 +94,9 @@ class FrameClaims {
       EXPECT_TRUE(inside(page, texts[i].first)) << "cut off: " << texts[i].second;
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_FALSE(overlap(texts[i].first, texts[j].first))
-            << texts[i].second << " | " << texts[j].second;
+            << texts[i].second << " at " << texts[i].first.min.transpose() << " to "
+            << texts[i].first.max.transpose() << " | " << texts[j].second << " at "
+            << texts[j].first.min.transpose() << " to " << texts[j].first.max.transpose();
       }
     }
   }
