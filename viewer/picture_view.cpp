@@ -384,7 +384,10 @@ void PictureView::continue_drag(const Point& page) {
 }
 
 void PictureView::release() {
-  session_.end_drag();
+  if (session_.is_dragging()) {
+    session_.end_drag();
+    if (!session_.problem().empty()) app_.say(session_.problem(), true);
+  }
   drag_.reset();
 }
 

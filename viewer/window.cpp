@@ -361,7 +361,7 @@ struct Window::Impl {
     frames_left = kFramesAfterEvent;
     switch (event.type) {
       case SDL_QUIT:
-        quit = true;
+        app.ask_to_quit();
         return true;
       case SDL_MOUSEMOTION:
         io.MousePos = in_pixels(event.motion.x, event.motion.y);
@@ -446,7 +446,6 @@ struct Window::Impl {
   std::filesystem::path watched;
   std::string title;
   bool is_full = false;
-  bool quit = false;
   int frames_left = kFramesAfterEvent;
   double last_frame = 0.0;
   double skipped = 0.0;  ///< Seconds that a script has let pass.
@@ -459,7 +458,7 @@ Window::Window(App& app, const Fonts& fonts, int width, int height, double scale
 Window::~Window() = default;
 
 void Window::run() {
-  while (!impl_->quit && !impl_->app.wants_to_quit()) {
+  while (!impl_->app.wants_to_quit()) {
     if (impl_->frames_left == 0) {
       SDL_Event event;
       const std::optional<double> wakes = impl_->app.wakes_at();
@@ -485,7 +484,7 @@ void Window::run() {
 void Window::settle() {
   // As many as a burst of events takes; a window that never comes to rest would be a fault.
   constexpr int kMost = 1000;
-  for (int i = 0; i < kMost && !impl_->quit; ++i) {
+  for (int i = 0; i < kMost && !impl_->app.wants_to_quit(); ++i) {
     impl_->take_all();
     if (impl_->frames_left == 0) return;
     impl_->draw(after_frame);

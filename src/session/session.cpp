@@ -141,7 +141,8 @@ void Session::remember(Entry entry) {
 
 bool Session::edit(const std::string& name, Lesson lesson) {
   if (dragging_) end_drag();
-  problem_ = to_string(why_not_said(lesson, read_));
+  problems_ = why_not_said(lesson, read_);
+  problem_ = to_string(problems_);
   if (!problem_.empty()) return false;
   hold_cameras();
   std::optional<Lesson> before = replace(std::move(lesson), sights_);
@@ -234,6 +235,7 @@ bool Session::show(LabelScope scope) {
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problem_.clear();
+  problems_.clear();
   for (const PositionedRun& positioned : run.runs) {
     if (problem_.empty()) problem_ = why_not_drawn(positioned);
   }

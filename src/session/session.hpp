@@ -68,6 +68,8 @@ class Session {
   /// Why a change was refused, or the run that follows from the lesson is not shown (the last one
   /// that could be is); empty when all is well.
   [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// The same, with places where it has some.
+  [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
 
   // Changes. `name` is what undo calls it.
 
@@ -188,6 +190,7 @@ class Session {
   std::shared_ptr<const Lesson> saved_;
   bool unsaved_ = false;
   std::string problem_;
+  std::vector<Problem> problems_;
   std::vector<Entry> past_;
   std::vector<Entry> future_;
   bool dragging_ = false;
