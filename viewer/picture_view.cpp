@@ -362,7 +362,8 @@ void PictureView::continue_drag(const Point& page) {
     drag.last = page;
     return;
   }
-  if (!session_.is_dragging()) session_.begin_drag(moves_point ? "move a vertex" : "move a shape");
+  if (!session_.is_dragging())
+    session_.begin_drag(moves_point ? "move a vertex" : "move a shape", drag.view);
   const PositionedRun& run = session_.run().run(session_.frame());
   if (moves_point) {
     const auto& world = run.bodies[body].world;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace gjkscope {
@@ -89,20 +89,19 @@ std::vector<Range> entries_of(std::string_view text, Range value) {
   if (value.begin == value.end || (text[value.begin] != '[' && text[value.begin] != '{'))
     return entries;
   const std::string_view inside = text.substr(0, value.end - 1);
-  std::optional<std::size_t> begin;
-  std::size_t last = 0;  // one past the entry so far: comments are no part of it
+  Range entry;  // as far as it goes: comments behind it are no part of it
+  bool has_begun = false;
   for (std::size_t at = value.begin + 1; at < inside.size();) {
     const char c = inside[at];
     if (c == '#') {
       at = end_of_line(inside, at);
     } else if (c == ',') {
-      if (begin) entries.push_back({*begin, last});
-      begin.reset();
+      if (std::exchange(has_begun, false)) entries.push_back(entry);
       ++at;
     } else if (is_blank(c)) {
       ++at;
     } else {
-      if (!begin) begin = at;
+      if (!std::exchange(has_begun, true)) entry.begin = at;
       if (c == '"' || c == '\'') {
         at = past_string(inside, at);
       } else if (c == '[' || c == '{') {
@@ -114,10 +113,10 @@ std::vector<Range> entries_of(std::string_view text, Range value) {
       } else {
         ++at;
       }
-      last = at;
+      entry.end = at;
     }
   }
-  if (begin) entries.push_back({*begin, last});
+  if (has_begun) entries.push_back(entry);
   return entries;
 }
 

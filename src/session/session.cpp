@@ -154,9 +154,15 @@ bool Session::edit(const std::string& name, Lesson lesson) {
 
 bool Session::revert() { return saved_ && edit("revert", *saved_); }
 
-void Session::begin_drag(const std::string& name) {
+void Session::begin_drag(const std::string& name, std::optional<std::size_t> held) {
   if (dragging_) end_drag();
   hold_cameras();
+  held_ = held;
+  follows_.clear();
+  const std::vector<LessonPictures::ShownView> seen = views();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (is_difference_in_sight(seen[i])) follows_.push_back(i);
+  }
   remember({name, lesson_});
   dragging_ = true;
 }
@@ -171,7 +177,8 @@ void Session::drag(const std::function<void(Lesson&)>& edit) {
 void Session::end_drag() {
   if (!dragging_) return;
   dragging_ = false;
-  if (show(LabelScope::lesson)) return;
+  held_.reset();
+  if (show(LabelScope::lesson)) return keep_difference_in_sight();
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
   lesson_ = std::move(past_.back().lesson);
@@ -453,24 +460,28 @@ void Session::fit(std::size_t view, const Rect& card) {
   sights_[view] = sight(camera_of(run(), free, card), card);
 }
 
-void Session::keep_difference_in_sight() {
+bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) const {
+  if (view.kind != ViewKind::difference) return false;
   const PositionedRun& shapes = run().run(frame());
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
   for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
   for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
+  const Eigen::Vector2d half =
+      0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
+  const Eigen::AlignedBox2d sight(view.camera.center - half, view.camera.center + half);
+  return sight.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
+}
+
+void Session::keep_difference_in_sight() {
   const std::vector<LessonPictures::ShownView> seen = views();
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i].kind != ViewKind::difference) continue;
-    const Rect& card = seen[i].card;
-    const Eigen::Vector2d half =
-        0.5 * seen[i].camera.units_per_pixel(card.size().y()).cwiseProduct(card.size());
-    const Eigen::Vector2d& center = seen[i].camera.center;
-    const Eigen::AlignedBox2d sight(center - half, center + half);
-    const Eigen::AlignedBox2d z(y.min() - x.max(), y.max() - x.min());
-    if (!sight.contains(z)) fit(i, card);
+  bool moved = false;
+  for (const std::size_t i : follows_) {
+    if (i == held_ || is_difference_in_sight(seen[i])) continue;
+    fit(i, seen[i].card);
+    moved = true;
   }
-  lay_out(LabelScope::frame);
+  if (moved) lay_out(dragging_ ? LabelScope::frame : LabelScope::lesson);
 }
 
 }  // namespace gjkscope

@@ -78,8 +78,10 @@ class Session {
   bool edit(const std::string& name, Lesson lesson);
   /// Back to what its file holds. False when there is no file.
   bool revert();
-  /// Many changes of shapes, one entry: a drag.
-  void begin_drag(const std::string& name);
+  /// Many changes of shapes, one entry: a drag. Cameras stay, but for that of a difference that was
+  /// wholly in sight and would leave it. `held`: the view in which the hand is; it stays, too,
+  /// until the drag ends.
+  void begin_drag(const std::string& name, std::optional<std::size_t> held = std::nullopt);
   void drag(const std::function<void(Lesson&)>& edit);
   void end_drag();
   [[nodiscard]] bool is_dragging() const { return dragging_; }
@@ -177,7 +179,9 @@ class Session {
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
   void fit(std::size_t view, const Rect& card);
-  /// Z goes where X and Y are dragged: a view that it would leave fits it again.
+  /// Whether all of Z is in sight in a view of the difference.
+  [[nodiscard]] bool is_difference_in_sight(const LessonPictures::ShownView& view) const;
+  /// Z goes where X and Y are dragged: a view that follows, and that it would leave, fits it again.
   void keep_difference_in_sight();
   [[nodiscard]] Lesson lesson_to_run() const;
 
@@ -194,6 +198,8 @@ class Session {
   std::vector<Entry> past_;
   std::vector<Entry> future_;
   bool dragging_ = false;
+  std::vector<std::size_t> follows_;  ///< Views that a difference may not leave, during a drag.
+  std::optional<std::size_t> held_;
   bool predicting_ = false;
   std::vector<Answer> answers_;
   std::vector<std::optional<Sight>> sights_;

@@ -17,6 +17,8 @@ void draw_values(App& app) {
   wrapped_text("Click a value to keep it in sight below the picture, whatever else is open.");
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
   const LessonRun& run = app.session().run();
+  ImGui::TextDisabled(run.point_query() ? "Points where they stand in the world"
+                                        : "Points of Z = Y − X, measured from O");
   if (ImGui::BeginTable("##values", 2, kRuled)) {
     for (const NamedValue& value : values_now(app)) {
       ImGui::TableNextColumn();
@@ -52,13 +54,17 @@ std::vector<NamedValue> values_now(App& app) {
     value(name + ".x", v.x());
     value(name + ".y", v.y());
   };
+  // As on the stage: a point query's points stand in the world, those of two shapes are
+  // differences.
+  const Eigen::Vector2d origin =
+      run.point_query() ? run.run(frame).x().world[0] : Eigen::Vector2d(Eigen::Vector2d::Zero());
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
-    point(name, state.simplex.vertices[i].w);
+    point(name, state.simplex.vertices[i].w + origin);
     if (frame.step >= 0) value("weight of " + name, state.simplex.weights[i]);
   }
   if (frame.step >= 0) {
-    point("P", state.p);
+    point("P", state.p + origin);
     point("d", state.d);
     value("lower bound", run.bounds(frame).lower);
     value("upper bound", run.bounds(frame).upper);
