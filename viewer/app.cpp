@@ -79,8 +79,12 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
   } else if (!name.empty()) {
     file = fs::exists(name) ? fs::path(name) : paths_.share / "lessons" / (name + ".toml");
     if (!fs::exists(file)) {
+      std::vector<std::string> known;
+      for (const ListedLesson& lesson : lessons_) known.push_back(lesson.id);
+      const std::string nearest = nearest_name(name, known);
       throw std::runtime_error(fmt::format(
-          "there is no lesson, case or folder '{}'; `gjkscope lessons` lists the lessons", name));
+          "there is no lesson, case or folder '{}'{}; `gjkscope lessons` lists the lessons", name,
+          nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
     }
   }
   const bool is_first = recent_.empty();

@@ -120,6 +120,8 @@ class App {
   /// What was said last.
   [[nodiscard]] const std::string& message() const { return error_.empty() ? message_ : error_; }
   [[nodiscard]] std::vector<Notice> notices() const;
+  /// What the case that is shown expects, and how the run compares; empty where it expects nothing.
+  [[nodiscard]] std::string compared_with_case() const;
   [[nodiscard]] const PanelFonts& panel_fonts() const { return panel_fonts_; }
   /// Whether a hand is held to round numbers: the other way round while Shift is down.
   [[nodiscard]] bool snaps() const { return snaps_ != ImGui::GetIO().KeyShift; }
@@ -241,8 +243,6 @@ class App {
   void keep_mine();
   /// The notes of the case whose shapes these are; null where it has none.
   [[nodiscard]] const CaseNotes* case_notes() const;
-  /// What the case expects, and how the run compares; empty where it expects nothing.
-  [[nodiscard]] std::string compared_with_case() const;
   void close_notice(const std::string& cause);
   [[nodiscard]] bool would_lose_work() const;
   /// One frame on, or back. By a clicker, over questions, too.

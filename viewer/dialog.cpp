@@ -318,6 +318,7 @@ struct Palette {
     });
     const Entry* chosen = entered && !found.empty() ? &found.front() : nullptr;
     begin_list();
+    if (found.empty()) ImGui::TextDisabled("Nothing is called '%s'.", wanted.c_str());
     for (const Entry& entry : found) {
       if (ImGui::Selectable(entry.name.c_str(), &entry == &found.front())) chosen = &entry;
       if (entry.key.empty()) continue;

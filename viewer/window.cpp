@@ -11,6 +11,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 #include <tuple>
@@ -67,6 +68,19 @@ bool is_sign(std::string_view text) {
   return text.size() == 1 && std::ispunct(static_cast<unsigned char>(text[0])) != 0;
 }
 
+/// What the environment says of displays, none of which can be opened.
+std::string named_displays() {
+  std::string out;
+  for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* const value = std::getenv(name);
+    const bool is_set = value != nullptr && *value != '\0';
+    out += fmt::format("{}{}", out.empty() ? "" : ", and ",
+                       is_set ? fmt::format("{} is '{}', which does not answer", name, value)
+                              : fmt::format("{} is not set", name));
+  }
+  return out;
+}
+
 struct Sdl {
   Sdl() {
     SDL_SetHint(SDL_HINT_VIDEO_HIGHDPI_DISABLED, "0");
@@ -76,8 +90,7 @@ struct Sdl {
     const std::string_view driver = SDL_GetCurrentVideoDriver();
     if (driver == "offscreen" || driver == "dummy" || driver == "evdev") {
       SDL_Quit();
-      throw NoWindow(
-          "there is no display to open a window on: DISPLAY and WAYLAND_DISPLAY name none");
+      throw NoWindow("there is no display to open a window on: " + named_displays());
     }
   }
   ~Sdl() { SDL_Quit(); }

@@ -34,7 +34,7 @@ void draw_values(App& app) {
   if (run.has_gjk() && run.act->algorithm == nullptr &&
       depth_on_overlap(app.session().effects(), run, app.session().frame()) != nullptr &&
       ImGui::Button("Show how it is found"))
-    app.edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
+    show_depth(app);
 }
 
 }  // namespace
@@ -89,6 +89,16 @@ std::vector<NamedValue> values_now(App& app) {
     point("shortest way out of X", deep->translation);
   }
   return values;
+}
+
+void show_depth(App& app) {
+  Lesson lesson = edit::told_by(app.session().lesson(), kDepthAlgorithm);
+  lesson.title = "Penetration depth: a polygon expands until its nearest edge lies on Z";
+  lesson.prose =
+      "GJK has found that the shapes overlap. From its last simplex a polygon grows inside Z. When "
+      "its nearest edge lies on Z's boundary, the way there is the shortest one out.";
+  lesson.source = "van den Bergen 2001";
+  app.edit("penetration depth", std::move(lesson));
 }
 
 void toggle_pin(App& app, const std::string& name) {

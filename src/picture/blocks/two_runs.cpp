@@ -96,13 +96,16 @@ void two_runs(PanelBuilder& panel) {
     const bool both = columns[0].state && columns[1].state;
     for (int i = 0; i < 2; ++i)
       if (since && columns[i].state) texts[i] = words(columns[i], value(columns[i]));
+    bool differ = texts[0] != texts[1];
     if constexpr (std::is_same_v<decltype(value(columns[0])), double>) {
-      const std::array<double, 2> numbers = {both && since ? value(columns[0]) : 0.0,
-                                             both && since ? value(columns[1]) : 0.0};
-      if (numbers[0] != numbers[1] && texts[0] == texts[1]) texts = told_apart(numbers);
+      // The values themselves, which have their own digits in each column.
+      if (since && both) {
+        const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
+        differ = numbers[0] != numbers[1];
+        if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
+      }
       for (std::string& text : texts) text = fitting(std::move(text));
     }
-    const bool differ = texts[0] != texts[1];
     for (int i = 0; i < 2; ++i) {
       const char* const role = !differ ? "code" : i == 0 ? "fail" : "pass";
       panel.write(role, columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode,
