@@ -26,9 +26,8 @@ using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
 constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
-constexpr double kGoneAfter = 0.5;  // seconds; between two writes of an editor there may be no file
-constexpr double kLooksBeside = 0.1;  // seconds; at what is done beside the window
-constexpr double kSlowest = 0.25;     // frames a second
+constexpr double kLooksBeside = 0.1;   // seconds; at what is done beside the window
+constexpr double kSlowest = 0.25;      // frames a second
 constexpr double kFastest = 32.0;
 
 /// Whether there is such a vertex or shape: what was selected may have been undone.
@@ -135,6 +134,7 @@ void App::tick(double now) {
   if (!error_at_) error_at_ = here;
   if (*error_at_ != here) error_.clear();
   watch_file();
+  find_missing_character();
   if (keeping_.valid() && is_ready(keeping_)) end_keeping();
   const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
   if (is_due && !keeping_.valid()) keep_unsaved_beside();

@@ -39,6 +39,9 @@ struct ListedLesson {
   std::string problem;  ///< The first, with its place; empty for a lesson that can be opened.
 };
 
+/// Seconds; between two writes of an editor there may be no file.
+inline constexpr double kGoneAfter = 0.5;
+
 /// What has to be known, or answered, while it holds: a line above the picture.
 struct Notice {
   std::string cause;  ///< One of each at a time.
@@ -237,6 +240,7 @@ class App {
   /// Whether the file of the lesson holds what it held when it was read or written last; where it
   /// does not, it is read, or what is open about it is asked.
   bool is_file_as_known();
+  void find_missing_character();
   /// Whether the lesson's file is another one than before, or has been gone for a while.
   void watch_file();
   void take_theirs();
@@ -327,9 +331,11 @@ class App {
   std::string error_;                   ///< Of the last deed, until the next.
   std::string error_details_;
   std::optional<std::pair<long, int>> error_at_;  ///< Version and step when it was seen first.
-  std::string not_kept_;                          ///< Why unsaved work is not; empty when it is.
-  std::set<std::string> closed_;                  ///< Notices that were, as cause and text.
-  std::size_t notice_lines_ = 0;                  ///< As they were laid out last.
+  /// The first character of the lesson's words that the stage cannot draw, of this version.
+  std::pair<long, std::string> missing_ = {-1, ""};
+  std::string not_kept_;          ///< Why unsaved work is not; empty when it is.
+  std::set<std::string> closed_;  ///< Notices that were, as cause and text.
+  std::size_t notice_lines_ = 0;  ///< As they were laid out last.
   bool was_asked_to_quit_ = false;
   std::vector<std::string> recent_;
   std::set<std::string> finished_;  ///< Lessons that were stepped to their end.

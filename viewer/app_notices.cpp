@@ -6,12 +6,21 @@
 #include <algorithm>
 
 #include "app.hpp"
+#include "lesson/load.hpp"
+#include "lesson/problem.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
 namespace {
 
 constexpr std::size_t kMostLines = 3;
+
+std::size_t next_character(const std::string& text, std::size_t at) {
+  do {
+    ++at;
+  } while (at < text.size() && !starts_character(text[at]));
+  return at;
+}
 
 }  // namespace
 
@@ -32,7 +41,7 @@ std::vector<Notice> App::notices() const {
     }
     all.push_back(std::move(asked));
   }
-  if (gone_since_ && now_ >= *gone_since_ + 0.5) {
+  if (gone_since_ && now_ >= *gone_since_ + kGoneAfter) {
     all.push_back({.cause = "gone",
                    .text = fmt::format("{} is gone; Save writes it anew.", file),
                    .details = session_.file().string(),
@@ -45,6 +54,12 @@ std::vector<Notice> App::notices() const {
                    .text = fmt::format(
                        "Unsaved work cannot be kept here: save before you quit ({}).", not_kept),
                    .details = not_kept});
+  }
+  if (!missing_.second.empty()) {
+    all.push_back(
+        {.cause = "characters",
+         .text = fmt::format("The stage's fonts have no {}: it is shown as �.", missing_.second),
+         .is_error = false});
   }
   const auto is_offered = [](const LeftWork& each) { return !each.is_discarded; };
   const auto left = std::find_if(left_.begin(), left_.end(), is_offered);
@@ -63,6 +78,24 @@ std::vector<Notice> App::notices() const {
     return each.can_be_closed && closed_.contains(each.cause + each.text);
   });
   return all;
+}
+
+void App::find_missing_character() {
+  if (missing_.first == session_.version() || session_.is_dragging()) return;
+  missing_ = {session_.version(), ""};
+  for (const LessonText& each : texts_of(session_.lesson())) {
+    const char32_t character = Fonts::first_missing(each.text);
+    if (character == 0) continue;
+    std::size_t begin = 0;
+    for (const char32_t c : code_points(each.text)) {
+      if (c == character) break;
+      begin = next_character(each.text, begin);
+    }
+    missing_.second =
+        fmt::format("'{}' (in {})",
+                    each.text.substr(begin, next_character(each.text, begin) - begin), each.key);
+    return;
+  }
 }
 
 std::size_t App::notice_count() const { return std::min(notices().size(), kMostLines); }

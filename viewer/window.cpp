@@ -156,9 +156,9 @@ const ImWchar* few_characters() {
   return ranges.data();
 }
 
-/// Those that panels need.
+/// Those that panels need, names of lessons and files with them: Latin, Greek and Cyrillic.
 const ImWchar* panel_characters() {
-  static const std::vector<ImWchar> ranges = {0x20,   0xFF,   0x370,  0x3FF,  0x2010,
+  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010,
                                               0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
                                               0x2200, 0x22FF, 0x2713, 0x2717, 0};
   return ranges.data();

@@ -255,6 +255,17 @@ TEST(Files, AnErrorIsOneLineThatGoesWithTheNextDeedOrIsClosed) {
   EXPECT_EQ("", said(window, "deed"));
 }
 
+TEST(Files, ACharacterThatTheStageCannotDrawIsNamed) {
+  HeadlessApp window;
+  EXPECT_EQ("", said(window, "characters"));
+  Lesson lesson = window.session().lesson();
+  lesson.title = "Größe, 日本語";
+  ASSERT_TRUE(window.app().edit("title", lesson));
+  window.settle();
+  EXPECT_NE(std::string::npos, said(window, "characters").find("'日' (in title)"))
+      << said(window, "characters");
+}
+
 TEST(Files, NoticesHaveRoomOfTheirOwn) {
   HeadlessApp window;
   const double top = window.app().picture().area().min.y();
