@@ -132,6 +132,8 @@ class App {
   bool hexadecimal = false;
   /// Whether lessons of the list get small pictures.
   bool has_thumbnails = true;
+  /// What was asked for when frames were exported last.
+  std::optional<ExportOptions> last_export;
   /// Names of values (drawers/values.hpp) that stay in sight.
   std::vector<std::string> pinned;
   /// What drawers point at in the frame that is being drawn.

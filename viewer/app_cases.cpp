@@ -13,6 +13,7 @@
 #include "lesson/file.hpp"
 #include "lesson/load.hpp"
 #include "picture/registry.hpp"
+#include "picture/words.hpp"
 #include "session/edit.hpp"
 #include "widgets.hpp"
 
@@ -83,6 +84,12 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) {
       if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
         view.effects.emplace_back(ShapeHull::kName);
     }
+  }
+  const std::size_t pairs = first.value->a.size() * first.value->b.size();
+  if (pairs > edit::kMostPairs) {
+    lesson->prose +=
+        fmt::format(" Z has {} differences: of its outline only what the run finds is drawn.",
+                    grouped(static_cast<double>(pairs)));
   }
   constexpr std::size_t kMostNoted = 20;
   noted_cases_.insert(noted_cases_.begin(), {*first.value, first.notes});

@@ -317,7 +317,7 @@ void App::export_frames(ExportOptions options, bool all) {
     try {
       const ExportResult result = export_lessons({lesson}, options);
       return {fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                          options.out_dir.string())};
+                          fs::absolute(options.out_dir).lexically_normal().string())};
     } catch (const std::exception& error) {
       return {error.what(), true};
     }

@@ -175,6 +175,7 @@ struct Export {
     draw_cancel(app);
     if (folder.empty() || (!entered && !frame && !all)) return;
     options.out_dir = folder;
+    app.last_export = options;
     app.close_dialog();
     app.export_frames(options, all || is_film(options.format));
   }
@@ -354,9 +355,13 @@ Dialog save_dialog(App& app, const std::string& title, const std::string& sugges
 }
 
 Dialog export_dialog(App& app) {
-  ExportOptions options;
-  options.theme = app.theme_name();
-  return dialog_of("Export frames into a folder", Export{app, std::move(options)});
+  Export dialog{app, app.last_export.value_or(ExportOptions())};
+  if (app.last_export) {
+    dialog.folder = app.last_export->out_dir.string();
+  } else {
+    dialog.options.theme = app.theme_name();
+  }
+  return dialog_of("Export frames into a folder", std::move(dialog));
 }
 
 Dialog keys_dialog(App& app) {

@@ -225,7 +225,6 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
 }
 
 Lesson told_of(Lesson lesson, const Case& shapes) {
-  constexpr std::size_t kMostPairs = 100'000;
   const Lesson plain = lesson_of(shapes, "", lesson.scalar);
   lesson.x() = plain.x();
   lesson.y() = plain.y();
