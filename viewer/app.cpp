@@ -126,6 +126,7 @@ void App::tick(double now) {
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
   end_export();
+  end_opening();
   thumbnails_.tick();
   if (!message_ends_) message_ends_ = is_exporting() ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
@@ -149,7 +150,7 @@ std::optional<double> App::wakes_at() const {
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
   if (gone_since_ && now_ < *gone_since_ + kGoneAfter) at = std::min(at, *gone_since_ + kGoneAfter);
   const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
-  if (is_exporting() || keeping_.valid() || makes_thumbnails() ||
+  if (is_exporting() || is_opening() || keeping_.valid() || makes_thumbnails() ||
       (open && open->waits && open->waits()))
     at = std::min(at, now_ + kLooksBeside);
   if (unsaved_.keeps() && session_.version() != kept_version_ && !keeping_.valid())
@@ -399,6 +400,13 @@ void App::make_commands() {
     save_to(file);
   });
   add("File", "Save as", {"Ctrl+Shift+S"}, [this] { save_as(); });
+  add(
+      "File", "Cancel opening", {},
+      [this] {
+        opening_->stop.request_stop();
+        given_up_.push_back(*std::exchange(opening_, std::nullopt));
+      },
+      [this] { return opening_.has_value(); });
   const auto is_asked = [this] { return outside_ && outside_->file == session_.file(); };
   add(
       "File", "Keep mine", {}, [this] { keep_mine(); }, is_asked);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -186,13 +187,15 @@ class App {
   void save_as();
 
   /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
-  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
+  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes,
+                                                    const std::string& name) const;
   void save_to(const std::filesystem::path& file);
   /// Writes text of the user's; says what was written, or why not.
   void write_text(const std::filesystem::path& file, const std::string& text);
   /// This frame, or all: the lesson as it is seen. `options` says where, and how they look. Goes on
   /// beside the window, which says how it ended.
   void export_frames(ExportOptions options, bool all);
+  [[nodiscard]] bool is_opening() const { return opening_.has_value(); }
   [[nodiscard]] bool is_exporting() const { return exporting_.valid(); }
   /// Whether small pictures of lessons that are in sight are yet to come.
   [[nodiscard]] bool makes_thumbnails() const { return thumbnails_.is_making(); }
@@ -226,13 +229,27 @@ class App {
   void make_commands();
   [[nodiscard]] const Command* command(std::string_view name) const;
   /// A lesson, or the problems of its text: what a file of this name and text shows.
+  struct NotedCase {
+    Case shapes;
+    CaseNotes notes;
+  };
   struct ReadLesson {
     std::optional<Lesson> lesson;
     std::vector<Problem> problems;
     std::size_t cases = 0;  ///< How many the text holds.
+    std::optional<NotedCase> noted = {};
   };
-  [[nodiscard]] ReadLesson read_lesson(std::string_view text, const std::filesystem::path& file);
-  [[nodiscard]] ReadLesson read_case(std::string_view text, const std::string& file);
+  /// In whatever thread.
+  [[nodiscard]] ReadLesson read_lesson(std::string_view text,
+                                       const std::filesystem::path& file) const;
+  [[nodiscard]] ReadLesson read_case(std::string_view text, const std::string& file) const;
+  void note(std::optional<NotedCase> noted);
+  /// After a lesson of a file is shown.
+  void opened(const std::filesystem::path& file, std::string text, ReadLesson read);
+  /// What follows from opening a lesson, or from not being able to.
+  bool shown(bool is_shown, const std::string& name);
+  void open_beside(const std::filesystem::path& file);
+  void end_opening();
   void open_pasted(const std::string& text);
   void save_case_to(const std::filesystem::path& file);
   /// Whether this is a lesson of the course, or still the same as one.
@@ -295,12 +312,8 @@ class App {
     std::vector<Problem> problems;
   };
   std::optional<Outside> outside_;
-  std::filesystem::path looked_at_;   ///< The file that was the lesson's in the last tick.
-  std::optional<double> gone_since_;  ///< When that file was not there for the first time.
-  struct NotedCase {
-    Case shapes;
-    CaseNotes notes;
-  };
+  std::filesystem::path looked_at_;     ///< The file that was the lesson's in the last tick.
+  std::optional<double> gone_since_;    ///< When that file was not there for the first time.
   std::vector<NotedCase> noted_cases_;  ///< Those opened last.
 
   double top_height_ = 0.0;  ///< Of the bar as it was drawn last, in pixels.
@@ -339,6 +352,7 @@ class App {
   std::set<std::string> closed_;  ///< Notices that were, as cause and text.
   std::size_t notice_lines_ = 0;  ///< As they were laid out last.
   bool was_asked_to_quit_ = false;
+  bool leaves_unsaved_ = false;  ///< The lesson that another one was opened over.
   std::vector<std::string> recent_;
   std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
   struct Exported {
@@ -347,6 +361,20 @@ class App {
   };
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
+  /// A large file that is read, run and drawn beside the window.
+  struct Opening {
+    std::filesystem::path file;
+    struct Result {
+      std::string text;
+      ReadLesson read;
+      std::shared_ptr<Session::Made> made;  ///< Null where there are problems, or it was given up.
+      std::string problem;
+    };
+    std::future<Result> result;
+    std::stop_source stop;
+  };
+  std::optional<Opening> opening_;
+  std::vector<Opening> given_up_;  ///< Those that have not ended yet.
 };
 
 }  // namespace gjkscope

@@ -51,7 +51,7 @@ std::vector<Problem> only_problem(const ReadCase& read, const std::string& file,
 
 }  // namespace
 
-App::ReadLesson App::read_case(std::string_view text, const std::string& file) {
+App::ReadLesson App::read_case(std::string_view text, const std::string& file) const {
   const std::vector<ReadCase> cases = parse_cases(text, file, 3);
   const ReadCase& first = cases.front();
   if (first.in_space) {
@@ -70,7 +70,8 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) {
   const bool has_name = first.name != file;
   std::optional<Lesson> lesson =
       lesson_around(*first.value, has_name ? first.name : fs::path(file).stem().string());
-  if (!lesson) return {};
+  if (!lesson)
+    return {std::nullopt, load_lesson(opening_lesson(paths_.share), vocabulary()).problems};
   const std::string why = sentence(first.notes.why.empty() ? "Shapes of a case" : first.notes.why);
   lesson->prose = as_prose(why);
   if (!first.notes.source.empty()) {
@@ -91,10 +92,14 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) {
         fmt::format(" Z has {} differences: of its outline only what the run finds is drawn.",
                     grouped(static_cast<double>(pairs)));
   }
+  return {std::move(lesson), {}, cases.size(), NotedCase{*first.value, first.notes}};
+}
+
+void App::note(std::optional<NotedCase> noted) {
   constexpr std::size_t kMostNoted = 20;
-  noted_cases_.insert(noted_cases_.begin(), {*first.value, first.notes});
+  if (!noted) return;
+  noted_cases_.insert(noted_cases_.begin(), *std::move(noted));
   if (noted_cases_.size() > kMostNoted) noted_cases_.pop_back();
-  return {std::move(lesson), {}, cases.size()};
 }
 
 void App::open_pasted(const std::string& text) {
@@ -115,18 +120,16 @@ void App::open_pasted(const std::string& text) {
   }
   ReadLesson read = read_case(text, "pasted");
   if (!read.lesson) return say(read.problems);
+  note(std::move(read.noted));
   if (show(*std::move(read.lesson), {}, "pasted", true) && read.cases > 1)
     say(fmt::format("the first of {} cases", read.cases));
 }
 
-std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
+std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) const {
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
   const fs::path file = opening_lesson(paths_.share);
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
-  if (!loaded.lesson) {
-    say(loaded.problems);
-    return std::nullopt;
-  }
+  if (!loaded.lesson) return std::nullopt;
   Lesson lesson = edit::told_of(*std::move(loaded.lesson), shapes);
   lesson.id = name;
   lesson.path.clear();

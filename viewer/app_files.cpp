@@ -26,6 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRecent = 10;
+/// Bytes of a file that is opened beside the window: some 10,000 vertices.
+constexpr std::uintmax_t kLarge = 400'000;
 
 /// What a run came to, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
@@ -116,7 +118,7 @@ void App::open_exported(const fs::path& file) {
   if (show(std::move(*loaded.lesson), {}, file.string())) session_.go_to(static_cast<int>(index));
 }
 
-App::ReadLesson App::read_lesson(std::string_view text, const fs::path& file) {
+App::ReadLesson App::read_lesson(std::string_view text, const fs::path& file) const {
   if (file.extension() == ".json") return read_case(text, file.string());
   LoadedLesson loaded = parse_lesson(text, file, vocabulary());
   return {std::move(loaded.lesson), std::move(loaded.problems)};
@@ -126,26 +128,71 @@ void App::open_lesson(const fs::path& named) {
   // However a listed lesson is named, it is the one that is listed.
   const fs::path listed = share() / "lessons" / named.filename();
   const fs::path& file = is_in(named, share() / "lessons") ? listed : named;
+  std::error_code none;
+  // The first lesson is waited for: there is nothing to show meanwhile.
+  if (!looked_at_.empty() && fs::file_size(file, none) > kLarge && !none) return open_beside(file);
   std::string text = read_whole(file);
   ReadLesson read = read_lesson(text, file);
   if (!read.lesson) return say(read.problems);
-  if (!show(*std::move(read.lesson), file, file.string())) return;
+  if (show(*std::move(read.lesson), file, file.string()))
+    opened(file, std::move(text), std::move(read));
+}
+
+void App::opened(const fs::path& file, std::string text, ReadLesson read) {
   files_.note_read(file, std::move(text));
+  note(std::move(read.noted));
   looked_at_ = file;
   if (outside_ && outside_->file == file) outside_.reset();
   remember_recent(file);
   if (read.cases > 1) say(fmt::format("the first of {} cases", read.cases));
 }
 
+void App::open_beside(const fs::path& file) {
+  run_command("Cancel opening");
+  Opening opening{file, {}, {}};
+  opening.result = std::async(
+      std::launch::async, [this, file, stopped = opening.stop.get_token()]() -> Opening::Result {
+        Opening::Result result;
+        try {
+          result.text = read_whole(file);
+          result.read = read_lesson(result.text, file);
+          if (result.read.lesson && !stopped.stop_requested())
+            result.made = session_.maker(*result.read.lesson)();
+        } catch (const std::exception& error) {
+          result.problem = error.what();
+        }
+        return result;
+      });
+  opening_ = std::move(opening);
+}
+
+void App::end_opening() {
+  std::erase_if(given_up_, [](const Opening& each) { return is_ready(each.result); });
+  if (!opening_ || !is_ready(opening_->result)) return;
+  const fs::path file = opening_->file;
+  Opening::Result result = opening_->result.get();
+  opening_.reset();
+  if (!result.problem.empty()) return say(result.problem, true);
+  if (!result.read.lesson) return say(result.read.problems);
+  picture_.release();
+  leaves_unsaved_ = session_.is_unsaved();
+  if (shown(session_.open(std::move(result.made), file), file.string()))
+    opened(file, std::move(result.text), std::move(result.read));
+}
+
 bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
   picture_.release();
-  const bool leaves_unsaved = session_.is_unsaved();
-  if (!session_.open(std::move(lesson), file, unsaved)) {
+  leaves_unsaved_ = session_.is_unsaved();
+  return shown(session_.open(std::move(lesson), file, unsaved), name);
+}
+
+bool App::shown(bool is_shown, const std::string& name) {
+  if (!is_shown) {
     say(fmt::format("{}: {}", name, session_.problem()), true);
     return false;
   }
   error_.clear();
-  say(leaves_unsaved ? "undo goes back to what was not saved" : "");
+  say(leaves_unsaved_ ? "undo goes back to what was not saved" : "");
   picture_.selected = {};
   playing_ = false;
   keep_unsaved();
@@ -185,6 +232,7 @@ bool App::is_file_as_known() {
   outside_.reset();
   if (!files_.is_changed(file, text)) return true;
   ReadLesson read = read_lesson(text, file);
+  note(std::move(read.noted));
   if (read.lesson && session_.saved() && *read.lesson == *session_.saved()) {
     files_.note_read(file, std::move(text));  // other comments
     return true;

@@ -104,6 +104,7 @@ bool App::open_left(std::size_t index) {
   if (fs::exists(left.file, none)) {
     text = read_whole(left.file);
     saved = read_lesson(text, left.file);
+    note(std::move(saved.noted));
   }
   const std::string name = left.file.empty() ? loaded.lesson->title : left.file.string();
   // On top of what its file holds, so that undo and revert lead there.

@@ -83,6 +83,51 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   return true;
 }
 
+struct Session::Made {
+  Lesson lesson;
+  Page page;                     ///< That its pictures are laid out on.
+  std::string problem;           ///< Why there are none.
+  std::unique_ptr<Shown> shown;  ///< Null where there is a problem.
+};
+
+std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) const {
+  return [this, to_run = to_run(lesson), lesson = std::move(lesson), page = page_] {
+    auto made = std::make_shared<Made>(Made{lesson, page, {}, nullptr});
+    LessonRun run = run_lesson(to_run);
+    made->problem = why_not_shown(run);
+    if (!made->problem.empty()) return made;
+    made->shown = std::make_unique<Shown>(std::move(run), fonts_, nullptr);
+    made->shown->pictures.lay_out(page, std::vector<std::optional<Sight>>(lesson.views.size()),
+                                  LabelScope::lesson);
+    return made;
+  };
+}
+
+bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved) {
+  if (dragging_) end_drag();
+  problems_.clear();
+  problem_ = made->problem;
+  if (!problem_.empty()) return false;
+  const bool is_first = !shown_;
+  Whereabouts there{file_, saved_, index_};
+  Lesson before = std::exchange(lesson_, std::move(made->lesson));
+  sights_.assign(lesson_.views.size(), std::nullopt);
+  shown_ = std::move(made->shown);
+  index_ = 0;
+  picture_.reset();
+  // The window may have changed meanwhile.
+  if (shown_->run.lesson.questions != lesson_to_run().questions) {
+    show(LabelScope::lesson);
+  } else if (made->page != page_) {
+    lay_out(LabelScope::lesson);
+  }
+  file_ = std::move(file);
+  saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
+  if (!is_first) remember({"open " + lesson_.id, std::move(before), std::move(there)});
+  changed();
+  return true;
+}
+
 std::vector<Session::Unsaved> Session::all_unsaved() const {
   std::vector<Unsaved> out;
   const auto add = [&](const Lesson& lesson, const Whereabouts& there) {
@@ -216,8 +261,7 @@ bool Session::redo() { return swap_with_last(future_, past_); }
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
-Lesson Session::lesson_to_run() const {
-  Lesson lesson = lesson_;
+Lesson Session::to_run(Lesson lesson) const {
   if (predicting_) {
     lesson.questions.clear();
     for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
@@ -238,15 +282,19 @@ Lesson Session::lesson_as_seen() const {
   return lesson;
 }
 
+std::string Session::why_not_shown(const LessonRun& run) {
+  std::string why;
+  for (const PositionedRun& positioned : run.runs) {
+    if (why.empty()) why = why_not_drawn(positioned);
+  }
+  return why.empty() && run.frames.empty() ? "the run has no frame to show" : why;
+}
+
 bool Session::show(LabelScope scope) {
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
-  problem_.clear();
   problems_.clear();
-  for (const PositionedRun& positioned : run.runs) {
-    if (problem_.empty()) problem_ = why_not_drawn(positioned);
-  }
-  if (problem_.empty() && run.frames.empty()) problem_ = "the run has no frame to show";
+  problem_ = why_not_shown(run);
   if (!problem_.empty()) return false;
   const bool first = !shown_;
   const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];

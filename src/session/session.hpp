@@ -41,6 +41,14 @@ class Session {
 
   // The lesson
 
+  /// A lesson with its run and its pictures, before it is shown.
+  struct Made;
+  /// Makes one, in whatever thread: `lesson` and all that this session had when it was asked go
+  /// into the work; the session may change, but must not end, until it is done.
+  [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(Lesson lesson) const;
+  /// Shows what was made, as open() shows a lesson.
+  bool open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved = false);
+
   /// Shows another lesson, from its start: an entry of the history, so that undo goes back to the
   /// one before, whatever was done to it. `file` is where it is saved, empty for what has no file
   /// yet. `unsaved`: it differs from its file. False, and all stays as it was, when its run cannot
@@ -169,6 +177,8 @@ class Session {
   void remember(Entry entry);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
+  /// Why the run cannot be shown; empty when it can.
+  [[nodiscard]] static std::string why_not_shown(const LessonRun& run);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
   bool show(LabelScope scope);
   /// The lesson is another one than before.
@@ -183,7 +193,8 @@ class Session {
   [[nodiscard]] bool is_difference_in_sight(const LessonPictures::ShownView& view) const;
   /// Z goes where X and Y are dragged: a view that follows, and that it would leave, fits it again.
   void keep_difference_in_sight();
-  [[nodiscard]] Lesson lesson_to_run() const;
+  [[nodiscard]] Lesson lesson_to_run() const { return to_run(lesson_); }
+  [[nodiscard]] Lesson to_run(Lesson lesson) const;
 
   const Fonts& fonts_;
   FileReader read_;

@@ -1,6 +1,8 @@
 // Files of the window: who else writes them, what is kept, what is said while something is wrong.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -396,6 +398,51 @@ TEST(Case, OfMoreCornersThanNamesHaveCharactersForCanBeMade) {
     edit::reshape(lesson, 0, edit::regular_polygon(corners));
     EXPECT_TRUE(window.app().edit("regular", std::move(lesson))) << window.app().message();
   }
+}
+
+std::string large_case() {
+  std::string points;
+  constexpr int kVertices = 20'000;
+  for (int i = 0; i < kVertices; ++i) {
+    const double angle = 2.0 * 3.141592653589793 * i / kVertices;
+    points += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", std::cos(angle), std::sin(angle));
+  }
+  return fmt::format(R"({{"a": [{}], "b": [[5, 5], [6, 5]]}})", points);
+}
+
+TEST(Case, ThatIsLargeIsOpenedBesideTheWindow) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.file("large.json", large_case());
+  HeadlessApp window;
+  window.app().open_path(file);
+  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+  window.frame();
+  while (window.app().is_opening()) {
+    EXPECT_NE("", said(window, "opening"));
+    EXPECT_TRUE(window.app().wakes_at());
+    window.frame();
+  }
+  EXPECT_EQ(20'000u, window.session().lesson().x().vertices.size());
+  EXPECT_EQ(file, window.session().file());
+  EXPECT_FALSE(window.session().is_unsaved());
+  window.key("Z", true);
+  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+}
+
+TEST(Case, ThatIsLargeNeedNotBeWaitedFor) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  window.app().open_path(folder.file("large.json", large_case()));
+  ASSERT_TRUE(window.app().is_opening());
+  window.key("Right");
+  EXPECT_EQ(1, window.session().index());
+  window.app().run_command("Cancel opening");
+  EXPECT_FALSE(window.app().is_opening());
+  for (int i = 0; i < 100; ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
 }
 
 // Unsaved work -----------------------------------------------------------------------------------
