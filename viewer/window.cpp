@@ -410,11 +410,15 @@ struct Window::Impl {
         io.KeyShift = (mod & KMOD_SHIFT) != 0;
         io.KeyAlt = (mod & KMOD_ALT) != 0;
         if (!down) return false;
+        const bool is_letter = event.key.keysym.sym >= SDLK_SPACE && event.key.keysym.sym < 0x100 &&
+                               event.key.keysym.sym != SDLK_DELETE;
         std::string name = SDL_GetKeyName(event.key.keysym.sym);
         if (name == "Return" || name == "Keypad Enter") name = "Enter";
         if (is_sign(name) && !io.KeyCtrl) return false;  // comes as text, too
         app.press({name, io.KeyCtrl, io.KeyShift});
-        return false;
+        // Pressed and let go between two frames, a key would not have been seen. Those of letters
+        // come as text.
+        return app.panels_have_keys() && (!is_letter || io.KeyCtrl);
       }
       case SDL_DROPFILE:
         app.open_path(event.drop.file);
