@@ -136,6 +136,7 @@ void App::tick(double now) {
   if (*error_at_ != here) error_.clear();
   watch_file();
   find_missing_character();
+  if (!closed_.empty()) forget_closed();
   if (keeping_.valid() && is_ready(keeping_)) end_keeping();
   const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
   if (is_due && !keeping_.valid()) keep_unsaved_beside();

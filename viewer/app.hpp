@@ -267,6 +267,9 @@ class App {
   /// The notes of the case whose shapes these are; null where it has none.
   [[nodiscard]] const CaseNotes* case_notes() const;
   void close_notice(const std::string& cause);
+  void forget_closed();
+  /// Those that were closed, too.
+  [[nodiscard]] std::vector<Notice> all_notices() const;
   [[nodiscard]] bool would_lose_work() const;
   /// One frame on, or back. By a clicker, over questions, too.
   void step(int by, bool over_questions);
@@ -313,7 +316,8 @@ class App {
   };
   std::optional<Outside> outside_;
   std::filesystem::path looked_at_;     ///< The file that was the lesson's in the last tick.
-  std::optional<double> gone_since_;    ///< When that file was not there for the first time.
+  bool is_missing_ = false;             ///< That file, when it was looked at last.
+  std::optional<double> gone_since_;    ///< When that was seen first.
   std::vector<NotedCase> noted_cases_;  ///< Those opened last.
 
   double top_height_ = 0.0;  ///< Of the bar as it was drawn last, in pixels.
@@ -351,8 +355,7 @@ class App {
   std::string not_kept_;          ///< Why unsaved work is not; empty when it is.
   std::set<std::string> closed_;  ///< Notices that were, as cause and text.
   std::size_t notice_lines_ = 0;  ///< As they were laid out last.
-  bool was_asked_to_quit_ = false;
-  bool leaves_unsaved_ = false;  ///< The lesson that another one was opened over.
+  bool leaves_unsaved_ = false;   ///< The lesson that another one was opened over.
   std::vector<std::string> recent_;
   std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
   struct Exported {

@@ -197,7 +197,7 @@ void App::save_case_to(const fs::path& file) {
     // A lesson is more than its shapes: it stays unsaved, in its own file.
     const bool is_case = session_.file().empty() || session_.file().extension() == ".json";
     if (is_case) {
-      gone_since_.reset();
+      is_missing_ = false;
       looked_at_ = file;
       session_.mark_saved(file, session_.lesson());
       remember_recent(file);

@@ -209,19 +209,20 @@ void App::watch_file() {
   if (looked_at_ != file) {
     // Undo has led back to a file that nobody watched meanwhile.
     looked_at_ = file;
-    gone_since_.reset();
+    is_missing_ = false;
     if (!file.empty()) (void)is_file_as_known();
   }
+  if (!is_missing_) return gone_since_.reset();
+  if (!gone_since_) gone_since_ = now_;
+  // What is in no file is unsaved work.
+  if (now_ >= *gone_since_ + kGoneAfter && session_.saved()) session_.set_saved(std::nullopt);
 }
 
 bool App::is_file_as_known() {
   const fs::path& file = session_.file();
   std::error_code none;
-  if (!fs::exists(file, none)) {
-    if (!gone_since_) gone_since_ = now_;
-    return true;
-  }
-  gone_since_.reset();
+  is_missing_ = !fs::exists(file, none);
+  if (is_missing_) return true;
   std::string text;
   try {
     text = read_whole(file);
@@ -230,9 +231,11 @@ bool App::is_file_as_known() {
     return false;
   }
   outside_.reset();
-  if (!files_.is_changed(file, text)) return true;
+  if (session_.saved() && !files_.is_changed(file, text)) return true;
   ReadLesson read = read_lesson(text, file);
   note(std::move(read.noted));
+  const bool is_as_known = read.lesson && !files_.is_changed(file, text);  // and was gone meanwhile
+  if (is_as_known) session_.set_saved(*read.lesson);
   if (read.lesson && session_.saved() && *read.lesson == *session_.saved()) {
     files_.note_read(file, std::move(text));  // other comments
     return true;
@@ -325,7 +328,7 @@ void App::save_to(const fs::path& file) {
     const std::string note = keep_beside(file);
     write_whole(file, std::string_view(text));
     files_.note_written(file, std::move(text));
-    gone_since_.reset();
+    is_missing_ = false;
     looked_at_ = file;
     session_.mark_saved(file, *std::move(saved.lesson));
     thumbnails_.forget(file);

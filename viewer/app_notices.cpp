@@ -25,6 +25,14 @@ std::size_t next_character(const std::string& text, std::size_t at) {
 }  // namespace
 
 std::vector<Notice> App::notices() const {
+  std::vector<Notice> all = all_notices();
+  std::erase_if(all, [&](const Notice& each) {
+    return each.can_be_closed && closed_.contains(each.cause + each.text);
+  });
+  return all;
+}
+
+std::vector<Notice> App::all_notices() const {
   std::vector<Notice> all;
   const std::string file = session_.file().filename().string();
   if (outside_ && outside_->file == session_.file()) {
@@ -74,9 +82,6 @@ std::vector<Notice> App::notices() const {
                    .is_error = false,
                    .answers = {"Open unsaved work", "Discard unsaved work"}});
   }
-  std::erase_if(all, [&](const Notice& each) {
-    return each.can_be_closed && closed_.contains(each.cause + each.text);
-  });
   return all;
 }
 
@@ -96,6 +101,15 @@ void App::find_missing_character() {
                     each.text.substr(begin, next_character(each.text, begin) - begin), each.key);
     return;
   }
+}
+
+void App::forget_closed() {
+  // What comes back is said again.
+  const std::vector<Notice> all = all_notices();
+  std::erase_if(closed_, [&](const std::string& closed) {
+    return std::none_of(all.begin(), all.end(),
+                        [&](const Notice& each) { return each.cause + each.text == closed; });
+  });
 }
 
 std::size_t App::notice_count() const { return std::min(notices().size(), kMostLines); }

@@ -67,12 +67,12 @@ bool App::would_lose_work() const {
 
 void App::ask_to_quit() {
   if (unsaved_.keeps()) keep_unsaved();  // now, and with a disk that may have room again
-  if (std::exchange(was_asked_to_quit_, would_lose_work()) || !would_lose_work()) {
+  const bool is_asked = dialog_ && dialog_->title == kQuitTitle;
+  if (is_asked || !would_lose_work()) {
     quit_ = true;
-    return;
+  } else {
+    show_dialog(quit_dialog(*this, [this] { quit_ = true; }));
   }
-  show_dialog(quit_dialog(
-      *this, [this] { quit_ = true; }, [this] { was_asked_to_quit_ = false; }));
 }
 
 // What other windows left ------------------------------------------------------------------------

@@ -95,9 +95,8 @@ Dialog left_work_dialog(App& app) {
   return {"Unsaved work", [list = LeftWorkList{app, {}}]() mutable { list.draw(); }};
 }
 
-Dialog quit_dialog(App& app, std::function<void()> quit, std::function<void()> stays) {
-  return {"Work would be lost", [&app, quit = std::move(quit), stays = std::move(stays)] {
-            ImGui::PushTextWrapPos(30.0f * ImGui::GetFontSize());
+Dialog quit_dialog(App& app, std::function<void()> quit) {
+  return {kQuitTitle, [&app, quit = std::move(quit)] {
             ImGui::TextUnformatted(
                 "What was changed here is in no file, and unsaved work cannot be kept:");
             for (const Session::Unsaved& each : app.session().all_unsaved()) {
@@ -106,18 +105,14 @@ Dialog quit_dialog(App& app, std::function<void()> quit, std::function<void()> s
                                     ? ""
                                     : fmt::format(" ({})", each.file.filename().string()).c_str());
             }
-            ImGui::PopTextWrapPos();
             if (ImGui::Button("Save as")) {
-              stays();
               app.close_dialog();
               return app.save_as();
             }
             ImGui::SameLine();
             if (ImGui::Button("Quit and lose it")) return quit();
             ImGui::SameLine();
-            if (!ImGui::Button("Stay")) return;
-            stays();
-            app.close_dialog();
+            if (ImGui::Button("Stay")) app.close_dialog();
           }};
 }
 

@@ -168,6 +168,11 @@ void Session::mark_saved(std::filesystem::path file, Lesson lesson) {
   changed();
 }
 
+void Session::set_saved(std::optional<Lesson> lesson) {
+  saved_ = lesson ? std::make_shared<const Lesson>(*std::move(lesson)) : nullptr;
+  changed();
+}
+
 void Session::changed() {
   ++version_;
   unsaved_ = !saved_ || lesson_ != *saved_;

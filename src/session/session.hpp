@@ -62,6 +62,8 @@ class Session {
   [[nodiscard]] bool is_unsaved() const { return unsaved_; }
   /// What its file holds; null where there is none.
   [[nodiscard]] const Lesson* saved() const { return saved_.get(); }
+  /// The file holds this now; nothing: it is gone.
+  void set_saved(std::optional<Lesson> lesson);
   struct Unsaved {
     const Lesson& lesson;
     const std::filesystem::path& file;
