@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
-constexpr double kSaveEvery = 1.0;     // seconds; what a crash may cost
 constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
 constexpr double kLooksBeside = 0.1;   // seconds; at what is done beside the window
 constexpr double kSlowest = 0.25;      // frames a second
@@ -79,25 +78,44 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
   } else if (!name.empty()) {
     file = fs::exists(name) ? fs::path(name) : paths_.share / "lessons" / (name + ".toml");
     if (!fs::exists(file)) {
+      std::vector<std::string> known;
+      for (const ListedLesson& lesson : lessons_) known.push_back(lesson.id);
+      const std::string nearest = nearest_name(name, known);
       throw std::runtime_error(fmt::format(
-          "there is no lesson, case or folder '{}'; `gjkscope lessons` lists the lessons", name));
+          "there is no lesson, case or folder '{}'{}; `gjkscope lessons` lists the lessons", name,
+          nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
     }
   }
   const bool is_first = recent_.empty();
   open_path(file);
-  if (message_is_error_) throw std::runtime_error(message_);
+  if (!error_.empty()) throw std::runtime_error(error_details_);
   if (is_first) say("Drag a vertex. → shows the next step, ? all keys.");
   offer_left_work();
 }
 
-App::~App() { keep_unsaved(); }
+App::~App() {
+  keep_unsaved();
+  for (const LeftWork& each : left_) {
+    if (each.is_discarded) unsaved_.forget(each.work);
+  }
+}
 
 // Time -------------------------------------------------------------------------------------------
 
 void App::say(std::string message, bool is_error) {
-  message_ = std::move(message);
-  message_is_error_ = is_error;
-  message_ends_.reset();
+  if (!is_error) {
+    message_ = std::move(message);
+    message_ends_.reset();
+    return;
+  }
+  error_ = message.substr(0, message.find('\n'));
+  error_details_ = std::move(message);
+  error_at_.reset();
+}
+
+void App::say(const std::vector<Problem>& problems) {
+  say(to_string(problems), true);
+  error_ = in_one_line(problems);
 }
 
 void App::tick(double now) {
@@ -108,10 +126,17 @@ void App::tick(double now) {
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
   end_export();
+  end_opening();
   thumbnails_.tick();
-  const bool stays = message_is_error_ || is_exporting();
-  if (!message_ends_) message_ends_ = stays ? HUGE_VAL : now_ + kMessageStays;
+  if (!message_ends_) message_ends_ = is_exporting() ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
+  // The next deed is past what was wrong with the one before.
+  const std::pair<long, int> here(session_.version(), session_.index());
+  if (!error_at_) error_at_ = here;
+  if (*error_at_ != here) error_.clear();
+  watch_file();
+  find_missing_character();
+  if (!closed_.empty()) forget_closed();
   if (keeping_.valid() && is_ready(keeping_)) end_keeping();
   const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
   if (is_due && !keeping_.valid()) keep_unsaved_beside();
@@ -124,8 +149,9 @@ std::optional<double> App::wakes_at() const {
   constexpr double kImage = 1.0 / 60.0;
   if (picture_.is_moving()) at = std::min(at, now_ + kImage);
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
+  if (gone_since_ && now_ < *gone_since_ + kGoneAfter) at = std::min(at, *gone_since_ + kGoneAfter);
   const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
-  if (is_exporting() || keeping_.valid() || makes_thumbnails() ||
+  if (is_exporting() || is_opening() || keeping_.valid() || makes_thumbnails() ||
       (open && open->waits && open->waits()))
     at = std::min(at, now_ + kLooksBeside);
   if (unsaved_.keeps() && session_.version() != kept_version_ && !keeping_.valid())
@@ -134,52 +160,16 @@ std::optional<double> App::wakes_at() const {
   return at;
 }
 
-void App::keep_unsaved() {
-  end_keeping();
-  kept_version_ = session_.version();
-  next_save_ = now_ + kSaveEvery;
-  try {
-    unsaved_.keep(session_.all_unsaved());
-  } catch (const std::runtime_error& error) {
-    say_not_kept(error);
-  }
-}
-
-void App::keep_unsaved_beside() {
-  kept_version_ = session_.version();
-  next_save_ = now_ + kSaveEvery;
-  struct Work {
-    Lesson lesson;
-    fs::path file;
-  };
-  std::vector<Work> work;
-  for (const Session::Unsaved& each : session_.all_unsaved())
-    work.push_back({each.lesson, each.file});
-  keeping_ = std::async(std::launch::async, [this, work = std::move(work)] {
-    std::vector<Session::Unsaved> all;
-    for (const Work& each : work) all.push_back({each.lesson, each.file});
-    unsaved_.keep(all);
-  });
-}
-
-void App::end_keeping() {
-  if (!keeping_.valid()) return;
-  try {
-    keeping_.get();
-  } catch (const std::runtime_error& error) {
-    say_not_kept(error);
-  }
-}
-
-void App::say_not_kept(const std::runtime_error& error) {
-  say(fmt::format("unsaved work cannot be kept: {}", error.what()), true);
-}
-
 // Changes ----------------------------------------------------------------------------------------
 
 bool App::edit(const std::string& name, Lesson lesson) {
   if (session_.edit(name, std::move(lesson))) return true;
   say(session_.problem(), true);
+  // The places are those of a file that nobody has seen.
+  if (!session_.problems().empty()) {
+    const Problem& first = session_.problems().front();
+    error_ = first.what + (first.expected.empty() ? "" : "; expected " + first.expected);
+  }
   return false;
 }
 
@@ -401,23 +391,29 @@ void App::make_commands() {
     say("copied what the frame says");
   });
   add("Edit", "Paste a case", {"Ctrl+V"}, [&] {
-    if (paste) open_case_text(paste(), "pasted", true);
+    if (paste) open_pasted(paste());
   });
 
   add("File", "Open", {"Ctrl+O"}, [&] { show_dialog(open_dialog(*this)); });
-  const auto save_as = [this] {
-    const std::string title = "Save as a lesson (.toml) or a case (.json)";
-    const bool is_shipped = session_.file().empty() || is_in(session_.file(), share() / "lessons");
-    show_dialog(save_dialog(*this, title,
-                            is_shipped ? session_.lesson().id + ".toml" : session_.file().string(),
-                            session_.file(), [this](const fs::path& file) { save_to(file); }));
-  };
-  add("File", "Save", {"Ctrl+S"}, [this, save_as] {
-    const fs::path& file = session_.file();
-    if (file.empty() || is_in(file, share() / "lessons")) return save_as();
+  add("File", "Save", {"Ctrl+S"}, [this] {
+    const fs::path file = session_.file();
+    if (file.empty() || is_of_course(file)) return save_as();
     save_to(file);
   });
-  add("File", "Save as", {"Ctrl+Shift+S"}, save_as);
+  add("File", "Save as", {"Ctrl+Shift+S"}, [this] { save_as(); });
+  add(
+      "File", "Cancel opening", {},
+      [this] {
+        opening_->stop.request_stop();
+        given_up_.push_back(*std::exchange(opening_, std::nullopt));
+      },
+      [this] { return opening_.has_value(); });
+  const auto is_asked = [this] { return outside_ && outside_->file == session_.file(); };
+  add(
+      "File", "Keep mine", {}, [this] { keep_mine(); }, is_asked);
+  add(
+      "File", "Take the file's", {}, [this] { take_theirs(); },
+      [this, is_asked] { return is_asked() && outside_->lesson; });
   add(
       "File", "Revert to what is saved", {"Ctrl+R"},
       [&] {
@@ -426,19 +422,23 @@ void App::make_commands() {
         say("as it is saved; undo brings back what was here");
       },
       [&] { return session_.saved() && session_.is_unsaved(); });
+  const auto has_left = [this](bool is_discarded) {
+    return std::any_of(left_.begin(), left_.end(),
+                       [&](const LeftWork& each) { return each.is_discarded == is_discarded; });
+  };
   add(
-      "File", "Open unsaved work", {}, [&] { open_left_work(); }, [&] { return !left_.empty(); });
+      "File", "Open unsaved work", {}, [this] { show_left_work(); },
+      [this] { return !left_.empty(); });
   add(
-      "File", "Discard unsaved work", {},
-      [&] {
-        unsaved_.forget_left();
-        left_.clear();
-      },
-      [&] { return !left_.empty(); });
+      "File", "Discard unsaved work", {}, [this] { discard_left_work(true); },
+      [has_left] { return has_left(false); });
+  add(
+      "File", "Put back discarded work", {}, [this] { discard_left_work(false); },
+      [has_left] { return has_left(true); });
   add(
       "File", "Export frames", {"Ctrl+E"}, [&] { show_dialog(export_dialog(*this)); },
       [&] { return !is_exporting(); });
-  add("File", "Quit", {"Ctrl+Q"}, [&] { quit_ = true; });
+  add("File", "Quit", {"Ctrl+Q"}, [&] { ask_to_quit(); });
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
   add(
@@ -495,6 +495,7 @@ void App::make_commands() {
       presenting_ = false;
     } else {
       message_.clear();
+      error_.clear();
       picture_.selected = {};
     }
   });
@@ -548,28 +549,36 @@ std::string App::title() const {
 
 std::string App::state_json() {
   const Frame& frame = session_.frame();
-  nlohmann::ordered_json json = {{"lesson", session_.lesson().id},
-                                 {"frame", session_.index()},
-                                 {"frames", session_.frame_count()},
-                                 {"iteration", session_.text().iteration},
-                                 {"phase", session_.text().phase},
-                                 {"caption", session_.text().caption},
-                                 {"unsaved", session_.is_unsaved()},
-                                 {"undo", session_.undo_name()},
-                                 {"redo", session_.redo_name()},
-                                 {"playing", playing_},
-                                 {"presenting", presenting_},
-                                 {"theme", theme_name_},
-                                 {"drawer", drawer_ ? drawers_[*drawer_].name : ""},
-                                 {"dialog", dialog_ ? dialog_->title : ""},
-                                 {"message", message_},
-                                 {"left", left_.size()},
-                                 {"pinned", pinned_text()},
-                                 {"exporting", is_exporting()},
-                                 {"recent", recent_},
-                                 {"question", session_.question() != nullptr},
-                                 {"asked", session_.answers().size()},
-                                 {"right", session_.right_answers()}};
+  nlohmann::ordered_json json = {
+      {"lesson", session_.lesson().id},
+      {"frame", session_.index()},
+      {"frames", session_.frame_count()},
+      {"iteration", session_.text().iteration},
+      {"phase", session_.text().phase},
+      {"caption", session_.text().caption},
+      {"unsaved", session_.is_unsaved()},
+      {"undo", session_.undo_name()},
+      {"redo", session_.redo_name()},
+      {"playing", playing_},
+      {"presenting", presenting_},
+      {"theme", theme_name_},
+      {"drawer", drawer_ ? drawers_[*drawer_].name : ""},
+      {"dialog", dialog_ ? dialog_->title : ""},
+      {"message", message()},
+      {"notices",
+       [&] {
+         nlohmann::ordered_json texts = nlohmann::ordered_json::array();
+         for (const Notice& each : notices()) texts.push_back(each.text);
+         return texts;
+       }()},
+      {"left", std::count_if(left_.begin(), left_.end(),
+                             [](const LeftWork& each) { return !each.is_discarded; })},
+      {"pinned", pinned_text()},
+      {"exporting", is_exporting()},
+      {"recent", recent_},
+      {"question", session_.question() != nullptr},
+      {"asked", session_.answers().size()},
+      {"right", session_.right_answers()}};
   const LessonRun& run = session_.run();
   if (run.has_gjk()) json["distance"] = run.run(frame).trace.result.distance;
   const auto vertices = [](const LessonShape& shape) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "drawer.hpp"
 #include "export/export.hpp"
 #include "icon.hpp"
+#include "known_files.hpp"
 #include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
 #include "picture_view.hpp"
@@ -36,6 +38,19 @@ struct ListedLesson {
   std::string title;
   int chapter = 0;
   std::string problem;  ///< The first, with its place; empty for a lesson that can be opened.
+};
+
+/// Seconds; between two writes of an editor there may be no file.
+inline constexpr double kGoneAfter = 0.5;
+
+/// What has to be known, or answered, while it holds: a line above the picture.
+struct Notice {
+  std::string cause;  ///< One of each at a time.
+  std::string text;
+  std::string details = {};  ///< For who points at it.
+  bool is_error = true;
+  std::vector<std::string_view> answers = {};  ///< Names of commands.
+  bool can_be_closed = true;
 };
 
 /// Fonts of the panels besides their usual one, which stands for those that are null.
@@ -83,6 +98,8 @@ class App {
   std::function<std::string()> paste;
   std::function<void(const std::string&)> copy;
 
+  /// Quits, unless work would be lost that nobody has agreed to lose; whoever asks again has.
+  void ask_to_quit();
   [[nodiscard]] bool wants_to_quit() const { return quit_; }
   [[nodiscard]] bool wants_full_screen() const { return presenting_; }
   [[nodiscard]] std::string title() const;
@@ -104,7 +121,11 @@ class App {
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  [[nodiscard]] const std::string& message() const { return message_; }
+  /// What was said last.
+  [[nodiscard]] const std::string& message() const { return error_.empty() ? message_ : error_; }
+  [[nodiscard]] std::vector<Notice> notices() const;
+  /// What the case that is shown expects, and how the run compares; empty where it expects nothing.
+  [[nodiscard]] std::string compared_with_case() const;
   [[nodiscard]] const PanelFonts& panel_fonts() const { return panel_fonts_; }
   /// Whether a hand is held to round numbers: the other way round while Shift is down.
   [[nodiscard]] bool snaps() const { return snaps_ != ImGui::GetIO().KeyShift; }
@@ -112,6 +133,8 @@ class App {
   bool hexadecimal = false;
   /// Whether lessons of the list get small pictures.
   bool has_thumbnails = true;
+  /// What was asked for when frames were exported last.
+  std::optional<ExportOptions> last_export;
   /// Names of values (drawers/values.hpp) that stay in sight.
   std::vector<std::string> pinned;
   /// What drawers point at in the frame that is being drawn.
@@ -120,6 +143,8 @@ class App {
   /// The one way to change a lesson; says why when it is refused.
   bool edit(const std::string& name, Lesson lesson);
   void say(std::string message, bool is_error = false);
+  /// Why something was refused.
+  void say(const std::vector<Problem>& problems);
   bool run_command(std::string_view name);
   void show_dialog(Dialog dialog);
   void close_dialog() { dialog_.reset(); }
@@ -149,14 +174,28 @@ class App {
   /// cannot be shown. `unsaved`: it comes from no file.
   bool show(Lesson lesson, const std::filesystem::path& file, const std::string& name,
             bool unsaved = false);
+  /// Work that other windows left, the newest first.
+  struct LeftWork {
+    UnsavedWork::Left work;
+    bool is_discarded = false;  ///< It goes when the window ends.
+  };
+  [[nodiscard]] std::vector<LeftWork>& left_work() { return left_; }
+  /// The small picture of a lesson file, in the current window; empty until it is made.
+  void draw_small_picture(const std::filesystem::path& file, const ImVec2& at, const ImVec2& size);
+  /// False when it cannot be shown.
+  bool open_left(std::size_t index);
+  void save_as();
+
   /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
-  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes, const std::string& name);
+  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes,
+                                                    const std::string& name) const;
   void save_to(const std::filesystem::path& file);
   /// Writes text of the user's; says what was written, or why not.
   void write_text(const std::filesystem::path& file, const std::string& text);
   /// This frame, or all: the lesson as it is seen. `options` says where, and how they look. Goes on
   /// beside the window, which says how it ended.
   void export_frames(ExportOptions options, bool all);
+  [[nodiscard]] bool is_opening() const { return opening_.has_value(); }
   [[nodiscard]] bool is_exporting() const { return exporting_.valid(); }
   /// Whether small pictures of lessons that are in sight are yet to come.
   [[nodiscard]] bool makes_thumbnails() const { return thumbnails_.is_making(); }
@@ -168,9 +207,10 @@ class App {
   // Parts of the window
   void draw_top_bar();
   void draw_transport();
-  void draw_lessons(const AtlasFonts& fonts);
+  void draw_lessons();
   void draw_drawer();
   void draw_dialog();
+  void draw_notices();
   void draw_message();
   void draw_status();
   void draw_pinned(float begin);
@@ -178,15 +218,59 @@ class App {
   /// The list of lessons gives way where the picture has no room beside it.
   [[nodiscard]] bool has_lessons() const;
   [[nodiscard]] const std::string& said() const;
+  /// How many lines notices take.
+  [[nodiscard]] std::size_t notice_count() const;
   [[nodiscard]] bool fits_status(const std::string& text) const;
-  void draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts& fonts);
+  void draw_lesson(const ListedLesson& lesson, bool is_open);
   void draw_icon_button(Icon icon, std::string_view name);
   void draw_menu_item(std::string_view name);
 
   // Deeds
   void make_commands();
   [[nodiscard]] const Command* command(std::string_view name) const;
-  void open_case_text(std::string_view text, const std::string& name, bool unsaved = false);
+  /// A lesson, or the problems of its text: what a file of this name and text shows.
+  struct NotedCase {
+    Case shapes;
+    CaseNotes notes;
+  };
+  struct ReadLesson {
+    std::optional<Lesson> lesson;
+    std::vector<Problem> problems;
+    std::size_t cases = 0;  ///< How many the text holds.
+    std::optional<NotedCase> noted = {};
+  };
+  /// In whatever thread.
+  [[nodiscard]] ReadLesson read_lesson(std::string_view text,
+                                       const std::filesystem::path& file) const;
+  [[nodiscard]] ReadLesson read_case(std::string_view text, const std::string& file) const;
+  void note(std::optional<NotedCase> noted);
+  /// After a lesson of a file is shown.
+  void opened(const std::filesystem::path& file, std::string text, ReadLesson read);
+  /// What follows from opening a lesson, or from not being able to.
+  bool shown(bool is_shown, const std::string& name);
+  void open_beside(const std::filesystem::path& file);
+  void end_opening();
+  void open_pasted(const std::string& text);
+  void save_case_to(const std::filesystem::path& file);
+  /// Whether this is a lesson of the course, or still the same as one.
+  [[nodiscard]] bool is_of_course(const std::filesystem::path& file) const;
+  /// Keeps what a file holds beside it, unless this window wrote it; says where.
+  std::string keep_beside(const std::filesystem::path& file);
+  /// Whether the file of the lesson holds what it held when it was read or written last; where it
+  /// does not, it is read, or what is open about it is asked.
+  bool is_file_as_known();
+  void find_missing_character();
+  /// Whether the lesson's file is another one than before, or has been gone for a while.
+  void watch_file();
+  void take_theirs();
+  void keep_mine();
+  /// The notes of the case whose shapes these are; null where it has none.
+  [[nodiscard]] const CaseNotes* case_notes() const;
+  void close_notice(const std::string& cause);
+  void forget_closed();
+  /// Those that were closed, too.
+  [[nodiscard]] std::vector<Notice> all_notices() const;
+  [[nodiscard]] bool would_lose_work() const;
   /// One frame on, or back. By a clicker, over questions, too.
   void step(int by, bool over_questions);
   void nudge(const Eigen::Vector2d& pixels);
@@ -201,7 +285,8 @@ class App {
   void end_keeping();
   void say_not_kept(const std::runtime_error& error);
   void offer_left_work();
-  void open_left_work();
+  void show_left_work();
+  void discard_left_work(bool is_discarded);
   void read_recent();
   void remember_recent(const std::filesystem::path& file);
   void write_lines(const char* name, const std::vector<std::string>& lines) const;
@@ -220,7 +305,20 @@ class App {
   std::vector<Drawer> drawers_;
   std::vector<Command> commands_;
   UnsavedWork unsaved_;
-  std::vector<UnsavedWork::Left> left_;  ///< Of windows that are gone; waits to be opened or not.
+  std::vector<LeftWork> left_;  ///< Of windows that are gone; waits to be opened or not.
+  KnownFiles files_;
+  /// What the file of a lesson holds now, where that is not what is shown and waits for an answer.
+  struct Outside {
+    std::filesystem::path file;
+    std::string text;
+    std::optional<Lesson> lesson;  ///< Nothing where the text has problems.
+    std::vector<Problem> problems;
+  };
+  std::optional<Outside> outside_;
+  std::filesystem::path looked_at_;     ///< The file that was the lesson's in the last tick.
+  bool is_missing_ = false;             ///< That file, when it was looked at last.
+  std::optional<double> gone_since_;    ///< When that was seen first.
+  std::vector<NotedCase> noted_cases_;  ///< Those opened last.
 
   double top_height_ = 0.0;  ///< Of the bar as it was drawn last, in pixels.
   double panel_size_ = 1.0;  ///< As the user chose.
@@ -228,6 +326,7 @@ class App {
   double width_ = 0.0;       ///< Of the window, in pixels.
   double height_ = 0.0;
   PanelFonts panel_fonts_;
+  const AtlasFonts* atlas_fonts_ = nullptr;  ///< Of the frame that is drawn.
 
   std::optional<std::size_t> drawer_;
   std::shared_ptr<Dialog> dialog_;        ///< Shared with the frame that draws it.
@@ -247,8 +346,16 @@ class App {
   bool quit_ = false;
   bool snaps_ = false;
   std::string message_;
-  bool message_is_error_ = false;
   std::optional<double> message_ends_;  ///< Set when it is seen first.
+  std::string error_;                   ///< Of the last deed, until the next.
+  std::string error_details_;
+  std::optional<std::pair<long, int>> error_at_;  ///< Version and step when it was seen first.
+  /// The first character of the lesson's words that the stage cannot draw, of this version.
+  std::pair<long, std::string> missing_ = {-1, ""};
+  std::string not_kept_;          ///< Why unsaved work is not; empty when it is.
+  std::set<std::string> closed_;  ///< Notices that were, as cause and text.
+  std::size_t notice_lines_ = 0;  ///< As they were laid out last.
+  bool leaves_unsaved_ = false;   ///< The lesson that another one was opened over.
   std::vector<std::string> recent_;
   std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
   struct Exported {
@@ -257,6 +364,20 @@ class App {
   };
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
+  /// A large file that is read, run and drawn beside the window.
+  struct Opening {
+    std::filesystem::path file;
+    struct Result {
+      std::string text;
+      ReadLesson read;
+      std::shared_ptr<Session::Made> made;  ///< Null where there are problems, or it was given up.
+      std::string problem;
+    };
+    std::future<Result> result;
+    std::stop_source stop;
+  };
+  std::optional<Opening> opening_;
+  std::vector<Opening> given_up_;  ///< Those that have not ended yet.
 };
 
 }  // namespace gjkscope

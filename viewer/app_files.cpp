@@ -26,6 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRecent = 10;
+/// Bytes of a file that is opened beside the window: some 10,000 vertices.
+constexpr std::uintmax_t kLarge = 400'000;
 
 /// What a run came to, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
@@ -77,7 +79,7 @@ void App::open_path(const fs::path& path) {
     if (path.extension() == ".json") {
       const std::string text = read_whole(path);
       if (text.find("\"rows\":") == std::string::npos) {
-        open_case_text(text, path.string());
+        open_lesson(path);
       } else {
         open_results(*this, text, path);
       }
@@ -103,7 +105,7 @@ void App::open_exported(const fs::path& file) {
   // Results of a study stand beside the shipped lessons.
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
   LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
-  if (!loaded.lesson) return say(to_string(loaded.problems), true);
+  if (!loaded.lesson) return say(loaded.problems);
   // The step counts the frames that ask, which the window shows only in predict mode.
   const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
   const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));
@@ -116,49 +118,81 @@ void App::open_exported(const fs::path& file) {
   if (show(std::move(*loaded.lesson), {}, file.string())) session_.go_to(static_cast<int>(index));
 }
 
+App::ReadLesson App::read_lesson(std::string_view text, const fs::path& file) const {
+  if (file.extension() == ".json") return read_case(text, file.string());
+  LoadedLesson loaded = parse_lesson(text, file, vocabulary());
+  return {std::move(loaded.lesson), std::move(loaded.problems)};
+}
+
 void App::open_lesson(const fs::path& named) {
   // However a listed lesson is named, it is the one that is listed.
   const fs::path listed = share() / "lessons" / named.filename();
   const fs::path& file = is_in(named, share() / "lessons") ? listed : named;
-  LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
-  if (!loaded.lesson) return say(to_string(loaded.problems), true);
-  if (show(std::move(*loaded.lesson), file, file.string())) remember_recent(file);
+  std::error_code none;
+  // The first lesson is waited for: there is nothing to show meanwhile.
+  if (!looked_at_.empty() && fs::file_size(file, none) > kLarge && !none) return open_beside(file);
+  std::string text = read_whole(file);
+  ReadLesson read = read_lesson(text, file);
+  if (!read.lesson) return say(read.problems);
+  if (show(*std::move(read.lesson), file, file.string()))
+    opened(file, std::move(text), std::move(read));
 }
 
-void App::open_case_text(std::string_view text, const std::string& name, bool unsaved) {
-  const std::vector<ReadCase> cases = parse_cases(text, name);
-  if (!cases.front().value) return say(to_string(cases.front().problems), true);
-  std::optional<Lesson> lesson = lesson_around(*cases.front().value, cases.front().name);
-  if (lesson && show(*std::move(lesson), {}, name, unsaved) && cases.size() > 1)
-    say(fmt::format("the first of {} cases", cases.size()));
+void App::opened(const fs::path& file, std::string text, ReadLesson read) {
+  files_.note_read(file, std::move(text));
+  note(std::move(read.noted));
+  looked_at_ = file;
+  if (outside_ && outside_->file == file) outside_.reset();
+  remember_recent(file);
+  if (read.cases > 1) say(fmt::format("the first of {} cases", read.cases));
 }
 
-std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) {
-  // A case has no words and no views: it is shown as the opening lesson shows its shapes.
-  const fs::path file = opening_lesson(paths_.share);
-  LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
-  if (!loaded.lesson) {
-    say(to_string(loaded.problems), true);
-    return std::nullopt;
-  }
-  Lesson lesson = edit::told_of(*std::move(loaded.lesson), shapes);
-  lesson.id = name;
-  lesson.path.clear();
-  lesson.title = name;
-  lesson.prose = "Shapes of a case.";
-  lesson.source.clear();
-  lesson.options = {};
-  return lesson;
+void App::open_beside(const fs::path& file) {
+  run_command("Cancel opening");
+  Opening opening{file, {}, {}};
+  opening.result = std::async(
+      std::launch::async, [this, file, stopped = opening.stop.get_token()]() -> Opening::Result {
+        Opening::Result result;
+        try {
+          result.text = read_whole(file);
+          result.read = read_lesson(result.text, file);
+          if (result.read.lesson && !stopped.stop_requested())
+            result.made = session_.maker(*result.read.lesson)();
+        } catch (const std::exception& error) {
+          result.problem = error.what();
+        }
+        return result;
+      });
+  opening_ = std::move(opening);
+}
+
+void App::end_opening() {
+  std::erase_if(given_up_, [](const Opening& each) { return is_ready(each.result); });
+  if (!opening_ || !is_ready(opening_->result)) return;
+  const fs::path file = opening_->file;
+  Opening::Result result = opening_->result.get();
+  opening_.reset();
+  if (!result.problem.empty()) return say(result.problem, true);
+  if (!result.read.lesson) return say(result.read.problems);
+  picture_.release();
+  leaves_unsaved_ = session_.is_unsaved();
+  if (shown(session_.open(std::move(result.made), file), file.string()))
+    opened(file, std::move(result.text), std::move(result.read));
 }
 
 bool App::show(Lesson lesson, const fs::path& file, const std::string& name, bool unsaved) {
   picture_.release();
-  const bool leaves_unsaved = session_.is_unsaved();
-  if (!session_.open(std::move(lesson), file, unsaved)) {
+  leaves_unsaved_ = session_.is_unsaved();
+  return shown(session_.open(std::move(lesson), file, unsaved), name);
+}
+
+bool App::shown(bool is_shown, const std::string& name) {
+  if (!is_shown) {
     say(fmt::format("{}: {}", name, session_.problem()), true);
     return false;
   }
-  say(leaves_unsaved ? "undo goes back to what was not saved" : "");
+  error_.clear();
+  say(leaves_unsaved_ ? "undo goes back to what was not saved" : "");
   picture_.selected = {};
   playing_ = false;
   keep_unsaved();
@@ -167,47 +201,140 @@ bool App::show(Lesson lesson, const fs::path& file, const std::string& name, boo
 
 void App::file_changed(const fs::path& path) {
   thumbnails_.forget(path);
-  if (path != session_.file()) return;
-  try {
-    LoadedLesson loaded = parse_lesson(read_whole(path), path, vocabulary());
-    if (!loaded.lesson) return say(to_string(loaded.problems), true);
-    if (session_.saved() && *loaded.lesson == *session_.saved()) return;
-    picture_.release();
-    if (!session_.reload(std::move(*loaded.lesson)))
-      return say(fmt::format("{}: {}", path.string(), session_.problem()), true);
-    say(fmt::format("{} has changed and was read again; undo brings back what was here",
-                    path.filename().string()));
-  } catch (const std::runtime_error&) {
-    // Between two writes of an editor there may be no file.
+  if (path == session_.file()) (void)is_file_as_known();
+}
+
+void App::watch_file() {
+  const fs::path& file = session_.file();
+  if (looked_at_ != file) {
+    // Undo has led back to a file that nobody watched meanwhile.
+    looked_at_ = file;
+    is_missing_ = false;
+    if (!file.empty()) (void)is_file_as_known();
   }
+  if (!is_missing_) return gone_since_.reset();
+  if (!gone_since_) gone_since_ = now_;
+  // What is in no file is unsaved work.
+  if (now_ >= *gone_since_ + kGoneAfter && session_.saved()) session_.set_saved(std::nullopt);
+}
+
+bool App::is_file_as_known() {
+  const fs::path& file = session_.file();
+  std::error_code none;
+  is_missing_ = !fs::exists(file, none);
+  if (is_missing_) return true;
+  std::string text;
+  try {
+    text = read_whole(file);
+  } catch (const std::runtime_error& error) {
+    say(error.what(), true);
+    return false;
+  }
+  outside_.reset();
+  if (session_.saved() && !files_.is_changed(file, text)) return true;
+  ReadLesson read = read_lesson(text, file);
+  note(std::move(read.noted));
+  const bool is_as_known = read.lesson && !files_.is_changed(file, text);  // and was gone meanwhile
+  if (is_as_known) session_.set_saved(*read.lesson);
+  if (read.lesson && session_.saved() && *read.lesson == *session_.saved()) {
+    files_.note_read(file, std::move(text));  // other comments
+    return true;
+  }
+  const bool is_asked = !read.lesson || session_.is_unsaved();
+  outside_ = Outside{file, std::move(text), std::move(read.lesson), std::move(read.problems)};
+  if (!is_asked) take_theirs();
+  return false;
+}
+
+void App::take_theirs() {
+  Outside taken = *std::exchange(outside_, std::nullopt);
+  picture_.release();
+  const bool had_own = session_.is_unsaved();
+  if (!session_.reload(std::move(*taken.lesson)))
+    return say(fmt::format("{}: {}", taken.file.string(), session_.problem()), true);
+  files_.note_read(taken.file, std::move(taken.text));
+  say(fmt::format("{} {}; undo brings back what was here", taken.file.filename().string(),
+                  had_own ? "as the file has it" : "has changed and was read again"));
+}
+
+void App::keep_mine() {
+  Outside other = *std::exchange(outside_, std::nullopt);
+  picture_.release();
+  // Theirs is an entry of the history below mine.
+  if (other.lesson) {
+    Lesson mine = session_.lesson();
+    if (!session_.reload(std::move(*other.lesson)))
+      return say(fmt::format("{}: {}", other.file.string(), session_.problem()), true);
+    if (!edit("keep what was here", std::move(mine))) return;
+  }
+  files_.note_read(other.file, std::move(other.text));
+  say(fmt::format("kept what is here; Save writes it, and what the file holds goes to {}~",
+                  other.file.filename().string()));
+}
+
+bool App::is_of_course(const fs::path& file) const {
+  const fs::path folder = share() / "lessons";
+  if (is_in(file, folder)) return true;
+  // A copy of the course is not overwritten unasked, either.
+  std::error_code none;
+  const fs::path shipped = folder / file.filename();
+  const KnownFiles::Known* known = files_.find(file);
+  return known != nullptr && fs::exists(shipped, none) && known->text == read_whole(shipped);
+}
+
+void App::save_as() {
+  const std::string title = "Save as a lesson (.toml) or a case (.json)";
+  const fs::path& file = session_.file();
+  const bool has_own_place = !file.empty() && !is_in(file, share() / "lessons");
+  const fs::path name = session_.lesson().id + ".toml";
+  show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.filename().string(),
+                          is_of_course(file) ? fs::path() : file,
+                          [this](const fs::path& to) { save_to(to); }));
+}
+
+std::string App::keep_beside(const fs::path& file) {
+  std::error_code none;
+  if (!fs::exists(file, none)) return "";
+  const std::string old = read_whole(file);
+  const KnownFiles::Known* known = files_.find(file);
+  if (known != nullptr && known->is_ours && known->text == old) return "";
+  const std::string backup = file.string() + "~";
+  write_whole(backup, old);
+  return fmt::format("; as it was, it is {}", backup);
 }
 
 void App::save_to(const fs::path& file) {
-  if (file.extension() == ".json") {
-    const PositionedRun& run = session_.run().run(session_.frame());
-    return write_text(file, case_json(case_of(run), session_.lesson().id));
+  if (file == session_.file() && !is_file_as_known()) {
+    if (outside_) say(fmt::format("{} was not saved", file.filename().string()), true);
+    return;
   }
-  Lesson lesson = with_absolute_file(session_.lesson_as_seen());
-  lesson.expect = outcome_of(session_.run());
-  const std::string text = lesson_toml(lesson);
-  LoadedLesson saved = parse_lesson(text, file, vocabulary());
-  if (!saved.lesson) return say(to_string(saved.problems), true);
+  if (file.extension() == ".json") return save_case_to(file);
+  std::error_code none;
+  Lesson lesson = session_.lesson_as_seen();
+  if (!is_in(file, fs::absolute(fs::path(lesson.path).parent_path(), none)))
+    lesson = with_absolute_file(std::move(lesson));
+  // What the author wrote of the outcome stays while it is true.
+  LessonRun run = session_.run();
+  run.lesson.expect = lesson.expect;
+  if (lesson.expect == Expectation() || !check_expectation(run).empty())
+    lesson.expect = outcome_of(session_.run());
   try {
-    std::error_code none;
-    std::string note;
-    // What is saved has no comments, and another lesson's place is taken only once.
-    if (fs::exists(file, none)) {
-      const std::string old = read_whole(file);
-      if (file != session_.file() || old.find('#') != std::string::npos) {
-        const std::string backup = file.string() + "~";
-        write_whole(backup, old);
-        note = fmt::format("; as it was, it is {}", backup);
-      }
-    }
-    write_whole(file, text);
+    const bool is_own = file == session_.file() && fs::exists(file, none);
+    const std::optional<std::string> kept =
+        is_own ? lesson_toml_kept(read_whole(file), lesson, file, vocabulary()) : std::nullopt;
+    std::string text = kept.value_or(lesson_toml(lesson));
+    LoadedLesson saved = parse_lesson(text, file, vocabulary());
+    if (!saved.lesson) return say(saved.problems);
+    const std::string note = keep_beside(file);
+    write_whole(file, std::string_view(text));
+    files_.note_written(file, std::move(text));
+    is_missing_ = false;
+    looked_at_ = file;
     session_.mark_saved(file, *std::move(saved.lesson));
+    thumbnails_.forget(file);
     remember_recent(file);
-    say(fmt::format("saved {}{}", file.string(), note));
+    say(fmt::format("saved {}{}{}", file.string(), note,
+                    is_own && !kept ? ", with the comments that the new text has not" : ""));
     keep_unsaved();
   } catch (const std::runtime_error& error) {
     say(error.what(), true);
@@ -241,7 +368,7 @@ void App::export_frames(ExportOptions options, bool all) {
     try {
       const ExportResult result = export_lessons({lesson}, options);
       return {fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                          options.out_dir.string())};
+                          fs::absolute(options.out_dir).lexically_normal().string())};
     } catch (const std::exception& error) {
       return {error.what(), true};
     }
@@ -284,37 +411,6 @@ void App::write_lines(const char* name, const std::vector<std::string>& lines) c
   } catch (const std::runtime_error&) {
     // A convenience; a full disk is said where work is saved.
   }
-}
-
-void App::offer_left_work() {
-  try {
-    left_ = unsaved_.left();
-  } catch (const std::runtime_error& error) {
-    say(fmt::format("unsaved work cannot be read: {}", error.what()), true);
-  }
-}
-
-void App::open_left_work() {
-  std::vector<std::string> opened;
-  for (const UnsavedWork::Left& left : left_) {
-    const bool has_file = fs::exists(left.file);
-    LoadedLesson loaded =
-        parse_lesson(left.text, left.file.empty() ? "unsaved.toml" : left.file, vocabulary());
-    if (!loaded.lesson) return say(to_string(loaded.problems), true);
-    LoadedLesson saved = has_file ? load_lesson(left.file, vocabulary()) : LoadedLesson{};
-    const std::string name = left.file.empty() ? loaded.lesson->title : left.file.string();
-    // On top of what its file holds, so that undo and revert lead there.
-    const bool shown = saved.lesson ? show(*std::move(saved.lesson), left.file, name) &&
-                                          edit("what was not saved", *std::move(loaded.lesson))
-                                    : show(*std::move(loaded.lesson), left.file, name, true);
-    if (!shown) return;
-    opened.push_back(left.file.empty() ? name : left.file.filename().string());
-  }
-  keep_unsaved();
-  unsaved_.forget_left();
-  left_.clear();
-  say(fmt::format("opened what was not saved of {}{}", fmt::join(opened, ", "),
-                  opened.size() > 1 ? "; undo goes back through them" : ""));
 }
 
 }  // namespace gjkscope

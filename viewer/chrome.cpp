@@ -28,8 +28,6 @@ constexpr double kSpeed = 98.0;
 constexpr double kStatus = 24.0;   // below the transport
 constexpr double kMostBars = 0.4;  // of the window's height
 
-const ImVec4 kErrorInk(0.84f, 0.25f, 0.0f, 1.0f);
-
 /// A panel that fills `rect`. End it with ImGui::End.
 void begin_panel(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos(vec(rect.min));
@@ -70,10 +68,13 @@ double App::layout(double width, double height, double density) {
   width_ = width;
   height_ = height;
   Rect area{{0.0, 0.0}, {width, height}};
+  // Under a hand nothing moves.
+  if (!session_.is_dragging()) notice_lines_ = presenting_ ? 0 : notice_count();
   if (!presenting_) {
     const double bar = kBar * ui_scale_;
     area.min.y() = std::min(std::max(bar, top_height_), kMostBars * height);
     area.max.y() -= std::min(bar + kStatus * ui_scale_, 0.5 * (height - area.min.y()));
+    area.min.y() += kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_);
     if (has_lessons()) area.min.x() = kLessons * ui_scale_;
     if (drawer_) area.max.x() = std::max(width - kDrawer * ui_scale_, area.min.x());
   }
@@ -82,6 +83,7 @@ double App::layout(double width, double height, double density) {
 
 void App::draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts) {
   panel_fonts_ = panel_fonts;
+  atlas_fonts_ = &fonts;
   pointed_in_panel = {};
   ImGuiIO& io = ImGui::GetIO();
   const bool by_keyboard = focused_ || dialog_;
@@ -89,7 +91,8 @@ void App::draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts) {
   picture_.draw(fonts);
   if (!presenting_) {
     draw_top_bar();
-    if (has_lessons()) draw_lessons(fonts);
+    draw_notices();
+    if (has_lessons()) draw_lessons();
     draw_drawer();
     draw_transport();
   }
@@ -183,8 +186,9 @@ void App::draw_menu_item(std::string_view name) {
 // Panels -----------------------------------------------------------------------------------------
 
 void App::draw_top_bar() {
-  begin_panel("##top", {{0.0, 0.0}, {width_, picture_.area().min.y()}},
-              ImGuiWindowFlags_NoScrollbar);
+  const double bottom =
+      picture_.area().min.y() - kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_);
+  begin_panel("##top", {{0.0, 0.0}, {width_, bottom}}, ImGuiWindowFlags_NoScrollbar);
   const ImGuiStyle& style = ImGui::GetStyle();
   Row row;
   // Menus and drawers: words without a frame.
@@ -290,7 +294,7 @@ void App::draw_transport() {
   ImGui::End();
 }
 
-void App::draw_lessons(const AtlasFonts& fonts) {
+void App::draw_lessons() {
   begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
   const auto draw_progress = [](const Progress& count) {
     if (count.done == 0) return;
@@ -315,7 +319,7 @@ void App::draw_lessons(const AtlasFonts& fonts) {
     ImGui::PushID(lesson.file.c_str());
     const std::string path = lesson.file.string();
     const bool is_open = session_.lesson().path == path;
-    draw_lesson(lesson, is_open, fonts);
+    draw_lesson(lesson, is_open);
     ImGui::PopID();
     if (is_open && std::exchange(listed_, path) != path && !ImGui::IsItemVisible())
       ImGui::SetScrollHereY();
@@ -325,7 +329,7 @@ void App::draw_lessons(const AtlasFonts& fonts) {
 
 /// Its picture, its title on as many lines as that takes, and a check mark when it was stepped to
 /// its end.
-void App::draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts& fonts) {
+void App::draw_lesson(const ListedLesson& lesson, bool is_open) {
   const bool is_good = lesson.problem.empty();
   const double scale = kThumbnail * ui_scale_ / thumbnails::kWidth;
   const ImVec2 picture =
@@ -344,15 +348,7 @@ void App::draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts
   if (!is_seen) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + picture.x, at.y + picture.y);
-  if (has_thumbnails) list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
-  const Picture* marks = is_good && has_thumbnails ? thumbnails_.of(lesson.file) : nullptr;
-  if (marks != nullptr) {
-    list.PushClipRect(at, end, true);
-    (void)paint_marks(list, *marks, 0, theme_, fonts,
-                      {Point(at.x, at.y), scale, ImGui::GetIO().Fonts->TexID});
-    list.PopClipRect();
-  }
-  if (has_thumbnails) list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3.0f);
+  if (has_thumbnails) draw_small_picture(is_good ? lesson.file : "", at, picture);
   const ImU32 ink = ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   if (!is_good || finished_.contains(lesson.id)) {
     const char* const sign = is_good ? "✓" : "!";
@@ -360,6 +356,21 @@ void App::draw_lesson(const ListedLesson& lesson, bool is_open, const AtlasFonts
                  is_good ? ImGui::GetColorU32(ImGuiCol_CheckMark) : ink, sign);
   }
   list.AddText(nullptr, 0.0f, {at.x + left, at.y}, ink, lesson.title.c_str(), nullptr, width);
+}
+
+void App::draw_small_picture(const std::filesystem::path& file, const ImVec2& at,
+                             const ImVec2& size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
+  if (const Picture* marks = file.empty() || !has_thumbnails ? nullptr : thumbnails_.of(file)) {
+    list.PushClipRect(at, end, true);
+    (void)paint_marks(
+        list, *marks, 0, theme_, *atlas_fonts_,
+        {Point(at.x, at.y), size.x / thumbnails::kWidth, ImGui::GetIO().Fonts->TexID});
+    list.PopClipRect();
+  }
+  list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3.0f);
 }
 
 void App::draw_drawer() {
@@ -413,7 +424,10 @@ bool App::has_lessons() const {
   return lessons_shown_ && width_ >= panels * ui_scale_ + PictureView::kNarrowest;
 }
 
-const std::string& App::said() const { return message_.empty() ? session_.problem() : message_; }
+const std::string& App::said() const {
+  // While a hand holds a shape where no run can be shown, that is what there is to say.
+  return session_.is_dragging() && !session_.problem().empty() ? session_.problem() : message_;
+}
 
 bool App::fits_status(const std::string& text) const {
   const double room = picture_.area().size().x() - 2.0 * ImGui::GetStyle().WindowPadding.x;
@@ -445,31 +459,22 @@ void App::draw_pinned(float begin) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
-/// What was said last, work that another window left, or where the lesson is saved.
+/// What was said last, or where the lesson is saved.
 void App::draw_status() {
   const std::string& text = said();
   if (!text.empty() && fits_status(text)) {
-    if (message_.empty() || message_is_error_) {
-      ImGui::TextColored(kErrorInk, "%s", text.c_str());
+    if (&text != &message_) {
+      ImGui::TextColored(error_ink(), "%s", text.c_str());
     } else {
       ImGui::TextUnformatted(text.c_str());
     }
     if (ImGui::IsItemClicked()) message_.clear();
-  } else if (!left_.empty()) {
-    const std::string of =
-        left_.front().file.empty() ? "a case" : left_.front().file.stem().string();
-    ImGui::Text("There is work that was not saved, of %s%s.", of.c_str(),
-                left_.size() > 1 ? fmt::format(" and {} more", left_.size() - 1).c_str() : "");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 0.0f));
-    ImGui::SameLine();
-    draw_button("Open unsaved work");
-    ImGui::SameLine();
-    draw_button("Discard unsaved work");
-    ImGui::PopStyleVar();
   } else {
-    ImGui::TextDisabled("%s%s",
+    const std::string compared = compared_with_case();
+    ImGui::TextDisabled("%s%s%s%s",
                         session_.file().empty() ? "in no file" : session_.file().filename().c_str(),
-                        session_.is_unsaved() ? ", not saved" : "");
+                        session_.is_unsaved() ? ", not saved" : "", compared.empty() ? "" : "    ",
+                        compared.c_str());
   }
   if (!pinned.empty()) draw_pinned(ImGui::GetItemRectMax().x);
 }
@@ -489,8 +494,8 @@ void App::draw_message() {
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
   ImGui::PushTextWrapPos(
       static_cast<float>(std::clamp(area.size().x() - 40.0, 80.0, 640.0 * ui_scale_)));
-  const bool is_error = message_.empty() || message_is_error_;
-  if (is_error) ImGui::PushStyleColor(ImGuiCol_Text, kErrorInk);
+  const bool is_error = &text != &message_;
+  if (is_error) ImGui::PushStyleColor(ImGuiCol_Text, error_ink());
   ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
   if (is_error) ImGui::PopStyleColor();
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) message_.clear();

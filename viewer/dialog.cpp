@@ -175,6 +175,7 @@ struct Export {
     draw_cancel(app);
     if (folder.empty() || (!entered && !frame && !all)) return;
     options.out_dir = folder;
+    app.last_export = options;
     app.close_dialog();
     app.export_frames(options, all || is_film(options.format));
   }
@@ -318,6 +319,7 @@ struct Palette {
     });
     const Entry* chosen = entered && !found.empty() ? &found.front() : nullptr;
     begin_list();
+    if (found.empty()) ImGui::TextDisabled("Nothing is called '%s'.", wanted.c_str());
     for (const Entry& entry : found) {
       if (ImGui::Selectable(entry.name.c_str(), &entry == &found.front())) chosen = &entry;
       if (entry.key.empty()) continue;
@@ -353,9 +355,13 @@ Dialog save_dialog(App& app, const std::string& title, const std::string& sugges
 }
 
 Dialog export_dialog(App& app) {
-  ExportOptions options;
-  options.theme = app.theme_name();
-  return dialog_of("Export frames into a folder", Export{app, std::move(options)});
+  Export dialog{app, app.last_export.value_or(ExportOptions())};
+  if (app.last_export) {
+    dialog.folder = app.last_export->out_dir.string();
+  } else {
+    dialog.options.theme = app.theme_name();
+  }
+  return dialog_of("Export frames into a folder", std::move(dialog));
 }
 
 Dialog keys_dialog(App& app) {

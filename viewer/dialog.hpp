@@ -19,6 +19,11 @@ struct Dialog {
 [[nodiscard]] Dialog save_dialog(App& app, const std::string& title, const std::string& suggestion,
                                  const std::filesystem::path& own,
                                  std::function<void(const std::filesystem::path&)> save);
+/// Unsaved work that other windows left: a list to open or discard one by one.
+[[nodiscard]] Dialog left_work_dialog(App& app);
+/// Before work goes that is kept nowhere.
+[[nodiscard]] Dialog quit_dialog(App& app, std::function<void()> quit);
+inline constexpr const char* kQuitTitle = "Work would be lost";
 [[nodiscard]] Dialog export_dialog(App& app);
 [[nodiscard]] Dialog keys_dialog(App& app);
 /// Any command, lesson, effect or scalar by a part of its name.

@@ -71,9 +71,10 @@ void FileWatch::watch(const std::filesystem::path& file) {
   state_->file_name = file.filename().string();
   // The folder, because editors put a new file in the place of the old one.
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  state_->folder = file.empty() ? -1
-                                : inotify_add_watch(state_->events, folder.c_str(),
-                                                    IN_CLOSE_WRITE | IN_MOVED_TO);
+  state_->folder =
+      file.empty() ? -1
+                   : inotify_add_watch(state_->events, folder.c_str(),
+                                       IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM);
 }
 
 }  // namespace gjkscope

@@ -5,7 +5,7 @@
 
 namespace gjkscope {
 
-/// Waits for a file to be written or replaced, without asking again and again (inotify).
+/// Waits for a file to be written, replaced or removed, without asking again and again (inotify).
 class FileWatch {
  public:
   /// `changed` is called on a thread of the watch. Where the system has no such thing, never.

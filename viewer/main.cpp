@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
   std::string script;
   std::string screenshot;
   std::pair<int, int> size = {0, 0};
+  std::string size_text;
   double scale = 1.0;
   bool keeps = true;
   bool log_frames = false;
@@ -57,9 +59,16 @@ int run(int argc, char** argv) {
   arguments.add_option("--script", script, "play recorded input from this file, then end");
   arguments.add_option("--screenshot", screenshot, "then write what the window shows, as PNG");
   arguments
-      .add_option("--size", size, "of the window, as 1440x900; without it, what suits the screen")
-      ->delimiter('x')
-      ->check(CLI::Range(1, 16384));
+      .add_option("--size", size_text,
+                  "of the window, as 1440x900; without it, what suits the screen")
+      ->check([&size](const std::string& text) -> std::string {
+        char rest = 0;
+        constexpr int kMost = 16384;
+        const int read = std::sscanf(text.c_str(), "%dx%d%c", &size.first, &size.second, &rest);
+        const auto fits = [](int length) { return length >= 1 && length <= kMost; };
+        if (read == 2 && fits(size.first) && fits(size.second)) return {};
+        return fmt::format("expected a width and a height like 1440x900, not '{}'", text);
+      });
   arguments
       .add_option("--scale", scale,
                   "how large everything is; 2 on a dense screen that does not say that it is one")

@@ -314,6 +314,8 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   const Subject taken = held(subject);
   drag_ = Drag{taken, *view, page, to_view(*view, page)};
+  drag_->was_convex =
+      is_vertex(taken) && is_convex(session_.lesson().bodies[body_of(taken)].vertices);
   selected = is_vertex(taken) || is_shape(taken) ? taken : Subject{};
 }
 
@@ -362,7 +364,8 @@ void PictureView::continue_drag(const Point& page) {
     drag.last = page;
     return;
   }
-  if (!session_.is_dragging()) session_.begin_drag(moves_point ? "move a vertex" : "move a shape");
+  if (!session_.is_dragging())
+    session_.begin_drag(moves_point ? "move a vertex" : "move a shape", drag.view);
   const PositionedRun& run = session_.run().run(session_.frame());
   if (moves_point) {
     const auto& world = run.bodies[body].world;
@@ -384,7 +387,18 @@ void PictureView::continue_drag(const Point& page) {
 }
 
 void PictureView::release() {
-  session_.end_drag();
+  if (session_.is_dragging()) {
+    session_.end_drag();
+    if (!session_.problem().empty()) {
+      app_.say(session_.problem(), true);
+    } else if (drag_ && drag_->was_convex) {
+      const LessonShape& shape = session_.lesson().bodies[body_of(drag_->subject)];
+      if (!is_convex(shape.vertices)) {
+        app_.say(fmt::format(
+            "{} has a dent: GJK sees its hull, which the effect 'shape hull' shows", shape.name));
+      }
+    }
+  }
   drag_.reset();
 }
 

@@ -54,6 +54,7 @@ class PictureView {
     Eigen::Vector2d start_in_view;  ///< Where it was taken.
     bool turns = false;
     bool moved = false;
+    bool was_convex = false;  ///< The shape whose vertex it is.
   };
 
   /// What was shown when a step was taken, and when that was.

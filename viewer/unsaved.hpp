@@ -22,27 +22,35 @@ class UnsavedWork {
   UnsavedWork& operator=(const UnsavedWork&) = delete;
 
   [[nodiscard]] bool keeps() const { return lock_ >= 0; }
+  /// Why it does not, though it has a folder; empty when all is well.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
   /// All that is not saved now. Throws std::runtime_error when it cannot be written.
   void keep(const std::vector<Session::Unsaved>& all);
 
   struct Left {
-    std::string text;            ///< A lesson file.
-    std::filesystem::path file;  ///< Where it belongs; empty when it had no file.
+    std::string text;                      ///< A lesson file.
+    std::filesystem::path file;            ///< Where it belongs; empty when it had no file.
+    std::filesystem::path kept_in;         ///< Where the text stands.
+    std::filesystem::file_time_type time;  ///< When it was kept.
   };
-  /// What windows left that are gone. Until this window ends, no other one is offered it.
+  /// What windows left that are gone, the newest first. Until this window ends, no other one is
+  /// offered it.
   [[nodiscard]] std::vector<Left> left();
-  /// Removes what left() gave.
-  void forget_left();
+  /// Removes one that left() gave.
+  void forget(const Left& left);
 
  private:
   struct Orphan {
     int lock = -1;
     std::filesystem::path path;  ///< Of the lock; the work stands beside it.
   };
+  /// Removes the lock of one whose work is gone.
+  static void release(Orphan& orphan);
 
   std::filesystem::path folder_;
   std::filesystem::path path_;
   int lock_ = -1;
+  std::string problem_;
   std::vector<Orphan> orphans_;
 };
 

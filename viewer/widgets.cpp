@@ -42,6 +42,8 @@ void wrapped_text(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+ImVec4 error_ink() { return {0.84f, 0.25f, 0.0f, 1.0f}; }
+
 void table_row(const std::string& name, const std::vector<std::string>& cells) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();

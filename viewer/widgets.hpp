@@ -33,6 +33,10 @@ void heading(const App& app, const std::string& text);
 /// Stands left of the field that is drawn next, and makes that field fill the row.
 void field_label(const char* text);
 void wrapped_text(const std::string& text);
+/// The colour of what went wrong.
+[[nodiscard]] ImVec4 error_ink();
+/// Height of a line of notices, in pixels at scale 1.
+inline constexpr double kNoticeRow = 30.0;
 /// A row of a table with a name and texts.
 void table_row(const std::string& name, const std::vector<std::string>& cells);
 

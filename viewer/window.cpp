@@ -11,6 +11,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 #include <tuple>
@@ -62,6 +63,19 @@ bool is_sign(std::string_view text) {
   return text.size() == 1 && std::ispunct(static_cast<unsigned char>(text[0])) != 0;
 }
 
+/// What the environment says of displays, none of which can be opened.
+std::string named_displays() {
+  std::string out;
+  for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* const value = std::getenv(name);
+    const bool is_set = value != nullptr && *value != '\0';
+    out += fmt::format("{}{}", out.empty() ? "" : ", and ",
+                       is_set ? fmt::format("{} is '{}', which does not answer", name, value)
+                              : fmt::format("{} is not set", name));
+  }
+  return out;
+}
+
 struct Sdl {
   Sdl() {
     SDL_SetHint(SDL_HINT_VIDEO_HIGHDPI_DISABLED, "0");
@@ -71,8 +85,7 @@ struct Sdl {
     const std::string_view driver = SDL_GetCurrentVideoDriver();
     if (driver == "offscreen" || driver == "dummy" || driver == "evdev") {
       SDL_Quit();
-      throw NoWindow(
-          "there is no display to open a window on: DISPLAY and WAYLAND_DISPLAY name none");
+      throw NoWindow("there is no display to open a window on: " + named_displays());
     }
   }
   ~Sdl() { SDL_Quit(); }
@@ -138,9 +151,9 @@ const ImWchar* few_characters() {
   return ranges.data();
 }
 
-/// Those that panels need.
+/// Those that panels need, names of lessons and files with them: Latin, Greek and Cyrillic.
 const ImWchar* panel_characters() {
-  static const std::vector<ImWchar> ranges = {0x20,   0xFF,   0x370,  0x3FF,  0x2010,
+  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010,
                                               0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
                                               0x2200, 0x22FF, 0x2713, 0x2717, 0};
   return ranges.data();
@@ -357,7 +370,7 @@ struct Window::Impl {
     frames_left = kFramesAfterEvent;
     switch (event.type) {
       case SDL_QUIT:
-        quit = true;
+        app.ask_to_quit();
         return true;
       case SDL_MOUSEMOTION:
         io.MousePos = in_pixels(event.motion.x, event.motion.y);
@@ -393,11 +406,15 @@ struct Window::Impl {
         io.KeyShift = (mod & KMOD_SHIFT) != 0;
         io.KeyAlt = (mod & KMOD_ALT) != 0;
         if (!down) return false;
+        const bool is_letter = event.key.keysym.sym >= SDLK_SPACE && event.key.keysym.sym < 0x100 &&
+                               event.key.keysym.sym != SDLK_DELETE;
         std::string name = SDL_GetKeyName(event.key.keysym.sym);
         if (name == "Return" || name == "Keypad Enter") name = "Enter";
         if (is_sign(name) && !io.KeyCtrl) return false;  // comes as text, too
         app.press({name, io.KeyCtrl, io.KeyShift});
-        return false;
+        // Pressed and let go between two frames, a key would not have been seen. Those of letters
+        // come as text.
+        return app.panels_have_keys() && (!is_letter || io.KeyCtrl);
       }
       case SDL_DROPFILE:
         app.open_path(event.drop.file);
@@ -442,7 +459,6 @@ struct Window::Impl {
   std::filesystem::path watched;
   std::string title;
   bool is_full = false;
-  bool quit = false;
   int frames_left = kFramesAfterEvent;
   double last_frame = 0.0;
   double skipped = 0.0;  ///< Seconds that a script has let pass.
@@ -455,7 +471,7 @@ Window::Window(App& app, const Fonts& fonts, int width, int height, double scale
 Window::~Window() = default;
 
 void Window::run() {
-  while (!impl_->quit && !impl_->app.wants_to_quit()) {
+  while (!impl_->app.wants_to_quit()) {
     if (impl_->frames_left == 0) {
       SDL_Event event;
       const std::optional<double> wakes = impl_->app.wakes_at();
@@ -481,7 +497,7 @@ void Window::run() {
 void Window::settle() {
   // As many as a burst of events takes; a window that never comes to rest would be a fault.
   constexpr int kMost = 1000;
-  for (int i = 0; i < kMost && !impl_->quit; ++i) {
+  for (int i = 0; i < kMost && !impl_->app.wants_to_quit(); ++i) {
     impl_->take_all();
     if (impl_->frames_left == 0) return;
     impl_->draw(after_frame);

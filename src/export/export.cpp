@@ -395,7 +395,7 @@ class Exporter {
     if (options_.format == Format::svg) {
       return [this](const FrameJob& job) {
         write_bytes(job.path, to_svg(job.picture, fonts_, theme_, job.description, job.record,
-                                     options_.transparent));
+                                     options_.transparent, page_.zoom));
       };
     }
     return [this, own = std::shared_ptr<Canvas>(canvas())](const FrameJob& job) {

@@ -207,6 +207,7 @@ class CaseReader {
     if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
       out.name = name->get<std::string>();
     }
+    read_notes(value, out.notes);
     const auto told = value.find("dimension");
     const json dimension = told == value.end() ? json(2) : *told;
     const bool has_outlines = value.contains("outlines_a") || value.contains("outlines_b");
@@ -220,6 +221,20 @@ class CaseReader {
       report(out, at, {"dimension"}, fmt::format("/dimension is {}", shown(dimension)),
              most_dimension_ == 2 ? "2: the plane" : "2, the plane, or 3, space");
     }
+  }
+
+  static void read_notes(const json& value, CaseNotes& notes) {
+    const auto text = [&](const char* key, std::string& to) {
+      if (const auto found = value.find(key); found != value.end() && found->is_string())
+        to = found->get<std::string>();
+    };
+    text("why", notes.why);
+    text("source", notes.source);
+    if (const auto found = value.find("expected_distance"); found != value.end())
+      notes.expected_distance = coordinate(*found);
+    if (const auto found = value.find("expected_overlap");
+        found != value.end() && found->is_boolean())
+      notes.expected_overlap = found->get<bool>();
   }
 
   template <int D>
@@ -460,6 +475,29 @@ std::string case_json(const Case& value, std::string_view name) {
          fmt::format(R"("dimension": 2, "a": {}, "b": {}}})", points_json(value.a),
                      points_json(value.b)) +
          "\n";
+}
+
+std::optional<std::string> case_json_kept(std::string_view original, const Case& value) {
+  const std::vector<ReadCase> there = parse_cases(original, "");
+  if (there.size() != 1 || !there.front().value) return std::nullopt;
+  using Ordered = nlohmann::ordered_json;
+  Ordered all = Ordered::parse(original.substr(original.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+  Ordered& it = all.is_array() ? all[0] : all;
+  const auto set = [&](const char* key, const std::vector<Vector2d>& points) {
+    Ordered list = Ordered::array();
+    for (const Vector2d& point : points) list.push_back({point.x(), point.y()});
+    it[key] = std::move(list);
+  };
+  const bool moved = there.front().value->a != value.a || there.front().value->b != value.b;
+  if (!moved) return std::string(original);
+  set("a", value.a);
+  set("b", value.b);
+  std::vector<std::string> untrue;
+  for (const auto& [key, each] : it.items()) {
+    if (key.starts_with("expected_") || key.starts_with("witness_")) untrue.push_back(key);
+  }
+  for (const std::string& key : untrue) it.erase(key);
+  return all.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> numbered_names(char letter, std::size_t vertices) {

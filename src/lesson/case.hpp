@@ -8,8 +8,9 @@
 //
 // The dimension is 2 where it is left out. `a` is X, `b` is Y: point sets whose convex hulls count,
 // in any order. A coordinate is a number, or a string that holds one ("0.1",
-// "0x1.999999999999ap-4"); it means the nearest double. `name` is optional; other keys are ignored.
-// Outlines are closed, and a first point that is repeated at the end counts once;
+// "0x1.999999999999ap-4"); it means the nearest double. `name`, `why`, `source`,
+// `expected_distance` and `expected_overlap` are optional; other keys are ignored. Outlines are
+// closed, and a first point that is repeated at the end counts once;
 // {"open": [[x, y], ...]} is an open chain. A text holds any number of cases, one after the other
 // (one a line, for example), or in arrays.
 
@@ -38,6 +39,14 @@ struct OutlineCase {
   std::vector<models::Outline> b;
 };
 
+/// What a case says of itself; of another type than it should be: nothing.
+struct CaseNotes {
+  std::string why;
+  std::string source;
+  std::optional<double> expected_distance;
+  std::optional<bool> expected_overlap;
+};
+
 /// One case of a text, as far as it could be read.
 struct ReadCase {
   std::string name;  ///< Its `name`, or the file's; the second of a file has "#2" added, and so on.
@@ -45,6 +54,7 @@ struct ReadCase {
   std::optional<Case> value;
   std::optional<CaseIn<3>> in_space;
   std::optional<OutlineCase> outlines;
+  CaseNotes notes;
   std::vector<Problem> problems;  ///< Empty exactly when one of the three is there.
 };
 
@@ -58,6 +68,12 @@ struct ReadCase {
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
 /// They must be finite. An empty name is left out.
 [[nodiscard]] std::string case_json(const Case& value, std::string_view name);
+
+/// The text of one case with other shapes: its other keys stay, but for those that tell of the
+/// shapes that were there (expected_..., witness_...). Nothing where the text holds no case, more
+/// than one, or one that is not in the plane.
+[[nodiscard]] std::optional<std::string> case_json_kept(std::string_view original,
+                                                        const Case& value);
 
 /// "x1", "x2", ...: as many as there are vertices.
 [[nodiscard]] std::vector<std::string> numbered_names(char letter, std::size_t vertices);

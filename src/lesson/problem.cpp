@@ -60,6 +60,20 @@ std::string to_string(const std::vector<Problem>& problems) {
   return out;
 }
 
+std::string in_one_line(const std::vector<Problem>& problems) {
+  if (problems.empty()) return "";
+  const Problem& first = problems.front();
+  constexpr std::size_t kShort = 60;
+  std::string out;
+  if (!first.nearest.empty()) out += fmt::format("did you mean '{}'? ", first.nearest);
+  out += fmt::format("{}:{}:{}: {}", first.file.substr(first.file.rfind('/') + 1), first.line,
+                     first.column, first.what);
+  if (first.nearest.empty() && !first.expected.empty() && first.expected.size() <= kShort)
+    out += "; expected " + first.expected;
+  if (problems.size() > 1) out += fmt::format(" (and {} more)", problems.size() - 1);
+  return out;
+}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
   const std::string wanted = folded(name);
   std::string nearest;

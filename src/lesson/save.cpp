@@ -11,6 +11,7 @@
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/table_kind.hpp"
+#include "lesson/toml_patch.hpp"
 
 namespace gjkscope {
 namespace {
@@ -153,6 +154,20 @@ std::string lesson_toml(const Lesson& lesson) {
   }
   write_expect(out, lesson.expect);
   return out.take();
+}
+
+std::optional<std::string> lesson_toml_kept(std::string_view original, const Lesson& lesson,
+                                            const std::filesystem::path& file,
+                                            const Vocabulary& vocabulary, const FileReader& read) {
+  const LoadedLesson before = parse_lesson(original, file, vocabulary, read);
+  if (!before.lesson) return std::nullopt;
+  const std::string wanted = lesson_toml(lesson);
+  std::string patched = patched_toml(original, lesson_toml(*before.lesson), wanted);
+  const LoadedLesson after = parse_lesson(patched, file, vocabulary, read);
+  const LoadedLesson meant = parse_lesson(wanted, file, vocabulary, read);
+  if (!after.lesson || !meant.lesson || lesson_toml(*after.lesson) != lesson_toml(*meant.lesson))
+    return std::nullopt;
+  return patched;
 }
 
 Lesson with_absolute_file(Lesson lesson) {

@@ -186,15 +186,17 @@ std::string subject_name(const Subject& subject) {
 }
 
 std::string to_svg(const Picture& picture, const Fonts& fonts, const Theme& theme,
-                   const std::string& title, const std::string& record, bool transparent) {
+                   const std::string& title, const std::string& record, bool transparent,
+                   double zoom) {
   const std::string width = number(picture.width);
   const std::string height = number(picture.height);
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{3}\" height=\"{4}\" viewBox=\"0 0 {0} "
       "{1}\" role=\"img\" stroke-linejoin=\"round\" stroke-linecap=\"round\" "
       "style=\"white-space:pre;font-variant-numeric:tabular-nums;font-kerning:none\">\n"
       "<title>{2}</title>\n",
-      width, height, escape_html(title));
+      width, height, escape_html(title), number(zoom * picture.width),
+      number(zoom * picture.height));
   if (!record.empty()) out += fmt::format("<metadata>{}</metadata>\n", escape_html(record));
   for (std::size_t i = 0; i < picture.clips.size(); ++i) {
     const Rect& rect = picture.clips[i];

@@ -1,5 +1,7 @@
 #include "picture/panel_builder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "picture/hatch.hpp"
@@ -95,8 +97,11 @@ std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const
       continue;
     }
     const double value = term.numerator / term.denominator;
-    out +=
+    const std::string written =
         run.lesson.scalar == ScalarKind::double_ ? signed_fixed(value, 3) : numbers.weight(value);
+    // The sign decides: a small number is no zero.
+    const bool is_hidden = value != 0.0 && written.find_first_of("123456789") == std::string::npos;
+    out += is_hidden ? fmt::format("{}{}", value > 0.0 ? "+" : "", power_text(value, 2)) : written;
   }
   return out;
 }

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::string_view kMinus = "−";
 
+/// From here on numbers have a power of ten.
+constexpr double kLarge = 1e5;
+
 constexpr std::string_view kTimesTen = "·10";
 constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -35,12 +38,12 @@ bool is_all_zero(const std::string& digits) {
   return digits.find_first_of("123456789") == std::string::npos;
 }
 
-std::string float_digits(double value, int digits) {
+}  // namespace
+
+std::string significant(double value, int digits) {
   if (value == 0.0) return "0";
   return printed(fmt::format("{:.{}g}", value, digits));
 }
-
-}  // namespace
 
 std::string fixed(double value, int decimals) {
   std::string digits = fmt::format("{:.{}f}", value, decimals);
@@ -131,10 +134,10 @@ std::string capitalized(std::string text) {
 }
 
 std::string Numbers::operator()(double value) const {
-  if (scalar_ == ScalarKind::single) return float_digits(value, 8);
-  if (scalar_ == ScalarKind::half) return float_digits(value, 5);
+  if (scalar_ == ScalarKind::single) return significant(value, 8);
+  if (scalar_ == ScalarKind::half) return significant(value, 5);
   const double size = std::abs(value);
-  if (size != 0.0 && (size < 1e-3 || size >= 1e5)) return printed(fmt::format("{:.3e}", value));
+  if (size != 0.0 && (size < 1e-3 || size >= kLarge)) return printed(fmt::format("{:.3e}", value));
   return fixed(value, 3);
 }
 
@@ -142,12 +145,20 @@ std::string Numbers::point(const Eigen::Vector2d& value, int decimals) const {
   if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
     return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
   }
-  return fmt::format("({}, {})", fixed(value.x(), decimals), fixed(value.y(), decimals));
+  // What would be zeros alone, or digits without end, has a power of ten of its own.
+  const double size = value.cwiseAbs().maxCoeff();
+  const bool is_ordinary = size == 0.0 || (size >= std::pow(0.1, decimals) && size < kLarge);
+  const int exponent = is_ordinary ? 0 : static_cast<int>(std::floor(std::log10(size)));
+  const Eigen::Vector2d shown = is_ordinary ? value : value * std::pow(10.0, -exponent);
+  return fmt::format("({}, {}){}", fixed(shown.x(), decimals), fixed(shown.y(), decimals),
+                     is_ordinary ? "" : std::string(kTimesTen) + raised(exponent));
 }
 
 std::string Numbers::weight(double value) const {
   const bool digits_matter = scalar_ == ScalarKind::single || scalar_ == ScalarKind::half;
-  return digits_matter ? (*this)(value) : fixed(value, 3);
+  if (digits_matter) return (*this)(value);
+  const std::string text = fixed(value, 3);
+  return value != 0.0 && is_all_zero(text) ? power_text(value, 2) : text;
 }
 
 SimplexWords::SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex)

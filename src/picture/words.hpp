@@ -14,6 +14,10 @@ namespace gjkscope {
 /// The same, positive numbers with a plus sign.
 [[nodiscard]] std::string signed_fixed(double value, int decimals);
 
+/// With so many significant digits, trailing zeros dropped; in scientific notation where that is
+/// shorter.
+[[nodiscard]] std::string significant(double value, int digits);
+
 /// Whether numbers as they are written add up to one as it is written.
 [[nodiscard]] bool adds_up(const std::vector<std::string>& terms, const std::string& sum);
 /// "3.612 − 0.478 = 3.135 before rounding": the last words only where it is so.
@@ -43,6 +47,8 @@ class Numbers {
  public:
   explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar) {}
   [[nodiscard]] std::string operator()(double value) const;
+  /// "(0.50, −1.25)"; where all of these digits would be zeros, or the numbers are large, with a
+  /// power of ten: "(0.00, 1.00)·10⁻⁴".
   [[nodiscard]] std::string point(const Eigen::Vector2d& value, int decimals = 2) const;
   /// A barycentric weight: three decimals where the scalar is not the point.
   [[nodiscard]] std::string weight(double value) const;

@@ -161,6 +161,10 @@ void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit
   shape.vertices.clear();
   for (const Vector2d& vertex : unit) shape.vertices.emplace_back(center + radius * vertex);
   if (shape.vertex_names.size() > unit.size()) shape.vertex_names.resize(unit.size());
+  constexpr std::size_t kMostNamed = 99;  // names have up to three characters
+  if (unit.size() > kMostNamed) {
+    shape.vertex_names = numbered_names(body == 0 ? 'x' : 'y', unit.size());
+  }
   while (shape.vertex_names.size() < unit.size())
     shape.vertex_names.push_back(free_name(lesson, body));
   const auto is_gone = [&](const gjk::VertexPair& pair) {
@@ -221,7 +225,6 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
 }
 
 Lesson told_of(Lesson lesson, const Case& shapes) {
-  constexpr std::size_t kMostPairs = 100'000;
   const Lesson plain = lesson_of(shapes, "", lesson.scalar);
   lesson.x() = plain.x();
   lesson.y() = plain.y();

@@ -83,6 +83,51 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   return true;
 }
 
+struct Session::Made {
+  Lesson lesson;
+  Page page;                     ///< That its pictures are laid out on.
+  std::string problem;           ///< Why there are none.
+  std::unique_ptr<Shown> shown;  ///< Null where there is a problem.
+};
+
+std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) const {
+  return [this, to_run = to_run(lesson), lesson = std::move(lesson), page = page_] {
+    auto made = std::make_shared<Made>(Made{lesson, page, {}, nullptr});
+    LessonRun run = run_lesson(to_run);
+    made->problem = why_not_shown(run);
+    if (!made->problem.empty()) return made;
+    made->shown = std::make_unique<Shown>(std::move(run), fonts_, nullptr);
+    made->shown->pictures.lay_out(page, std::vector<std::optional<Sight>>(lesson.views.size()),
+                                  LabelScope::lesson);
+    return made;
+  };
+}
+
+bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved) {
+  if (dragging_) end_drag();
+  problems_.clear();
+  problem_ = made->problem;
+  if (!problem_.empty()) return false;
+  const bool is_first = !shown_;
+  Whereabouts there{file_, saved_, index_};
+  Lesson before = std::exchange(lesson_, std::move(made->lesson));
+  sights_.assign(lesson_.views.size(), std::nullopt);
+  shown_ = std::move(made->shown);
+  index_ = 0;
+  picture_.reset();
+  // The window may have changed meanwhile.
+  if (shown_->run.lesson.questions != lesson_to_run().questions) {
+    show(LabelScope::lesson);
+  } else if (made->page != page_) {
+    lay_out(LabelScope::lesson);
+  }
+  file_ = std::move(file);
+  saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
+  if (!is_first) remember({"open " + lesson_.id, std::move(before), std::move(there)});
+  changed();
+  return true;
+}
+
 std::vector<Session::Unsaved> Session::all_unsaved() const {
   std::vector<Unsaved> out;
   const auto add = [&](const Lesson& lesson, const Whereabouts& there) {
@@ -123,6 +168,11 @@ void Session::mark_saved(std::filesystem::path file, Lesson lesson) {
   changed();
 }
 
+void Session::set_saved(std::optional<Lesson> lesson) {
+  saved_ = lesson ? std::make_shared<const Lesson>(*std::move(lesson)) : nullptr;
+  changed();
+}
+
 void Session::changed() {
   ++version_;
   unsaved_ = !saved_ || lesson_ != *saved_;
@@ -141,7 +191,8 @@ void Session::remember(Entry entry) {
 
 bool Session::edit(const std::string& name, Lesson lesson) {
   if (dragging_) end_drag();
-  problem_ = to_string(why_not_said(lesson, read_));
+  problems_ = why_not_said(lesson, read_);
+  problem_ = to_string(problems_);
   if (!problem_.empty()) return false;
   hold_cameras();
   std::optional<Lesson> before = replace(std::move(lesson), sights_);
@@ -153,9 +204,15 @@ bool Session::edit(const std::string& name, Lesson lesson) {
 
 bool Session::revert() { return saved_ && edit("revert", *saved_); }
 
-void Session::begin_drag(const std::string& name) {
+void Session::begin_drag(const std::string& name, std::optional<std::size_t> held) {
   if (dragging_) end_drag();
   hold_cameras();
+  held_ = held;
+  follows_.clear();
+  const std::vector<LessonPictures::ShownView> seen = views();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (is_difference_in_sight(seen[i])) follows_.push_back(i);
+  }
   remember({name, lesson_});
   dragging_ = true;
 }
@@ -170,7 +227,8 @@ void Session::drag(const std::function<void(Lesson&)>& edit) {
 void Session::end_drag() {
   if (!dragging_) return;
   dragging_ = false;
-  if (show(LabelScope::lesson)) return;
+  held_.reset();
+  if (show(LabelScope::lesson)) return keep_difference_in_sight();
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
   lesson_ = std::move(past_.back().lesson);
@@ -208,8 +266,7 @@ bool Session::redo() { return swap_with_last(future_, past_); }
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
-Lesson Session::lesson_to_run() const {
-  Lesson lesson = lesson_;
+Lesson Session::to_run(Lesson lesson) const {
   if (predicting_) {
     lesson.questions.clear();
     for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
@@ -230,14 +287,19 @@ Lesson Session::lesson_as_seen() const {
   return lesson;
 }
 
+std::string Session::why_not_shown(const LessonRun& run) {
+  std::string why;
+  for (const PositionedRun& positioned : run.runs) {
+    if (why.empty()) why = why_not_drawn(positioned);
+  }
+  return why.empty() && run.frames.empty() ? "the run has no frame to show" : why;
+}
+
 bool Session::show(LabelScope scope) {
   const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
-  problem_.clear();
-  for (const PositionedRun& positioned : run.runs) {
-    if (problem_.empty()) problem_ = why_not_drawn(positioned);
-  }
-  if (problem_.empty() && run.frames.empty()) problem_ = "the run has no frame to show";
+  problems_.clear();
+  problem_ = why_not_shown(run);
   if (!problem_.empty()) return false;
   const bool first = !shown_;
   const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
@@ -451,24 +513,28 @@ void Session::fit(std::size_t view, const Rect& card) {
   sights_[view] = sight(camera_of(run(), free, card), card);
 }
 
-void Session::keep_difference_in_sight() {
+bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) const {
+  if (view.kind != ViewKind::difference) return false;
   const PositionedRun& shapes = run().run(frame());
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
   for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
   for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
+  const Eigen::Vector2d half =
+      0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
+  const Eigen::AlignedBox2d sight(view.camera.center - half, view.camera.center + half);
+  return sight.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
+}
+
+void Session::keep_difference_in_sight() {
   const std::vector<LessonPictures::ShownView> seen = views();
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i].kind != ViewKind::difference) continue;
-    const Rect& card = seen[i].card;
-    const Eigen::Vector2d half =
-        0.5 * seen[i].camera.units_per_pixel(card.size().y()).cwiseProduct(card.size());
-    const Eigen::Vector2d& center = seen[i].camera.center;
-    const Eigen::AlignedBox2d sight(center - half, center + half);
-    const Eigen::AlignedBox2d z(y.min() - x.max(), y.max() - x.min());
-    if (!sight.contains(z)) fit(i, card);
+  bool moved = false;
+  for (const std::size_t i : follows_) {
+    if (i == held_ || is_difference_in_sight(seen[i])) continue;
+    fit(i, seen[i].card);
+    moved = true;
   }
-  lay_out(LabelScope::frame);
+  if (moved) lay_out(dragging_ ? LabelScope::frame : LabelScope::lesson);
 }
 
 }  // namespace gjkscope

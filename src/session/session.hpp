@@ -41,6 +41,14 @@ class Session {
 
   // The lesson
 
+  /// A lesson with its run and its pictures, before it is shown.
+  struct Made;
+  /// Makes one, in whatever thread: `lesson` and all that this session had when it was asked go
+  /// into the work; the session may change, but must not end, until it is done.
+  [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(Lesson lesson) const;
+  /// Shows what was made, as open() shows a lesson.
+  bool open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved = false);
+
   /// Shows another lesson, from its start: an entry of the history, so that undo goes back to the
   /// one before, whatever was done to it. `file` is where it is saved, empty for what has no file
   /// yet. `unsaved`: it differs from its file. False, and all stays as it was, when its run cannot
@@ -54,6 +62,8 @@ class Session {
   [[nodiscard]] bool is_unsaved() const { return unsaved_; }
   /// What its file holds; null where there is none.
   [[nodiscard]] const Lesson* saved() const { return saved_.get(); }
+  /// The file holds this now; nothing: it is gone.
+  void set_saved(std::optional<Lesson> lesson);
   struct Unsaved {
     const Lesson& lesson;
     const std::filesystem::path& file;
@@ -68,6 +78,8 @@ class Session {
   /// Why a change was refused, or the run that follows from the lesson is not shown (the last one
   /// that could be is); empty when all is well.
   [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// The same, with places where it has some.
+  [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
 
   // Changes. `name` is what undo calls it.
 
@@ -76,8 +88,10 @@ class Session {
   bool edit(const std::string& name, Lesson lesson);
   /// Back to what its file holds. False when there is no file.
   bool revert();
-  /// Many changes of shapes, one entry: a drag.
-  void begin_drag(const std::string& name);
+  /// Many changes of shapes, one entry: a drag. Cameras stay, but for that of a difference that was
+  /// wholly in sight and would leave it. `held`: the view in which the hand is; it stays, too,
+  /// until the drag ends.
+  void begin_drag(const std::string& name, std::optional<std::size_t> held = std::nullopt);
   void drag(const std::function<void(Lesson&)>& edit);
   void end_drag();
   [[nodiscard]] bool is_dragging() const { return dragging_; }
@@ -165,6 +179,8 @@ class Session {
   void remember(Entry entry);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
+  /// Why the run cannot be shown; empty when it can.
+  [[nodiscard]] static std::string why_not_shown(const LessonRun& run);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
   bool show(LabelScope scope);
   /// The lesson is another one than before.
@@ -175,9 +191,12 @@ class Session {
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
   void fit(std::size_t view, const Rect& card);
-  /// Z goes where X and Y are dragged: a view that it would leave fits it again.
+  /// Whether all of Z is in sight in a view of the difference.
+  [[nodiscard]] bool is_difference_in_sight(const LessonPictures::ShownView& view) const;
+  /// Z goes where X and Y are dragged: a view that follows, and that it would leave, fits it again.
   void keep_difference_in_sight();
-  [[nodiscard]] Lesson lesson_to_run() const;
+  [[nodiscard]] Lesson lesson_to_run() const { return to_run(lesson_); }
+  [[nodiscard]] Lesson to_run(Lesson lesson) const;
 
   const Fonts& fonts_;
   FileReader read_;
@@ -188,9 +207,12 @@ class Session {
   std::shared_ptr<const Lesson> saved_;
   bool unsaved_ = false;
   std::string problem_;
+  std::vector<Problem> problems_;
   std::vector<Entry> past_;
   std::vector<Entry> future_;
   bool dragging_ = false;
+  std::vector<std::size_t> follows_;  ///< Views that a difference may not leave, during a drag.
+  std::optional<std::size_t> held_;
   bool predicting_ = false;
   std::vector<Answer> answers_;
   std::vector<std::optional<Sight>> sights_;

@@ -327,7 +327,7 @@ void Player::move(const Point& at) {
   const Subject subject = drag.subject;
   const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
   if (!std::exchange(drag.moved, true))
-    session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
+    session_.begin_drag(is_vertex ? "move a vertex" : "move a shape", drag.view);
   const LessonPictures::ShownView view = session_.views()[drag.view];
   const Vector2d by = to_view(view, at) - to_view(view, drag.last);
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;

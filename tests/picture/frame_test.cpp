@@ -860,5 +860,122 @@ TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
   EXPECT_GT(differing, 10);
 }
 
+/// Two polygons in double, and in exact arithmetic beside it.
+LessonRun two_runs_of_polygons() {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  lesson.beside = ScalarKind::exact;
+  for (LessonView& view : lesson.views) view.effects.emplace_back("second-run");
+  lesson.panel = {"pseudocode", "two-runs"};
+  return run_lesson(lesson);
+}
+
+TEST(TwoRuns, TellOfPWhereThePanelHasIt) {
+  const LessonRun run = two_runs_of_polygons();
+  EffectGraph effects(run);
+  int told = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+    const std::string start = "In exact arithmetic P = (";
+    const std::size_t at = frame.text.detail.find(start);
+    if (at == std::string::npos) continue;
+    const std::string rest = frame.text.detail.substr(at + start.size());
+    const std::string x = rest.substr(0, rest.find(", "));
+    const auto is_x = [&](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text && mark.role == "pass" && text->text.starts_with(x.substr(0, 5));
+    };
+    EXPECT_TRUE(std::any_of(frame.picture.marks.begin(), frame.picture.marks.end(), is_x))
+        << frame.text.detail;
+    ++told;
+  }
+  EXPECT_GT(told, 0);
+}
+
+TEST(TwoRuns, NumbersThatDifferAreWrittenApart) {
+  const LessonRun run = two_runs_of_polygons();
+  EffectGraph effects(run);
+  int pairs = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+    std::map<double, std::map<std::string, const Text*>> rows;
+    for (const Mark& mark : frame.picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (text && text->style == type::kCodeBold && (mark.role == "fail" || mark.role == "pass"))
+        rows[text->at.y()][mark.role] = text;
+    }
+    for (const auto& [y, texts] : rows) {
+      if (texts.size() != 2) continue;
+      const Text& first = *texts.at("fail");
+      const Text& second = *texts.at("pass");
+      EXPECT_NE(first.text, second.text);
+      // They do not meet.
+      EXPECT_GT(second.at.x() - fonts().width(second.style, second.text), first.at.x());
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, 0);
+}
+
+TEST(Panel, SmallValuesAreNoZerosInTheListing) {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  for (LessonShape& shape : lesson.bodies) {
+    for (Eigen::Vector2d& vertex : shape.vertices) vertex *= 1e-6;
+  }
+  lesson.expect = {};
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  int values = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+    for (const Mark& mark : frame.picture.marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (!text || text->text.front() != '(' || !mark.role.starts_with("code")) continue;
+      EXPECT_NE(std::string::npos, text->text.find_first_of("123456789")) << text->text;
+      ++values;
+    }
+  }
+  EXPECT_GT(values, 10);
+}
+
+TEST(Panel, TheStopOfARunLightsOneLine) {
+  for (const char* id : {"polygons-gjk", "reported-overlap", "stop-vertex", "stop-repeated"}) {
+    Lesson lesson = testing::shipped_lesson(id);
+    lesson.listing = "gjk";
+    if (!lesson.has_block("pseudocode")) lesson.panel.insert(lesson.panel.begin(), "pseudocode");
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const auto frames = lesson_pictures(run, effects, fonts());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const auto& marks = frames[i].picture.marks;
+      const auto lit = std::count_if(marks.begin(), marks.end(), [](const Mark& mark) {
+        const Text* text = std::get_if<Text>(&mark.shape);
+        return text && mark.role == "code.current" && mark.subject.kind == Subject::Kind::phase;
+      });
+      EXPECT_LE(lit, 1) << id << ", frame " << i + 1;
+    }
+  }
+}
+
+TEST(Panel, AValueThatDoesNotFitTakesRoomFromTheListing) {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  for (std::size_t body = 0; body < 2; ++body) {
+    LessonShape& shape = lesson.bodies[body];
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i)
+      shape.vertex_names[i] = fmt::format("{}{}", body == 0 ? "x" : "y", 11 + i);
+  }
+  lesson.expect = {};
+  lesson.scalar = ScalarKind::half;
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  int supports = 0;
+  for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+    if (frame.text.phase != "support") continue;
+    const auto& marks = frame.picture.marks;
+    EXPECT_TRUE(std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text && mark.role == "code.value" && text->text.starts_with("y1");
+    }));
+    ++supports;
+  }
+  EXPECT_GT(supports, 0);
+}
+
 }  // namespace frame_test
 }  // namespace gjkscope

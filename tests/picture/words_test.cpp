@@ -50,6 +50,19 @@ TEST(Words, HalfLessonsPrintAllDigitsThatTellValuesApart) {
   EXPECT_EQ(numbers(-0.09375), "−0.09375");
 }
 
+TEST(Words, PointsHaveDigitsThatCount) {
+  const Numbers numbers{Lesson()};
+  EXPECT_EQ(numbers.point({0.5, -1.25}), "(0.50, −1.25)");
+  EXPECT_EQ(numbers.point({0.0, 0.0}), "(0.00, 0.00)") << "it is zero";
+  EXPECT_EQ(numbers.point({0.25, 1e-9}), "(0.25, 0.00)");
+  EXPECT_EQ(numbers.point({0.0, 1e-4}), "(0.00, 1.00)·10⁻⁴");
+  EXPECT_EQ(numbers.point({-2.5e-17, 1e-18}), "(−2.50, 0.10)·10⁻¹⁷");
+  EXPECT_EQ(numbers.point({1.5e7, 0.0}), "(1.50, 0.00)·10⁷");
+  EXPECT_EQ(numbers.weight(0.25), "0.250");
+  EXPECT_EQ(numbers.weight(0.0), "0.000");
+  EXPECT_EQ(numbers.weight(1.25e-9), "1.2·10⁻⁹");
+}
+
 TEST(Words, AnEdgeThatARunStartsWithHasItsDirection) {
   const LessonRun right = run_lesson(testing::shipped_lesson("stop-edge-right"));
   for (const Frame& frame : {right.frames.front(), right.frames.back()}) {

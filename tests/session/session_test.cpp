@@ -488,6 +488,38 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   session.end_drag();
 }
 
+TEST(Session, ADragKeepsTheZoomThatSomebodyChose) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  Camera near = session.views()[1].camera;
+  near.height *= 1e-3;
+  session.set_camera(1, near);
+  for (const std::optional<size_t>& held : {std::optional<size_t>(), std::optional<size_t>(1)}) {
+    session.begin_drag("drag", held);
+    for (int i = 0; i < 10; ++i) {
+      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
+      EXPECT_EQ(near.height, session.views()[1].camera.height);
+      EXPECT_EQ(near.center, session.views()[1].camera.center);
+    }
+    session.end_drag();
+    EXPECT_EQ(near.height, session.views()[1].camera.height);
+  }
+}
+
+TEST(Session, TheViewUnderAHandStandsStillUntilItIsLetGo) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  const Camera before = session.views()[1].camera;
+  session.begin_drag("drag", 1);
+  for (int i = 0; i < 40; ++i) {
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
+    EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
+  }
+  session.end_drag();
+  EXPECT_GT((before.center - session.views()[1].camera.center).norm(), 0.05)
+      << "what would be out of sight is fitted";
+}
+
 TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

@@ -60,7 +60,7 @@ TEST(UnsavedWork, OfKilledWindowsIsLeftOnce) {
       EXPECT_EQ("/tmp/mine.toml", each.file);
     }
     EXPECT_TRUE(UnsavedWork(folder.path()).left().empty()) << "offered twice";
-    work.forget_left();
+    for (const UnsavedWork::Left& each : left) work.forget(each);
     EXPECT_TRUE(UnsavedWork(folder.path()).left().empty());
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));

@@ -47,7 +47,7 @@ class Played {
     for (std::size_t at = lines.find("$DIR"); at != std::string::npos; at = lines.find("$DIR"))
       lines.replace(at, 4, folder_.path().string());
     ran = run_viewer(folder_,
-                     arguments + " --size 1280 800 --script " + folder_.file("script", lines));
+                     arguments + " --size 1280x800 --script " + folder_.file("script", lines));
   }
   [[nodiscard]] json state(const std::string& name) const {
     return json::parse(read_file(folder_.path() / name));

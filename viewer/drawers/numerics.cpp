@@ -16,11 +16,22 @@
 namespace gjkscope {
 namespace {
 
-/// The first step at which two runs differ, and how; nothing when they do not. Step -1: they start
-/// from other vertices.
-std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run,
-                                                            const WideTrace& a, const WideTrace& b,
-                                                            bool hexadecimal) {
+/// The first step at which two runs differ, and how.
+struct Difference {
+  int step = -1;  ///< They start from other vertices.
+  std::string words;
+  /// A point or a direction in each, by name, where these differ.
+  struct Pair {
+    std::string name;
+    Eigen::Vector2d here;
+    Eigen::Vector2d there;
+  };
+  std::optional<Pair> pair = {};
+};
+
+/// Nothing when they do not differ. `origin`: where P is measured from, as on the stage.
+std::optional<Difference> first_difference(const LessonRun& run, const WideTrace& a,
+                                           const WideTrace& b, const Eigen::Vector2d& origin) {
   const auto start_of = [&](const WideTrace& trace) {
     std::string names;
     for (int i = 0; i < trace.initial.simplex.count; ++i)
@@ -29,17 +40,15 @@ std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run
     return names;
   };
   if (start_of(a) != start_of(b))
-    return std::pair(-1, fmt::format("start {} here, {} there", start_of(a), start_of(b)));
-  const auto text = [&](const Eigen::Vector2d& v) {
-    return fmt::format("({}, {})", number_text(v.x(), hexadecimal),
-                       number_text(v.y(), hexadecimal));
-  };
+    return Difference{-1, fmt::format("start {} here, {} there", start_of(a), start_of(b))};
   for (std::size_t i = 0; i < std::min(a.steps.size(), b.steps.size()); ++i) {
     const gjk::Step<double, 2>& one = a.steps[i];
     const gjk::Step<double, 2>& other = b.steps[i];
-    const auto at = [&](const std::string& what) {
-      return std::pair(static_cast<int>(i), fmt::format("iteration {}, {}: {}", one.iteration,
-                                                        name_of(one.phase), what));
+    const auto at = [&](const std::string& what, std::optional<Difference::Pair> pair = {}) {
+      return Difference{
+          static_cast<int>(i),
+          fmt::format("iteration {}, {}: {}", one.iteration, name_of(one.phase), what),
+          std::move(pair)};
     };
     if (one.phase != other.phase)
       return at(fmt::format("here {}, there {}", name_of(one.phase), name_of(other.phase)));
@@ -51,13 +60,12 @@ std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run
       return at(
           fmt::format("{} here, {} there", name_of(one.after.stop), name_of(other.after.stop)));
     if (one.after.d != other.after.d)
-      return at(fmt::format("d = {} here, {} there", text(one.after.d), text(other.after.d)));
+      return at("another d", Difference::Pair{"d", one.after.d, other.after.d});
     if (one.after.p != other.after.p)
-      return at(fmt::format("P = {} here, {} there", text(one.after.p), text(other.after.p)));
+      return at("another P", Difference::Pair{"P", one.after.p + origin, other.after.p + origin});
   }
   if (a.steps.size() == b.steps.size()) return std::nullopt;
-  return std::pair(static_cast<int>(std::min(a.steps.size(), b.steps.size())),
-                   std::string("one run goes on"));
+  return Difference{static_cast<int>(std::min(a.steps.size(), b.steps.size())), "one run goes on"};
 }
 
 /// Rows that choose how a run computes; true when one was changed.
@@ -94,7 +102,7 @@ bool choose_options(ScalarKind& scalar, gjk::Options& options) {
   return changed;
 }
 
-/// A number under another: alike up to where they differ, which is strong.
+/// A number under another: alike up to where they differ, which is strong and has a line below it.
 void draw_pair(App& app, const char* name, double here, double there) {
   const std::string one = number_text(here, app.hexadecimal);
   const std::string other = number_text(there, app.hexadecimal);
@@ -106,6 +114,11 @@ void draw_pair(App& app, const char* name, double here, double there) {
     ImGui::TextUnformatted(text.c_str(), text.c_str() + same);
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", text.c_str() + same);
+    if (same == text.size()) continue;
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddLine({min.x, max.y}, max,
+                                        ImGui::GetColorU32(ImGuiCol_CheckMark));
   }
   ImGui::PopFont();
 }
@@ -271,14 +284,22 @@ void draw_numerics(App& app, Beside& beside) {
     table_row("iterations", {std::to_string(a.iterations), std::to_string(b.iterations)});
     ImGui::EndTable();
   }
-  const auto difference = first_difference(run, here.trace, beside.run->trace, app.hexadecimal);
+  const Eigen::Vector2d origin =
+      run.point_query() ? here.x().world[0] : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  const std::optional<Difference> difference =
+      first_difference(run, here.trace, beside.run->trace, origin);
   if (!difference)
     return wrapped_text("The two runs take the same decisions and have the same numbers.");
-  wrapped_text("First difference: " + difference->second);
+  wrapped_text("First difference: " + difference->words);
+  if (const std::optional<Difference::Pair>& pair = difference->pair) {
+    draw_pair(app, (pair->name + ".x: this run, and the one beside it").c_str(), pair->here.x(),
+              pair->there.x());
+    draw_pair(app, (pair->name + ".y").c_str(), pair->here.y(), pair->there.y());
+  }
   if (!ImGui::Button("Go there")) return;
   const auto& frames = run.frames;
   const auto shows = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
-    return frame.run == session.frame().run && frame.step >= difference->first;
+    return frame.run == session.frame().run && frame.step >= difference->step;
   });
   if (shows != frames.end()) session.go_to(static_cast<int>(shows - frames.begin()));
 }

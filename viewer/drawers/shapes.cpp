@@ -50,6 +50,7 @@ void make_random_pair(App& app, std::uint64_t seed) {
   Lesson lesson = session.lesson();
   edit::make_random_pair(lesson, session.run().run(session.frame()), seed);
   if (!app.edit("random pair", std::move(lesson))) return;
+  app.session().fit();  // nobody has chosen where these are looked at from
   app.picture().selected = {};
 }
 

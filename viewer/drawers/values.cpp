@@ -17,6 +17,8 @@ void draw_values(App& app) {
   wrapped_text("Click a value to keep it in sight below the picture, whatever else is open.");
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
   const LessonRun& run = app.session().run();
+  ImGui::TextDisabled(run.point_query() ? "Points where they stand in the world"
+                                        : "Points of Z = Y − X, measured from O");
   if (ImGui::BeginTable("##values", 2, kRuled)) {
     for (const NamedValue& value : values_now(app)) {
       ImGui::TableNextColumn();
@@ -32,7 +34,7 @@ void draw_values(App& app) {
   if (run.has_gjk() && run.act->algorithm == nullptr &&
       depth_on_overlap(app.session().effects(), run, app.session().frame()) != nullptr &&
       ImGui::Button("Show how it is found"))
-    app.edit("penetration depth", edit::told_by(run.lesson, kDepthAlgorithm));
+    show_depth(app);
 }
 
 }  // namespace
@@ -52,13 +54,17 @@ std::vector<NamedValue> values_now(App& app) {
     value(name + ".x", v.x());
     value(name + ".y", v.y());
   };
+  // As on the stage: a point query's points stand in the world, those of two shapes are
+  // differences.
+  const Eigen::Vector2d origin =
+      run.point_query() ? run.run(frame).x().world[0] : Eigen::Vector2d(Eigen::Vector2d::Zero());
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
-    point(name, state.simplex.vertices[i].w);
+    point(name, state.simplex.vertices[i].w + origin);
     if (frame.step >= 0) value("weight of " + name, state.simplex.weights[i]);
   }
   if (frame.step >= 0) {
-    point("P", state.p);
+    point("P", state.p + origin);
     point("d", state.d);
     value("lower bound", run.bounds(frame).lower);
     value("upper bound", run.bounds(frame).upper);
@@ -83,6 +89,16 @@ std::vector<NamedValue> values_now(App& app) {
     point("shortest way out of X", deep->translation);
   }
   return values;
+}
+
+void show_depth(App& app) {
+  Lesson lesson = edit::told_by(app.session().lesson(), kDepthAlgorithm);
+  lesson.title = "Penetration depth: a polygon expands until its nearest edge lies on Z";
+  lesson.prose =
+      "GJK has found that the shapes overlap. From its last simplex a polygon grows inside Z. When "
+      "its nearest edge lies on Z's boundary, the way there is the shortest one out.";
+  lesson.source = "van den Bergen 2001";
+  app.edit("penetration depth", std::move(lesson));
 }
 
 void toggle_pin(App& app, const std::string& name) {

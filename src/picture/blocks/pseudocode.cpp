@@ -7,6 +7,21 @@
 #include "picture/registry.hpp"
 
 namespace gjkscope::blocks {
+namespace {
+
+constexpr int kFewestCharacters = 8;
+
+/// One character less, and a sign that there were more.
+std::string shortened(std::string words) {
+  constexpr std::string_view kMore = "…";
+  if (words.ends_with(kMore)) words.resize(words.size() - kMore.size());
+  while (!words.empty() && !starts_character(words.back())) words.pop_back();
+  words.pop_back();
+  while (words.ends_with(' ')) words.pop_back();
+  return words + std::string(kMore);
+}
+
+}  // namespace
 
 void write_line(PanelBuilder& panel, const std::string& text, const LineView& line) {
   const bool current = line.state == LineView::State::current;
@@ -18,19 +33,23 @@ void write_line(PanelBuilder& panel, const std::string& text, const LineView& li
   const TextStyle style = current ? type::kCodeBold : type::kCode;
   const std::size_t indent = text.find_first_not_of(' ');
   const double at = panel.left + 10.0 * static_cast<double>(indent);
-  const std::string words = text.substr(indent);
-  panel.write(role, at, words, style);
+  std::string words = text.substr(indent);
   double right = panel.right;
   if (line.verdict) {
     panel.write(*line.verdict ? "pass" : "fail", right, *line.verdict ? "✓" : "✗", style,
                 Align::right);
     right -= 20.0;
   }
+  // The listing is the same all the time, the value is not: where both do not fit, words give way.
   constexpr double kSpace = 10.0;
-  const double room = right - at - panel.fonts.width(style, words) - kSpace;
-  if (!line.value.empty() && panel.fonts.width(style, line.value) <= room) {
-    panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
+  const double room = right - at - panel.fonts.width(style, line.value) - kSpace;
+  if (!line.value.empty()) {
+    while (panel.fonts.width(style, words) > room && character_count(words) > kFewestCharacters)
+      words = shortened(std::move(words));
+    if (panel.fonts.width(style, words) <= room)
+      panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
   }
+  panel.write(role, at, words, style);
   panel.y += rows::kRow;
 }
 
@@ -232,7 +251,7 @@ void loop(PanelBuilder& panel) {
       const Phase next = static_cast<Phase>(static_cast<int>(*line.stops_after) + 1);
       if (stop && !step_of(next == Phase::stop ? Phase::add : next) && step_of(*line.stops_after)) {
         view = {State::current, {}, value_of(panel, *stop)};
-      } else if (step_of(next)) {
+      } else if (step_of(next) && step_of(*line.stops_after)) {
         // The frame of the phase that follows is the one in which they failed.
         view = {panel.knows.phase == next ? State::current : State::past, {}, "no"};
       }

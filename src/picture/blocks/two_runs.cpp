@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <type_traits>
 
 #include "effects/second_run.hpp"
 #include "lesson/names.hpp"
@@ -22,6 +24,31 @@ struct Column {
   const gjk::State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
   Numbers numbers;
 };
+
+/// Two numbers that differ, with as many digits as that takes.
+std::array<std::string, 2> told_apart(const std::array<double, 2>& numbers) {
+  std::array<std::string, 2> texts;
+  constexpr int kAllDigits = 17;
+  for (int digits = 4; digits <= kAllDigits && texts[0] == texts[1]; ++digits) {
+    for (int i = 0; i < 2; ++i) texts[i] = significant(numbers[i], digits);
+  }
+  return texts;
+}
+
+/// Digits that are too many go from the middle: the first ones say how large a number is, the last
+/// ones how it differs.
+std::string without_middle(std::string text, const std::function<bool(const std::string&)>& fits) {
+  constexpr std::size_t kFirst = 5;
+  std::string shown = text;
+  for (std::size_t gone = 1; !fits(shown) && kFirst + gone + 1 < text.size(); ++gone) {
+    std::size_t begin = kFirst;
+    std::size_t end = kFirst + gone;
+    while (begin > 0 && !starts_character(text[begin])) --begin;
+    while (end < text.size() && !starts_character(text[end])) ++end;
+    shown = text.substr(0, begin) + "…" + text.substr(end);
+  }
+  return shown;
+}
 
 void two_runs(PanelBuilder& panel) {
   const Lesson& lesson = panel.run.lesson;
@@ -46,6 +73,12 @@ void two_runs(PanelBuilder& panel) {
   const auto known = [&](Phase since) {
     return panel.knows.phase && *panel.knows.phase >= since && *panel.knows.phase != Phase::add;
   };
+  constexpr double kBetween = 8.0;  // columns
+  const auto fitting = [&](std::string text) {
+    return without_middle(std::move(text), [&](const std::string& shown) {
+      return panel.fonts.width(type::kCodeBold, shown) <= half - kBetween;
+    });
+  };
   // From its first digit that differs on a text has a line below it.
   const auto underline = [&](const std::string& role, double right, const std::string& text,
                              const std::string& compared) {
@@ -57,14 +90,22 @@ void two_runs(PanelBuilder& panel) {
     if (width > 0.0)
       panel.add(role, Box{{{right - width, panel.y + 3.0}, {right, panel.y + 5.0}}, 0.0});
   };
-  // What differs stands out: the values themselves, which have their own digits in each column.
   const auto row = [&](const std::string& name, bool since, auto value, auto words) {
     panel.write("code", panel.left, name, type::kCode);
     std::array<std::string, 2> texts = {"–", "–"};
+    const bool both = columns[0].state && columns[1].state;
     for (int i = 0; i < 2; ++i)
       if (since && columns[i].state) texts[i] = words(columns[i], value(columns[i]));
-    const bool both = columns[0].state && columns[1].state;
-    const bool differ = since && (!both || value(columns[0]) != value(columns[1]));
+    bool differ = texts[0] != texts[1];
+    if constexpr (std::is_same_v<decltype(value(columns[0])), double>) {
+      // The values themselves, which have their own digits in each column.
+      if (since && both) {
+        const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
+        differ = numbers[0] != numbers[1];
+        if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
+      }
+      for (std::string& text : texts) text = fitting(std::move(text));
+    }
     for (int i = 0; i < 2; ++i) {
       const char* const role = !differ ? "code" : i == 0 ? "fail" : "pass";
       panel.write(role, columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode,
@@ -75,7 +116,7 @@ void two_runs(PanelBuilder& panel) {
   };
   const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
     row(
-        name, known(since), [&](const Column& column) { return vector(column)[axis]; },
+        name, known(since), [&](const Column& column) -> double { return vector(column)[axis]; },
         [](const Column& column, double value) { return column.numbers(value); });
   };
   // A point query's difference is the polygon seen from Q.

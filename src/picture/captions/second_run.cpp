@@ -109,9 +109,12 @@ void second_run(const Story& story, FrameText& text) {
         }
         return;
       }
-      text.detail =
-          fmt::format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(), other,
-                      point(beside.p + story.positioned.x().world[0]), numbers(away));
+      // A point query's P stands where it is in the world, as in the panel; between polygons it is
+      // a difference.
+      const Vector2d p =
+          story.run.point_query() ? Vector2d(beside.p + story.positioned.x().world[0]) : beside.p;
+      text.detail = fmt::format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(),
+                                other, point(p), numbers(away));
       return;
     }
     case gjk::Phase::direction:

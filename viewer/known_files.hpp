@@ -1,0 +1,40 @@
+#pragma once
+// What files held when they were read or written last: whoever writes one again looks whether
+// somebody else was there meanwhile.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace gjkscope {
+
+class KnownFiles {
+ public:
+  struct Known {
+    std::string text;
+    bool is_ours = false;  ///< This window wrote it.
+  };
+
+  void note_read(const std::filesystem::path& file, std::string text) {
+    known_[file] = {std::move(text), false};
+  }
+  void note_written(const std::filesystem::path& file, std::string text) {
+    known_[file] = {std::move(text), true};
+  }
+  /// Null for a file that was neither read nor written.
+  [[nodiscard]] const Known* find(const std::filesystem::path& file) const {
+    const auto found = known_.find(file);
+    return found == known_.end() ? nullptr : &found->second;
+  }
+  /// Whether the file holds something else than it did; where it is not known, anything is.
+  [[nodiscard]] bool is_changed(const std::filesystem::path& file, const std::string& text) const {
+    const Known* known = find(file);
+    return known == nullptr || known->text != text;
+  }
+
+ private:
+  std::map<std::filesystem::path, Known> known_;
+};
+
+}  // namespace gjkscope
