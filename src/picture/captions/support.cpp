@@ -20,16 +20,17 @@ std::string behind(const LessonShape& shape, int support) {
 /// "the largest of 5", and which vertices lie as far.
 std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
                  int support, const Eigen::Vector2d& d) {
-  std::string out = fmt::format("the largest of {}", vertices.size());
+  std::vector<std::string> equal;
   const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
   constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
     const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
     if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
       continue;
-    out += fmt::format(", as large as {}'s", shape.vertex_names[static_cast<std::size_t>(i)]);
+    equal.push_back(shape.vertex_names[static_cast<std::size_t>(i)] + "'s");
   }
-  return out;
+  const std::string rank = fmt::format("the largest of {}", vertices.size());
+  return equal.empty() ? rank : fmt::format("{}, as large as {}", rank, and_list(std::move(equal)));
 }
 
 /// As the scan has computed it.

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
-#include <set>
-#include <utility>
+#include <vector>
 
 #include "effects/facts.hpp"
 #include "effects/minkowski.hpp"
@@ -26,37 +24,70 @@ bool hull_is_ghost(const SceneBuilder& scene) {
   return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
-/// A cloud of more differences has one disk in each pixel: the others would be hidden under it.
-constexpr std::size_t kMostDisks = 1024;
+/// Disks of a dense cloud: small, and one in each cell of a grid, for the others would be hidden.
+class CloudGrid {
+ public:
+  CloudGrid(const Rect& card, const std::vector<Point>& points)
+      : card_(card),
+        radius_(std::min(kCloudRadius, kPartOfRoom * room_of(points))),
+        is_dense_(radius_ < kLeast),
+        columns_(static_cast<std::size_t>(card.size().x() / kCell) + 1),
+        taken_(columns_ * (static_cast<std::size_t>(card.size().y() / kCell) + 1)) {}
+
+  [[nodiscard]] double radius() const { return std::max(radius_, kLeast); }
+  /// False for one that lies in a cell with another, or out of sight.
+  [[nodiscard]] bool takes(const Point& point) {
+    if (!is_dense_) return true;
+    const Point at = point - card_.min;
+    if ((at.array() < 0.0).any() || (point.array() > card_.max.array()).any()) return false;
+    const std::size_t cell = static_cast<std::size_t>(at.y() / kCell) * columns_ +
+                             static_cast<std::size_t>(at.x() / kCell);
+    if (taken_[cell]) return false;
+    taken_[cell] = true;
+    return true;
+  }
+
+ private:
+  static constexpr double kLeast = 1.2;  // radius
+  static constexpr double kCell = 4.0;
+  Rect card_;
+  double radius_;
+  bool is_dense_;
+  std::size_t columns_;
+  std::vector<bool> taken_;
+};
 
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
   const auto* build = scene.frame.part.as<BuildFrame>();
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
-    for (const int index : scene.effects.get<MinkowskiHull>(scene.frame))
-      points.push_back(scene.at(cloud[index].z));
+    for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
+      points.push_back(scene.at(corner.z));
+    points = told_apart(points);
     scene.area(hull_is_ghost(scene) ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
   if (!wants_cloud) return;
+  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const std::size_t made = build ? static_cast<std::size_t>(build->made) : cloud.size();
   // More names would hide what they name; where edges have names, they are what counts.
   const bool has_names = build && build->part <= BuildPart::hull && cloud.size() <= 12;
+  std::vector<Point> points;
+  points.reserve(cloud.size());
   Point middle = Point::Zero();
-  for (const CloudPoint& point : cloud)
-    middle += scene.at(point.z) / static_cast<double>(cloud.size());
-  const bool is_dense = cloud.size() > kMostDisks;
-  std::set<std::pair<long, long>> pixels;
+  for (const CloudPoint& point : cloud) {
+    points.push_back(scene.at(point.z));
+    middle += points.back() / static_cast<double>(cloud.size());
+  }
+  CloudGrid grid(scene.map.area(), points);
   for (std::size_t i = 0; i < made; ++i) {
-    const auto& [z, pair] = cloud[i];
-    const Point point = scene.at(z);
-    if (is_dense && !pixels.emplace(std::lround(point.x()), std::lround(point.y())).second)
-      continue;
-    scene.disk("cloud.point", point, kCloudRadius,
+    const gjk::VertexPair pair = cloud[i].pair;
+    const Point& point = points[i];
+    if (!grid.takes(point)) continue;
+    scene.disk("cloud.point", point, grid.radius(),
                {Subject::Kind::difference_vertex, pair.x, pair.y});
     if (has_names)
       scene.out.fixed_labels.push_back(
@@ -112,15 +143,14 @@ void origin_of_edge(SceneBuilder& scene, const Vector2d& from, const Vector2d& t
 }
 
 void origins_of_edges(SceneBuilder& scene) {
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   const auto& x_names = scene.run.lesson.x().vertex_names;
   const auto& y_names = scene.run.lesson.y().vertex_names;
   Vector2d middle = Vector2d::Zero();
-  for (const int index : hull) middle += cloud[index].z / static_cast<double>(hull.size());
+  for (const CloudPoint& corner : hull) middle += corner.z / static_cast<double>(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const auto& [from, a] = cloud[hull[i]];
-    const auto& [to, b] = cloud[hull[(i + 1) % hull.size()]];
+    const auto& [from, a] = hull[i];
+    const auto& [to, b] = hull[(i + 1) % hull.size()];
     // Edges of both that are parallel make one.
     if (a.y != b.y)
       origin_of_edge(scene, from, to, middle, y_names[a.y] + y_names[b.y], false);
@@ -236,17 +266,16 @@ void corner_names(SceneBuilder& scene) {
   const auto* build = scene.frame.part.as<BuildFrame>();
   const bool is_named = build && build->part < BuildPart::any;
   if (is_named || turns) return;
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   constexpr std::size_t kMostNames = 16;  // more would hide what they name
   if (hull.size() > kMostNames) return;
   Point middle = Point::Zero();
-  for (const int index : hull)
-    middle += scene.at(cloud[index].z) / static_cast<double>(hull.size());
-  for (const int index : hull) {
-    const Point point = scene.at(cloud[index].z);
-    LabelRequest label = scene.pair_name(cloud[index].pair, "cloud.label", point,
-                                         sizes::kSimplexRadius, point - middle);
+  for (const CloudPoint& corner : hull)
+    middle += scene.at(corner.z) / static_cast<double>(hull.size());
+  for (const auto& [z, pair] : hull) {
+    const Point point = scene.at(z);
+    LabelRequest label =
+        scene.pair_name(pair, "cloud.label", point, sizes::kSimplexRadius, point - middle);
     if (hull_is_ghost(scene)) label.tones.clear();
     auto& labels = scene.labels_of_difference();
     // Corners that are one point to the eye have one name.
