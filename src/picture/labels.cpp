@@ -133,6 +133,7 @@ void LabelPlacer::begin_frame(const Obstacles& obstacles) {
   passing_.clear();
   circles_.clear();
   taken_.clear();
+  grounds_ = obstacles.grounds;
   add(obstacles);
 }
 
@@ -292,7 +293,9 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
 bool LabelPlacer::is_crossed(const Rect& label) const {
   const auto crosses = [&](const auto& item) { return hits(label, item.shape); };
   return segments_.any_near(label, crosses) || passing_.any_near(label, crosses) ||
-         circles_.any_near(label, crosses);
+         circles_.any_near(label, crosses) ||
+         std::any_of(grounds_.begin(), grounds_.end(),
+                     [&](const Rect& ground) { return overlap(label, ground); });
 }
 
 std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, bool in_any_case) {

@@ -100,6 +100,7 @@ class LabelPlacer {
   Field<Obstacles::Segment> segments_;
   Field<Obstacles::Segment> passing_;
   Field<Obstacles::Circle> circles_;
+  std::vector<Rect> grounds_;
   std::vector<Rect> taken_;
   std::map<std::string, Kept> places_;  ///< Of each label, in the last frame that it was in.
 };

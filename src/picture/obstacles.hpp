@@ -35,6 +35,8 @@ struct Obstacles {
   /// it far away from what it names.
   std::vector<Segment> passing;
   std::vector<Circle> circles;
+  /// Where marks are too small and too many to keep off: labels stand on them, with a halo.
+  std::vector<Rect> grounds;
 };
 
 /// Obstacles of one kind, by cells of a grid. Equal ones are one, and counted: the same outlines
@@ -57,27 +59,24 @@ class Field {
   void clear() {
     items_.clear();
     known_.clear();
+    last_batch_.clear();
     for (std::vector<int>& cell : cells_) cell.clear();
   }
 
   void add(std::span<const Shape> shapes) {
-    for (const Shape& shape : shapes) add(shape);
+    // Most frames have what the one before had, in the same order.
+    std::vector<int> batch;
+    batch.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+      const std::size_t i = batch.size();
+      const bool is_known = i < last_batch_.size() && item(last_batch_[i]).shape == shape;
+      batch.push_back(is_known ? last_batch_[i] : index_of(shape));
+      ++item(batch.back()).count;
+    }
+    last_batch_ = std::move(batch);
   }
 
-  void add(const Shape& shape) {
-    const auto [known, is_new] = known_.try_emplace(shape, static_cast<int>(items_.size()));
-    if (!is_new) {
-      ++items_[static_cast<std::size_t>(known->second)].count;
-      return;
-    }
-    items_.push_back({shape, 1});
-    const Rect box = shape.box();
-    for (int row = row_of(box.min.y()); row <= row_of(box.max.y()); ++row) {
-      const auto [left, right] = reach(shape, row);
-      for (int column = column_of(left); column <= column_of(right); ++column)
-        cell(row, column).push_back(known->second);
-    }
-  }
+  void add(const Shape& shape) { ++item(index_of(shape)).count; }
 
   /// True if `meets` is for one of those that are in cells of the box.
   template <class Meets>
@@ -113,6 +112,21 @@ class Field {
       return hash;
     }
   };
+
+  [[nodiscard]] Item& item(int index) { return items_[static_cast<std::size_t>(index)]; }
+  /// Of a shape that is there from now on.
+  [[nodiscard]] int index_of(const Shape& shape) {
+    const auto [known, is_new] = known_.try_emplace(shape, static_cast<int>(items_.size()));
+    if (!is_new) return known->second;
+    items_.push_back({shape, 0});
+    const Rect box = shape.box();
+    for (int row = row_of(box.min.y()); row <= row_of(box.max.y()); ++row) {
+      const auto [left, right] = reach(shape, row);
+      for (int column = column_of(left); column <= column_of(right); ++column)
+        cell(row, column).push_back(known->second);
+    }
+    return known->second;
+  }
 
   static int cells_along(double length) {
     return std::max(1, static_cast<int>(std::ceil(length / kCell)));
@@ -154,6 +168,7 @@ class Field {
   std::vector<std::vector<int>> cells_;
   std::vector<Item> items_;
   std::unordered_map<Shape, int, Hash> known_;
+  std::vector<int> last_batch_;
   mutable std::vector<int> asked_;
   mutable int round_ = 0;
 };

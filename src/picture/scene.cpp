@@ -48,12 +48,24 @@ std::vector<Vector2d> StageMap::visible() const {
           camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
 }
 
-double room_of(const std::vector<Point>& points) {
+namespace {
+
+/// Of the box around points, and of a border: what lies on one line has room beside it.
+double area_around(const std::vector<Point>& points) {
+  constexpr double kBorder = 24.0;
   Rect box{points[0], points[0]};
   for (const Point& point : points) box = {box.min.cwiseMin(point), box.max.cwiseMax(point)};
-  constexpr double kBorder = 12.0;  // points on one line have room beside it
-  const Point size = box.size() + Point::Constant(kBorder);
-  return std::sqrt(size.x() * size.y() / static_cast<double>(points.size()));
+  return (box.size() + Point::Constant(kBorder)).prod();
+}
+
+}  // namespace
+
+double room_of(const std::vector<Point>& points) {
+  return std::sqrt(area_around(points) / static_cast<double>(points.size()));
+}
+
+double room_of_line(const std::vector<Point>& points, double length) {
+  return area_around(points) / length;
 }
 
 Subject subject_of(const LessonRun& run, gjk::VertexPair pair) {

@@ -66,8 +66,10 @@ struct Scene {
 /// from the one before.
 [[nodiscard]] std::vector<Point> told_apart(const std::vector<Point>& points);
 
-/// How far apart points are, in frame pixels, if they are spread evenly over the box around them.
+/// How far apart points are, in frame pixels, if they are spread evenly over the box around them;
+/// the same for a line of this length.
 [[nodiscard]] double room_of(const std::vector<Point>& points);
+[[nodiscard]] double room_of_line(const std::vector<Point>& points, double length);
 
 /// Sizes of marks in frame pixels.
 namespace sizes {

@@ -1,6 +1,7 @@
 // What shapes of many vertices cost: opening a case, a move of the hand, letting go, undo. It is a
 // session's own work, without what paints the picture. Prints milliseconds, and which of them are
-// more than there is time for.
+// more than there is time for: `vertices-bench`, or
+// `vertices-bench star` for the rows of stars.
 
 #include <fmt/format.h>
 
@@ -99,8 +100,8 @@ double undo_of(Session& session) {
   });
 }
 
-void measure(const Fonts& fonts, const Lesson& lesson, const std::string& kind, int of_x,
-             int of_y) {
+void measure(const Fonts& fonts, const Lesson& lesson, const std::string& wanted,
+             const std::string& kind, int of_x, int of_y) {
   const std::string text = fmt::format(R"({{"a": [{}], "b": [{}]}})", shape_of(kind, of_x, 0.0),
                                        of_y == 2 ? "[5, 5], [6, 5]" : shape_of(kind, of_y, 8.0));
   Session session(fonts);
@@ -113,8 +114,7 @@ void measure(const Fonts& fonts, const Lesson& lesson, const std::string& kind, 
   });
   const double moved = move_of(session);
   const double released = let_go_of(session);
-  print_row(fmt::format("{} {} + {}", kind, of_x, of_y),
-            {opened, moved, released, undo_of(session)});
+  print_row(row, {opened, moved, released, undo_of(session)});
 }
 
 void measure(const Fonts& fonts, const Lesson& lesson) {
@@ -128,7 +128,8 @@ void measure(const Fonts& fonts, const Lesson& lesson) {
   print_row(lesson.id, {opened, moved, released, undo_of(session)});
 }
 
-int run() {
+/// Rows whose name holds `wanted`.
+int run(const std::string& wanted) {
   const std::filesystem::path source = GJKSCOPE_SOURCE_DIR;
   const Fonts fonts(source / "assets" / "fonts.toml");
   const auto lesson_of = [&](const char* name) {
@@ -150,15 +151,15 @@ int run() {
   constexpr int kFewest = 2;  // of Y: a segment
   for (const std::string kind : {"convex", "star", "random"}) {
     for (const int count : {3, 10, 30, 64, 100, 150, 200, 300, 1000, 10000})
-      measure(fonts, *polygons, kind, count, kFewest);
+      measure(fonts, *polygons, wanted, kind, count, kFewest);
     for (const int count : {12, 50, 100, 150, 1000, 5000})
-      measure(fonts, *polygons, kind, count, count);
+      measure(fonts, *polygons, wanted, kind, count, count);
   }
-  measure(fonts, *trees);
+  if (trees->id.find(wanted) != std::string::npos) measure(fonts, *trees);
   return 0;
 }
 
 }  // namespace
 }  // namespace gjkscope
 
-int main() { return gjkscope::run(); }
+int main(int count, char** arguments) { return gjkscope::run(count > 1 ? arguments[1] : ""); }

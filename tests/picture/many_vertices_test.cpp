@@ -68,7 +68,9 @@ TEST(ManyVertices, NamesAreFewEnoughForTheViewAndHoldThoseOfTheRun) {
       if (count + 2 <= 24) {
         EXPECT_EQ(names.size(), static_cast<std::size_t>(count));
       } else {
-        EXPECT_EQ(names.size(), 22u);
+        // Those of the run, and corners all around.
+        EXPECT_GE(names.size(), 6u);
+        EXPECT_LE(names.size(), 22u);
       }
     }
   }
@@ -91,8 +93,9 @@ TEST(ManyVertices, DisksFollowTheRoomAndNeverTouch) {
     EffectGraph effects(run);
     LessonPictures pictures(run, effects, fonts());
     const std::vector<Disk> disks = disks_of_x(pictures.picture(0));
-    ASSERT_GE(disks.size(), count < 300 ? static_cast<std::size_t>(count) : 22u);
-    EXPECT_LE(disks.size(), static_cast<std::size_t>(std::min(count, 300)));
+    // All of them, or those that have names.
+    ASSERT_GE(disks.size(), count > 100 ? 6u : static_cast<std::size_t>(count));
+    ASSERT_LE(disks.size(), count > 100 ? 22u : static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < disks.size(); ++i) {
       const Disk& next = disks[(i + 1) % disks.size()];
       EXPECT_GT((next.center - disks[i].center).norm(), next.radius + disks[i].radius + 0.5);

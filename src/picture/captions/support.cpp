@@ -101,7 +101,7 @@ void support_in_parts(const Story& story, FrameText& text) {
               : fmt::format(
                     "None of the {} differences lies beyond its line. {} + {} dot products found "
                     "it.",
-                    of_x * of_y, of_y, of_x);
+                    grouped(static_cast<double>(of_x * of_y)), of_y, of_x);
     }
   }
 }
@@ -109,7 +109,8 @@ void support_in_parts(const Story& story, FrameText& text) {
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
   text.detail += fmt::format(" GJK computed {} of {} differences.",
-                             story.effects.get<TouchedPoints>(story.frame).size(), all);
+                             story.effects.get<TouchedPoints>(story.frame).size(),
+                             grouped(static_cast<double>(all)));
 }
 
 void slab(const Story& story, FrameText& text) {

@@ -24,36 +24,40 @@ bool hull_is_ghost(const SceneBuilder& scene) {
   return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
-/// Disks of a dense cloud: small, and one in each cell of a grid, for the others would be hidden.
-class CloudGrid {
+/// Disks of the differences: smaller where they stand close together. Of a dense cloud one in each
+/// cell of a grid is drawn, for the others would be hidden, and labels stand on them.
+class CloudDots {
  public:
-  CloudGrid(const Rect& card, const std::vector<Point>& points)
-      : card_(card),
-        radius_(std::min(kCloudRadius, kPartOfRoom * room_of(points))),
-        is_dense_(radius_ < kLeast),
-        columns_(static_cast<std::size_t>(card.size().x() / kCell) + 1),
-        taken_(columns_ * (static_cast<std::size_t>(card.size().y() / kCell) + 1)) {}
+  CloudDots(SceneBuilder& scene, const std::vector<Point>& points)
+      : scene_(scene), radius_(std::min(kCloudRadius, kPartOfRoom * room_of(points))) {
+    if (radius_ >= kLeast) return;
+    const Point size = scene.map.area().size() / kCell;
+    columns_ = static_cast<std::size_t>(size.x()) + 1;
+    taken_.resize(columns_ * (static_cast<std::size_t>(size.y()) + 1));
+  }
 
-  [[nodiscard]] double radius() const { return std::max(radius_, kLeast); }
-  /// False for one that lies in a cell with another, or out of sight.
-  [[nodiscard]] bool takes(const Point& point) {
-    if (!is_dense_) return true;
-    const Point at = point - card_.min;
-    if ((at.array() < 0.0).any() || (point.array() > card_.max.array()).any()) return false;
-    const std::size_t cell = static_cast<std::size_t>(at.y() / kCell) * columns_ +
-                             static_cast<std::size_t>(at.x() / kCell);
-    if (taken_[cell]) return false;
-    taken_[cell] = true;
-    return true;
+  void draw(const Point& point, gjk::VertexPair pair) {
+    const Subject subject{Subject::Kind::difference_vertex, pair.x, pair.y};
+    if (taken_.empty()) return scene_.disk("cloud.point", point, radius_, subject);
+    const Rect& card = scene_.map.area();
+    const Point at = (point - card.min) / kCell;
+    if ((at.array() < 0.0).any() || (point.array() > card.max.array()).any()) return;
+    const Point cell = at.array().floor();
+    const auto index =
+        static_cast<std::size_t>(cell.y()) * columns_ + static_cast<std::size_t>(cell.x());
+    if (taken_[index]) return;
+    taken_[index] = true;
+    scene_.add("cloud.point", Disk{point, kLeast}, subject);
+    scene_.out.obstacles.grounds.push_back(
+        {card.min + kCell * cell, card.min + kCell * (cell + Point::Ones())});
   }
 
  private:
-  static constexpr double kLeast = 1.2;  // radius
-  static constexpr double kCell = 4.0;
-  Rect card_;
+  static constexpr double kLeast = 1.3;  // radius
+  static constexpr double kCell = 5.0;
+  SceneBuilder& scene_;
   double radius_;
-  bool is_dense_;
-  std::size_t columns_;
+  std::size_t columns_ = 0;
   std::vector<bool> taken_;
 };
 
@@ -82,13 +86,11 @@ void difference(SceneBuilder& scene) {
     points.push_back(scene.at(point.z));
     middle += points.back() / static_cast<double>(cloud.size());
   }
-  CloudGrid grid(scene.map.area(), points);
+  CloudDots dots(scene, points);
   for (std::size_t i = 0; i < made; ++i) {
     const gjk::VertexPair pair = cloud[i].pair;
     const Point& point = points[i];
-    if (!grid.takes(point)) continue;
-    scene.disk("cloud.point", point, grid.radius(),
-               {Subject::Kind::difference_vertex, pair.x, pair.y});
+    dots.draw(point, pair);
     if (has_names)
       scene.out.fixed_labels.push_back(
           scene.pair_name(pair, "cloud.label", point, kCloudRadius, point - middle));

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "effects/minkowski.hpp"
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "geometry/polygon.hpp"
@@ -15,6 +17,9 @@ using namespace sizes;
 
 /// Names in a view: more would hide the shapes.
 constexpr std::size_t kMostNames = 24;
+/// Pixels between corners that have names because they are far apart: about the width of a name, so
+/// that most stand beside what they name.
+constexpr double kNamesApart = 44.0;
 /// Shapes that are not convex and have more corners than this in sight have no fill: triangles are
 /// looked for in a time that grows with the square of their number.
 constexpr std::size_t kMostFilled = 256;
@@ -90,22 +95,39 @@ std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
   if (count_of(seen) + others <= kMostNames) return std::vector<bool>(world.size(), true);
 
   std::vector<bool> named = vertices_of_run(scene, body == 0, world.size());
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<double> to_named(world.size(), -1.0);  // squared distances
-  for (std::size_t i = 0; i < world.size(); ++i) to_named[i] = seen[i] ? kFar : -1.0;
-  const auto measure_from = [&](std::size_t from) {
-    for (std::size_t i = 0; i < world.size(); ++i)
-      to_named[i] = std::min(to_named[i], (world[i] - world[from]).squaredNorm());
-  };
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    if (named[i]) measure_from(i);
-  }
   const std::size_t wanted = kMostNames - std::min(others, kMostNames / 2);
-  for (std::size_t count = count_of(named); count < wanted; ++count) {
-    const auto farthest = std::max_element(to_named.begin(), to_named.end()) - to_named.begin();
-    if (!(to_named[static_cast<std::size_t>(farthest)] > 0.0)) break;
-    named[static_cast<std::size_t>(farthest)] = true;
-    measure_from(static_cast<std::size_t>(farthest));
+  std::size_t count = count_of(named);
+  const auto name_far_ones = [&](const std::vector<int>& candidates) {
+    std::vector<double> to_named(candidates.size(), std::numeric_limits<double>::infinity());
+    const auto measure_from = [&](std::size_t from) {
+      for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const auto candidate = static_cast<std::size_t>(candidates[k]);
+        to_named[k] = std::min(to_named[k], (world[candidate] - world[from]).squaredNorm());
+      }
+    };
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (named[i]) measure_from(i);
+    }
+    for (; count < wanted && !candidates.empty(); ++count) {
+      const auto farthest = std::max_element(to_named.begin(), to_named.end());
+      if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
+      const auto next = static_cast<std::size_t>(
+          candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
+      named[next] = true;
+      measure_from(next);
+    }
+  };
+  // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
+  // of the difference are made of them.
+  std::vector<bool> on_hull(world.size(), false);
+  for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
+    on_hull[static_cast<std::size_t>(body == 0 ? corner.pair.x : corner.pair.y)] = true;
+  for (const bool of_hull : {true, false}) {
+    std::vector<int> candidates;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (seen[i] && on_hull[i] == of_hull) candidates.push_back(static_cast<int>(i));
+    }
+    name_far_ones(candidates);
   }
   return named;
 }
@@ -116,12 +138,16 @@ double disk_radius(const std::vector<Point>& points) {
   constexpr double kLeast = 1.5;
   if (points.size() < 2) return kVertexRadius;
   std::vector<double> edges;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
     edges.push_back((points[(i + 1) % points.size()] - points[i]).norm());
+    length += edges.back();
+  }
   const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
   std::nth_element(edges.begin(), middle, edges.end());
-  // Edges that cross each other say little of the room: it is the shape's area, too.
-  const double radius = kPartOfRoom * std::min(*middle, room_of(points));
+  // Edges that cross each other say little of the room: disks need some between lines, too.
+  const double radius =
+      kPartOfRoom * std::min({*middle, room_of(points), room_of_line(points, length)});
   return radius < kLeast ? 0.0 : std::min(radius, kVertexRadius);
 }
 
