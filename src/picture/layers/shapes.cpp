@@ -80,9 +80,10 @@ std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& 
 }
 
 /// The vertices of a shape that have names: all that are in sight where a view has room for that,
-/// else those that the run looks at, and then corners that are far from all that have one.
+/// else those that the run looks at, and then corners that are far from all that have one; within
+/// the hull only where there is room.
 std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
-                                 const std::vector<bool>& seen) {
+                                 const std::vector<bool>& seen, bool has_room_inside) {
   const auto count_of = [](const std::vector<bool>& of) {
     return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
   };
@@ -123,6 +124,7 @@ std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
   for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
     on_hull[static_cast<std::size_t>(body == 0 ? corner.pair.x : corner.pair.y)] = true;
   for (const bool of_hull : {true, false}) {
+    if (!of_hull && !has_room_inside) break;
     std::vector<int> candidates;
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (seen[i] && on_hull[i] == of_hull) candidates.push_back(static_cast<int>(i));
@@ -182,7 +184,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
   const std::vector<bool> seen = in_sight(scene, vertices);
   std::vector<bool> named(world.size(), world.size() <= kMostLabels);
-  if (has_gjk) named = named_vertices(scene, body, seen);
+  if (has_gjk) named = named_vertices(scene, body, seen, radius > 0.0);
   for (std::size_t i = 0; i < world.size(); ++i) {
     if (!seen[i] || (radius == 0.0 && !named[i])) continue;
     const int index = static_cast<int>(i);
