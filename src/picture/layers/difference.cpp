@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "effects/facts.hpp"
@@ -28,8 +29,12 @@ bool hull_is_ghost(const SceneBuilder& scene) {
 /// cell of a grid is drawn, for the others would be hidden, and labels stand on them.
 class CloudDots {
  public:
-  CloudDots(SceneBuilder& scene, const std::vector<Point>& points)
-      : scene_(scene), radius_(std::min(kCloudRadius, kPartOfRoom * room_of(points))) {
+  /// `row`: so many of the points, one after the other, are of one vertex of X.
+  CloudDots(SceneBuilder& scene, const std::vector<Point>& points, std::size_t row)
+      : scene_(scene),
+        radius_(
+            std::min(kCloudRadius, kPartOfRoom * std::min({room_of(points), apart(points, 1, row),
+                                                           apart(points, row, points.size())}))) {
     if (radius_ >= kLeast) return;
     const Point size = scene.map.area().size() / kCell;
     columns_ = static_cast<std::size_t>(size.x()) + 1;
@@ -53,6 +58,17 @@ class CloudDots {
   }
 
  private:
+  /// The median distance of neighbours, every `step` of the first `count` points.
+  static double apart(const std::vector<Point>& points, std::size_t step, std::size_t count) {
+    std::vector<double> ways;
+    for (std::size_t i = step; i < count; i += step)
+      ways.push_back((points[i] - points[i - step]).norm());
+    if (ways.empty()) return HUGE_VAL;
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    return *middle;
+  }
+
   static constexpr double kLeast = 1.3;  // radius
   static constexpr double kCell = 5.0;
   SceneBuilder& scene_;
@@ -86,7 +102,7 @@ void difference(SceneBuilder& scene) {
     points.push_back(scene.at(point.z));
     middle += points.back() / static_cast<double>(cloud.size());
   }
-  CloudDots dots(scene, points);
+  CloudDots dots(scene, points, scene.positioned.y().world.size());
   for (std::size_t i = 0; i < made; ++i) {
     const gjk::VertexPair pair = cloud[i].pair;
     const Point& point = points[i];
