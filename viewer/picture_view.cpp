@@ -22,6 +22,7 @@ using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
 constexpr double kSlack = 7.0;        // frame pixels around a point or a line that still hit it
+constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
 constexpr double kHandleAway = 30.0;  // of the rotation handle from its shape, frame pixels
 constexpr double kHandleRadius = 7.0;
 constexpr double kSmallestZoom = 0.3;
@@ -259,6 +260,12 @@ void PictureView::take_pointer() {
   }
   hovered_ =
       ours ? subject_at(session_.picture(), app_.fonts(), page, kSlack) : app_.pointed_in_panel;
+  // Not while the picture is on its way to another: it would be there at once.
+  if (!motion_) {
+    const bool is_vertex_itself = is_vertex(hovered_) || hovered_.kind == Kind::difference_vertex;
+    const Subject near = is_vertex_itself || !ours ? hovered_ : session_.vertex_near(page, kNear);
+    session_.point_at({selected, near});
+  }
   if (!ours) return;
   if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -126,9 +126,9 @@ Growth::Example example_of(const gjk::Query<double, 2>& query, const gjk::Trace<
   if (x.size() * y.size() <= kMostDots) {
     for (const CloudPoint& point : minkowski_cloud(x, y)) example.cloud.push_back(point.z);
   }
-  const std::vector<Vector2d> corners = minkowski_merge(x, y);
+  const std::vector<CloudPoint> corners = minkowski_merge(x, y);
   const std::size_t every = corners.size() / kMostCorners + 1;
-  for (std::size_t i = 0; i < corners.size(); i += every) example.hull.push_back(corners[i]);
+  for (std::size_t i = 0; i < corners.size(); i += every) example.hull.push_back(corners[i].z);
   example.touched.push_back(trace.initial.simplex.vertices[0].w);
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase == gjk::Phase::support) example.touched.push_back(step.after.support.w);

@@ -13,9 +13,9 @@ MinkowskiCloud::Value MinkowskiCloud::compute(EffectGraph&, const LessonRun& run
 
 EffectKey MinkowskiHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
-MinkowskiHull::Value MinkowskiHull::compute(EffectGraph& graph, const LessonRun&,
+MinkowskiHull::Value MinkowskiHull::compute(EffectGraph&, const LessonRun& run,
                                             const Frame& frame) {
-  return minkowski_hull(graph.get<MinkowskiCloud>(frame));
+  return minkowski_hull(run.run(frame).x().world, run.run(frame).y().world);
 }
 
 const EffectInfo effect_infos::kMinkowskiCloud =

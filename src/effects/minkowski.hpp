@@ -13,11 +13,11 @@ struct MinkowskiCloud {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-/// Indices into the cloud of its hull's corners (Catto 2010, slide "The final polygon").
+/// Corners of the hull of the differences (Catto 2010, slide "The final polygon").
 struct MinkowskiHull {
   static constexpr std::string_view kName = "minkowski-hull";
-  static constexpr std::string_view kNeeds = "minkowski-cloud";
-  using Value = std::vector<int>;
+  static constexpr std::string_view kNeeds = "";
+  using Value = std::vector<CloudPoint>;
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };

@@ -8,9 +8,9 @@ namespace {
 /// Corners of the difference at the position of a frame, moved by `shift`.
 std::vector<Eigen::Vector2d> hull_corners(EffectGraph& graph, const Frame& frame,
                                           const Eigen::Vector2d& shift) {
-  const MinkowskiCloud::Value& cloud = graph.get<MinkowskiCloud>(frame);
   std::vector<Eigen::Vector2d> corners;
-  for (const int index : graph.get<MinkowskiHull>(frame)) corners.push_back(cloud[index].z + shift);
+  for (const CloudPoint& corner : graph.get<MinkowskiHull>(frame))
+    corners.push_back(corner.z + shift);
   return corners;
 }
 

@@ -9,7 +9,7 @@ namespace gjkscope {
 /// changes the difference; one that only moves slides it: Z by what Y moved, less what X moved.
 struct LastPosition {
   static constexpr std::string_view kName = "last-position";
-  static constexpr std::string_view kNeeds = "minkowski-cloud,minkowski-hull";
+  static constexpr std::string_view kNeeds = "minkowski-hull";
   struct Positions {
     std::vector<Eigen::Vector2d> x;
     std::vector<Eigen::Vector2d> y;
@@ -29,7 +29,7 @@ struct LastPosition {
 /// "Minkowski Difference and Translation"). Corners in the world, counter-clockwise.
 struct GrownObstacle {
   static constexpr std::string_view kName = "grown-obstacle";
-  static constexpr std::string_view kNeeds = "minkowski-cloud,minkowski-hull";
+  static constexpr std::string_view kNeeds = "minkowski-hull";
   using Value = std::vector<Eigen::Vector2d>;
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);

@@ -23,10 +23,13 @@ struct CloudPoint {
 /// Corners of the difference Y - X of two convex polygons, all counter-clockwise: the edges of Y
 /// and of -X in the order of their directions, so that few of the differences are looked at. Edges
 /// of the same direction are joined.
-[[nodiscard]] std::vector<Eigen::Vector2d> minkowski_merge(std::span<const Eigen::Vector2d> x,
-                                                           std::span<const Eigen::Vector2d> y);
+[[nodiscard]] std::vector<CloudPoint> minkowski_merge(std::span<const Eigen::Vector2d> x,
+                                                      std::span<const Eigen::Vector2d> y);
 
-/// Indices into the cloud of its hull's corners, counter-clockwise.
-[[nodiscard]] std::vector<int> minkowski_hull(std::span<const CloudPoint> cloud);
+/// Corners of the convex hull of all differences of two sets of points, counter-clockwise from the
+/// leftmost. Of the differences only those of the hulls' corners are looked at, so that shapes of
+/// thousands of vertices have an outline of Z, too.
+[[nodiscard]] std::vector<CloudPoint> minkowski_hull(std::span<const Eigen::Vector2d> x,
+                                                     std::span<const Eigen::Vector2d> y);
 
 }  // namespace gjkscope

@@ -13,6 +13,7 @@
 #include "effects/grid.hpp"
 #include "picture/caption.hpp"
 #include "picture/close_up.hpp"
+#include "picture/layers/layers.hpp"
 #include "picture/legend.hpp"
 #include "picture/panel.hpp"
 #include "picture/registry.hpp"
@@ -231,6 +232,7 @@ struct LessonPictures::View {
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
+  int clip = -1;  ///< Of the picture being drawn.
   std::unique_ptr<View> close_up = nullptr;
 
   /// Where no label may be.
@@ -392,19 +394,8 @@ void LessonPictures::place_fixed_labels(View& view, std::size_t shown) {
     if (!of_frame.fixed_labels.empty() || !of_frame.area_labels.empty())
       scenes.push_back(&of_frame);
   }
-  Obstacles all;
-  for (const Scene* of_frame : scenes) {
-    const Obstacles& more = of_frame->obstacles;
-    all.segments.insert(all.segments.end(), more.segments.begin(), more.segments.end());
-    for (const Obstacles::Segment& line : more.passing) {
-      const bool known =
-          std::any_of(all.passing.begin(), all.passing.end(),
-                      [&](const auto& other) { return other.a == line.a && other.b == line.b; });
-      if (!known) all.passing.push_back(line);
-    }
-    all.circles.insert(all.circles.end(), more.circles.begin(), more.circles.end());
-  }
-  view.placer.begin_frame(std::move(all));
+  view.placer.begin_frame({});
+  for (const Scene* of_frame : scenes) view.placer.add(of_frame->obstacles);
   view.reserve();
   std::set<std::string> placed;
   for (const Scene* of_frame : scenes) {
@@ -432,13 +423,17 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   constexpr std::size_t kMost = 4;
   if (explained_.empty()) {
     explained_.resize(run_.frames.size() * views_.size());
+    std::vector<std::set<std::string_view>> roles(explained_.size());
+    for (std::size_t at = 0; at < roles.size(); ++at) {
+      for (const Mark& mark : scene(views_[at % views_.size()], at / views_.size()).marks)
+        roles[at].insert(roles[at].end(), mark.role);
+    }
     for (const LegendEntry& entry : legend_entries(run_)) {
       // Where no run is followed, words do not speak of S.
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
-        if (mark_of(scene(views_[at % views_.size()], at / views_.size()), entry.role) == nullptr)
-          continue;
+        if (!roles[at].contains(entry.role)) continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
         break;
       }
@@ -496,39 +491,45 @@ std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index
   return rows.empty() || !fits() ? std::vector<Mark>() : legend(rows, spare.min, fonts_);
 }
 
+/// A label beside its anchor, a line that leads there where it is far, and a halo on marks.
+void LessonPictures::draw_label(Picture& picture, View& view, const LabelRequest& label,
+                                bool fixed) {
+  const int clip = view.clip;
+  const Mark placed = view.placer.place(label, fixed);
+  const Rect box = box_of(fonts_, std::get<Text>(placed.shape));
+  draw_leader(picture, view, label, box);
+  if (view.placer.is_crossed(box))
+    picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
+  picture.marks.push_back(placed);
+}
+
+void LessonPictures::draw_leader(Picture& picture, View& view, const LabelRequest& label,
+                                 const Rect& box) {
+  const auto line = leader_line(label, box);
+  if (!line) return;
+  view.placer.avoid(*line);
+  picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, view.clip});
+}
+
 /// Marks and labels of a view, on a card that is there.
 void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
   place_fixed_labels(view, index);
   const Rect& card = view.shown.card;
-  const int clip = static_cast<int>(picture.clips.size());
+  view.clip = static_cast<int>(picture.clips.size());
   picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
   const Scene& of_frame = scene(view, index);
   for (const Mark& mark : of_frame.marks) {
     picture.marks.push_back(mark);
-    picture.marks.back().clip = clip;
+    picture.marks.back().clip = view.clip;
   }
   view.placer.begin_frame(of_frame.obstacles);
   view.reserve();
-  const auto lead = [&](const LabelRequest& label, const Rect& box) {
-    const auto line = leader_line(label, box);
-    if (!line) return;
-    view.placer.avoid(*line);
-    picture.marks.push_back({"leader", Polyline{{line->a, line->b}}, clip});
-  };
-  const auto place = [&](const LabelRequest& label, bool fixed) {
-    const Mark placed = view.placer.place(label, fixed);
-    const Rect box = box_of(fonts_, std::get<Text>(placed.shape));
-    lead(label, box);
-    if (view.placer.is_crossed(box))
-      picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
-    picture.marks.push_back(placed);
-  };
   // Labels that keep their place come first, so that none steps aside to where they stand.
   std::set<std::string> drawn;
   for (const bool steps_aside : {false, true}) {
     for (const LabelRequest& label : of_frame.fixed_labels) {
       if (label.steps_aside != steps_aside || !view.shows(label)) continue;
-      if (drawn.insert(label.id).second) place(label, true);
+      if (drawn.insert(label.id).second) draw_label(picture, view, label, true);
     }
   }
   for (const AreaLabelRequest& label : of_frame.area_labels) {
@@ -536,14 +537,42 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
     // Beside its area it has a line that leads there, if it is far.
     for (const Mark& mark : name) {
       const Rect box = box_of(fonts_, std::get<Text>(mark.shape));
-      if (label.otherwise && !is_inside(label.polygon, box)) lead(*label.otherwise, box);
+      if (label.otherwise && !is_inside(label.polygon, box))
+        draw_leader(picture, view, *label.otherwise, box);
       if (view.placer.is_crossed(box))
-        picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, clip});
+        picture.marks.push_back({"label.halo", Box{box, kHaloCorner}, view.clip});
     }
     PageWriter{picture}.append(std::move(name));
   }
   for (const LabelRequest& label : of_frame.moving_labels) {
-    if (view.shows(label)) place(label, false);
+    if (view.shows(label)) draw_label(picture, view, label, false);
+  }
+}
+
+void LessonPictures::draw_pointed(Picture& picture, View& view, std::size_t index,
+                                  std::span<const Subject> pointed) {
+  if (pointed.empty() || !shows_shapes(view.shown.kind)) return;
+  const Scene& of_frame = scene(view, index);
+  const StageMap map(view.shown.card, view.shown.camera);
+  SceneBuilder more(run_, effects_, run_.frames[index], view.of, map);
+  for (const Subject& subject : pointed) {
+    layers::vertex_name(more, subject,
+                        std::any_of(of_frame.marks.begin(), of_frame.marks.end(),
+                                    [&](const Mark& mark) { return mark.subject == subject; }));
+  }
+  for (Mark& mark : more.out.marks) {
+    mark.clip = view.clip;
+    picture.marks.push_back(std::move(mark));
+  }
+  std::set<std::string> named;
+  for (const auto* labels : {&of_frame.fixed_labels, &of_frame.moving_labels}) {
+    for (const LabelRequest& label : *labels) named.insert(label.id);
+  }
+  for (LabelRequest& label : more.out.moving_labels) {
+    if (!view.shows(label) || !named.insert(label.id).second) continue;
+    // Its place is no place of a label of the lesson.
+    label.id = "pointed:" + label.id;
+    draw_label(picture, view, label, false);
   }
 }
 
@@ -556,7 +585,7 @@ void LessonPictures::draw_close_up(Picture& picture, View& near, std::size_t ind
   page.write("inset.label", {card.min.x() + 10.0, card.max.y() - 10.0}, near.title[0], type::kText);
 }
 
-Picture LessonPictures::picture(int index) {
+Picture LessonPictures::picture(int index, std::span<const Subject> pointed) {
   const auto at = static_cast<std::size_t>(index);
   const FrameText& text = texts_[at];
   const double text_width = page_.width - 2.0 * kMargin;
@@ -602,8 +631,12 @@ Picture LessonPictures::picture(int index) {
       std::vector<LegendRow> rows;
       for (const LegendEntry& entry : marks_to_explain(i, at))
         rows.push_back({mark_of(scene(view, at), entry.role), entry.text});
-      page.append(legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_));
+      const std::vector<Mark> explained =
+          legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_);
+      if (!explained.empty()) view.placer.reserve(std::get<Box>(explained.front().shape).rect);
+      page.append(explained);
     }
+    draw_pointed(picture, view, at, pointed);
     if (view.close_up) draw_close_up(picture, *view.close_up, at);
     // Up to the border of the card, at most 2 wide: above the title, too, nothing shows.
     page.add(

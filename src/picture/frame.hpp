@@ -2,6 +2,7 @@
 // Lesson + run + effects -> pictures: the layout of a frame, and the words that go with it.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,8 +97,9 @@ class LessonPictures {
   LessonPictures(const LessonPictures&) = delete;
   LessonPictures& operator=(const LessonPictures&) = delete;
 
-  /// `index` is that of the frame in LessonRun::frames.
-  [[nodiscard]] Picture picture(int index);
+  /// `index` is that of the frame in LessonRun::frames. Vertices pointed at are named in any case;
+  /// all else stays where it is.
+  [[nodiscard]] Picture picture(int index, std::span<const Subject> pointed = {});
   [[nodiscard]] const std::vector<FrameText>& texts() const { return texts_; }
   [[nodiscard]] std::vector<ShownView> views() const;
 
@@ -106,6 +108,11 @@ class LessonPictures {
   [[nodiscard]] const Scene& scene(View& view, std::size_t index);
   void place_fixed_labels(View& view, std::size_t shown);
   void draw(Picture& picture, View& view, std::size_t index);
+  void draw_label(Picture& picture, View& view, const LabelRequest& label, bool fixed);
+  void draw_leader(Picture& picture, View& view, const LabelRequest& label, const Rect& box);
+  /// Names of vertices pointed at that have none.
+  void draw_pointed(Picture& picture, View& view, std::size_t index,
+                    std::span<const Subject> pointed);
   void draw_close_up(Picture& picture, View& near, std::size_t index);
   [[nodiscard]] std::vector<LegendEntry> marks_to_explain(std::size_t view, std::size_t index);
   [[nodiscard]] std::vector<LegendRow> standing_legend(std::size_t index);

@@ -19,6 +19,7 @@ constexpr double kOverLabel = 1e4;  // however many marks another place covers
 constexpr double kOverCircle = 120.0;
 constexpr double kOverSegment = 100.0;
 constexpr double kOverPassing = 20.0;
+constexpr int kBuried = 64;      // marks under a label: more are no worse
 constexpr int kMostPassing = 4;  // lines that count: where many pass, near is better than free
 constexpr double kWrongSide = 12.0;
 constexpr double kFarther = 8.0;
@@ -124,34 +125,55 @@ std::optional<Obstacles::Segment> leader_line(const LabelRequest& request, const
   return Obstacles::Segment{from + 2.0 * along, to};
 }
 
-void LabelPlacer::begin_frame(Obstacles obstacles) {
-  obstacles_ = std::move(obstacles);
+LabelPlacer::LabelPlacer(const Fonts& fonts, const Rect& bounds)
+    : fonts_(fonts), bounds_(bounds), segments_(bounds), passing_(bounds), circles_(bounds) {}
+
+void LabelPlacer::begin_frame(const Obstacles& obstacles) {
+  segments_.clear();
+  passing_.clear();
+  circles_.clear();
   taken_.clear();
+  grounds_ = obstacles.grounds;
+  add(obstacles);
+}
+
+void LabelPlacer::add(const Obstacles& obstacles) {
+  segments_.add(obstacles.segments);
+  passing_.add(obstacles.passing);
+  circles_.add(obstacles.circles);
 }
 
 Point LabelPlacer::size_of(const std::string& text, const TextStyle& style) const {
   return {fonts_.width(style, text), fonts_.cap_height(style) + 0.22 * style.size};
 }
 
-double LabelPlacer::cost_of(const Rect& box, double least) const {
+LabelPlacer::Cover LabelPlacer::cover_of(const Rect& box, double least) const {
   const Rect clear = grown(box, kClearance);
-  double cost = contains(bounds_, clear) ? 0.0 : kOutside;
+  Cover cover{contains(bounds_, clear) ? 0.0 : kOutside};
   for (const Rect& label : taken_)
-    cost += overlap(grown(box, kLabelClearance), label) ? kOverLabel : 0.0;
-  for (auto circle = obstacles_.circles.begin(); circle != obstacles_.circles.end() && cost < least;
-       ++circle)
-    cost += hits(clear, *circle) ? kOverCircle : 0.0;
-  for (auto segment = obstacles_.segments.begin();
-       segment != obstacles_.segments.end() && cost < least; ++segment)
-    cost += hits(clear, *segment) ? kOverSegment : 0.0;
-  return cost;
+    cover.cost += overlap(grown(box, kLabelClearance), label) ? kOverLabel : 0.0;
+  int met = 0;
+  const auto is_enough = [&](double each) {
+    return [&, each](const auto& item) {
+      if (hits(clear, item.shape)) {
+        cover.cost += each * item.count;
+        ++met;
+      }
+      return cover.cost >= least || met >= kBuried;
+    };
+  };
+  if (cover.cost < least && !circles_.any_near(clear, is_enough(kOverCircle)))
+    (void)segments_.any_near(clear, is_enough(kOverSegment));
+  cover.is_buried = met >= kBuried;
+  return cover;
 }
 
 double LabelPlacer::cost_of_neighbours(const Rect& box, const LabelRequest& request) const {
   // Gaps hold what is drawn at the anchor and a little more; so a tie goes to what is named.
   const double own = distance(box, request.anchor) - request.gap;
-  const bool is_ambiguous = std::any_of(
-      obstacles_.circles.begin(), obstacles_.circles.end(), [&](const Obstacles::Circle& circle) {
+  const bool is_ambiguous =
+      circles_.any_near(grown(box, std::max(own + 2.0, 0.0)), [&](const auto& item) {
+        const Obstacles::Circle& circle = item.shape;
         return (circle.center - request.anchor).norm() > request.gap &&
                distance(box, circle.center) - circle.radius < own + 2.0;
       });
@@ -168,9 +190,12 @@ double LabelPlacer::cost_of_leader(const Rect& box, const LabelRequest& request)
 
 double LabelPlacer::cost_of_passing(const Rect& box, bool in_frame) const {
   const Rect clear = grown(box, kClearance);
-  const auto passing = std::count_if(obstacles_.passing.begin(), obstacles_.passing.end(),
-                                     [&](const auto& segment) { return hits(clear, segment); });
-  return kOverPassing * std::min<double>(static_cast<double>(passing), kMostPassing) +
+  int passing = 0;
+  (void)passing_.any_near(clear, [&](const auto& item) {
+    passing += hits(clear, item.shape) ? 1 : 0;
+    return passing >= kMostPassing;
+  });
+  return kOverPassing * static_cast<double>(passing) +
          (in_frame && passing > 0 ? kOverPassingNow : 0.0);
 }
 
@@ -202,8 +227,8 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     const double length = way.norm();
     if (length <= request.gap) return false;
     const Obstacles::Segment visible{request.anchor + request.gap / length * way, middle};
-    return std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
-                       [&](const auto& segment) { return cross(visible, segment); });
+    return segments_.any_near(visible.box(),
+                              [&](const auto& item) { return cross(visible, item.shape); });
   };
   if (fixed && moves && !request.steps_aside) {
     const Rect box = box_around(centre(known->second), size);
@@ -211,19 +236,21 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     return mark_of(request, box);
   }
   double best_cost = std::numeric_limits<double>::infinity();
+  bool is_buried = false;
   Kept best;
   const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
     const Rect box = box_around(centre(place), size);
-    const double on_marks = cost_of(box, best_cost);
-    if (extra + on_marks >= best_cost) return;
-    const double cost = extra + on_marks + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
+    const Cover cover = cover_of(box, best_cost);
+    if (extra + cover.cost >= best_cost) return;
+    const double cost = extra + cover.cost + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
                         cost_of_leader(box, request) +
                         (minds_passing ? cost_of_passing(box, in_frame) : 0.0) +
                         (is_cut_off(box.center()) ? kAcross : 0.0);
     if (cost < best_cost) {
       best_cost = cost;
       best = place;
+      is_buried = cover.is_buried;
     }
   };
   if (moves) {
@@ -237,7 +264,11 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
                            : -0.25 * std::numbers::pi;
   const int rings = fixed && request.other_anchors.empty() ? kFixedRings : kRings;
   const auto consider_beside = [&](const Point& anchor, double extra) {
-    for (int ring = 0; ring < rings || (ring < kMostRings && best_cost >= kOverLabel); ++ring) {
+    // A label that lies on a mesh of lines would lie on it farther away, too.
+    const auto goes_on = [&](int ring) {
+      return ring < kMostRings && best_cost >= kOverLabel && !is_buried;
+    };
+    for (int ring = 0; ring < rings || goes_on(ring); ++ring) {
       for (int k = 0; k < kDirections; ++k) {
         const double turn = 2.0 * std::numbers::pi * k / kDirections;
         const Point d(std::cos(start + turn), std::sin(start + turn));
@@ -260,10 +291,11 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
 }
 
 bool LabelPlacer::is_crossed(const Rect& label) const {
-  const auto crosses = [&](const auto& mark) { return hits(label, mark); };
-  return std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(), crosses) ||
-         std::any_of(obstacles_.passing.begin(), obstacles_.passing.end(), crosses) ||
-         std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(), crosses);
+  const auto crosses = [&](const auto& item) { return hits(label, item.shape); };
+  return segments_.any_near(label, crosses) || passing_.any_near(label, crosses) ||
+         circles_.any_near(label, crosses) ||
+         std::any_of(grounds_.begin(), grounds_.end(),
+                     [&](const Rect& ground) { return overlap(label, ground); });
 }
 
 std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, bool in_any_case) {
@@ -283,12 +315,11 @@ std::vector<Mark> LabelPlacer::place_inside(const AreaLabelRequest& request, boo
     if (extra >= best_cost || !is_inside(request.polygon, grown(box, 3.0 * kClearance))) return;
     const Rect wide = grown(box, kAreaClearance);
     const Rect aside = grown(box, kLineClearance);
-    const double on_marks = cost_of(box, best_cost);
+    const double on_marks = cover_of(box, best_cost).cost;
     if (extra + on_marks >= best_cost) return;
-    const bool near = std::any_of(obstacles_.circles.begin(), obstacles_.circles.end(),
-                                  [&](const auto& circle) { return hits(wide, circle); }) ||
-                      std::any_of(obstacles_.segments.begin(), obstacles_.segments.end(),
-                                  [&](const auto& segment) { return hits(aside, segment); });
+    const bool near =
+        circles_.any_near(wide, [&](const auto& item) { return hits(wide, item.shape); }) ||
+        segments_.any_near(aside, [&](const auto& item) { return hits(aside, item.shape); });
     const double cost = extra + on_marks + cost_of_passing(box, false) + (near ? kNear : 0.0);
     if (cost < best_cost) {
       best_cost = cost;

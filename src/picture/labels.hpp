@@ -8,26 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "picture/picture.hpp"
+#include "picture/obstacles.hpp"
 
 namespace gjkscope {
-
-/// What labels must not cover.
-struct Obstacles {
-  struct Segment {
-    Point a;
-    Point b;
-  };
-  struct Circle {
-    Point center;
-    double radius = 0.0;
-  };
-  std::vector<Segment> segments;
-  /// Lines that cross the whole view for a while: rather not under a label, but no reason to send
-  /// it far away from what it names.
-  std::vector<Segment> passing;
-  std::vector<Circle> circles;
-};
 
 /// A label beside a point.
 struct LabelRequest {
@@ -68,14 +51,16 @@ struct AreaLabelRequest {
 class LabelPlacer {
  public:
   /// Labels stay inside `bounds`.
-  LabelPlacer(const Fonts& fonts, const Rect& bounds) : fonts_(fonts), bounds_(bounds) {}
+  LabelPlacer(const Fonts& fonts, const Rect& bounds);
 
   /// Starts a frame: labels of earlier frames are no obstacles any more, but are remembered.
-  void begin_frame(Obstacles obstacles);
+  void begin_frame(const Obstacles& obstacles);
+  /// Obstacles of another frame, which count in this one, too; lines that pass count once.
+  void add(const Obstacles& obstacles);
   /// Reserves room that labels must not take.
   void reserve(const Rect& box) { taken_.push_back(box); }
   /// A line that labels from here on keep off.
-  void avoid(const Obstacles::Segment& line) { obstacles_.segments.push_back(line); }
+  void avoid(const Obstacles::Segment& line) { segments_.add(line); }
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
@@ -93,8 +78,13 @@ class LabelPlacer {
     Point face = Point::Zero();    ///< From there to the middle, in halves of the label's size.
   };
 
+  struct Cover {
+    double cost = 0.0;
+    bool is_buried = false;  ///< So many marks that they were not all counted.
+  };
+
   /// The cost of all that the box covers. Marks beyond a cost of `least` are not counted.
-  [[nodiscard]] double cost_of(const Rect& box, double least) const;
+  [[nodiscard]] Cover cover_of(const Rect& box, double least) const;
   /// Of a box that is nearer to another mark than to the one that it names.
   [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
   /// Of a line from a far label to what it names, which would cross other labels.
@@ -107,7 +97,10 @@ class LabelPlacer {
 
   const Fonts& fonts_;
   Rect bounds_;
-  Obstacles obstacles_;
+  Field<Obstacles::Segment> segments_;
+  Field<Obstacles::Segment> passing_;
+  Field<Obstacles::Circle> circles_;
+  std::vector<Rect> grounds_;
   std::vector<Rect> taken_;
   std::map<std::string, Kept> places_;  ///< Of each label, in the last frame that it was in.
 };

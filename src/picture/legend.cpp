@@ -85,6 +85,10 @@ int covered(const Obstacles& obstacles, const Rect& box) {
     count += is_in(circle.center, circle.radius) ? 4 : 0;
   constexpr int kPieces = 32;
   for (const Obstacles::Segment& segment : obstacles.segments) {
+    const Rect around = segment.box();
+    if ((around.min.array() > box.max.array()).any() ||
+        (around.max.array() < box.min.array()).any())
+      continue;
     for (int i = 0; i <= kPieces; ++i)
       count += is_in(segment.a + i * (segment.b - segment.a) / kPieces, 0.0) ? 1 : 0;
   }

@@ -277,7 +277,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     add("plot.ring", Disk{at(plot.current_point->x(), plot.current_point->y()), kCurrentRadius});
   }
 
-  placer.begin_frame(std::move(obstacles));
+  placer.begin_frame(obstacles);
   for (std::size_t i = 0; i < plot.notes.size(); ++i) {
     const PlotNote& note = plot.notes[i];
     const LabelRequest request{fmt::format("note {}", i),

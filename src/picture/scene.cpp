@@ -1,6 +1,7 @@
 #include "picture/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "effects/barycentric.hpp"
 #include "lesson/vocabulary.hpp"
@@ -13,17 +14,58 @@ using namespace sizes;
 
 namespace {
 
+/// A label keeps as far from an outline as it may leave out of it.
+constexpr double kShortest = 2.0;
+
 void add_outline(std::vector<Obstacles::Segment>& to, const std::vector<Point>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    to.push_back({points[i], points[(i + 1) % points.size()]});
+  if (points.empty()) return;
+  const std::size_t first = to.size();
+  Point from = points[0];
+  for (const Point& point : points) {
+    if ((point - from).norm() < kShortest) continue;
+    to.push_back({from, point});
+    from = point;
+  }
+  if (from != points[0] || to.size() == first) to.push_back({from, points[0]});
 }
 
 }  // namespace
+
+std::vector<Point> told_apart(const std::vector<Point>& points) {
+  constexpr std::size_t kFew = 256;  // all of which are drawn
+  constexpr double kApart = 0.5;
+  if (points.size() <= kFew) return points;
+  std::vector<Point> out;
+  for (const Point& point : points) {
+    if (out.empty() || (point - out.back()).norm() >= kApart) out.push_back(point);
+  }
+  return out;
+}
 
 std::vector<Vector2d> StageMap::visible() const {
   const Vector2d half = 0.5 * camera_.units_per_pixel(area_.size().y()).cwiseProduct(area_.size());
   return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
           camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
+}
+
+namespace {
+
+/// Of the box around points, and of a border: what lies on one line has room beside it.
+double area_around(const std::vector<Point>& points) {
+  constexpr double kBorder = 24.0;
+  Rect box{points[0], points[0]};
+  for (const Point& point : points) box = {box.min.cwiseMin(point), box.max.cwiseMax(point)};
+  return (box.size() + Point::Constant(kBorder)).prod();
+}
+
+}  // namespace
+
+double room_of(const std::vector<Point>& points) {
+  return std::sqrt(area_around(points) / static_cast<double>(points.size()));
+}
+
+double room_of_line(const std::vector<Point>& points, double length) {
+  return area_around(points) / length;
 }
 
 Subject subject_of(const LessonRun& run, gjk::VertexPair pair) {
@@ -44,6 +86,13 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
                                                               : Vector2d(0.0, 0.0)),
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
       knows(effects.get<FrameFacts>(frame)) {}
+
+std::vector<Point> SceneBuilder::mapped(const std::vector<Vector2d>& points) const {
+  std::vector<Point> in_frame;
+  in_frame.reserve(points.size());
+  for (const Vector2d& point : points) in_frame.push_back(at(point));
+  return in_frame;
+}
 
 void SceneBuilder::add(std::string role, decltype(Mark::shape) shape, const Subject& subject) {
   out.marks.push_back({std::move(role), std::move(shape), -1, subject});

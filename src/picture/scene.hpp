@@ -62,6 +62,15 @@ struct Scene {
   Obstacles obstacles;
 };
 
+/// Corners of an outline, in frame pixels: of more than a few hundred those alone that can be told
+/// from the one before.
+[[nodiscard]] std::vector<Point> told_apart(const std::vector<Point>& points);
+
+/// How far apart points are, in frame pixels, if they are spread evenly over the box around them;
+/// the same for a line of this length.
+[[nodiscard]] double room_of(const std::vector<Point>& points);
+[[nodiscard]] double room_of_line(const std::vector<Point>& points, double length);
+
 /// Sizes of marks in frame pixels.
 namespace sizes {
 inline constexpr double kVertexRadius = 4.0;
@@ -70,6 +79,7 @@ inline constexpr double kSupportRadius = 9.0;  // of a diamond
 inline constexpr double kPointRadius = 8.0;    // of the cross at Q
 inline constexpr double kClosestRadius = 4.5;  // a simplex vertex under P stays visible as a ring
 inline constexpr double kCloudRadius = 3.0;
+inline constexpr double kPartOfRoom = 0.35;  // radius of a disk, of the way to the next
 inline constexpr double kTouchedRadius = 4.5;
 inline constexpr double kOriginRadius = 9.0;
 inline constexpr double kRingRadius = 9.0;
@@ -92,6 +102,7 @@ struct SceneBuilder {
 
   // Positions
   [[nodiscard]] Point at(const Eigen::Vector2d& view_point) const { return map(view_point); }
+  [[nodiscard]] std::vector<Point> mapped(const std::vector<Eigen::Vector2d>& points) const;
   [[nodiscard]] Point at_difference(const Eigen::Vector2d& z) const { return map(z + shift); }
   [[nodiscard]] const Eigen::Vector2d& vertex_of_x(
       const gjk::SupportPoint<double, 2>& vertex) const {

@@ -119,6 +119,12 @@ std::string grouped(double value) {
 }
 
 std::string and_list(std::vector<std::string> names) {
+  constexpr std::size_t kMost = 6;  // that a sentence can take
+  if (names.size() > kMost) {
+    const std::size_t rest = names.size() - (kMost - 2);
+    names.resize(kMost - 2);
+    names.push_back(fmt::format("{} more", rest));
+  }
   const std::string last = names.back();
   names.pop_back();
   return names.empty() ? last : fmt::format("{} and {}", fmt::join(names, ", "), last);

@@ -32,7 +32,7 @@ namespace gjkscope {
 /// "1,203": the whole number next to a value, its digits in groups of three.
 [[nodiscard]] std::string grouped(double value);
 
-/// "B, C and D"
+/// "B, C and D"; of many "B, C, D, E and 96 more".
 [[nodiscard]] std::string and_list(std::vector<std::string> names);
 /// "B  ·  C  ·  D": to choose from.
 [[nodiscard]] std::string listed_choices(const std::vector<std::string>& choices);

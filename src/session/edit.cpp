@@ -238,7 +238,10 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   for (LessonView& view : lesson.views) {
     view.camera.reset();
     view.close_up.reset();
-    if (!are_few) view.effects.clear();
+    if (are_few) continue;
+    std::erase_if(view.effects, [](const std::string& name) {
+      return find_term(vocabulary().effects, name)->pairs_vertices;
+    });
   }
   return lesson;
 }

@@ -50,11 +50,11 @@ void reshape(Lesson& lesson, std::size_t body, const std::vector<Eigen::Vector2d
 /// goes where it is apart from X, close to it or over it. `now`: where they are.
 void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t seed);
 
-/// Beyond so many pairs of vertices told_of leaves effects out.
+/// Beyond so many pairs of vertices told_of leaves out effects of all differences.
 inline constexpr std::size_t kMostPairs = 100'000;
 
-/// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects are, too,
-/// where the differences are more than can be drawn one by one.
+/// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects of all
+/// differences are, too, where those are more than can be drawn one by one.
 [[nodiscard]] Lesson told_of(Lesson lesson, const Case& shapes);
 
 /// The same shapes, told by the act of an algorithm that follows GJK.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "effects/growth.hpp"
+#include "effects/minkowski.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "picture/registry.hpp"
@@ -471,8 +472,55 @@ void Session::set_page(const Page& page) {
 }
 
 const Picture& Session::picture() {
-  if (!picture_) picture_ = shown_->pictures.picture(index_);
+  if (!picture_) picture_ = shown_->pictures.picture(index_, pointed_);
   return *picture_;
+}
+
+void Session::point_at(const std::vector<Subject>& vertices) {
+  using Kind = Subject::Kind;
+  std::vector<Subject> pointed;
+  for (const Subject& vertex : vertices) {
+    const bool is_difference = vertex.kind == Kind::difference_vertex;
+    if (is_difference || vertex.kind == Kind::vertex_of_x || vertex.kind == Kind::vertex_of_y)
+      pointed.push_back(vertex);
+    if (!is_difference) continue;
+    pointed.push_back({Kind::vertex_of_x, vertex.x});
+    pointed.push_back({Kind::vertex_of_y, -1, vertex.y});
+  }
+  if (pointed == pointed_) return;
+  pointed_ = std::move(pointed);
+  picture_.reset();
+}
+
+Subject Session::vertex_near(const Point& page, double reach) {
+  using Kind = Subject::Kind;
+  Subject nearest;
+  double least = reach;
+  const PositionedRun& shapes = run().run(frame());
+  const auto seen = views();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Rect& card = seen[i].card;
+    if (!shows_shapes(seen[i].kind) || (page.array() < card.min.array()).any() ||
+        (page.array() > card.max.array()).any())
+      continue;
+    const StageMap map(card, seen[i].camera);
+    const auto consider = [&](const Eigen::Vector2d& at, const Subject& subject) {
+      const double away = (map(at) - page).norm();
+      if (away > least) return;
+      least = away;
+      nearest = subject;
+    };
+    if (seen[i].kind == ViewKind::world) {
+      for (int k = 0; k < static_cast<int>(shapes.x().world.size()); ++k)
+        consider(shapes.x().world[static_cast<std::size_t>(k)], {Kind::vertex_of_x, k});
+      for (int k = 0; k < static_cast<int>(shapes.y().world.size()); ++k)
+        consider(shapes.y().world[static_cast<std::size_t>(k)], {Kind::vertex_of_y, -1, k});
+    } else if (lesson_.views[i].calls_for(MinkowskiHull::kName)) {
+      for (const auto& [z, pair] : effects().get<MinkowskiHull>(frame()))
+        consider(z, {Kind::difference_vertex, pair.x, pair.y});
+    }
+  }
+  return nearest;
 }
 
 const FrameText& Session::text() const { return texts()[static_cast<std::size_t>(index_)]; }

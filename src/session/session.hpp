@@ -140,6 +140,13 @@ class Session {
   [[nodiscard]] const Page& page() const { return page_; }
   /// Of the frame, at the page's size.
   [[nodiscard]] const Picture& picture();
+  /// Vertices that have names in the picture, whatever else has: what is pointed at or dragged. Of
+  /// a difference its two vertices have names in the world.
+  void point_at(const std::vector<Subject>& vertices);
+  /// The vertex, of a shape or of the difference, that is nearest to a place on the page, if it is
+  /// within `reach` (frame pixels) and in the same view; kind none where there is none. However
+  /// dense the vertices are, and whether they have disks or not.
+  [[nodiscard]] Subject vertex_near(const Point& page, double reach);
   [[nodiscard]] const FrameText& text() const;
   /// Of all frames.
   [[nodiscard]] const std::vector<FrameText>& texts() const;
@@ -218,6 +225,7 @@ class Session {
   std::vector<std::optional<Sight>> sights_;
   std::unique_ptr<Shown> shown_;
   int index_ = 0;
+  std::vector<Subject> pointed_;
   std::optional<Picture> picture_;
 };
 

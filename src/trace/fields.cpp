@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lesson/hexadecimal.hpp"
@@ -89,12 +90,23 @@ std::string line(std::string_view label, std::string_view text) {
 std::string scan_text(ScalarKind scalar, const std::string& shape,
                       const std::vector<std::string>& names,
                       const std::vector<gjk::ScanEntry<double>>& entries, int best) {
+  // A line that can be read; JSON has them all. Of many vertices those that lie farthest.
+  constexpr std::size_t kMost = 24;
+  constexpr std::size_t kFarthest = 8;
+  std::vector<gjk::ScanEntry<double>> listed = entries;
+  if (entries.size() > kMost) {
+    std::stable_sort(listed.begin(), listed.end(),
+                     [](const auto& a, const auto& b) { return a.value > b.value; });
+    listed.resize(kFarthest);
+  }
   std::vector<std::string> parts;
-  for (const gjk::ScanEntry<double>& entry : entries) {
+  for (const gjk::ScanEntry<double>& entry : listed) {
     parts.push_back(fmt::format("{} {}{}", names[static_cast<std::size_t>(entry.index)],
                                 number_text(scalar, entry.value),
                                 entry.index == best ? " (largest)" : ""));
   }
+  if (listed.size() < entries.size())
+    parts.push_back(fmt::format("and {} that lie less far", entries.size() - listed.size()));
   return fmt::format("{}: {}", shape, fmt::join(parts, ", "));
 }
 

@@ -26,6 +26,7 @@ using Kind = Subject::Kind;
 
 constexpr double kSlack = 7.0;              // pixels around a point or a line that still hit it
 constexpr double kFingerSlack = 24.0;       // the same under a finger, which hides what it touches
+constexpr double kNear = 24.0;              // pixels around a vertex in which its name appears
 constexpr std::size_t kMostText = 1 << 21;  // bytes of a case; as of a lesson file
 
 }  // namespace
@@ -421,14 +422,29 @@ void Player::set_numerics(const Asked& asked) {
   change("numerics", lesson);
 }
 
-/// The subjects that belong to the one at a place, as the SVG names them.
+/// The subjects that belong to the one at a place, as the SVG names them; and the names that appear
+/// where a hand comes near a vertex, as an SVG to lie on the stage, without which it stays.
 std::string Player::linked(const Point& at) {
-  const Subject pointed = subject_at(session_.picture(), fonts_, at, kSlack);
+  const Picture before = session_.picture();
+  const Subject pointed = subject_at(before, fonts_, at, kSlack);
+  const bool is_vertex = pointed.kind == Kind::vertex_of_x || pointed.kind == Kind::vertex_of_y ||
+                         pointed.kind == Kind::difference_vertex;
+  session_.point_at({is_vertex ? pointed : session_.vertex_near(at, kNear)});
+  Picture more = session_.picture();
+  session_.point_at({});
   std::set<std::string> names;
-  for (const Mark& mark : session_.picture().marks) {
+  for (const Mark& mark : more.marks) {
     if (is_linked(mark.subject, pointed)) names.insert(subject_name(mark.subject));
   }
-  return dumped({{"of", subject_name(pointed)}, {"linked", names}});
+  Json out = {{"of", subject_name(pointed)}, {"linked", names}};
+  auto next = before.marks.begin();
+  std::erase_if(more.marks, [&](const Mark& mark) {
+    const bool is_known = next != before.marks.end() && mark == *next;
+    next += is_known ? 1 : 0;
+    return is_known;
+  });
+  if (!more.marks.empty()) out["names"] = to_svg(more, fonts_, theme_, "", {}, true);
+  return dumped(out);
 }
 
 }  // namespace gjkscope

@@ -11,6 +11,7 @@
 #include "effects/facts.hpp"
 #include "effects/history.hpp"
 #include "effects/minkowski.hpp"
+#include "effects/motion.hpp"
 #include "effects/other_normal.hpp"
 #include "effects/registry.hpp"
 #include "effects/second_run.hpp"
@@ -43,8 +44,10 @@ TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
   for (const Frame& frame : run.frames) (void)graph.get<MinkowskiHull>(frame);
   EXPECT_EQ(graph.count("minkowski-hull").pulls, static_cast<long>(run.frames.size()));
   EXPECT_EQ(graph.count("minkowski-hull").runs, 1) << "the hull does not depend on the step";
-  EXPECT_EQ(graph.count("minkowski-cloud").runs, 1) << "pulled by the hull";
-  EXPECT_EQ(graph.count("minkowski-cloud").pulls, 1);
+  for (const Frame& frame : run.frames) (void)graph.get<GrownObstacle>(frame);
+  EXPECT_EQ(graph.count("grown-obstacle").runs, 1);
+  EXPECT_EQ(graph.count("minkowski-hull").pulls, static_cast<long>(run.frames.size()) + 1)
+      << "pulled by the grown obstacle, once";
   EXPECT_EQ(graph.count("voronoi-regions").pulls, 0);
 }
 
@@ -159,8 +162,8 @@ TEST(MinkowskiHull, HoldsTheWholeCloud) {
   const MinkowskiHull::Value& hull = graph.get<MinkowskiHull>(run.frames[0]);
   EXPECT_EQ(cloud.size(), 12u);
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vector2d a = cloud[hull[i]].z;
-    const Vector2d edge = cloud[hull[(i + 1) % hull.size()]].z - a;
+    const Vector2d a = hull[i].z;
+    const Vector2d edge = hull[(i + 1) % hull.size()].z - a;
     for (const CloudPoint& point : cloud) {
       const Vector2d to = point.z - a;
       EXPECT_GE(edge.x() * to.y() - edge.y() * to.x(), -1e-12);

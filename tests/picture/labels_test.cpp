@@ -1,16 +1,10 @@
 #include "picture/labels.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
-#include <numbers>
-#include <optional>
-#include <set>
-
-#include "lessons.hpp"
-#include "picture/frame.hpp"
+#include <random>
+#include <vector>
 
 namespace gjkscope {
 namespace labels_test {
@@ -163,56 +157,55 @@ TEST_F(Labels, OfAnAreaStandInItOrNowhere) {
   EXPECT_TRUE(placer.place_inside({"b", "label", "role", type::kRegion, thin, {}}).empty());
 }
 
-/// A regular polygon of `count` vertices, x1, x2, ..., as X beside a segment as Y.
-Lesson lesson_of_many(int count) {
-  Lesson lesson = testing::shipped_lesson("polygons-gjk");
-  lesson.questions.clear();
-  lesson.expect = {};
-  lesson.options.start = {};
-  lesson.x().vertices.clear();
-  lesson.x().vertex_names.clear();
-  for (int i = 0; i < count; ++i) {
-    const double turn = 2.0 * std::numbers::pi * i / count;
-    lesson.x().vertices.emplace_back(3.0 * std::cos(turn), 3.0 * std::sin(turn));
-    lesson.x().vertex_names.push_back(fmt::format("x{}", i + 1));
+/// A field answers as if it asked each obstacle.
+TEST(Field, FindsAllThatABoxMeets) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> place(-150.0, 550.0);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const auto point = [&] { return Point(place(random), place(random)); };
+  Field<Obstacles::Segment> segments({{0.0, 0.0}, {400.0, 300.0}});
+  Field<Obstacles::Circle> circles({{0.0, 0.0}, {400.0, 300.0}});
+  std::vector<Obstacles::Segment> all_segments;
+  std::vector<Obstacles::Circle> all_circles;
+  for (int i = 0; i < 300; ++i) {
+    const Point a = point();
+    const Point b = i % 3 == 0 ? Point(a + Point(3.0, 2.0)) : point();
+    all_segments.push_back({a, i % 7 == 0 ? Point(b.x(), a.y()) : b});
+    all_circles.push_back({point(), 12.0 * part(random)});
   }
-  lesson.y().vertices = {{5.0, 5.0}, {6.0, 5.0}};
-  lesson.y().vertex_names = {"y1", "y2"};
-  return lesson;
+  segments.add(all_segments);
+  circles.add(all_circles);
+  int met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Point corner = point();
+    const Rect box{corner, corner + Point(60.0 * part(random), 20.0 * part(random))};
+    for (const Obstacles::Segment& segment : all_segments) {
+      // A point of it in the box, if there is one at hand.
+      const Point at = segment.a + part(random) * (segment.b - segment.a);
+      if ((at.array() < box.min.array()).any() || (at.array() > box.max.array()).any()) continue;
+      ++met;
+      EXPECT_TRUE(segments.any_near(box, [&](const auto& item) { return item.shape == segment; }));
+    }
+    for (const Obstacles::Circle& circle : all_circles) {
+      if (!overlap(box, circle.box())) continue;
+      ++met;
+      EXPECT_TRUE(circles.any_near(box, [&](const auto& item) { return item.shape == circle; }));
+    }
+  }
+  EXPECT_GT(met, 150);
 }
 
-/// A label that a reader sees in any frame is in all of them, or it would come and go.
-TEST(NamesOfVertices, AreFewEnoughForTheViewAndHoldThoseOfTheRun) {
-  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
-  for (const int count : {3, 12, 22, 23, 40, 64, 150, 256, 257, 1000}) {
-    SCOPED_TRACE(count);
-    const LessonRun run = run_lesson(lesson_of_many(count));
-    std::set<std::string> met;
-    for (const auto& step : run.runs[0].trace.steps) {
-      const auto& simplex = step.after.simplex;
-      for (int i = 0; i < simplex.count; ++i) {
-        const auto index = static_cast<std::size_t>(simplex.vertices[i].pair.x);
-        met.insert(run.lesson.x().vertex_names[index]);
-      }
-    }
-    ASSERT_FALSE(met.empty());
-    EffectGraph effects(run);
-    std::optional<std::set<std::string>> first;
-    for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {
-      std::set<std::string> names;
-      for (const Mark& mark : frame.picture.marks) {
-        if (mark.role == "shape.x.label") names.insert(std::get<Text>(mark.shape).text);
-      }
-      for (const std::string& name : met) EXPECT_TRUE(names.contains(name)) << name;
-      if (!first) first = names;
-      EXPECT_EQ(names, *first);
-      if (count + 2 <= 24) {
-        EXPECT_EQ(names.size(), static_cast<std::size_t>(count));
-      } else {
-        EXPECT_EQ(names.size(), count <= 256 ? 22 : met.size());
-      }
-    }
-  }
+TEST(Field, CountsEqualOnesAndAsksEachOnce) {
+  Field<Obstacles::Segment> field({{0.0, 0.0}, {400.0, 300.0}});
+  const std::vector<Obstacles::Segment> lines = {{{0.0, 0.0}, {400.0, 300.0}},
+                                                 {{10.0, 300.0}, {390.0, 0.0}}};
+  for (int i = 0; i < 3; ++i) field.add(lines);
+  std::vector<int> counts;
+  EXPECT_FALSE(field.any_near({{0.0, 0.0}, {400.0, 300.0}}, [&](const auto& item) {
+    counts.push_back(item.count);
+    return false;
+  }));
+  EXPECT_EQ(counts, (std::vector<int>{3, 3}));
 }
 
 }  // namespace labels_test

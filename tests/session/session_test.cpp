@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "effects/growth.hpp"
@@ -615,6 +617,89 @@ TEST(Session, TheSamePicturesAsTheExports) {
       EXPECT_EQ(exported.marks[k].role, shown.marks[k].role);
     EXPECT_EQ(frames[static_cast<std::size_t>(i)].text.caption, session.text().caption);
   }
+}
+
+/// Two regular polygons of `count` vertices each, 8 apart.
+Case two_of(int count) {
+  Case shapes;
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / count;
+    shapes.a.emplace_back(3.0 * std::cos(turn), 3.0 * std::sin(turn));
+    shapes.b.emplace_back(8.0 + 3.0 * std::cos(turn), 3.0 * std::sin(turn));
+  }
+  return shapes;
+}
+
+TEST(ManyVertices, TheOutlineOfTheDifferenceStaysWhereItsPointsAreTooMany) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(2000))));
+  const std::vector<std::string>& effects = session.lesson().views.at(1).effects;
+  EXPECT_EQ(std::count(effects.begin(), effects.end(), "minkowski-hull"), 1);
+  EXPECT_EQ(std::count(effects.begin(), effects.end(), "minkowski-cloud"), 0);
+  const Picture& picture = session.picture();
+  EXPECT_TRUE(std::any_of(picture.marks.begin(), picture.marks.end(),
+                          [](const Mark& mark) { return mark.role == "hull.ghost"; }));
+}
+
+TEST(ManyVertices, TheOneThatTheHandComesNearIsNamed) {
+  using Kind = Subject::Kind;
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(1000))));
+  session.fit();
+  const auto has = [&](const std::string& name) {
+    const std::vector<Mark>& marks = session.picture().marks;
+    return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text != nullptr && text->text == name;
+    });
+  };
+  const LessonPictures::ShownView world = session.views()[0];
+  const StageMap map(world.card, world.camera);
+  const Point at = map(session.run().runs[0].x().world[313]);
+  const Subject near = session.vertex_near(at + Point(0.3, 0.2), 24.0);
+  EXPECT_EQ(near.kind, Kind::vertex_of_x);
+  EXPECT_NEAR(near.x, 313, 1);
+  EXPECT_EQ(session.vertex_near(world.card.min + Point(3.0, 3.0), 24.0), Subject{});
+  const std::string name = session.lesson().x().vertex_names[static_cast<size_t>(near.x)];
+  ASSERT_FALSE(has(name));
+  session.point_at({near});
+  EXPECT_TRUE(has(name));
+  session.step(1);
+  EXPECT_TRUE(has(name)) << "in each frame";
+  session.point_at({});
+  EXPECT_FALSE(has(name));
+  // A difference is told by its two vertices, too.
+  session.point_at({{Kind::difference_vertex, 313, 500}});
+  const Lesson& lesson = session.lesson();
+  EXPECT_TRUE(has(lesson.x().vertex_names[313]));
+  EXPECT_TRUE(has(lesson.y().vertex_names[500]));
+  EXPECT_TRUE(has(lesson.y().vertex_names[500] + "−" + lesson.x().vertex_names[313]));
+}
+
+/// What is enlarged has room for disks and for other names.
+TEST(ManyVertices, AViewThatComesNearNamesWhatIsInSight) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(1000))));
+  session.fit();
+  const auto disks = [&] {
+    size_t count = 0;
+    for (const Mark& mark : session.picture().marks) count += mark.role == "shape.x.vertex" ? 1 : 0;
+    return count;
+  };
+  EXPECT_LE(disks(), 24u);
+  Camera camera = session.views()[0].camera;
+  camera.center = session.run().runs[0].x().world[250];
+  camera.height /= 12.0;
+  session.set_camera(0, camera);
+  EXPECT_GT(disks(), 30u);
+  EXPECT_LT(disks(), 300u);
+  size_t names = 0;
+  for (const Mark& mark : session.picture().marks) names += mark.role == "shape.x.label" ? 1 : 0;
+  EXPECT_GE(names, 6u);
+  EXPECT_LE(names, 30u);
 }
 
 }  // namespace session_test

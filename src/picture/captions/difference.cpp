@@ -29,14 +29,13 @@ void hull(const Story& story, FrameText& text, int all) {
 }
 
 void edges(const Story& story, FrameText& text) {
-  const std::size_t edges = story.effects.get<MinkowskiHull>(story.frame).size();
-  const MinkowskiCloud::Value& cloud = story.effects.get<MinkowskiCloud>(story.frame);
   const MinkowskiHull::Value& hull = story.effects.get<MinkowskiHull>(story.frame);
+  const std::size_t edges = hull.size();
   std::size_t of_y = 0;
   std::size_t of_x = 0;
   for (std::size_t i = 0; i < edges; ++i) {
-    const gjk::VertexPair a = cloud[hull[i]].pair;
-    const gjk::VertexPair b = cloud[hull[(i + 1) % edges]].pair;
+    const gjk::VertexPair a = hull[i].pair;
+    const gjk::VertexPair b = hull[(i + 1) % edges].pair;
     of_y += a.y != b.y ? 1 : 0;
     of_x += a.x != b.x ? 1 : 0;
   }

@@ -150,9 +150,9 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
       names.push_back(shape.vertex_names[static_cast<std::size_t>(entry.index)]);
   }
   if (names.empty()) return {};
-  return fmt::format(" In {}, {} lie{} as far as {}.", shape.name, fmt::join(names, " and "),
-                     names.size() == 1 ? "s" : "",
-                     shape.vertex_names[static_cast<std::size_t>(kept)]);
+  const bool is_one = names.size() == 1;
+  return fmt::format(" In {}, {} lie{} as far as {}.", shape.name, and_list(std::move(names)),
+                     is_one ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
 }
 
 /// What a support point that is not in the simplex is to it.

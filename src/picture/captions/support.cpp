@@ -20,16 +20,17 @@ std::string behind(const LessonShape& shape, int support) {
 /// "the largest of 5", and which vertices lie as far.
 std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
                  int support, const Eigen::Vector2d& d) {
-  std::string out = fmt::format("the largest of {}", vertices.size());
+  std::vector<std::string> equal;
   const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
   constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
     const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
     if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
       continue;
-    out += fmt::format(", as large as {}'s", shape.vertex_names[static_cast<std::size_t>(i)]);
+    equal.push_back(shape.vertex_names[static_cast<std::size_t>(i)] + "'s");
   }
-  return out;
+  const std::string rank = fmt::format("the largest of {}", vertices.size());
+  return equal.empty() ? rank : fmt::format("{}, as large as {}", rank, and_list(std::move(equal)));
 }
 
 /// As the scan has computed it.
@@ -100,7 +101,7 @@ void support_in_parts(const Story& story, FrameText& text) {
               : fmt::format(
                     "None of the {} differences lies beyond its line. {} + {} dot products found "
                     "it.",
-                    of_x * of_y, of_y, of_x);
+                    grouped(static_cast<double>(of_x * of_y)), of_y, of_x);
     }
   }
 }
@@ -108,7 +109,8 @@ void support_in_parts(const Story& story, FrameText& text) {
 void touched_points(const Story& story, FrameText& text) {
   const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
   text.detail += fmt::format(" GJK computed {} of {} differences.",
-                             story.effects.get<TouchedPoints>(story.frame).size(), all);
+                             story.effects.get<TouchedPoints>(story.frame).size(),
+                             grouped(static_cast<double>(all)));
 }
 
 void slab(const Story& story, FrameText& text) {

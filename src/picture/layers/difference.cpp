@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
+#include <vector>
 
 #include "effects/facts.hpp"
 #include "effects/minkowski.hpp"
@@ -26,38 +25,88 @@ bool hull_is_ghost(const SceneBuilder& scene) {
   return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
-/// A cloud of more differences has one disk in each pixel: the others would be hidden under it.
-constexpr std::size_t kMostDisks = 1024;
+/// Disks of the differences: smaller where they stand close together. Of a dense cloud one in each
+/// cell of a grid is drawn, for the others would be hidden, and labels stand on them.
+class CloudDots {
+ public:
+  /// `row`: so many of the points, one after the other, are of one vertex of X.
+  CloudDots(SceneBuilder& scene, const std::vector<Point>& points, std::size_t row)
+      : scene_(scene),
+        radius_(
+            std::min(kCloudRadius, kPartOfRoom * std::min({room_of(points), apart(points, 1, row),
+                                                           apart(points, row, points.size())}))) {
+    if (radius_ >= kLeast) return;
+    const Point size = scene.map.area().size() / kCell;
+    columns_ = static_cast<std::size_t>(size.x()) + 1;
+    taken_.resize(columns_ * (static_cast<std::size_t>(size.y()) + 1));
+  }
+
+  void draw(const Point& point, gjk::VertexPair pair) {
+    const Subject subject{Subject::Kind::difference_vertex, pair.x, pair.y};
+    if (taken_.empty()) return scene_.disk("cloud.point", point, radius_, subject);
+    const Rect& card = scene_.map.area();
+    const Point at = (point - card.min) / kCell;
+    if ((at.array() < 0.0).any() || (point.array() > card.max.array()).any()) return;
+    const Point cell = at.array().floor();
+    const auto index =
+        static_cast<std::size_t>(cell.y()) * columns_ + static_cast<std::size_t>(cell.x());
+    if (taken_[index]) return;
+    taken_[index] = true;
+    scene_.add("cloud.point", Disk{point, kLeast}, subject);
+    scene_.out.obstacles.grounds.push_back(
+        {card.min + kCell * cell, card.min + kCell * (cell + Point::Ones())});
+  }
+
+ private:
+  /// The median distance of neighbours, every `step` of the first `count` points.
+  static double apart(const std::vector<Point>& points, std::size_t step, std::size_t count) {
+    std::vector<double> ways;
+    for (std::size_t i = step; i < count; i += step)
+      ways.push_back((points[i] - points[i - step]).norm());
+    if (ways.empty()) return HUGE_VAL;
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    return *middle;
+  }
+
+  static constexpr double kLeast = 1.3;  // radius
+  static constexpr double kCell = 5.0;
+  SceneBuilder& scene_;
+  double radius_;
+  std::size_t columns_ = 0;
+  std::vector<bool> taken_;
+};
 
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
   const auto* build = scene.frame.part.as<BuildFrame>();
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
-    for (const int index : scene.effects.get<MinkowskiHull>(scene.frame))
-      points.push_back(scene.at(cloud[index].z));
+    for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
+      points.push_back(scene.at(corner.z));
+    points = told_apart(points);
     scene.area(hull_is_ghost(scene) ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
   if (!wants_cloud) return;
+  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const std::size_t made = build ? static_cast<std::size_t>(build->made) : cloud.size();
   // More names would hide what they name; where edges have names, they are what counts.
   const bool has_names = build && build->part <= BuildPart::hull && cloud.size() <= 12;
+  std::vector<Point> points;
+  points.reserve(cloud.size());
   Point middle = Point::Zero();
-  for (const CloudPoint& point : cloud)
-    middle += scene.at(point.z) / static_cast<double>(cloud.size());
-  const bool is_dense = cloud.size() > kMostDisks;
-  std::set<std::pair<long, long>> pixels;
+  for (const CloudPoint& point : cloud) {
+    points.push_back(scene.at(point.z));
+    middle += points.back() / static_cast<double>(cloud.size());
+  }
+  CloudDots dots(scene, points, scene.positioned.y().world.size());
   for (std::size_t i = 0; i < made; ++i) {
-    const auto& [z, pair] = cloud[i];
-    const Point point = scene.at(z);
-    if (is_dense && !pixels.emplace(std::lround(point.x()), std::lround(point.y())).second)
-      continue;
-    scene.disk("cloud.point", point, kCloudRadius,
-               {Subject::Kind::difference_vertex, pair.x, pair.y});
+    const gjk::VertexPair pair = cloud[i].pair;
+    const Point& point = points[i];
+    dots.draw(point, pair);
     if (has_names)
       scene.out.fixed_labels.push_back(
           scene.pair_name(pair, "cloud.label", point, kCloudRadius, point - middle));
@@ -112,15 +161,14 @@ void origin_of_edge(SceneBuilder& scene, const Vector2d& from, const Vector2d& t
 }
 
 void origins_of_edges(SceneBuilder& scene) {
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   const auto& x_names = scene.run.lesson.x().vertex_names;
   const auto& y_names = scene.run.lesson.y().vertex_names;
   Vector2d middle = Vector2d::Zero();
-  for (const int index : hull) middle += cloud[index].z / static_cast<double>(hull.size());
+  for (const CloudPoint& corner : hull) middle += corner.z / static_cast<double>(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const auto& [from, a] = cloud[hull[i]];
-    const auto& [to, b] = cloud[hull[(i + 1) % hull.size()]];
+    const auto& [from, a] = hull[i];
+    const auto& [to, b] = hull[(i + 1) % hull.size()];
     // Edges of both that are parallel make one.
     if (a.y != b.y)
       origin_of_edge(scene, from, to, middle, y_names[a.y] + y_names[b.y], false);
@@ -236,17 +284,16 @@ void corner_names(SceneBuilder& scene) {
   const auto* build = scene.frame.part.as<BuildFrame>();
   const bool is_named = build && build->part < BuildPart::any;
   if (is_named || turns) return;
-  const MinkowskiCloud::Value& cloud = scene.effects.get<MinkowskiCloud>(scene.frame);
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   constexpr std::size_t kMostNames = 16;  // more would hide what they name
   if (hull.size() > kMostNames) return;
   Point middle = Point::Zero();
-  for (const int index : hull)
-    middle += scene.at(cloud[index].z) / static_cast<double>(hull.size());
-  for (const int index : hull) {
-    const Point point = scene.at(cloud[index].z);
-    LabelRequest label = scene.pair_name(cloud[index].pair, "cloud.label", point,
-                                         sizes::kSimplexRadius, point - middle);
+  for (const CloudPoint& corner : hull)
+    middle += scene.at(corner.z) / static_cast<double>(hull.size());
+  for (const auto& [z, pair] : hull) {
+    const Point point = scene.at(z);
+    LabelRequest label =
+        scene.pair_name(pair, "cloud.label", point, sizes::kSimplexRadius, point - middle);
     if (hull_is_ghost(scene)) label.tones.clear();
     auto& labels = scene.labels_of_difference();
     // Corners that are one point to the eye have one name.

@@ -26,6 +26,11 @@ namespace layers {
 #include "picture/layers/list.def"
 #undef GJKSCOPE_LAYER
 
+// shapes.cpp
+/// The name of a vertex, of X, Y or the difference, that the frame leaves without one; a disk where
+/// it has none, too.
+void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark);
+
 // difference.cpp
 /// How the difference is built, in both views.
 void building(SceneBuilder& scene);

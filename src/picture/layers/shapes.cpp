@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "effects/minkowski.hpp"
 #include "effects/motion.hpp"
 #include "effects/projection.hpp"
 #include "geometry/polygon.hpp"
@@ -13,26 +15,23 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// A shape with more vertices than this is drawn as its outline alone: disks would cover it.
-constexpr std::size_t kMostVertexDisks = 256;
 /// Names in a view: more would hide the shapes.
 constexpr std::size_t kMostNames = 24;
+/// Pixels between corners that have names because they are far apart: about the width of a name, so
+/// that most stand beside what they name.
+constexpr double kNamesApart = 44.0;
+/// Shapes that are not convex and have more corners than this in sight have no fill: triangles are
+/// looked for in a time that grows with the square of their number.
+constexpr std::size_t kMostFilled = 256;
 
 /// Where GJK does not name them, names of more vertices than this would only be in the way, and
 /// disks of more vertices hide the line.
 constexpr std::size_t kMostLabels = 8;
 constexpr std::size_t kMostDisks = 64;
 
+/// Radius of a vertex that has a name among others that have no disks.
+constexpr double kNamedRadius = 3.0;
 constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
-
-/// Without the points that are less than `apart` pixels from the one before.
-std::vector<Point> told_apart(const std::vector<Point>& points, double apart) {
-  std::vector<Point> out;
-  for (const Point& point : points) {
-    if (out.empty() || (point - out.back()).norm() >= apart) out.push_back(point);
-  }
-  return out;
-}
 
 /// A shape of several outlines: what is solid, then its holes.
 void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
@@ -69,36 +68,89 @@ std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::siz
   return met;
 }
 
-/// The vertices of a shape that have names: all of them where a view has room for that, else those
-/// that the run looks at, and then corners that are far from all that have one.
-std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
-                                 const std::vector<Vector2d>& world) {
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i)
-    others += i == body ? 0 : scene.positioned.bodies[i].world.size();
-  if (world.size() + others <= kMostNames) return std::vector<bool>(world.size(), true);
-  std::vector<bool> named = vertices_of_run(scene, body == 0, world.size());
-  if (world.size() > kMostVertexDisks) return named;
-
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<double> to_named(world.size(), kFar);  // squared distances
-  const auto measure_from = [&](std::size_t from) {
-    for (std::size_t i = 0; i < world.size(); ++i)
-      to_named[i] = std::min(to_named[i], (world[i] - world[from]).squaredNorm());
-  };
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    if (!named[i]) continue;
-    measure_from(i);
-    ++count;
+/// Which points of a shape stand in the view's card.
+std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& points) {
+  const Rect& card = scene.map.area();
+  std::vector<bool> out;
+  for (const Point& point : points) {
+    out.push_back((point.array() >= card.min.array()).all() &&
+                  (point.array() <= card.max.array()).all());
   }
+  return out;
+}
+
+/// The vertices of a shape that have names: all that are in sight where a view has room for that,
+/// else those that the run looks at, and then corners that are far from all that have one; within
+/// the hull only where there is room.
+std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
+                                 const std::vector<bool>& seen, bool has_room_inside) {
+  const auto count_of = [](const std::vector<bool>& of) {
+    return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
+  };
+  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i) {
+    if (i != body)
+      others += count_of(in_sight(scene, scene.mapped(scene.positioned.bodies[i].world)));
+  }
+  if (count_of(seen) + others <= kMostNames) return std::vector<bool>(world.size(), true);
+
+  std::vector<bool> named = vertices_of_run(scene, body == 0, world.size());
   const std::size_t wanted = kMostNames - std::min(others, kMostNames / 2);
-  for (; count < std::min(wanted, world.size()); ++count) {
-    const auto farthest = std::max_element(to_named.begin(), to_named.end()) - to_named.begin();
-    named[static_cast<std::size_t>(farthest)] = true;
-    measure_from(static_cast<std::size_t>(farthest));
+  std::size_t count = count_of(named);
+  const auto name_far_ones = [&](const std::vector<int>& candidates) {
+    std::vector<double> to_named(candidates.size(), std::numeric_limits<double>::infinity());
+    const auto measure_from = [&](std::size_t from) {
+      for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const auto candidate = static_cast<std::size_t>(candidates[k]);
+        to_named[k] = std::min(to_named[k], (world[candidate] - world[from]).squaredNorm());
+      }
+    };
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (named[i]) measure_from(i);
+    }
+    for (; count < wanted && !candidates.empty(); ++count) {
+      const auto farthest = std::max_element(to_named.begin(), to_named.end());
+      if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
+      const auto next = static_cast<std::size_t>(
+          candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
+      named[next] = true;
+      measure_from(next);
+    }
+  };
+  // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
+  // of the difference are made of them.
+  std::vector<bool> on_hull(world.size(), false);
+  for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
+    on_hull[static_cast<std::size_t>(body == 0 ? corner.pair.x : corner.pair.y)] = true;
+  for (const bool of_hull : {true, false}) {
+    if (!of_hull && !has_room_inside) break;
+    std::vector<int> candidates;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (seen[i] && on_hull[i] == of_hull) candidates.push_back(static_cast<int>(i));
+    }
+    name_far_ones(candidates);
   }
   return named;
+}
+
+/// The radius of the disks of a shape's vertices, in pixels: less where they stand close together,
+/// and 0 where disks would hide the outline.
+double disk_radius(const std::vector<Point>& points) {
+  constexpr double kLeast = 1.5;
+  if (points.size() < 2) return kVertexRadius;
+  std::vector<double> edges;
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    edges.push_back((points[(i + 1) % points.size()] - points[i]).norm());
+    length += edges.back();
+  }
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
+  // Edges that cross each other say little of the room: disks need some between lines, too.
+  const double radius =
+      kPartOfRoom * std::min({*middle, room_of(points), room_of_line(points, length)});
+  return radius < kLeast ? 0.0 : std::min(radius, kVertexRadius);
 }
 
 void shape(SceneBuilder& scene, std::size_t body) {
@@ -109,40 +161,39 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const LessonShape& shape = lesson.bodies[body];
   const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
-  std::vector<Point> points;
-  for (const Vector2d& vertex : world) points.push_back(scene.at(vertex));
-  const bool has_corners = world.size() <= kMostVertexDisks;
-  if (!has_corners) points = told_apart(points, 0.5);
-  const Point middle = centroid(points);
+  const std::vector<Point> vertices = scene.mapped(world);
+  const std::vector<Point> corners = told_apart(vertices);
+  const Point middle = centroid(corners);
   if (!shape.outlines.empty()) {
     outlines(scene, shape, world, role, whole);
-  } else if (points.size() == 2) {
-    scene.line(role, points[0], points[1], whole);
-  } else if (points.size() > 2) {
+  } else if (corners.size() == 2) {
+    scene.line(role, corners[0], corners[1], whole);
+  } else if (corners.size() > 2) {
     if (is_convex(world)) {
-      scene.area(role, points, whole);
+      scene.area(role, corners, whole);
     } else {
-      if (has_corners) {
-        for (const auto& [a, b, c] : triangles(world))
-          scene.area(role + ".fill", {points[a], points[b], points[c]}, whole);
+      if (corners.size() <= kMostFilled) {
+        for (const auto& [a, b, c] : triangles(corners))
+          scene.area(role + ".fill", {corners[a], corners[b], corners[c]}, whole);
       }
-      scene.add(role, Polyline{points, true}, whole);
+      scene.add(role, Polyline{corners, true}, whole);
     }
-    // Labels keep as far from a line as the corners that are left out here are apart.
-    scene.outline(has_corners ? points : told_apart(points, 4.0));
+    scene.outline(corners);
   }
-  const bool has_disks = has_corners && (scene.run.has_gjk() || points.size() <= kMostDisks);
-  for (std::size_t i = 0; has_disks && i < points.size(); ++i) {
+  const bool has_gjk = scene.run.has_gjk();
+  const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
+  const std::vector<bool> seen = in_sight(scene, vertices);
+  std::vector<bool> named(world.size(), world.size() <= kMostLabels);
+  if (has_gjk) named = named_vertices(scene, body, seen, radius > 0.0);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (!seen[i] || (radius == 0.0 && !named[i])) continue;
     const int index = static_cast<int>(i);
-    scene.disk(role + ".vertex", points[i], kVertexRadius,
+    scene.disk(role + ".vertex", vertices[i], radius > 0.0 ? radius : kNamedRadius,
                is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
   }
-  if (!scene.run.has_gjk() && (!has_disks || world.size() > kMostLabels)) return;
-  const std::vector<bool> named = scene.run.has_gjk() ? named_vertices(scene, body, world)
-                                                      : std::vector<bool>(world.size(), true);
   for (std::size_t i = 0; i < world.size(); ++i) {
     if (!named[i]) continue;
-    const Point at = scene.at(world[i]);
+    const Point& at = vertices[i];
     const Point away = world.size() == 1 ? Point::Zero() : Point(at - middle);
     // Beside a vertex that moves, no place is free for good.
     const bool moves = lesson.path_of_shapes && world.size() > 1 &&
@@ -160,6 +211,39 @@ void shapes(SceneBuilder& scene) {
 }
 
 }  // namespace
+
+void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
+  using Kind = Subject::Kind;
+  const auto is_one_of = [](int index, const std::vector<Vector2d>& vertices) {
+    return index >= 0 && index < static_cast<int>(vertices.size());
+  };
+  const std::vector<Vector2d>& x = scene.positioned.x().world;
+  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  if (vertex.kind == Kind::difference_vertex) {
+    if (scene.view.kind != ViewKind::difference || !is_one_of(vertex.x, x) ||
+        !is_one_of(vertex.y, y))
+      return;
+    const Point at = scene.at(y[vertex.y] - x[vertex.x]);
+    if (!has_mark) scene.disk("cloud.point", at, kCloudRadius, vertex);
+    scene.out.moving_labels.push_back(scene.pair_name(
+        {vertex.x, vertex.y}, "cloud.label", at, kSimplexRadius, at - scene.map.area().center()));
+    return;
+  }
+  const bool is_x = vertex.kind == Kind::vertex_of_x;
+  const int index = is_x ? vertex.x : vertex.y;
+  const std::vector<Vector2d>& world = is_x ? x : y;
+  // The query point has a name in each frame.
+  if (scene.view.kind != ViewKind::world || !is_one_of(index, world) ||
+      (is_x && scene.run.point_query()))
+    return;
+  const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
+  const std::string& name = scene.run.lesson.bodies[is_x ? 0 : 1].vertex_names[index];
+  const Point at = scene.at(world[static_cast<std::size_t>(index)]);
+  if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
+  scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
+                                                type::kVertex, at, kSimplexRadius,
+                                                at - scene.at(centroid(world))));
+}
 
 const Layer kShapes{.effect = {}, .on = Layer::On::world, .order = 60, .draw = shapes};
 

@@ -91,6 +91,10 @@ void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::N
                   const std::string& role, const std::string& id, const std::string& before);
 
 // tree.cpp
+/// Levels below the root that are drawn node by node; what lies deeper is one mark each.
+inline constexpr int kMostDepth = 5;
+/// Of each node of a tree: levels from the root to there.
+[[nodiscard]] std::vector<int> depths_of(const std::vector<TreeNode>& tree);
 /// A view of both trees.
 bool trees(SceneBuilder& scene, const Fonts& fonts);
 std::string trees_title(const LessonRun& run);

@@ -93,11 +93,14 @@ class Stage {
     return {{"volume.band", Polygon{mapped(outline_of(shown_.node(true).volume, delta))}}};
   }
 
-  /// Not to be seen, but lit up where a node is pointed at, or where the hand is on them.
+  /// Not to be seen, but lit up where a node is pointed at, or where the hand is on them. Those
+  /// that the picture of the tree sums up have none.
   void quiet_volumes() {
     for (const bool of_x : {true, false}) {
       const std::vector<TreeNode>& tree = shown_.search.tree(of_x);
+      const std::vector<int> depths = depths_of(tree);
       for (int i = 0; i < static_cast<int>(tree.size()); ++i) {
+        if (depths[static_cast<std::size_t>(i)] > kMostDepth) continue;
         below_.push_back({"region.hidden",
                           Polygon{mapped(outline_of(tree[static_cast<std::size_t>(i)].volume))}, -1,
                           subject(of_x, i)});

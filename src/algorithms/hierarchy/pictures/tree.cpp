@@ -10,9 +10,6 @@
 namespace gjkscope::searches {
 namespace {
 
-/// Levels below the root that are drawn node by node; what lies deeper is one mark each.
-constexpr int kMostDepth = 5;
-
 constexpr double kLeast = 2.2;  // radius of a node
 constexpr double kCurrent = 9.0;
 constexpr double kSide = 16.0;  // edge of the card to a tree
@@ -35,11 +32,8 @@ class TreePicture {
         area_(area),
         tree_(shown.search.tree(of_x)),
         states_(shown.node_states(of_x)),
-        depths_(tree_.size()) {
-    for (std::size_t i = 1; i < tree_.size(); ++i) {
-      depths_[i] = depths_[static_cast<std::size_t>(tree_[i].parent)] + 1;
-      depth_ = std::max(depth_, depths_[i]);
-    }
+        depths_(depths_of(tree_)) {
+    for (const int depth : depths_) depth_ = std::max(depth_, depth);
     has_more_ = depth_ > kMostDepth;
     depth_ = std::min(depth_, kMostDepth);
     const double across = std::min<double>(tree_[0].count, std::exp2(depth_));
@@ -159,6 +153,13 @@ class TreePicture {
 };
 
 }  // namespace
+
+std::vector<int> depths_of(const std::vector<TreeNode>& tree) {
+  std::vector<int> depths(tree.size());
+  for (std::size_t i = 1; i < tree.size(); ++i)
+    depths[i] = depths[static_cast<std::size_t>(tree[i].parent)] + 1;
+  return depths;
+}
 
 Mark node_mark(NodeState state, const Point& at, double radius) {
   switch (state) {
