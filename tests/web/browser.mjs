@@ -75,17 +75,26 @@ function action(name, body, sizes = Object.keys(SIZES)) {
   for (const [size, theme] of pairs)
     claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
 }
-const text = (page, id) => page.locator(`#${id}`).textContent();
+/** All that the page asked its program for is shown. */
+async function rest(page) {
+  for (let i = 0; i < 2; ++i)
+    await page.waitForFunction(() => typeof waiting === "undefined" || (!sent && !waiting.length), null, { polling: 4, timeout: 60000 });
+}
+/** After all that was asked for is shown. */
+const text = async (page, id) => (await rest(page), page.locator(`#${id}`).textContent());
 const count = async (page) => (await text(page, "count")).split(" / ").map(Number);
 /** Motion is over. */
 const settle = (page) => page.waitForTimeout(350);
 
 /** The page has heard that its size changed. */
-const twoFrames = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const twoFrames = async (page) => {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await rest(page);
+};
 
 /** The middle of a vertex on the screen. */
 async function vertex(page, of) {
+  await rest(page);
   const box = await page.locator(`#stage circle[data-of="${of}"]`).first().boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
@@ -109,8 +118,12 @@ async function touchPath(page, from, by) {
   await send("touchEnd", []);
 }
 
-const state = (page) => page.evaluate(() => ({ index: state.index, count: state.count, changed: state.changed,
-  caption: state.caption, outcome: state.outcome, shapes: state.shapes, numerics: state.numerics }));
+const state = async (page) => (await rest(page), page.evaluate(() => ({ index: state.index, count: state.count, changed: state.changed,
+  caption: state.caption, outcome: state.outcome, shapes: state.shapes, numerics: state.numerics })));
+/** Steps on until there is a question. */
+async function toQuestion(page) {
+  for (let i = 0; i < 30 && !(await rest(page), await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
+}
 const distance = async (page) => Number((await state(page)).outcome[0][1]);
 
 // Steps -------------------------------------------------------------------------------------------
@@ -139,7 +152,7 @@ action("buttons, keys, slider and ticks step", async (visit, size) => {
   await page.keyboard.press("ArrowRight");
   assert.deepEqual(await count(page), [3, all]);
   assert.equal(await text(page, "caption"), (await state(page)).caption);
-  assert.match(page.url(), /#step=3$/);
+  await page.waitForFunction(() => location.hash === "#step=3");
   const slider = await page.locator("#scrub").boundingBox();
   await page.mouse.click(slider.x + slider.width / 2, slider.y + slider.height / 2);
   const [middle] = await count(page);
@@ -170,6 +183,7 @@ action("play goes on by itself and ends at the end", async (visit) => {
   await page.click("#play");
   await page.clock.runFor(1800 * all);
   assert.equal((await count(page))[0], all);
+  await page.locator('#play[aria-pressed="false"]').waitFor();
   assert.equal(await page.locator("#play").getAttribute("aria-pressed"), "false");
   await close(page);
 });
@@ -233,6 +247,7 @@ action("a difference that is pointed at lights up with its two vertices", async 
   const at = await vertex(page, "z 2 0");
   if (SIZES[size].touch) await page.touchscreen.tap(...at);
   else await page.mouse.move(...at);
+  await rest(page);
   const lit = await page.locator("#stage .ring").evaluateAll((rings) => [...new Set(rings.map((ring) => ring.dataset.lit))].sort());
   assert.deepEqual(lit, ["x 2", "y 0", "z 2 0"]);
   await close(page);
@@ -257,6 +272,7 @@ action("a support point, drawn as a diamond alone, lights up", async (visit, siz
   assert.ok(found, "no step has such a diamond");
   if (SIZES[size].touch) await page.touchscreen.tap(...found.at);
   else await page.mouse.move(...found.at);
+  await rest(page);
   const lit = await page.locator("#stage .ring").evaluateAll((rings) => rings.map((ring) => ring.dataset.lit));
   assert.ok(lit.includes(found.of), `lit: ${lit}`);
   await close(page);
@@ -264,11 +280,11 @@ action("a support point, drawn as a diamond alone, lights up", async (visit, siz
 
 action("the hint to drag goes when something is dragged", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
-  assert.ok(await page.locator("#hint").isVisible());
+  assert.match(await text(page, "hint"), /^Drag a corner/);
   await toMiddle(page, "z 2 0");
   const drag = SIZES[size].touch ? touchPath : dragByMouse;
   await drag(page, await vertex(page, "z 2 0"), [30, -20]);
-  assert.ok(!(await page.locator("#hint").isVisible()));
+  assert.equal(await text(page, "hint"), "");
   await close(page);
 });
 
@@ -346,13 +362,14 @@ action("scalar and rules are chosen, and the run follows", async (visit) => {
 action("questions are asked before they are told, and graded from the run", async (visit) => {
   const page = await visit(url("polygon-evolution"));
   await page.locator("body").press("p");
-  for (let i = 0; i < 20 && !(await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
+  await toQuestion(page);
   assert.ok(await page.locator("#question").isVisible());
   const [asked] = await count(page);
   await page.locator("body").press("ArrowRight");
   assert.equal((await count(page))[0], asked, "no step past an open question");
-  const right = await page.evaluate(() => state.caption && ask({ do: "answer", choice: "-" }).answers.answer);
+  const right = await page.evaluate(async () => (await ask({ do: "answer", choice: "-" })).answers.answer);
   await page.locator("body").press("ArrowLeft");
+  await rest(page);
   assert.ok(await page.locator("#question").isVisible());
   await page.locator("#choices button", { hasText: new RegExp(`^${right}$`) }).click();
   assert.match(await text(page, "verdict"), new RegExp(`^Right: ${right}\\. 1 of 2 so far`));
@@ -530,6 +547,7 @@ claim("10 MB that are pasted or linked are refused at once, and the page goes on
     console.log(`    ${(many.length / 1e6).toFixed(0)} MB pasted: ${pause.toFixed(0)} ms`);
     assert.match(await text(page, "problem"), problem);
     await page.click("#back");
+    await rest(page);
     assert.equal(await page.locator("#problem").isVisible(), false);
   }
   await page.evaluate((json) => { location.hash = `case=${encodeURIComponent(json)}`; }, text10);
@@ -606,7 +624,7 @@ claim("undo brings the view back, Escape ends a drag, Ctrl+Z takes back", async 
   const wide = await width();
   await page.evaluate(() => {
     ask({ do: "nudge", shape: "x", index: 2, right: 4000, up: 3000 });
-    act({ do: "undo" });
+    return act({ do: "undo" });
   });
   assert.ok(Math.abs((await width()) - wide) < 1, `${await width()} of ${wide} pixels`);
   await toMiddle(page, "y 0");
@@ -629,7 +647,7 @@ claim("undo brings the view back, Escape ends a drag, Ctrl+Z takes back", async 
 claim("on a phone a question leaves the figure in sight, and a problem is seen where the hand is", async () => {
   const page = await open(url("polygons-gjk"), "phone");
   await page.locator("body").press("p");
-  for (let i = 0; i < 30 && !(await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
+  await toQuestion(page);
   const seen = await page.evaluate(() => document.querySelector(".bar").getBoundingClientRect().top - document.getElementById("stage").getBoundingClientRect().top);
   assert.ok(seen > 250, `${seen} pixels of the figure`);
   await close(page);
@@ -678,6 +696,7 @@ claim("the keyboard stays in the page's controls where Step cannot be pressed an
   await page.locator("#step").focus();
   const [, all] = await count(page);
   for (let i = 1; i < all; ++i) await page.keyboard.press("Enter");
+  await rest(page);
   assert.equal(await page.evaluate(() => document.activeElement.id), "back");
   await close(page);
 });
@@ -721,6 +740,7 @@ for (const half of [0, 1]) {
         await twoFrames(page);
         for (const key of ["Home", "End"]) {
           await page.locator("body").press(key);
+          await rest(page);
           assert.deepEqual(await measure(page), { wide: 0, small: [] }, `${name} at ${size}`);
         }
       }
@@ -733,10 +753,10 @@ claim("what a step says is in sight without scrolling", async () => {
   for (const size of ["laptop", "projector"]) {
     for (const name of ["polygons-gjk", "triangle-obtuse", "segment-balance", "penetration-nested", "accuracy-cost"]) {
       const page = await open(url(name), size);
-      const below = await page.evaluate(() => {
+      const below = await page.evaluate(async () => {
         const hidden = [];
         for (let step = 0; step < state.count; ++step) {
-          act({ do: "go", to: step });
+          await act({ do: "go", to: step });
           const words = document.getElementById(state.detail ? "detail" : "caption").getBoundingClientRect();
           if (words.bottom > innerHeight) hidden.push(step + 1);
         }
@@ -794,6 +814,7 @@ claim("things move between steps, and not for who prefers less of it", async () 
     assert.equal(changes > 2, moves, `${changes} pictures`);
     const shown = await page.locator("#stage").innerHTML();
     await page.evaluate(() => act({ do: "go", to: state.index }));
+    await rest(page);
     const drawn = await page.locator("#stage").innerHTML();
     assert.equal(shown, drawn, "motion ends at the picture");
     await close(page);
@@ -807,7 +828,7 @@ claim("axe finds nothing, in any theme", async () => {
     await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
     await page.addScriptTag({ content: axe });
     for (const theme of THEMES) {
-      if (await page.locator("#theme").count()) await page.selectOption("#theme", theme);
+      if (await page.locator("#theme").count()) await page.selectOption("#theme", theme), await rest(page);
       else await page.evaluate((to) => { document.documentElement.dataset.theme = to; }, theme);
       const { violations } = await page.evaluate(() => axe.run());
       assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`), [], `${name}, ${theme}`);
@@ -837,6 +858,7 @@ claim("all themes are shown, and remembered", async () => {
   const seen = new Set();
   for (const theme of THEMES) {
     await page.selectOption("#theme", theme);
+    await rest(page);
     seen.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor + document.querySelector("#stage rect").getAttribute("fill") + document.querySelector("#stage [data-mark=card]").getAttribute("stroke")));
   }
   assert.equal(seen.size, 4);
