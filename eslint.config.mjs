@@ -2,7 +2,7 @@ import { readFileSync, readdirSync } from "node:fs";
 
 // What the scripts of the pages and of their tests are held to.
 const browser = ["document", "window", "location", "history", "localStorage", "navigator", "performance", "matchMedia",
-  "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "requestAnimationFrame", "cancelAnimationFrame",
+  "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "dispatchEvent", "requestAnimationFrame", "cancelAnimationFrame",
   "setTimeout", "clearTimeout", "setInterval", "clearInterval", "atob", "btoa", "Blob", "URL", "Image", "TextEncoder", "TextDecoder",
   "CompressionStream", "DecompressionStream", "WebAssembly", "Worker", "postMessage", "MutationObserver", "getComputedStyle"];
 const rules = {
@@ -34,7 +34,7 @@ export default [
   {
     files: ["**/*.mjs"],
     languageOptions: {
-      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "axe"]),
+      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "paper", "axe"]),
     },
     rules,
   },

@@ -35,7 +35,7 @@ async function hashOfStep() {
 }
 
 async function address(more = "") {
-  return location.href.split("#")[0] + (await hashOfStep()) + more;
+  return location.href.split("#")[0] + ((await hashOfStep()) ?? `#step=${state.index + 1}`) + more;
 }
 
 let keptLinks = 0;

@@ -36,20 +36,17 @@ function tell(note) {
 }
 
 /**
- * Asks the program, and shows what it answers. False when that is a problem, or nothing, since a newer request took
- * the place of this one.
+ * Asks the program, and shows what it answers. False when that is a problem, or nothing: a newer request took the
+ * place of this one, or it was given up.
  */
 async function act(request, { moves = false, about } = {}) {
   const next = await ask(request);
   if (!next) return false;
-  if (next.stopped !== undefined) {
-    giveUp(`The program has stopped (${next.stopped}); this is what was shown before.`);
-    return false;
-  }
   if (next.problem !== undefined) {
     say(next.problem, about);
     return false;
   }
+  givenUp = 0;
   say("");
   show(next, moves);
   return true;

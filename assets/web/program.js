@@ -34,9 +34,13 @@ function sendNext() {
 
 function hear({ data: heard }) {
   showBusy(false);
-  const { done } = sent;
+  const { message, done } = sent;
   sent = null;
-  if (heard.stopped !== undefined) return done({ stopped: heard.stopped });
+  if (heard.stopped !== undefined && message.do !== undefined) {
+    done(null);
+    giveUp(`The program has stopped (${heard.stopped}): this is what was shown before.`);
+    return;
+  }
   if (heard.module) ({ module } = heard);
   done(typeof heard === "string" ? JSON.parse(heard) : heard);
   sendNext();
@@ -103,8 +107,12 @@ async function openLesson() {
   return opened;
 }
 
+let givenUp = 0;  // times, since something was shown
+
 /** Gives up what the program does, and brings back what was shown before. */
 async function giveUp(why) {
+  const mostTimes = 3;
+  if (++givenUp > mostTimes) return say("The program stops again and again; reload the page.");
   const { history, to, predicting, layout } = kept;
   kept.history = null;  // should this be given up, too, the lesson is opened as it was written
   dropHand();
@@ -116,8 +124,7 @@ async function giveUp(why) {
     const now = history && kept.lessons.get(history.now);
     const shown = now !== undefined && await act({ do: "restore", name: data.name, to, predicting,
       past: known(history.past), now: { id: history.now, change: "", lesson: now }, future: known(history.future) });
-    if (!shown) await act({ do: "go", to: 0 });
-    tell(why);
+    if (shown || await act({ do: "go", to: 0 })) tell(why);
   } catch (error) {
     say(`The program does not start again: ${error.message}. Reload the page.`);
   }
