@@ -154,7 +154,6 @@ class SiteWriter {
     parts["kind"] = "playground";
     parts["meta"] = "Their distance, and the run that finds it";
     parts["kit"] = read_whole(assets_ / "web" / "kit.html");
-    parts["answer"] = "<div id=\"answer\" class=\"answer live\"></div>";
     write_page(*loaded.lesson, std::move(parts), nullptr);
   }
 
@@ -190,6 +189,19 @@ class SiteWriter {
   std::vector<fs::path> files() && { return std::move(files_); }
 
  private:
+  /// What the run comes to, as the page's script writes it.
+  [[nodiscard]] static std::string answer_table(const Json& outcome) {
+    std::string rows;
+    for (const Json& line : outcome)
+      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+                          escape_html(line[0].get<std::string>()),
+                          escape_html(line[1].get<std::string>()));
+    return fmt::format(
+        "<div id=\"answer\" class=\"answer live\"><table><caption>Answer</caption>"
+        "<tbody>{}</tbody></table></div>",
+        rows);
+  }
+
   /// What `cmake --preset wasm` built.
   [[nodiscard]] fs::path program_folder() const {
     const fs::path installed = options_.share / "web";
@@ -264,7 +276,10 @@ class SiteWriter {
     const bool is_playground = data["kind"] == "playground";
     if (is_playground) open["depth"] = true;
     const Json opened = ask(open);
-    if (is_playground) (void)ask({{"do", "go"}, {"to", opened["count"].get<int>() - 1}});
+    if (is_playground) {
+      const Json last = ask({{"do", "go"}, {"to", opened["count"].get<int>() - 1}});
+      parts["answer"] = answer_table(last["outcome"]);
+    }
     const bool two = lesson.views.size() > 1;
     // In two sizes: those of the narrowest page with one column and with two, so that type never
     // shrinks.
