@@ -74,7 +74,7 @@ function putStage(markup) {
 function tellOfHulls() {
   const names = state.changed ? state.hulls : [];
   if (names.length)
-    tell(`${names.join(" and ")} ${names.length > 1 ? "are" : "is"} not convex: GJK sees ${names.length > 1 ? "their convex hulls" : "its convex hull"}.`);
+    tell(`${names.join(" and ")} ${names.length > 1 ? "are not convex: GJK sees their hulls" : "is not convex: GJK sees its hull"}.`);
   else if ($("hint").classList.contains("note") && $("hint").textContent.includes("not convex")) tell("");
 }
 

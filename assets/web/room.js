@@ -30,14 +30,19 @@ function heightOf(width, left, zoom) {
   // The bar takes none of the figure's height, or some at the lower edge of the window.
   if (place === "beside") return Math.max(200, left / zoom - 8);
   if (place === "over") {
-    const bar = document.querySelector(".bar").offsetHeight + document.getElementById("hint").offsetHeight;
-    return Math.min(Math.max(220, left / zoom - bar / zoom), (two ? 1.72 : 1) * width);
+    const gap = 8;
+    const bottom = (id) => document.getElementById(id).getBoundingClientRect().bottom;
+    const hint = Math.max(0, bottom("hint") - bottom("stage"));
+    const bar = document.querySelector(".bar").offsetHeight;
+    return Math.min(Math.max(200, (left - hint - gap - bar) / zoom), (two ? 1.72 : 1) * width);
   }
   // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
   const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
+  const link = document.documentElement.classList.contains("embed") ? 40 : 0;
   const longest = Number(document.getElementById("stage").dataset.longest);
-  const below = controls + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
-  return Math.min((two ? 0.5 : 0.62) * width, Math.max(330, left / zoom - below));
+  const below = controls + link + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
+  const most = two ? Math.max(0.5 * width, Math.min(0.8 * width, 400)) : 0.62 * width;
+  return Math.min(most, Math.max(330, left / zoom - below));
 }
 
 // A page that was cut off on its way has no script that would start it.

@@ -332,8 +332,15 @@ Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
 
 void Player::press(const Point& at, bool by_finger) {
   drag_.reset();
-  const double slack = by_finger ? kFingerSlack : 2.0 * kSlack;
-  const Subject subject = gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
+  const auto held_within = [&](double slack) {
+    return gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
+  };
+  Subject subject = held_within(2.0 * kSlack);
+  // Beside a shape; in it, small shapes on a phone could not be moved as a whole.
+  const auto is_area = [](Kind kind) {
+    return kind == Kind::shape_x || kind == Kind::shape_y || kind == Kind::difference;
+  };
+  if (by_finger && !is_area(subject.kind)) subject = held_within(kFingerSlack);
   const std::optional<std::size_t> view = view_at(session_, at);
   if (!view) return;
   const bool in_world = session_.views()[*view].kind == ViewKind::world;

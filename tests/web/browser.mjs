@@ -77,10 +77,17 @@ function action(name, body, sizes = Object.keys(SIZES)) {
   for (const [size, theme] of pairs)
     claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
 }
+/** `holds` in the page; the driver's own way of waiting needs an eval, which pages forbid. */
+async function until(page, holds) {
+  const began = performance.now();
+  for (let pause = 1; !(await page.evaluate(holds)); pause = Math.min(50, 2 * pause)) {
+    assert.ok(performance.now() - began < 60000, `waited too long for ${holds}`);
+    await new Promise((done) => setTimeout(done, pause));
+  }
+}
 /** All that the page asked its program for is shown. */
 async function rest(page) {
-  for (let i = 0; i < 2; ++i)
-    await page.waitForFunction(() => typeof waiting === "undefined" || (!sent && !waiting.length), null, { polling: 4, timeout: 60000 });
+  for (let i = 0; i < 2; ++i) await until(page, () => typeof waiting === "undefined" || (!sent && !waiting.length));
 }
 /** After all that was asked for is shown. */
 const text = async (page, id) => (await rest(page), page.locator(`#${id}`).textContent());
@@ -154,7 +161,7 @@ action("buttons, keys, slider and ticks step", async (visit, size) => {
   await page.keyboard.press("ArrowRight");
   assert.deepEqual(await count(page), [3, all]);
   assert.equal(await text(page, "caption"), (await state(page)).caption);
-  await page.waitForFunction(() => location.hash === "#step=3");
+  await until(page, () => location.hash === "#step=3");
   const slider = await page.locator("#scrub").boundingBox();
   await page.mouse.click(slider.x + slider.width / 2, slider.y + slider.height / 2);
   const [middle] = await count(page);
@@ -463,7 +470,7 @@ claim("a script in names and titles of a link is text", async () => {
   const page = await open(url("polygons-gjk", `${lessonLink(hostile)}&step=3`));
   assert.equal(await text(page, "problem"), "");
   assert.match(await page.locator("#stage").textContent(), /<b>/);
-  assert.equal(await page.locator("#stage b, #stage img, #panel img, main script").count(), 0);
+  assert.equal(await page.locator("#stage b, #stage img, #panel img, #panel script, .words script").count(), 0);
   assert.match(await page.title(), /^Polygon to polygon/);
   await close(page);
 });
@@ -538,7 +545,7 @@ claim("10 MB that are pasted or linked are refused at once, and the page goes on
   await page.locator(".kit summary").click();
   for (const [many, problem] of [
     [`{"a": [${text10}[1, 1]], "b": [[3, 4]]}`, /^pasted: 1\d{7} bytes are too many; expected at most 2097152$/],
-    [`{"a": [${'"far",\n'.repeat(2.5e5)}0], "b": [[3, 4]]}`, /^pasted:1:8: \/a\/0 is a string; expected two coordinates, \[x, y\]$/m],
+    [`{"a": [${'"far",\n'.repeat(2.5e5)}0], "b": [[3, 4]]}`, /^pasted:1:7: \/a has 250001 points; expected at most 10000$/],
   ]) {
     await page.evaluate((json) => navigator.clipboard.writeText(json), many);
     await page.locator("#case").focus();
@@ -682,7 +689,7 @@ action("changes survive a reload and Back", async (visit, size) => {
   await (SIZES[size].touch ? touchPath : dragByMouse)(page, await vertex(page, "y 0"), [-30, 34]);
   const before = await state(page);
   assert.ok(before.changed);
-  await page.waitForFunction(() => location.hash.includes("&lesson="));
+  await until(page, () => location.hash.includes("&lesson="));
   await page.reload();
   await ready(page);
   assert.deepEqual(await state(page), before);
@@ -691,7 +698,7 @@ action("changes survive a reload and Back", async (visit, size) => {
   await ready(page);
   assert.deepEqual(await state(page), before);
   await page.click("#reset");
-  await page.waitForFunction(() => /^#step=\d+$/.test(location.hash));
+  await until(page, () => /^#step=\d+$/.test(location.hash));
   await close(page);
 });
 
@@ -699,7 +706,7 @@ claim("Back brings the random pair of the playground again", async () => {
   const page = await open(url("playground"));
   await page.click("#random");
   const before = await state(page);
-  await page.waitForFunction(() => location.hash.includes("&lesson="));
+  await until(page, () => location.hash.includes("&lesson="));
   await page.locator("nav.site a", { hasText: "About" }).click();
   await page.goBack();
   await ready(page);
@@ -712,13 +719,13 @@ claim("a shape that is dented or crosses itself is said to count as its hull", a
   const at = await vertex(page, "x 2");
   const far = await vertex(page, "x 4");
   await dragByMouse(page, at, [2 * (far[0] - at[0]), far[1] - at[1]]);
-  assert.match(await text(page, "hint"), /^X is not convex: GJK sees its convex hull\.$/);
+  assert.match(await text(page, "hint"), /^X is not convex: GJK sees its hull\.$/);
   assert.ok(await page.locator("#hint").isVisible());
   await page.click("#undo");
   assert.equal(await text(page, "hint"), "");
   await close(page);
   const both = await open(url("playground", `#case=${encodeURIComponent('{"a":[[0,0],[2,2],[2,0],[0,2]],"b":[[5,0],[7,0],[6,1],[6,4]]}')}`), "phone");
-  assert.match(await text(both, "hint"), /^X and Y are not convex: GJK sees their convex hulls\.$/);
+  assert.match(await text(both, "hint"), /^X and Y are not convex: GJK sees their hulls\.$/);
   const [hint, bar] = await both.evaluate(() => [document.getElementById("hint").getBoundingClientRect().bottom, document.querySelector(".bar").getBoundingClientRect().top]);
   assert.ok(hint <= bar, `the note ends at ${hint}, the bar begins at ${bar}`);
   await close(both);
@@ -763,7 +770,7 @@ claim("a file is chosen, or dropped on the page", async () => {
   const file = { name: "pair.json", mimeType: "application/json", buffer: Buffer.from('{"a": [[0, 0]], "b": [[3, 4]]}') };
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.click("#choose")]);
   await chooser.setFiles(file);
-  await page.waitForFunction(() => state.undo === "pair.json");
+  await until(page, () => state.undo === "pair.json");
   assert.equal(await distance(page), 5);
   const drop = (content) => page.evaluate((value) => {
     const transfer = new window.DataTransfer();
@@ -771,7 +778,7 @@ claim("a file is chosen, or dropped on the page", async () => {
     document.body.dispatchEvent(new window.DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
   }, content);
   await drop('{"a": [[0, 0]], "b": [[6, 8]]}');
-  await page.waitForFunction(() => state.undo === "dropped.json");
+  await until(page, () => state.undo === "dropped.json");
   assert.equal(await distance(page), 10);
   await drop('{"a": [[0, 0]]}');
   await page.locator("#problem", { hasText: /^dropped\.json:1:1: \/b is missing; expected/ }).waitFor();
@@ -795,6 +802,7 @@ claim("a view of many vertices has some 24 names, those of the run among them", 
   const page = await open(url("playground"));
   for (const n of [40, 64, 100, 150, 200, 256, 1000]) {
     await paste(page, { a: ring(n, 0, 3), b: [[5, 5], [6, 5]] });
+    await rest(page);
     const { names, run } = await page.evaluate(() => ({
       names: [...document.querySelectorAll("#stage text")].map((label) => label.textContent),
       run: state.outcome.flat().join(" "),
@@ -848,16 +856,14 @@ const boxes = (page, ...ids) => page.evaluate((names) => Object.fromEntries(name
 claim("figure and controls are in sight together in any window, at any step, with a question, too", async () => {
   for (const [name, [width, height]] of Object.entries(WINDOWS)) {
     for (const lesson of ["polygons-gjk", "segment-regions", "penetration-nested", "hierarchy-large", "accuracy-cost", "lin-canny"]) {
-      const page = await open(url(lesson), name.includes("phone") ? "phone" : "laptop");
-      await page.setViewportSize({ width, height });
-      await twoFrames(page);
+      const page = await open(url(lesson), name.includes("phone") ? "phone" : "laptop", { viewport: { width, height } });
       const checkIt = async (when) => {
         await rest(page);
         const { stage, back, step, caption, hint } = await boxes(page, "stage", "back", "step", "caption", "hint");
         const where = `${lesson}, ${name}, ${when}: ${JSON.stringify({ stage, step, caption, hint })}`;
         const low = height < 576 && width > 544;
         for (const box of [stage, back, step]) assert.ok(box.top >= 0 && box.bottom <= height + 1 && box.left >= -1 && box.right <= width + 1, where);
-        assert.ok(stage.bottom - stage.top >= (low ? 0.7 : 0.4) * height, where);
+        assert.ok(stage.bottom - stage.top >= (low ? 0.7 : when === "with a question" ? 0.3 : 0.4) * height, where);
         assert.ok(low ? stage.right <= back.left : stage.bottom <= back.top, where);
         assert.ok(caption.top < height - 20, where);
         if (!low && width < 704) assert.ok(stage.bottom <= caption.top && hint.bottom <= caption.top, where);
@@ -937,7 +943,7 @@ claim("an embedded figure fits its frame, and leads to the lesson", async () => 
       assert.ok(panel.bottom <= height && panel.left >= stage.right, JSON.stringify(panel));
     }
     const link = page.locator("#whole a");
-    assert.equal(await link.textContent(), "Open “Polygon to polygon: the cloud it searches”");
+    assert.equal(await link.textContent(), "Open “Polygon to polygon: GJK on the Minkowski difference”");
     const [other] = await Promise.all([page.context().waitForEvent("page"), link.click()]);
     await ready(other);
     assert.equal((await count(other))[0], 6);
@@ -962,7 +968,7 @@ claim("on a slow line the controls have their room, and the page says that it ge
     page.complaints = [];
     page.goto(`http://127.0.0.1:${server.address().port}/`).catch(() => {});
     await page.locator(".transcript li").first().waitFor();
-    await page.waitForFunction(() => document.getElementById("wasm"));
+    await until(page, () => document.getElementById("wasm"));
     assert.equal(await page.locator("#hint").textContent(), "Getting ready …");
     assert.ok(await page.locator("#step").isVisible());
     const ids = ["stage", "step", "scrub", "count", "position", "caption"];
@@ -1016,7 +1022,7 @@ claim("who asks to be asked in the middle of a run is asked there, and told noth
     assert.match(await text(page, "caption"), /^Question: /);
     assert.ok(await page.locator("#question").isVisible());
     const { stage, choices } = await boxes(page, "stage", "choices");
-    assert.ok(stage.top >= 0 && choices.bottom <= SIZES[size].height, JSON.stringify({ stage, choices }));
+    assert.ok(stage.top >= -1 && choices.bottom <= SIZES[size].height, JSON.stringify({ stage, choices }));
     await close(page);
   }
 });
@@ -1068,7 +1074,7 @@ claim("paper has a theme of its own, whatever the page shows", async () => {
   await rest(page);
   const shown = await page.locator("#stage").innerHTML();
   assert.notEqual(shown, wanted);
-  await page.waitForFunction(() => paper);
+  await until(page, () => paper);
   const printed = await page.evaluate(() => {
     dispatchEvent(new window.Event("beforeprint"));
     return document.getElementById("stage").innerHTML;
@@ -1264,7 +1270,8 @@ async function timesOfADrag(address) {
   const page = await open(address);
   const times = await page.evaluate(async () => {
     const svg = document.querySelector("#stage svg").getBoundingClientRect();
-    const circle = document.querySelector('#stage circle[data-of="y 0"]').getBoundingClientRect();
+    const mark = document.querySelector('#stage circle[data-of="y 0"]') ?? document.querySelector('#stage [data-of="Y"]');
+    const circle = mark.getBoundingClientRect();
     const from = { x: circle.x + circle.width / 2 - svg.x, y: circle.y + circle.height / 2 - svg.y };
     await act({ do: "press", ...from });
     const all = [];
