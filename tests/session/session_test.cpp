@@ -415,8 +415,10 @@ TEST(Session, UndoBringsTheViewsOfThenBack) {
   EXPECT_EQ(before, cameras());
   EXPECT_TRUE(session.redo(Session::Cameras::as_then));
   EXPECT_EQ(far, cameras());
+  session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
+  const std::vector<double> by_hand = cameras();
   EXPECT_TRUE(session.undo());
-  EXPECT_EQ(far, cameras()) << "a camera set by hand stays";
+  EXPECT_EQ(by_hand[0], cameras()[0]) << "a camera set by hand stays";
 }
 
 TEST(Session, AHistoryIsRestoredInAnotherSession) {

@@ -723,6 +723,12 @@ claim("a shape that is dented or crosses itself is said to count as its hull", a
   assert.ok(await page.locator("#hint").isVisible());
   await page.click("#undo");
   assert.equal(await text(page, "hint"), "");
+  await page.goto(url("playground"));
+  await ready(page);
+  await page.locator(".kit summary").click();
+  const rounded = (n, x) => ring(n, x, 2).map((point) => point.map((c) => Number(c.toFixed(4))));
+  await paste(page, { a: rounded(5000, 0), b: rounded(9, 5) });
+  assert.doesNotMatch(await text(page, "hint"), /not convex/, "what rounding does to a round shape is no dent");
   await close(page);
   const both = await open(url("playground", `#case=${encodeURIComponent('{"a":[[0,0],[2,2],[2,0],[0,2]],"b":[[5,0],[7,0],[6,1],[6,4]]}')}`), "phone");
   assert.match(await text(both, "hint"), /^X and Y are not convex: GJK sees their hulls\.$/);
