@@ -23,6 +23,6 @@ function animate() {
     if (between?.stage) put($("stage"), between.stage, "img");
     frame = requestAnimationFrame(go);
   };
-  go(start);
+  frame = requestAnimationFrame(go);
   return end;
 }

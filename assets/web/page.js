@@ -70,12 +70,12 @@ function putStage(markup) {
   if (pointed) light(pointed);
 }
 
-/** Shapes of which GJK sees less than one draws. */
+/** Shapes that GJK does not see as they are drawn; what was told before is over. */
 function tellOfHulls() {
   const names = state.changed ? state.hulls : [];
   if (names.length)
     tell(`${names.join(" and ")} ${names.length > 1 ? "are not convex: GJK sees their hulls" : "is not convex: GJK sees its hull"}.`);
-  else if ($("hint").classList.contains("note") && $("hint").textContent.includes("not convex")) tell("");
+  else if ($("hint").classList.contains("note")) tell("");
 }
 
 function show(next, moves) {
@@ -137,7 +137,7 @@ function showOnPaper() {
 function keepFocus(focused) {
   if (!focused || focused === document.body || (!focused.disabled && focused.isConnected && !focused.closest("[hidden]"))) return;
   const next = $("choices").querySelector("button");
-  if (next && state.question) next.focus({ preventScroll: true });
+  if (next && state?.question) next.focus({ preventScroll: true });
   else ($("step").disabled ? $("back") : $("step")).focus({ preventScroll: true });
 }
 

@@ -17,8 +17,11 @@ let busyTimer = 0;
 /** Promises the answer to a request (docs/web.md); null when a newer one took its place, or it was given up. */
 function ask(request) {
   return new Promise((done) => {
-    if (NEWEST.has(request.do) && waiting.at(-1)?.message.do === request.do) waiting.pop().done(null);
-    waiting.push({ message: request, done });
+    const last = waiting.at(-1)?.message;
+    const steps = last?.do === "step" && request.do === "step";
+    const message = steps ? { do: "step", by: last.by + request.by } : request;
+    if (steps || (last?.do === request.do && NEWEST.has(request.do))) waiting.pop().done(null);
+    waiting.push({ message, done });
     sendNext();
   });
 }
@@ -48,8 +51,10 @@ function hear({ data: heard }) {
 
 function showBusy(on) {
   clearTimeout(busyTimer);
+  const focused = document.activeElement;
   $("busy").hidden = !on;
   root.classList.toggle("working", on);
+  keepFocus(focused);
 }
 
 /** Starts the program, in place of one that there is: what that was asked is given up. */

@@ -183,7 +183,10 @@ void Player::go_to_phase(int phase) {
 
 /// Nobody steps past a question: it is answered, or gone back from.
 void Player::step(int by) {
-  if (by < 0 || session_.question() == nullptr) session_.step(by);
+  const int one = by < 0 ? -1 : 1;
+  for (; by != 0; by -= one) {
+    if ((one > 0 && session_.question() != nullptr) || !session_.step(one)) return;
+  }
 }
 
 void Player::reset() {
