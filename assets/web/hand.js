@@ -17,16 +17,20 @@ function placeOf(event) {
 const FINGER = 24;  // pixels that a finger reaches, as the program has it
 
 /**
- * Whether the marks that are shown have a vertex or a shape there. The program says what is held; but a browser asks
- * at once whether it may scroll.
+ * Whether the marks that are shown have a vertex or a shape within `reach` pixels. The program says what is held; but a
+ * browser asks at once whether it may scroll.
  */
 function isOverShape({ clientX, clientY }, reach) {
-  const places = [[0, 0]];
-  for (const far of reach > 12 ? [reach / 2, reach] : [reach]) {
-    for (let turn = 0; turn < 8; ++turn) places.push([far * Math.cos(turn * Math.PI / 4), far * Math.sin(turn * Math.PI / 4)]);
-  }
-  return places.some(([x, y]) => document.elementsFromPoint(clientX + x, clientY + y).some(
-    (mark) => /^([xyz] |[XYZ]$|node )/.test(mark.dataset.of ?? "") && $("stage").contains(mark)));
+  const stage = $("stage");
+  const isHeld = (mark) => /^([xyz] |[XYZ]$|node )/.test(mark.dataset.of ?? "");
+  const isArea = (x, y) => document.elementsFromPoint(x, y).some((mark) => stage.contains(mark) && isHeld(mark));
+  const around = Array.from({ length: 8 }, (_, i) => i * Math.PI / 4);
+  if (isArea(clientX, clientY) || around.some((turn) => isArea(clientX + reach * Math.cos(turn), clientY + reach * Math.sin(turn))))
+    return true;
+  const pointSize = 32;
+  return [...stage.querySelectorAll("[data-of]")].filter(isHeld).map((mark) => mark.getBoundingClientRect()).some((box) =>
+    Math.max(box.width, box.height) <= pointSize && clientX > box.left - reach && clientX < box.right + reach &&
+    clientY > box.top - reach && clientY < box.bottom + reach);
 }
 
 function onDown(event) {

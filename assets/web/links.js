@@ -98,7 +98,7 @@ function setEmbedded(on) {
   root.classList.toggle("embed", on);
   $("whole").hidden = !on;
   const link = $("whole").querySelector("a");
-  link.onpointerdown = link.onfocus = link.onclick = () => { link.href = location.href.replace(/&embed$|(?<=#)embed(&|$)/, ""); };
+  link.onpointerdown = link.onfocus = link.onclick = () => { link.href = location.href.replace("&embed", "").replace("#embed", "#"); };
   link.onclick();
   layout();
 }

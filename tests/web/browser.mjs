@@ -917,7 +917,7 @@ claim("a finger holds a vertex from 22 pixels away, and everything that it press
   assert.notDeepEqual(after.shapes.x.vertices[0], before.shapes.x.vertices[0]);
   assert.deepEqual(after.shapes.x.vertices.slice(1), before.shapes.x.vertices.slice(1));
   await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
-  const small = await page.evaluate(() => [...document.querySelectorAll("button, select, summary, input:not([type=checkbox]), label.tick")]
+  const small = await page.evaluate(() => [...document.querySelectorAll("button, select, summary, input:not([type=checkbox]), label.tick, nav a, .transcript a")]
     .filter((each) => each.getClientRects().length && each.getBoundingClientRect().height < 43.5).map((each) => each.outerHTML.slice(0, 80)));
   assert.deepEqual(small, []);
   await close(page);
