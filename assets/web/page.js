@@ -112,8 +112,8 @@ function show(next, moves) {
   showVertices();
   showNumerics();
   markTranscript();
-  // On a phone a question takes of the figure's height.
-  if (last && Boolean(last.question) !== Boolean(state.question)) layout();
+  // There a question takes of the figure's height.
+  if (last && Boolean(last.question) !== Boolean(state.question) && placeOfBar() === "over") layout();
   keep(next);
   if (last && (last.index !== state.index || last.history.now !== state.history.now)) keepLink();
   clearTimeout(paperTimer);

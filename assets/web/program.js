@@ -35,7 +35,8 @@ function sendNext() {
   if (isRequest && root.dataset.live) busyTimer = setTimeout(() => showBusy(true), BUSY_MS);
 }
 
-function hear({ data: heard }) {
+function hear(heard) {
+  if (!sent) return;
   showBusy(false);
   const { message, done } = sent;
   sent = null;
@@ -63,10 +64,10 @@ async function startProgram() {
   showBusy(false);
   for (const { done } of [sent, ...waiting.splice(0)].filter(Boolean)) done(null);
   script ??= URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
-  worker = new Worker(script);
-  worker.onmessage = hear;
-  const failed = (event) => hear({ data: { stopped: event.message ?? "its thread does not start" } });
-  worker.onerror = worker.onmessageerror = failed;
+  const thread = new Worker(script);
+  worker = thread;
+  thread.onmessage = (event) => thread === worker && hear(event.data);
+  thread.onerror = (event) => thread === worker && hear({ stopped: event.message ?? "its thread does not start" });
   const wasm = module ? undefined : $("wasm").textContent;
   const started = await new Promise((done) => {
     sent = null;
@@ -123,13 +124,15 @@ async function giveUp(why) {
   dropHand();
   stop();
   try {
-    await startProgram();
-    if (!(await openLesson())) return;
+    // All of it waits before anything that one presses meanwhile.
+    const started = startProgram();
+    const opened = openLesson();
     if (layout) ask(layout);
-    const now = history && kept.lessons.get(history.now);
-    const shown = now !== undefined && await act({ do: "restore", name: data.name, to, predicting,
-      past: known(history.past), now: { id: history.now, change: "", lesson: now }, future: known(history.future) });
-    if (shown || await act({ do: "go", to: 0 })) tell(why);
+    const lesson = history && kept.lessons.get(history.now);
+    const shown = act(lesson ? { do: "restore", name: data.name, to, predicting, past: known(history.past),
+      now: { id: history.now, change: "", lesson }, future: known(history.future) } : { do: "go", to: 0 });
+    await Promise.all([started, opened]);
+    if (await shown) tell(why);
   } catch (error) {
     say(`The program does not start again: ${error.message}. Reload the page.`);
   }

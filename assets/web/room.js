@@ -23,10 +23,15 @@ function makeRoom() {
   return { zoom, width, height };
 }
 
+/** "below" the figure, "over" the lower edge of the window or "beside" the figure: style.css says it. */
+function placeOfBar() {
+  return getComputedStyle(document.documentElement).getPropertyValue("--bar").trim();
+}
+
 /** `left`: pixels of the window from the figure's top on. */
 function heightOf(width, left, zoom) {
   const two = document.body.classList.contains("two");
-  const place = getComputedStyle(document.documentElement).getPropertyValue("--bar").trim();
+  const place = placeOfBar();
   // The bar takes none of the figure's height, or some at the lower edge of the window.
   if (place === "beside") return Math.max(200, left / zoom - 8);
   if (place === "over") {
