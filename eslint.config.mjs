@@ -2,9 +2,9 @@ import { readFileSync, readdirSync } from "node:fs";
 
 // What the scripts of the pages and of their tests are held to.
 const browser = ["document", "window", "location", "history", "localStorage", "navigator", "performance", "matchMedia",
-  "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "requestAnimationFrame", "cancelAnimationFrame",
-  "setTimeout", "setInterval", "clearInterval", "atob", "btoa", "Blob", "URL", "Image", "TextEncoder", "TextDecoder",
-  "CompressionStream", "DecompressionStream", "WebAssembly", "MutationObserver", "getComputedStyle"];
+  "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "dispatchEvent", "requestAnimationFrame", "cancelAnimationFrame",
+  "setTimeout", "clearTimeout", "setInterval", "clearInterval", "atob", "btoa", "Blob", "URL", "Image", "TextEncoder", "TextDecoder",
+  "CompressionStream", "DecompressionStream", "WebAssembly", "Worker", "postMessage", "MutationObserver", "getComputedStyle"];
 const rules = {
   "no-undef": "error",
   "no-unused-vars": ["error", { vars: "local", args: "after-used" }],
@@ -27,14 +27,14 @@ export default [
     files: ["**/assets/web/*.js"],
     languageOptions: {
       sourceType: "script",
-      globals: readonly([...browser, ...names]),
+      globals: { ...readonly([...browser, ...names]), onmessage: "writable" },
     },
     rules: { ...rules, "no-redeclare": ["error", { builtinGlobals: false }] },
   },
   {
     files: ["**/*.mjs"],
     languageOptions: {
-      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "axe"]),
+      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "paper", "axe"]),
     },
     rules,
   },

@@ -4,6 +4,7 @@
 
 let held = null;
 let pointed = null;  // the mouse, on the picture
+let lit = null;  // what lights up belongs to this place
 
 /** Where on the picture an event is, in its own pixels. */
 function placeOf(event) {
@@ -13,21 +14,42 @@ function placeOf(event) {
   return { x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale };
 }
 
+const FINGER = 24;  // pixels that a finger reaches, as the program has it
+
+/**
+ * Whether the marks that are shown have a vertex or a shape within `reach` pixels. The program says what is held; but a
+ * browser asks at once whether it may scroll.
+ */
+function isOverShape({ clientX, clientY }, reach) {
+  const stage = $("stage");
+  const isHeld = (mark) => /^([xyz] |[XYZ]$|node )/.test(mark.dataset.of ?? "");
+  const isArea = (x, y) => document.elementsFromPoint(x, y).some((mark) => stage.contains(mark) && isHeld(mark));
+  const around = Array.from({ length: 8 }, (_, i) => i * Math.PI / 4);
+  if (isArea(clientX, clientY) || around.some((turn) => isArea(clientX + reach * Math.cos(turn), clientY + reach * Math.sin(turn))))
+    return true;
+  const pointSize = 32;
+  return [...stage.querySelectorAll("[data-of]")].filter(isHeld).map((mark) => mark.getBoundingClientRect()).some((box) =>
+    Math.max(box.width, box.height) <= pointSize && clientX > box.left - reach && clientX < box.right + reach &&
+    clientY > box.top - reach && clientY < box.bottom + reach);
+}
+
 function onDown(event) {
   if (event.button !== 0 || held) return;
-  pointed = null;
+  pointed = lit = null;
   endMotion();
   stop();
-  const place = placeOf(event);
-  // The picture stays: what is touched must be there when the browser asks whether to scroll.
   const touch = event.pointerType !== "mouse";
-  const drags = ask({ do: "press", ...place, ...(touch && { finger: true }) }).dragging;
-  held = { id: event.pointerId, drags, from: place, touch };
-  if (!held.drags) return;
-  $("hint").hidden = true;
+  const press = { id: event.pointerId, drags: isOverShape(event, touch ? FINGER : 14), from: placeOf(event), touch };
+  held = press;
+  if (!press.drags) return;
   $("stage").classList.add("drags");
   $("stage").setPointerCapture(event.pointerId);
   event.preventDefault();
+  ask({ do: "press", ...press.from, ...(touch && { finger: true }) }).then((answer) => {
+    if (answer?.dragging) return tell("");
+    press.drags = false;
+    $("stage").classList.remove("drags");
+  });
 }
 
 function onMove(event) {
@@ -41,22 +63,25 @@ function onMove(event) {
 
 /** Ends a drag as if it had not been. */
 function letGo() {
+  dropHand();
+  act({ do: "cancel" });
+}
+
+function dropHand() {
   held = null;
   $("stage").classList.remove("drags");
-  act({ do: "cancel" });
 }
 
 function onLeave(event) {
   if (event.pointerType !== "mouse") return;
-  pointed = null;
+  pointed = lit = null;
   $("stage").querySelectorAll(".ring").forEach((ring) => ring.remove());
 }
 
 function onUp(event) {
   if (!held || event.pointerId !== held.id) return;
   const { drags, from, touch } = held;
-  held = null;
-  $("stage").classList.remove("drags");
+  dropHand();
   if (drags) act({ do: "release" });
   const place = placeOf(event);
   light(place);
@@ -84,9 +109,10 @@ function outlineOf(mark, name) {
 }
 
 /** What is pointed at lights up, and what belongs to it. */
-function light(place) {
-  const found = ask({ do: "point", ...place });
-  if (found.problem !== undefined) return;
+async function light(place) {
+  lit = place;
+  const found = await ask({ do: "point", ...place });
+  if (!found?.linked || lit !== place) return;
   const svg = $("stage").querySelector("svg");
   svg.querySelectorAll(".ring").forEach((ring) => ring.remove());
   $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));

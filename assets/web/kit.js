@@ -20,26 +20,28 @@ const KIT = {
 
 const MOST_LISTED = 20000;  // characters of a case
 
-/** The vertices of a shape. */
-function world(key) {
-  const { vertices } = (state.shapes ?? ask({ do: "vertices" }))[key];
-  return vertices.map(([x, y]) => [Number(x), Number(y)]);
+/** The vertices of both shapes. */
+async function world() {
+  const shapes = state.shapes ?? await ask({ do: "vertices" });
+  const points = ({ vertices }) => vertices.map(([x, y]) => [Number(x), Number(y)]);
+  return shapes?.x && { x: points(shapes.x), y: points(shapes.y) };
 }
 function middle(points) {
   return [0, 1].map((i) => points.reduce((sum, p) => sum + p[i], 0) / points.length);
 }
 
 function setCase(a, b) {
-  act({ do: "case", text: JSON.stringify({ a, b }), name: "shapes" });
+  return act({ do: "case", text: JSON.stringify({ a, b }), name: "shapes" });
 }
 
-function setShape(key, kind) {
+async function setShape(key, kind) {
   const corners = Math.min(64, Math.max(3, Math.round(Number($("corners").value) || 3)));
-  const [cx, cy] = middle(world(key));
-  const made = KIT[kind](corners).map(([x, y]) =>
+  const shapes = await world();
+  if (!shapes) return;
+  const [cx, cy] = middle(shapes[key]);
+  shapes[key] = KIT[kind](corners).map(([x, y]) =>
     [Number((x + cx).toFixed(3)), Number((y + cy).toFixed(3))]);
-  if (key === "x") setCase(made, world("y"));
-  else setCase(world("x"), made);
+  setCase(shapes.x, shapes.y);
 }
 
 function setRandomPair() {
@@ -49,20 +51,39 @@ function setRandomPair() {
   setCase(placed(KIT.random(), -1.3 + off(), off()), placed(KIT.random(), 1.3 + off(), off()));
 }
 
+async function showCase(text, name) {
+  if (await act({ do: "case", text, name }, { about: $("case") })) $("stage").scrollIntoView({ block: "nearest" });
+}
+
+async function readFile(file) {
+  if (!file) return;
+  if (file.size > MOST_LINK_BYTES)
+    return say(`${file.name}: ${file.size} bytes are too many; expected at most ${MOST_LINK_BYTES}`, $("case"));
+  await showCase(await file.text(), file.name);
+}
+
 function startKit() {
   for (const button of document.querySelectorAll("[data-shape]"))
     button.onclick = () => setShape(button.dataset.for, button.dataset.shape);
   $("random").onclick = setRandomPair;
-  const paste = (text) => {
-    if (act({ do: "case", text, name: "pasted" })) $("stage").scrollIntoView({ block: "nearest" });
+  $("paste").onclick = () => showCase($("case").value, "pasted");
+  $("choose").onclick = () => $("file").click();
+  $("file").onchange = async () => {
+    await readFile($("file").files[0]);
+    $("file").value = "";  // so that the same file can be chosen again
   };
-  $("paste").onclick = () => paste($("case").value);
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    document.querySelector(".kit details").open = true;
+    readFile(event.dataTransfer.files[0]);
+  });
   // A field takes minutes to set so many lines: a long case is shown, and not listed.
   $("case").addEventListener("beforeinput", (event) => {
     if (!(event.data?.length > MOST_LISTED)) return;
     event.preventDefault();
     $("case").value = "";
     $("case").placeholder = "The case is too long to list; it is shown at once.";
-    paste(event.data);
+    showCase(event.data, "pasted");
   });
 }

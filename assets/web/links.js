@@ -4,45 +4,66 @@
 
 const MOST_LINK_BYTES = 1 << 21;
 
-async function through(stream, bytes, most = Infinity) {
-  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
-  const parts = [];
-  let size = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    size += value.length;
-    if (size > most) throw new Error(`it holds more than ${most} bytes`);
-    parts.push(value);
-  }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
-}
-
 async function packed(text) {
   const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(text));
   const base64 = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
   return base64.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 async function unpacked(text) {
-  const bytes = bytesOf(text.replaceAll("-", "+").replaceAll("_", "/"));
-  const all = await through(new DecompressionStream("deflate-raw"), bytes, MOST_LINK_BYTES);
+  let bytes;
+  try {
+    bytes = bytesOf(text.replaceAll("-", "+").replaceAll("_", "/"));
+  } catch {
+    throw new Error("'lesson' has characters that no link has; expected letters, digits, - and _");
+  }
+  let all;
+  try {
+    all = await through(new DecompressionStream("deflate-raw"), bytes, MOST_LINK_BYTES);
+  } catch (error) {
+    throw error instanceof RangeError ? error
+      : new Error("'lesson' is cut off or changed; expected the whole of a link that Share gave");
+  }
   return new TextDecoder().decode(all);
 }
 
-/** The address of this page at this step, with what was changed. */
-async function address(more = "") {
-  const here = location.href.split("#")[0];
-  const link = `${here}#step=${state.index + 1}${more}`;
-  if (!state.changed) return link;
-  return `${link}&lesson=${await packed(ask({ do: "lesson" }).lesson)}`;
+/** What follows # in the address of this step, with what was changed. */
+async function hashOfStep() {
+  const hash = `#step=${state.index + 1}`;
+  if (!state.changed) return hash;
+  const answer = await ask({ do: "lesson" });
+  return answer?.lesson === undefined ? null : `${hash}&lesson=${await packed(answer.lesson)}`;
 }
 
-function keepLink() {
+async function address(more = "") {
+  return location.href.split("#")[0] + ((await hashOfStep()) ?? `#step=${state.index + 1}`) + more;
+}
+
+let keptLinks = 0;
+
+/** The address names the step, and holds what was changed: a reload and Back bring it again. */
+async function keepLink() {
+  const number = ++keptLinks;
+  const hash = await hashOfStep();
+  if (hash === null || number !== keptLinks) return;
   try {
-    if (!state.changed) history.replaceState(null, "", `#step=${state.index + 1}`);
+    history.replaceState(null, "", hash + (root.classList.contains("embed") ? "&embed" : ""));
   } catch {
     // An address that may not change, in a frame for example.
   }
+}
+
+/** Names and values of a link. */
+function partsOf(text) {
+  const parts = new Map();
+  for (const part of text.split("&")) {
+    const [name, ...value] = part.split("=");
+    try {
+      parts.set(name, decodeURIComponent(value.join("=")));
+    } catch {
+      throw new Error(`'${name.slice(0, 20)}' has a % that no two hexadecimal digits follow`);
+    }
+  }
+  return parts;
 }
 
 /** Goes where the link says; what is wrong with it is said. */
@@ -52,29 +73,34 @@ async function follow(hash) {
   const most = 3 * MOST_LINK_BYTES;  // %20
   if (text.length > most) return say(`link: ${text.length} characters are too many; expected at most ${most}`);
   try {
-    const parts = new Map();
-    for (const part of text.split("&")) {
-      const at = part.indexOf("=");
-      const name = at < 0 ? part : part.slice(0, at);
-      parts.set(name, at < 0 ? "" : decodeURIComponent(part.slice(at + 1)));
-    }
-    root.classList.toggle("embed", parts.has("embed"));
+    const parts = partsOf(text);
+    setEmbedded(parts.has("embed"));
     if (parts.has("lesson")) {
       const lesson = await unpacked(parts.get("lesson"));
-      if (!act({ do: "replace", lesson, name: "link" })) return;
+      if (!(await act({ do: "replace", lesson, name: "link" }))) return;
     } else if (parts.has("case")) {
-      if (!act({ do: "case", text: parts.get("case"), name: "link" })) return;
+      if (!(await act({ do: "case", text: parts.get("case"), name: "link" }))) return;
     }
     const wanted = parts.get("step") ?? (/^\d+$/.test(text) ? text : null);
-    layout();
     if (wanted === null) return;
     const number = /^\d{1,9}$/.test(wanted) ? Number(wanted) : 0;
     if (number < 1 || number > state.count)
       return say(`link: there is no step ${wanted.slice(0, 20)}; expected 1 to ${state.count}`);
-    act({ do: "go", to: number - 1 });
+    await act({ do: "go", to: number - 1 });
   } catch (error) {
-    say(`link: it is damaged (${error.message})`);
+    say(`link: ${error.message}`);
   }
+}
+
+/** In a page of somebody else: the figure, and a way to the lesson. */
+function setEmbedded(on) {
+  if (root.classList.contains("embed") === on) return;
+  root.classList.toggle("embed", on);
+  $("whole").hidden = !on;
+  const link = $("whole").querySelector("a");
+  link.onpointerdown = link.onfocus = link.onclick = () => { link.href = location.href.replace("&embed", "").replace("#embed", "#"); };
+  link.onclick();
+  layout();
 }
 
 function offer(title, text, value) {
@@ -106,13 +132,16 @@ function fileName(ending) {
   return `${data.id}-${String(state.index + 1).padStart(4, "0")}.${ending}`;
 }
 
-function saveSvg() {
-  save(fileName("svg"), new Blob([ask({ do: "frame" }).svg], { type: "image/svg+xml" }));
+async function saveSvg() {
+  const frame = await ask({ do: "frame" });
+  if (frame?.svg) save(fileName("svg"), new Blob([frame.svg], { type: "image/svg+xml" }));
 }
 
 async function savePng() {
+  const frame = await ask({ do: "frame" });
+  if (!frame?.svg) return;
   const fonts = `<style>${$("fonts").textContent}</style>`;
-  const svg = ask({ do: "frame" }).svg.replace("<title>", `${fonts}<title>`);
+  const svg = frame.svg.replace("<title>", `${fonts}<title>`);
   const image = new Image();
   image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   await image.decode();

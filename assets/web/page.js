@@ -4,12 +4,12 @@ const $ = (id) => document.getElementById(id);
 const data = JSON.parse($("data").textContent);
 const root = document.documentElement;
 const PLAY_MS = 1800;
+const PAPER_MS = 400;
 
-let ask = null;
 let state = null;
-let endMotion = () => {};
 let playing = 0;
-let zoom = 1;  // of pictures and type: a projector is looked at from afar
+let paper = null;  // the pictures as they are printed
+let paperTimer = 0;
 
 // What is shown -----------------------------------------------------------------------------------
 
@@ -19,26 +19,34 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
-/** Says what went wrong until something goes right. */
-function say(problem) {
-  $("problem").textContent = problem;
-  $("problem").hidden = !problem;
+/** Says what went wrong until something goes right: below the element that it is about, or above the figure. */
+function say(problem, about = $("problem-place")) {
+  const line = $("problem");
+  const place = problem ? about : $("problem-place");
+  if (line.previousElementSibling !== place) place.after(line);
+  line.textContent = problem;
+  line.hidden = !problem;
+  if (problem && place.id !== "problem-place") line.scrollIntoView({ block: "nearest" });
 }
 
-/** Asks the program, and shows what it answers. */
-function act(request, moves = false) {
-  let next;
-  try {
-    next = ask(request);
-  } catch (error) {
-    // A trap: the program's memory is not to be trusted from here on.
-    ask = () => ({ problem: "the program has stopped; reload the page" });
-    next = { problem: `the program has stopped: ${error.message}; reload the page` };
-  }
+/** A note on the figure, in the place of the hint; none leaves that empty. */
+function tell(note) {
+  $("hint").textContent = note;
+  $("hint").classList.toggle("note", Boolean(note));
+}
+
+/**
+ * Asks the program, and shows what it answers. False when that is a problem, or nothing: a newer request took the
+ * place of this one, or it was given up.
+ */
+async function act(request, { moves = false, about } = {}) {
+  const next = await ask(request);
+  if (!next) return false;
   if (next.problem !== undefined) {
-    say(next.problem);
+    say(next.problem, about);
     return false;
   }
+  givenUp = 0;
   say("");
   show(next, moves);
   return true;
@@ -62,13 +70,21 @@ function putStage(markup) {
   if (pointed) light(pointed);
 }
 
+/** Shapes that GJK does not see as they are drawn; what was told before is over. */
+function tellOfHulls() {
+  const names = state.changed ? state.hulls : [];
+  if (names.length)
+    tell(`${names.join(" and ")} ${names.length > 1 ? "are not convex: GJK sees their hulls" : "is not convex: GJK sees its hull"}.`);
+  else if ($("hint").classList.contains("note")) tell("");
+}
+
 function show(next, moves) {
   const last = state;
   state = { ...last, ...next, question: next.question };
   if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list
   const focused = document.activeElement;
   endMotion();
-  endMotion = () => {};
+  paper = null;
   if (moves && !matchMedia("(prefers-reduced-motion: reduce)").matches) endMotion = animate();
   else putStage(state.stage);
   $("panel").hidden = !state.panel;
@@ -87,7 +103,8 @@ function show(next, moves) {
   const atEnd = state.index + 1 === state.count;
   $("iteration").disabled = atEnd;
   if ($("next")) $("next").hidden = !atEnd;
-  $("step").disabled = atEnd || Boolean(state.question && next.question);
+  $("step").disabled = atEnd || Boolean(state.question);
+  tellOfHulls();
   if (!next.numbers) return;  // while dragging
   showTools(next, last);
   keepFocus(focused);
@@ -95,14 +112,32 @@ function show(next, moves) {
   showVertices();
   showNumerics();
   markTranscript();
-  if (last && (last.index !== state.index || last.changed !== state.changed)) keepLink();
+  // There a question takes of the figure's height.
+  if (last && Boolean(last.question) !== Boolean(state.question) && placeOfBar() === "over") layout();
+  keep(next);
+  if (last && (last.index !== state.index || last.history.now !== state.history.now)) keepLink();
+  clearTimeout(paperTimer);
+  paperTimer = setTimeout(async () => {
+    const wanted = state;
+    const printed = await ask({ do: "print" });
+    if (state === wanted) paper = printed;
+  }, PAPER_MS);
+}
+
+/** Paper has a theme of its own. A browser does not wait for it, so it is there before one prints. */
+function showOnPaper() {
+  if (!paper?.stage) return;
+  endMotion();
+  root.dataset.theme = "print";
+  put($("stage"), paper.stage, "img");
+  if (paper.panel) put($("panel"), paper.panel, "group");
 }
 
 /** A button that cannot be pressed any more hands the keyboard to what comes next. */
 function keepFocus(focused) {
   if (!focused || focused === document.body || (!focused.disabled && focused.isConnected && !focused.closest("[hidden]"))) return;
   const next = $("choices").querySelector("button");
-  if (next && !$("question").hidden) next.focus({ preventScroll: true });
+  if (next && state?.question) next.focus({ preventScroll: true });
   else ($("step").disabled ? $("back") : $("step")).focus({ preventScroll: true });
 }
 
@@ -128,25 +163,14 @@ function putPanel() {
 
 // Size and theme ----------------------------------------------------------------------------------
 
-/** The most characters that a step says. */
-const longest = Math.max(...[...document.querySelectorAll(".transcript li")].map((item) => item.textContent.length));
-
 /** Pictures are laid out in the room that they have, so that type keeps its size. */
-function layout(theme = themeName($("theme").value)) {
-  zoom = Math.min(2, Math.max(1, innerWidth / 1440));
-  root.style.setProperty("--zoom", zoom);
+function layout() {
+  const theme = themeName($("theme").value);
   root.dataset.theme = theme;
-  const width = $("stage").clientWidth / zoom;
-  const top = ($("stage").getBoundingClientRect().top + scrollY) / zoom;
-  // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
-  const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
-  const below = controls + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
-  const fit = Math.max(330, innerHeight / zoom - top - below);
-  const two = data.views > 1;
-  const isLow = innerHeight <= 496;  // as in style.css: the bar stands beside the figure
-  const height = isLow ? Math.max(200, innerHeight / zoom - 16) : width < 600 ? Math.max((two ? 1.72 : 0.9) * width, 300) : Math.min((two ? 0.5 : 0.62) * width, fit);
+  const { zoom, width, height } = makeRoom();
   const panel = $("panel").hidden ? 368 : $("panel").clientWidth / zoom;
-  act({ do: "layout", width, height, panel, timeline: Math.max(200, width), theme });
+  kept.layout = { do: "layout", width, height, panel, timeline: Math.max(200, width), theme };
+  return act(kept.layout);
 }
 
 // Steps -------------------------------------------------------------------------------------------
@@ -160,34 +184,34 @@ function stop() {
 
 function play() {
   if (playing) return stop();
-  if (state.index + 1 === state.count) act({ do: "go", to: 0 }, true);
   $("play").setAttribute("aria-pressed", "true");
   $("play-name").textContent = "Stop";
-  playing = setInterval(() => {
-    act({ do: "step", by: 1 }, true);
-    if (state.index + 1 === state.count || !$("question").hidden) stop();
+  if (state.index + 1 === state.count) act({ do: "go", to: 0 }, { moves: true });
+  playing = setInterval(async () => {
+    await act({ do: "step", by: 1 }, { moves: true });
+    if (state.index + 1 === state.count || state.question) stop();
   }, PLAY_MS);
 }
 
 function step(by) {
   stop();
-  if (by > 0 && !$("question").hidden) return;
-  act({ do: "step", by }, true);
+  if (by > 0 && state.question) return;
+  act({ do: "step", by }, { moves: true });
 }
 function iteration(by) {
   stop();
-  act({ do: "iteration", by }, true);
+  act({ do: "iteration", by }, { moves: true });
 }
 function go(to, moves = true) {
   stop();
-  act({ do: "go", to }, moves);
+  act({ do: "go", to }, { moves });
 }
 function choose(choice) {
-  act({ do: "answer", choice }, true);
+  act({ do: "answer", choice }, { moves: true });
 }
-function predict() {
+async function predict() {
   stop();
-  act({ do: "predict", on: !state.predicting });
+  if (await act({ do: "predict", on: !state.predicting })) $("stage").scrollIntoView({ block: "nearest" });
 }
 
 const KEYS = {
@@ -198,11 +222,12 @@ const KEYS = {
   " ": play,
   u: () => act({ do: "undo" }),
   y: () => act({ do: "redo" }),
-  p: predict,
+  p: () => data.asks && predict(),
 };
 
 function onKey(event) {
   const at = event.target;
+  if (event.key === "Escape" && !$("busy").hidden) return cancel();
   if (event.key === "Escape" && held?.drags) return letGo();
   if (event.altKey || $("link").open) return;
   if (at.closest("input:not([type=checkbox]), textarea, select")) return;
@@ -218,6 +243,7 @@ function onKey(event) {
     if (at.getAttribute("role") === "button" && at.dataset.of) clickOn(at, event);
     return;
   }
+  if (state.question && /^[1-9]$/.test(event.key)) return pressChoice(Number(event.key));
   const does = KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
   if (!does) return;
   event.preventDefault();
@@ -230,7 +256,7 @@ function clickOn(target, event) {
   if (kind === "phase") {
     event.preventDefault();
     stop();
-    act({ do: "phase", phase: Number(index) }, true);
+    act({ do: "phase", phase: Number(index) }, { moves: true });
   } else if (kind === "frame") {
     go(Number(index));
   }

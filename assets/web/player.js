@@ -1,16 +1,11 @@
 "use strict";
 
-/** Bytes of a base64 text. */
-function bytesOf(base64) {
-  return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-}
-
 /**
- * The program: WebAssembly without files and without a network. `fonts` are those of the six faces,
- * regular first, then their fallbacks; `themes` are texts by name. Returns a function that takes a
- * request and gives the answer, both plain objects (docs/web.md).
+ * The program: a compiled module, without files and without a network. `fonts` are those of the six
+ * faces, regular first, then their fallbacks; `themes` are texts by name. Returns a function that
+ * takes a request and gives the answer, both texts (docs/web.md).
  */
-async function startPlayer(wasm, fonts, fallbacks, themes) {
+async function startPlayer(module, fonts, fallbacks, themes) {
   let memory = null;
   const done = () => 0;
   const view = () => new DataView(memory.buffer);
@@ -42,7 +37,7 @@ async function startPlayer(wasm, fonts, fallbacks, themes) {
   const noSuchFile = -44;
   const env = { emscripten_notify_memory_growth: done, __syscall_stat64: () => noSuchFile };
   const imports = { env, wasi_snapshot_preview1: wasi };
-  const { instance } = await WebAssembly.instantiate(wasm, imports);
+  const instance = await WebAssembly.instantiate(module, imports);
   const program = instance.exports;
   memory = program.memory;
   program._initialize();
@@ -65,8 +60,8 @@ async function startPlayer(wasm, fonts, fallbacks, themes) {
   if (!lend(write.encode(JSON.stringify(themes)), program.gjk_start))
     throw new Error("the page's fonts or themes are damaged");
   return (request) => {
-    const size = lend(write.encode(JSON.stringify(request)), program.gjk_ask);
-    return JSON.parse(read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size)));
+    const size = lend(write.encode(request), program.gjk_ask);
+    return read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size));
   };
 }
 
@@ -79,8 +74,8 @@ function fontsIn(css) {
 const FALLBACK_OF_FACE = [0, 0, 1, 1, 2, 3];
 
 /** `startPlayer` with the fonts of a style sheet. */
-function startPlayerWith(wasm, css, themes) {
+function startPlayerWith(module, css, themes) {
   const files = fontsIn(css);
   const fallbacks = FALLBACK_OF_FACE.map((i) => files[6 + i]);
-  return startPlayer(wasm, files.slice(0, 6), fallbacks, themes);
+  return startPlayer(module, files.slice(0, 6), fallbacks, themes);
 }

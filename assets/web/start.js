@@ -2,12 +2,17 @@
 
 // Buttons, keys and events get what they do, and the program starts.
 
+/** Gives up what takes long. */
+function cancel() {
+  giveUp("Given up: this is what was shown before.");
+}
+
 function connect() {
   const clicks = {
     back: () => step(-1), step: () => step(1), iteration: () => iteration(1),
     "iteration-back": () => iteration(-1), play, predict,
     undo: () => act({ do: "undo" }), redo: () => act({ do: "redo" }),
-    reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy,
+    reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy, cancel,
     share: async () => stop() || offer("Share", "This link holds the lesson, the step and what was changed.", await address()),
     embed: async () => stop() || offer("Embed", "This line shows the figure in another page.",
       `<iframe src="${(await address("&embed")).replaceAll('"', "%22")}" width="960" height="720" title="${document.title.replaceAll('"', "&quot;")}"></iframe>`),
@@ -52,30 +57,35 @@ function connect() {
   });
   for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"])
     matchMedia(query).onchange = () => layout();
-  addEventListener("beforeprint", () => layout("print"));
-  addEventListener("afterprint", () => layout());
+  addEventListener("beforeprint", showOnPaper);
+  addEventListener("afterprint", layout);
   if (data.kind === "playground") startKit();
 }
 
 async function start() {
   // Steps write the address, so the link is kept first.
   const link = location.hash;
+  $("data").dataset.starts = true;
   $("theme").value = chosenTheme();
-  const wasm = await through(new DecompressionStream("gzip"), bytesOf($("wasm").textContent));
-  ask = await startPlayerWith(wasm, $("fonts").textContent, data.themes);
-  const { lesson, name, files } = data;
-  const depth = data.kind === "playground" ? true : undefined;
-  const opened = ask({ do: "open", lesson, name, files, depth });
-  if (opened.problem !== undefined) throw new Error(opened.problem);
-  state = opened;
-  root.classList.add("js");
+  await startProgram();
+  state = await openLesson();
   connect();
-  layout();
-  await document.fonts.ready;
   // Two shapes are asked for their distance first; how it was found comes after.
-  if (data.kind === "playground") act({ do: "go", to: state.count - 1 });
+  if (data.kind === "playground") state = await ask({ do: "go", to: state.count - 1 });
+  await document.fonts.ready;
+  await layout();
+  $("hint").textContent = "Drag a corner or a shape: the steps follow.";
+  document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
+  root.dataset.live = true;
   await follow(link);
   root.dataset.ready = Math.round(performance.now());
 }
 
-start().catch((error) => say(`The figure cannot be made live here: ${error.message}. The first frame and all words are below.`));
+if (CAN_RUN) start().catch(cannotStart);
+else cannotStart(new Error("this browser runs no WebAssembly"));
+
+function cannotStart(error) {
+  root.classList.remove("js");
+  $("stage").style.height = "";
+  say(`The figure cannot be made live here: ${error.message}. The first frame and all words are below.`);
+}

@@ -10,14 +10,8 @@ function showTools(next, last) {
   $("redo").disabled = !state.redo;
   $("reset").disabled = !state.changed;
   $("predict").setAttribute("aria-pressed", state.predicting);
-  const asks = next.question;
-  $("question").hidden = !asks;
-  if (asks) {
-    setText("question-text", state.caption);
-    $("choices").replaceChildren(
-      ...asks.choices.map((choice) =>
-        element("button", { type: "button", textContent: choice, onclick: () => choose(choice) })));
-  }
+  $("question").hidden = !next.question;
+  if (next.question && (last?.question?.choices.join() !== next.question.choices.join() || last.index !== next.index)) showChoices(next.question);
   const graded = next.answers && (!last?.answers || last.answers.asked !== next.answers.asked);
   $("verdict").hidden = !graded;
   if (graded) {
@@ -27,6 +21,32 @@ function showTools(next, last) {
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
     setText("verdict", `${said} ${right} of ${asked} so far.`);
   }
+}
+
+/** A question for two vertices has two short lists, which may be answered in either order. */
+function showChoices({ choices, pair }) {
+  const button = (textContent, onclick) => element("button", { type: "button", textContent, onclick });
+  if (!pair) {
+    $("choices").replaceChildren(...choices.map((choice) => button(choice, () => choose(choice))));
+    return;
+  }
+  const chosen = pair.map(() => null);
+  $("choices").replaceChildren(...pair.map(({ of, vertices }, i) => {
+    const legend = element("legend", { textContent: of });
+    const list = element("fieldset", {}, legend, ...vertices.map((vertex) => button(vertex, (event) => {
+      chosen[i] = vertex;
+      for (const each of list.querySelectorAll("button")) each.setAttribute("aria-pressed", each === event.currentTarget);
+      if (!chosen.includes(null)) choose(chosen.join("−"));
+    })));
+    list.querySelectorAll("button").forEach((each) => each.setAttribute("aria-pressed", "false"));
+    return list;
+  }));
+}
+
+/** The choice with this number; of two lists of the first that is not answered. */
+function pressChoice(number) {
+  const open = [...$("choices").querySelectorAll("fieldset")].find((list) => !list.querySelector("[aria-pressed=true]"));
+  (open ?? $("choices")).querySelectorAll("button")[number - 1]?.click();
 }
 
 function rows(list) {
@@ -61,10 +81,10 @@ function vertexTable(key, shape) {
     const input = element("input", { type: "text", value: text, spellcheck: false });
     input.setAttribute("aria-label", `${"xy"[axis]} of ${shape.names[index]}`);
     input.id = `${key}-${index}-${axis}`;
-    input.onchange = () => {
+    input.onchange = async () => {
       const [x, y] = [0, 1].map((i) =>
         i === axis ? input.value.trim() : shape.vertices[index][hex ? 2 + i : i]);
-      act({ do: "vertex", shape: key, index, x, y }) || (input.value = text);
+      if (!(await act({ do: "vertex", shape: key, index, x, y }, { about: input }))) input.value = text;
     };
     return element("td", {}, input);
   };
@@ -84,7 +104,7 @@ function showVertices() {
   if (!$("vertices-part").open) return;
   const focused = [...$("vertices").querySelectorAll("button, input")].indexOf(document.activeElement);
   if (!state.shapes) {
-    $("vertices").textContent = "There are too many to list.";
+    $("vertices").textContent = "These shapes have too many vertices to list and to type. Drag them on the stage.";
     return;
   }
   $("vertices").replaceChildren(vertexTable("x", state.shapes.x), vertexTable("y", state.shapes.y));
@@ -138,13 +158,13 @@ function showNumerics() {
   }
 }
 
-function setNumerics() {
+async function setNumerics(event) {
   const request = { do: "numerics" };
   for (const key of Object.keys(NUMERICS)) {
     const input = $(`numerics-${key}`);
     request[key] = state.choices[key] ? input.value : input.checked;
   }
-  if (!act(request)) showNumerics();
+  if (!(await act(request, { about: event.currentTarget.closest("label") }))) showNumerics();
 }
 
 /** The transcript tells the lesson as it was written. */

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lesson/decimal.hpp"
+#include "lesson/schema.hpp"
 
 namespace gjkscope {
 namespace {
@@ -89,8 +90,12 @@ using Path = std::vector<std::string>;
 class CaseReader {
  public:
   CaseReader(std::string_view text, std::string_view file, int most_dimension,
-             std::optional<models::Needs> outlines)
-      : text_(text), file_(file), most_dimension_(most_dimension), outlines_(outlines) {
+             std::optional<models::Needs> outlines, const CaseLimits& limits)
+      : text_(text),
+        file_(file),
+        most_dimension_(most_dimension),
+        outlines_(outlines),
+        limits_(limits) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') line_starts_.push_back(i + 1);
     }
@@ -269,6 +274,11 @@ class CaseReader {
                     : "an array of at least one point, [[x, y, z], ...]");
       return points;
     }
+    if (list.size() > limits_.points) {
+      report(out, at, path, fmt::format("{} has {} points", shown(path), list.size()),
+             fmt::format("at most {}", limits_.points));
+      return points;
+    }
     for (std::size_t i = 0; i < list.size(); ++i) {
       const json& point = list[i];
       const Path to_point = below(path, std::to_string(i));
@@ -286,12 +296,14 @@ class CaseReader {
       for (int k = 0; k < D; ++k) {
         const json& given = point[static_cast<std::size_t>(k)];
         const std::optional<double> number = coordinate(given);
-        if (number && std::isfinite(*number)) {
+        const bool is_finite = number && std::isfinite(*number);
+        if (is_finite && std::abs(*number) <= limits_.magnitude) {
           read[k] = *number;
         } else {
           const Path to_number = below(to_point, std::to_string(k));
           report(out, at, to_number, fmt::format("{} is {}", shown(to_number), shown(given)),
-                 "a finite number, or a string that holds one");
+                 is_finite ? fmt::format("a number from -{0} to {0}", limits_.magnitude)
+                           : "a finite number, or a string that holds one");
         }
       }
       points.push_back(read);
@@ -412,6 +424,7 @@ class CaseReader {
   std::string file_;
   int most_dimension_;
   std::optional<models::Needs> outlines_;
+  CaseLimits limits_;
   std::vector<std::size_t> line_starts_ = {0};
   // The last place asked for: a line may hold many cases, and is counted once.
   mutable std::size_t counted_to_ = 0;
@@ -460,9 +473,13 @@ LessonShape shape_of(const std::vector<models::Outline>& outlines, std::string n
 
 }  // namespace
 
+CaseLimits CaseLimits::of_lessons() {
+  return {static_cast<std::size_t>(limits::kVertices), limits::kLargest};
+}
+
 std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file, int most_dimension,
-                                  std::optional<models::Needs> outlines) {
-  return CaseReader(text, file, most_dimension, outlines).read();
+                                  std::optional<models::Needs> outlines, const CaseLimits& limits) {
+  return CaseReader(text, file, most_dimension, outlines, limits).read();
 }
 
 std::string case_json(const Case& value, std::string_view name) {

@@ -15,6 +15,7 @@
 // (one a line, for example), or in arrays.
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,6 +48,13 @@ struct CaseNotes {
   std::optional<bool> expected_overlap;
 };
 
+/// What a case may hold at most, where it becomes a lesson; by itself anything finite.
+struct CaseLimits {
+  std::size_t points = std::numeric_limits<std::size_t>::max();  ///< Of a shape.
+  double magnitude = std::numeric_limits<double>::max();         ///< Of a coordinate.
+  [[nodiscard]] static CaseLimits of_lessons();
+};
+
 /// One case of a text, as far as it could be read.
 struct ReadCase {
   std::string name;  ///< Its `name`, or the file's; the second of a file has "#2" added, and so on.
@@ -61,9 +69,10 @@ struct ReadCase {
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
 /// that cannot be read does not keep the others from being read. What only knows the plane asks for
 /// dimensions up to 2, and others are problems. What takes outlines says what it needs of them.
+/// Points beyond `limits` are problems.
 [[nodiscard]] std::vector<ReadCase> parse_cases(
     std::string_view text, std::string_view file, int most_dimension = 2,
-    std::optional<models::Needs> outlines = std::nullopt);
+    std::optional<models::Needs> outlines = std::nullopt, const CaseLimits& limits = {});
 
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
 /// They must be finite. An empty name is left out.

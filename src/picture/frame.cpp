@@ -67,9 +67,15 @@ bool is_narrow(const Page& page) {
   return !page.bare && page.width < Page{}.width && page.height <= kTall * page.width;
 }
 
+/// A stage as narrow as on a phone.
+bool is_slim(const Page& page) {
+  constexpr double kSlim = 600.0;
+  return page.bare && page.width < kSlim;
+}
+
 /// Views may stand one below the other, beside the panel.
 bool may_stack(const Page& page) {
-  return is_narrow(page) || (!page.bare && page.height > kSquarish * page.width);
+  return is_narrow(page) || is_slim(page) || (!page.bare && page.height > kSquarish * page.width);
 }
 
 /// `stacks`: whether views stand one below the other, of cards side by side and cards so.
@@ -320,9 +326,12 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
   const auto stacks = [&](const Cards& beside, const Cards& stacked) {
     if (!may_stack(page_)) return false;
     double larger = 1.0;
-    for (std::size_t i = 0; i < stacked.size(); ++i)
+    bool has_words = !page_.bare;
+    for (std::size_t i = 0; i < stacked.size(); ++i) {
       larger *= scale(i, stacked[i]) / scale(i, beside[i]);
-    return larger >= 1.0 || beside[0].size().x() < kNarrowestCard;
+      has_words = has_words || !shows_shapes(run_.lesson.views[i].kind);
+    }
+    return larger >= 1.0 || (has_words && beside[0].size().x() < kNarrowestCard);
   };
   const Layout layout = layout_of(run_, static_cast<int>(prose_lines),
                                   static_cast<int>(caption_lines), page_, stacks);

@@ -14,11 +14,19 @@
 
 namespace gjkscope {
 
+/// The vertices of a shape to choose from.
+struct VertexChoice {
+  std::string shape;
+  std::vector<std::string> vertices;
+};
+
 /// What a frame asks.
 struct FrameQuestion {
   std::string ask;                   ///< "support", ...
   std::vector<std::string> choices;  ///< As the frame lists them.
   std::string answer;                ///< The next frame that asks nothing tells it.
+  /// Where a choice is a pair, "K−A": the two to choose, in its order.
+  std::vector<VertexChoice> pair = {};
 };
 
 /// The words and numbers of a frame: what the sidecar file, the contact sheet, the transcript and

@@ -74,12 +74,14 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   if (dragging_) end_drag();
   const bool is_first = !shown_;
   Whereabouts there{file_, saved_, index_};
+  std::vector<std::optional<Sight>> sights = sights_;
   std::optional<Lesson> before = replace(std::move(lesson), {});
   if (!before) return false;
   go_to(0);
   file_ = std::move(file);
   saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
-  if (!is_first) remember({"open " + lesson_.id, *std::move(before), std::move(there)});
+  if (!is_first)
+    remember({"open " + lesson_.id, *std::move(before), std::move(there)}, std::move(sights));
   changed();
   return true;
 }
@@ -112,7 +114,8 @@ bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool 
   const bool is_first = !shown_;
   Whereabouts there{file_, saved_, index_};
   Lesson before = std::exchange(lesson_, std::move(made->lesson));
-  sights_.assign(lesson_.views.size(), std::nullopt);
+  std::vector<std::optional<Sight>> sights =
+      std::exchange(sights_, std::vector<std::optional<Sight>>(lesson_.views.size()));
   shown_ = std::move(made->shown);
   index_ = 0;
   picture_.reset();
@@ -124,7 +127,8 @@ bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool 
   }
   file_ = std::move(file);
   saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
-  if (!is_first) remember({"open " + lesson_.id, std::move(before), std::move(there)});
+  if (!is_first)
+    remember({"open " + lesson_.id, std::move(before), std::move(there)}, std::move(sights));
   changed();
   return true;
 }
@@ -154,9 +158,10 @@ std::vector<Session::Unsaved> Session::all_unsaved() const {
 
 bool Session::reload(Lesson lesson) {
   if (dragging_) end_drag();
+  std::vector<std::optional<Sight>> sights = sights_;
   std::optional<Lesson> before = replace(std::move(lesson), {});
   if (!before) return false;
-  remember({"reload", *std::move(before)});
+  remember({"reload", *std::move(before)}, std::move(sights));
   saved_ = std::make_shared<const Lesson>(lesson_);
   changed();
   return true;
@@ -179,8 +184,10 @@ void Session::changed() {
   unsaved_ = !saved_ || lesson_ != *saved_;
 }
 
-void Session::remember(Entry entry) {
+void Session::remember(Entry entry, std::vector<std::optional<Sight>> sights) {
   future_.clear();
+  entry.id = std::exchange(id_, ++last_id_);
+  entry.sights = std::move(sights);
   past_.push_back(std::move(entry));
   std::size_t all = 0;
   for (const Entry& each : past_) all += weight(each.lesson);
@@ -195,10 +202,11 @@ bool Session::edit(const std::string& name, Lesson lesson) {
   problems_ = why_not_said(lesson, read_);
   problem_ = to_string(problems_);
   if (!problem_.empty()) return false;
+  std::vector<std::optional<Sight>> sights = sights_;
   hold_cameras();
   std::optional<Lesson> before = replace(std::move(lesson), sights_);
   if (!before) return false;
-  remember({name, *std::move(before)});
+  remember({name, *std::move(before)}, std::move(sights));
   changed();
   return true;
 }
@@ -207,6 +215,7 @@ bool Session::revert() { return saved_ && edit("revert", *saved_); }
 
 void Session::begin_drag(const std::string& name, std::optional<std::size_t> held) {
   if (dragging_) end_drag();
+  remember({name, lesson_}, sights_);
   hold_cameras();
   held_ = held;
   follows_.clear();
@@ -214,7 +223,6 @@ void Session::begin_drag(const std::string& name, std::optional<std::size_t> hel
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (is_difference_in_sight(seen[i])) follows_.push_back(i);
   }
-  remember({name, lesson_});
   dragging_ = true;
 }
 
@@ -233,18 +241,22 @@ void Session::end_drag() {
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
   lesson_ = std::move(past_.back().lesson);
+  id_ = past_.back().id;
   past_.pop_back();
   changed();
   show(LabelScope::lesson);
   problem_ = why;
 }
 
-bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
+bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to, Cameras cameras) {
   if (dragging_) end_drag();
   if (from.empty()) return false;
   Entry entry = std::move(from.back());
   from.pop_back();
   std::swap(lesson_, entry.lesson);
+  std::swap(id_, entry.id);
+  std::vector<std::optional<Sight>> then = std::exchange(entry.sights, sights_);
+  if (cameras == Cameras::as_then) sights_ = std::move(then);
   std::optional<int> index;
   if (entry.of_other) {
     const Whereabouts there = std::exchange(*entry.of_other, {file_, saved_, index_});
@@ -261,11 +273,38 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to) {
   return true;
 }
 
-bool Session::undo() { return swap_with_last(past_, future_); }
-bool Session::redo() { return swap_with_last(future_, past_); }
+bool Session::undo(Cameras cameras) { return swap_with_last(past_, future_, cameras); }
+bool Session::redo(Cameras cameras) { return swap_with_last(future_, past_, cameras); }
 
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
+
+std::vector<Session::Kept> Session::kept(const std::vector<Entry>& entries) {
+  std::vector<Kept> list;
+  for (const Entry& entry : entries) list.push_back({entry.id, entry.name});
+  return list;
+}
+
+bool Session::restore(std::vector<KeptLesson> past, KeptLesson now,
+                      std::vector<KeptLesson> future) {
+  if (dragging_) end_drag();
+  if (!replace(std::move(now.lesson), {})) return false;
+  id_ = last_id_ = now.kept.id;
+  const auto entries = [&](std::vector<KeptLesson>& from) {
+    std::vector<Entry> list;
+    for (KeptLesson& each : from) {
+      last_id_ = std::max(last_id_, each.kept.id);
+      list.push_back({.name = std::move(each.kept.change),
+                      .lesson = std::move(each.lesson),
+                      .id = each.kept.id});
+    }
+    return list;
+  };
+  past_ = entries(past);
+  future_ = entries(future);
+  changed();
+  return true;
+}
 
 Lesson Session::to_run(Lesson lesson) const {
   if (predicting_) {
@@ -429,6 +468,11 @@ void Session::set_predicting(bool on) {
   if (on == predicting_) return;
   predicting_ = on;
   show(LabelScope::lesson);
+  if (!on) return;
+  const std::vector<Frame>& frames = run().frames;
+  int first = index_;
+  while (first > 0 && frames[static_cast<std::size_t>(first) - 1].question >= 0) --first;
+  go_to(first);
 }
 
 const FrameQuestion* Session::question() const {

@@ -95,11 +95,32 @@ class Session {
   void drag(const std::function<void(Lesson&)>& edit);
   void end_drag();
   [[nodiscard]] bool is_dragging() const { return dragging_; }
-  bool undo();
-  bool redo();
+  /// Whether undo and redo leave cameras as they are, or bring back those of then.
+  enum class Cameras { stay, as_then };
+  bool undo(Cameras cameras = Cameras::stay);
+  bool redo(Cameras cameras = Cameras::stay);
   /// The name of what undo, or redo, would take back; empty when there is nothing.
   [[nodiscard]] std::string undo_name() const;
   [[nodiscard]] std::string redo_name() const;
+
+  // The history from outside: it outlives the session where one keeps the lessons.
+
+  /// A lesson of the history, told from all others by a number, and the change that separates it
+  /// from the one that is shown, or from its neighbour on that side.
+  struct Kept {
+    long id = 0;
+    std::string change;
+  };
+  [[nodiscard]] std::vector<Kept> past() const { return kept(past_); }      ///< The oldest first.
+  [[nodiscard]] std::vector<Kept> future() const { return kept(future_); }  ///< The next one last.
+  [[nodiscard]] long lesson_id() const { return id_; }
+  struct KeptLesson {
+    Kept kept;
+    Lesson lesson;
+  };
+  /// The history becomes this one, and what is shown `now`. False, and all stays as it was, when
+  /// that cannot be shown.
+  bool restore(std::vector<KeptLesson> past, KeptLesson now, std::vector<KeptLesson> future);
 
   // The place in the run
 
@@ -123,6 +144,7 @@ class Session {
 
   // Predict mode: frames ask before they tell
 
+  /// Where the frame's answer would be told at once, its question is put first.
   void set_predicting(bool on);
   [[nodiscard]] bool is_predicting() const { return predicting_; }
   /// The question of the frame, while it is open.
@@ -171,6 +193,8 @@ class Session {
     std::string name;
     Lesson lesson;
     std::optional<Whereabouts> of_other = std::nullopt;  ///< When another lesson was opened.
+    long id = 0;
+    std::vector<std::optional<Sight>> sights = {};
   };
   struct Shown;
   /// Where in the run one is, to find it again in another.
@@ -183,9 +207,11 @@ class Session {
 
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
   std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
-  void remember(Entry entry);
+  /// With the cameras that `lesson` was seen with.
+  void remember(Entry entry, std::vector<std::optional<Sight>> sights);
+  [[nodiscard]] static std::vector<Kept> kept(const std::vector<Entry>& entries);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
-  bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to);
+  bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to, Cameras cameras);
   /// Why the run cannot be shown; empty when it can.
   [[nodiscard]] static std::string why_not_shown(const LessonRun& run);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
@@ -211,6 +237,8 @@ class Session {
   Lesson lesson_;
   std::filesystem::path file_;
   long version_ = 0;
+  long id_ = 0;       ///< Of the lesson, in the history;
+  long last_id_ = 0;  ///< of the newest one.
   std::shared_ptr<const Lesson> saved_;
   bool unsaved_ = false;
   std::string problem_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -81,18 +82,22 @@ std::string link(const std::string& href, const std::string& text, std::string_v
   return fmt::format("<a{} href=\"{}\">{}</a>\n", more, escape_html(href), escape_html(text));
 }
 
-std::string transcript_items(const Lesson& lesson) {
+/// The steps of a lesson as items of a list, and the most characters that one says.
+std::pair<std::string, std::string> transcript(const Lesson& lesson) {
   Lesson told = lesson;
   told.questions.clear();
   const LessonRun run = run_lesson(std::move(told));
   EffectGraph effects(run);
-  std::string out;
+  std::string items;
+  int longest = 0;
   int step = 0;
   for (const FrameText& text : lesson_texts(run, effects)) {
-    out += fmt::format("<li><a href=\"#step={}\">{}</a>{}</li>\n", ++step,
-                       escape_html(text.position), escape_html(alternative_text(text)));
+    const std::string words = alternative_text(text);
+    longest = std::max(longest, character_count(text.position + words));
+    items += fmt::format("<li><a href=\"#step={}\">{}</a>{}</li>\n", ++step,
+                         escape_html(text.position), escape_html(words));
   }
-  return out;
+  return {items, std::to_string(longest)};
 }
 
 fs::path file_of(const SiteOptions& options, const std::string& name) {
@@ -123,10 +128,14 @@ class SiteWriter {
     shared_["fonts"] = read_whole(web / "fonts.css");
     shared_["generator"] = signature();
     shared_["style"] = read_whole(assets_ / "web" / "style.css");
-    shared_["theme-script"] = read_whole(assets_ / "web" / "theme.js");
-    for (const char* name : {"player.js", "motion.js", "page.js", "tools.js", "hand.js", "links.js",
-                             "kit.js", "start.js"})
-      shared_["script"] += read_whole(assets_ / "web" / name);
+    const auto add = [&](const char* part, std::initializer_list<const char*> names) {
+      for (const char* name : names) shared_[part] += read_whole(assets_ / "web" / name);
+    };
+    add("theme-script", {"theme.js"});
+    add("room-script", {"room.js"});
+    add("worker", {"bytes.js", "player.js", "worker.js"});
+    add("script", {"bytes.js", "program.js", "motion.js", "page.js", "tools.js", "hand.js",
+                   "links.js", "kit.js", "start.js"});
   }
 
   void write_lesson(const Lesson& lesson, const Lesson* next) {
@@ -145,7 +154,6 @@ class SiteWriter {
     parts["kind"] = "playground";
     parts["meta"] = "Their distance, and the run that finds it";
     parts["kit"] = read_whole(assets_ / "web" / "kit.html");
-    parts["answer"] = "<div id=\"answer\" class=\"answer live\"></div>";
     write_page(*loaded.lesson, std::move(parts), nullptr);
   }
 
@@ -181,6 +189,19 @@ class SiteWriter {
   std::vector<fs::path> files() && { return std::move(files_); }
 
  private:
+  /// What the run comes to, as the page's script writes it.
+  [[nodiscard]] static std::string answer_table(const Json& outcome) {
+    std::string rows;
+    for (const Json& line : outcome)
+      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+                          escape_html(line[0].get<std::string>()),
+                          escape_html(line[1].get<std::string>()));
+    return fmt::format(
+        "<div id=\"answer\" class=\"answer live\"><table><caption>Answer</caption>"
+        "<tbody>{}</tbody></table></div>",
+        rows);
+  }
+
   /// What `cmake --preset wasm` built.
   [[nodiscard]] fs::path program_folder() const {
     const fs::path installed = options_.share / "web";
@@ -218,12 +239,24 @@ class SiteWriter {
             {"id", lesson.id},
             {"name", lesson.id + ".toml"},
             {"views", lesson.views.size()},
+            {"asks", asks(lesson)},
             {"lesson", lesson_toml(lesson)},
             {"files", std::move(files)},
             {"themes", themes_}};
   }
 
-  /// The first frame is in the page itself, for who has no script and until it has started.
+  /// Whether the run of the lesson has a step that can be asked for before it is told.
+  [[nodiscard]] static bool asks(Lesson lesson) {
+    lesson.questions.clear();
+    for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
+      lesson.questions.push_back({std::string(ask.name), {}});
+    const LessonRun run = run_lesson(std::move(lesson));
+    return std::any_of(run.frames.begin(), run.frames.end(),
+                       [](const Frame& frame) { return frame.question >= 0; });
+  }
+
+  /// The first frame is in the page itself, for who has no script and until it has started; of the
+  /// playground the last one, which is what it shows first.
   void write_page(const Lesson& lesson, std::map<std::string, std::string> parts,
                   const Lesson* next) {
     const Json data = page_data(lesson, parts["kind"]);
@@ -236,10 +269,17 @@ class SiteWriter {
       }
       return answer;
     };
-    (void)ask({{"do", "open"},
-               {"lesson", data["lesson"]},
-               {"name", data["name"]},
-               {"files", data["files"]}});
+    Json open = {{"do", "open"},
+                 {"lesson", data["lesson"]},
+                 {"name", data["name"]},
+                 {"files", data["files"]}};
+    const bool is_playground = data["kind"] == "playground";
+    if (is_playground) open["depth"] = true;
+    const Json opened = ask(open);
+    if (is_playground) {
+      const Json last = ask({{"do", "go"}, {"to", opened["count"].get<int>() - 1}});
+      parts["answer"] = answer_table(last["outcome"]);
+    }
     const bool two = lesson.views.size() > 1;
     // In two sizes: those of the narrowest page with one column and with two, so that type never
     // shrinks.
@@ -254,6 +294,8 @@ class SiteWriter {
                               {"theme", "light"}});
       for (const char* key : {"prose", "position", "caption", "detail"})
         parts[key] = escape_html(first[key].get<std::string>());
+      parts["count"] =
+          fmt::format("{} / {}", first["index"].get<int>() + 1, first["count"].get<int>());
       for (const char* key : {"stage", "panel"})
         parts[key] += fmt::format("<div class=\"{}\">\n{}</div>\n", name, first.value(key, ""));
     }
@@ -264,7 +306,8 @@ class SiteWriter {
       parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n",
                                   link(next->id + ".html", "Next lesson: " + next->title));
     }
-    parts["transcript"] = transcript_items(lesson);
+    parts["asks"] = data["asks"].get<bool>() ? "" : " hidden";
+    std::tie(parts["transcript"], parts["longest"]) = transcript(lesson);
     parts["data"] = script_text(data);
     write(lesson.id, filled(page_, parts));
   }

@@ -102,7 +102,7 @@ std::string Player::answer(std::string_view request) {
       {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
       {"case", [](Player& p, const Asked& a) { p.open_case(a); }},
       {"go", [](Player& p, const Asked& a) { p.session_.go_to(a.whole("to")); }},
-      {"step", [](Player& p, const Asked& a) { p.session_.step(a.whole("by")); }},
+      {"step", [](Player& p, const Asked& a) { p.step(a.whole("by")); }},
       {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
       {"phase", [](Player& p, const Asked& a) { p.go_to_phase(a.whole("phase")); }},
       {"press", [](Player& p, const Asked& a) { p.press(a.point(), a.json.contains("finger")); }},
@@ -112,9 +112,10 @@ std::string Player::answer(std::string_view request) {
       {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
-      {"undo", [](Player& p, const Asked&) { p.session_.undo(), p.session_.fit(); }},
-      {"redo", [](Player& p, const Asked&) { p.session_.redo(), p.session_.fit(); }},
+      {"undo", [](Player& p, const Asked&) { p.session_.undo(Session::Cameras::as_then); }},
+      {"redo", [](Player& p, const Asked&) { p.session_.redo(Session::Cameras::as_then); }},
       {"reset", [](Player& p, const Asked&) { p.reset(); }},
+      {"restore", [](Player& p, const Asked& a) { p.restore(a); }},
       {"predict", [](Player& p, const Asked& a) { p.session_.set_predicting(a.flag("on")); }},
       {"answer", [](Player& p, const Asked& a) { p.session_.answer(a.text("choice")); }},
   };
@@ -125,6 +126,7 @@ std::string Player::answer(std::string_view request) {
       {"vertices", [](Player& p, const Asked&) { return p.all_vertices(); }},
       {"trace", [](Player& p, const Asked&) { return p.trace(); }},
       {"frame", [](Player& p, const Asked&) { return p.whole_frame(); }},
+      {"print", [](Player& p, const Asked&) { return p.for_paper(); }},
       {"tween", [](Player& p, const Asked& a) { return p.on_the_way(a); }},
   };
   try {
@@ -147,7 +149,7 @@ std::string Player::answer(std::string_view request) {
 }
 
 std::string Player::lesson_file() const {
-  return dumped({{"lesson", lesson_toml(session_.lesson())}});
+  return dumped({{"lesson", lesson_toml(session_.lesson())}, {"id", session_.lesson_id()}});
 }
 
 std::string Player::trace() const {
@@ -180,9 +182,35 @@ void Player::go_to_phase(int phase) {
     throw std::runtime_error(fmt::format("this run has no step '{}'", name));
 }
 
+/// Nobody steps past a question: it is answered, or gone back from.
+void Player::step(int by) {
+  const int one = by < 0 ? -1 : 1;
+  for (; by != 0; by -= one) {
+    if ((one > 0 && session_.question() != nullptr) || !session_.step(one)) return;
+  }
+}
+
 void Player::reset() {
   session_.edit("reset", *opened_);
   session_.fit();
+}
+
+/// What answers called `history`, with the lessons: after another player was given up.
+void Player::restore(const Asked& asked) {
+  const auto kept = [&](const Json& entry) {
+    return Session::KeptLesson{
+        {entry.at("id").get<long>(), entry.at("change").get<std::string>()},
+        parsed(entry.at("lesson").get<std::string>(), asked.text("name"), files_)};
+  };
+  const auto list = [&](const char* key) {
+    std::vector<Session::KeptLesson> entries;
+    for (const Json& entry : asked.at(key)) entries.push_back(kept(entry));
+    return entries;
+  };
+  if (!session_.restore(list("past"), kept(asked.at("now")), list("future")))
+    throw std::runtime_error(session_.problem());
+  session_.set_predicting(asked.flag("predicting"));
+  session_.go_to(asked.whole("to"));
 }
 
 void Player::open(const Asked& asked) {
@@ -227,7 +255,8 @@ void Player::open_case(const Asked& asked) {
     throw std::runtime_error(fmt::format("{}: {} bytes are too many; expected at most {}", name,
                                          text.size(), kMostText));
   }
-  const std::vector<ReadCase> cases = parse_cases(text, name);
+  const std::vector<ReadCase> cases =
+      parse_cases(text, name, 2, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().value) throw std::runtime_error(to_string(cases.front().problems));
   const ReadCase& read = cases.front();
   const Lesson lesson = edit::told_of(session_.lesson(), *read.value);
@@ -283,7 +312,7 @@ void Player::release() {
 void Player::cancel() {
   const bool moved = drag_ && drag_->moved;
   release();
-  if (moved) session_.undo();
+  if (moved) session_.undo(Session::Cameras::as_then);
 }
 
 namespace {
@@ -307,8 +336,15 @@ Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
 
 void Player::press(const Point& at, bool by_finger) {
   drag_.reset();
-  const double slack = by_finger ? kFingerSlack : 2.0 * kSlack;
-  const Subject subject = gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
+  const auto held_within = [&](double slack) {
+    return gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
+  };
+  Subject subject = held_within(2.0 * kSlack);
+  // Beside a shape; in it, small shapes on a phone could not be moved as a whole.
+  const auto is_area = [](Kind kind) {
+    return kind == Kind::shape_x || kind == Kind::shape_y || kind == Kind::difference;
+  };
+  if (by_finger && !is_area(subject.kind)) subject = held_within(kFingerSlack);
   const std::optional<std::size_t> view = view_at(session_, at);
   if (!view) return;
   const bool in_world = session_.views()[*view].kind == ViewKind::world;

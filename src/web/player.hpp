@@ -38,7 +38,9 @@ class Player {
   void open_case(const Asked& asked);
   void set_layout(const Asked& asked);
   void go_to_phase(int phase);
+  void step(int by);
   void reset();
+  void restore(const Asked& asked);
   void press(const Point& at, bool by_finger);
   void move(const Point& at);
   void release();
@@ -51,6 +53,7 @@ class Player {
   [[nodiscard]] std::string all_vertices() const;
   [[nodiscard]] std::string trace() const;
   [[nodiscard]] std::string whole_frame() const;
+  [[nodiscard]] std::string for_paper();
   [[nodiscard]] std::string on_the_way(const Asked& asked) const;
   [[nodiscard]] static std::string traced_cases(const Asked& asked);
 
@@ -62,6 +65,7 @@ class Player {
   // What is shown
   [[nodiscard]] std::string shown();
   [[nodiscard]] Picture panel(const Frame& frame, double width);
+  [[nodiscard]] std::string panel_svg(const Theme& theme);
   void measure_panel();
   [[nodiscard]] Picture timeline() const;
   void draw_depth(Picture& picture);

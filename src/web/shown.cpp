@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/penetration.hpp"
+#include "geometry/polygon.hpp"
 #include "lesson/hexadecimal.hpp"
 #include "lesson/names.hpp"
 #include "paint/svg.hpp"
@@ -131,6 +132,34 @@ Json shape_json(const LessonShape& shape) {
   return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
 }
 
+/// Whether one sees that an outline is not that of its hull: it has a dent, or crosses itself. What
+/// rounding does to the corners of a smooth one is none.
+bool differs_from_hull(const std::vector<Vector2d>& outline) {
+  constexpr double kSeen = 1e-3;  // of the hull's area
+  if (is_convex(outline)) return false;
+  std::vector<Vector2d> hull;
+  for (const int corner : convex_hull(outline))
+    hull.push_back(outline[static_cast<std::size_t>(corner)]);
+  const double area = signed_area(hull);
+  return std::abs(area - std::abs(signed_area(outline))) > kSeen * area;
+}
+
+/// The names of shapes that GJK knows by their hulls alone.
+Json not_convex(const LessonRun& run) {
+  Json names = Json::array();
+  if (!run.has_gjk()) return names;
+  for (const LessonShape* shape : {&run.lesson.x(), &run.lesson.y()}) {
+    if (differs_from_hull(shape->vertices)) names.push_back(shape->name);
+  }
+  return names;
+}
+
+Json entries(const std::vector<Session::Kept>& history) {
+  Json list = Json::array();
+  for (const auto& [id, change] : history) list.push_back({{"id", id}, {"change", change}});
+  return list;
+}
+
 Json numerics(const Lesson& lesson) {
   const gjk::Options& options = lesson.options;
   return {{"scalar", name_of(lesson.scalar)},
@@ -203,6 +232,23 @@ std::string Player::all_vertices() const {
   return dumped({{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}});
 }
 
+std::string Player::panel_svg(const Theme& theme) {
+  std::string values;
+  for (const auto& [name, value] : session_.text().values)
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", name, value);
+  return to_svg(panel(session_.frame(), panel_width_), fonts_, theme,
+                "Pseudocode and values: " + values);
+}
+
+/// What is shown, as paper wants it.
+std::string Player::for_paper() {
+  const Theme paper = theme("print");
+  Json out = {{"stage", to_svg(stage_, fonts_, paper, alternative_text(session_.text()))},
+              {"timeline", to_svg(timeline(), fonts_, paper, session_.text().position)}};
+  if (!session_.lesson().panel.empty()) out["panel"] = panel_svg(paper);
+  return dumped(out);
+}
+
 std::string Player::shown() {
   if (!opened_) return dumped({{"count", 0}});
   if (!session_.is_dragging() && std::exchange(measured_, session_.version()) != session_.version())
@@ -224,16 +270,15 @@ std::string Player::shown() {
               {"changed", *opened_ != lesson},
               {"undo", session_.undo_name()},
               {"redo", session_.redo_name()},
+              {"hulls", not_convex(run)},
               {"stage", to_svg(stage_, fonts_, theme_, alternative_text(text))},
               {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
-  std::string values;
-  for (const auto& [name, value] : text.values)
-    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", name, value);
-  if (!lesson.panel.empty())
-    out["panel"] = to_svg(panel(session_.frame(), panel_width_), fonts_, theme_,
-                          "Pseudocode and values: " + values);
-  if (const FrameQuestion* question = session_.question())
+  if (!lesson.panel.empty()) out["panel"] = panel_svg(theme_);
+  if (const FrameQuestion* question = session_.question()) {
     out["question"] = {{"ask", question->ask}, {"choices", question->choices}};
+    for (const VertexChoice& half : question->pair)
+      out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
+  }
   out["predicting"] = session_.is_predicting();
   if (!session_.answers().empty()) {
     const Answer& last = session_.answers().back();
@@ -243,6 +288,9 @@ std::string Player::shown() {
                       {"answer", last.right}};
   }
   if (session_.is_dragging()) return dumped(out);
+  out["history"] = {{"past", entries(session_.past())},
+                    {"now", session_.lesson_id()},
+                    {"future", entries(session_.future())}};
   out["numbers"] = numbers(run, session_.frame());
   out["outcome"] = outcome(session_);
   out["numerics"] = numerics(lesson);

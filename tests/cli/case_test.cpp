@@ -45,6 +45,22 @@ TEST(Case, StringsHoldDecimalAndHexadecimalNumbers) {
   EXPECT_EQ(Eigen::Vector2d(1e-3, -0.5), read.value->b[0]);
 }
 
+TEST(Case, WhatALessonCannotHoldIsAProblemInItsPlace) {
+  const auto problem = [](const std::string& text) {
+    const auto cases = parse_cases(text, "f", 2, std::nullopt, CaseLimits::of_lessons());
+    return cases.front().problems.empty() ? "" : to_string(cases.front().problems.front());
+  };
+  EXPECT_EQ("f:1:9: /a/0/0 is 1e+308; expected a number from -1e+18 to 1e+18",
+            problem(R"({"a": [[1e308,0],[-1e308,0]], "b": [[3,1e308]]})"));
+  EXPECT_EQ("f:2:7: /b/0/1 is -1e+19; expected a number from -1e+18 to 1e+18",
+            problem("{\"a\":[[0,0]],\"b\":[[1,\n      -1e19]]}"));
+  std::string many = R"({"b":[[9,9]],"a":[[0,0])";
+  for (int i = 0; i < 10000; ++i) many += ",[0,0]";
+  EXPECT_EQ("f:1:18: /a has 10001 points; expected at most 10000", problem(many + "]}"));
+  EXPECT_EQ("", problem(kGood));
+  EXPECT_TRUE(only(R"({"a":[[1e308,0]],"b":[[3,1e308]]})").value) << "by itself it is a case";
+}
+
 TEST(Case, ATextHoldsAnyNumberOfThem) {
   EXPECT_EQ(2u, parse_cases(kGood + "\n" + kGood + "\n", "f").size());
   EXPECT_EQ(2u, parse_cases(kGood + kGood, "f").size());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -362,6 +363,101 @@ TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
   EXPECT_EQ(static_cast<std::size_t>(asked), log["answers"].size());
   session.set_predicting(false);
   for (const Frame& frame : session.run().frames) EXPECT_LT(frame.question, 0);
+}
+
+TEST(Session, WhoAsksToBeAskedInTheMiddleIsToldNothing) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    Session session(fonts());
+    ASSERT_TRUE(session.open(lesson, {}));
+    const int count = session.frame_count();
+    for (const int at : {count / 3, count / 2, count - 1}) {
+      session.set_predicting(false);
+      session.go_to(at);
+      session.set_predicting(true);
+      EXPECT_FALSE(session.text().caption.starts_with("Answer")) << lesson.id << ", step " << at;
+    }
+  }
+}
+
+TEST(Session, AQuestionForTwoVerticesOffersThemApart) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.set_predicting(true);
+  while (session.question() == nullptr) ASSERT_TRUE(session.step(1));
+  const FrameQuestion& asked = *session.question();
+  ASSERT_EQ(2u, asked.pair.size());
+  EXPECT_EQ("Y", asked.pair[0].shape);
+  EXPECT_EQ("X", asked.pair[1].shape);
+  std::vector<std::string> joined;
+  for (const std::string& y : asked.pair[0].vertices) {
+    for (const std::string& x : asked.pair[1].vertices) joined.push_back(y + "−" + x);
+  }
+  EXPECT_EQ(asked.choices, joined);
+}
+
+TEST(Session, UndoBringsTheViewsOfThenBack) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  move_y(session, 0.25);  // holds the cameras
+  const auto cameras = [&] {
+    std::vector<double> list;
+    for (const LessonPictures::ShownView& view : session.views()) {
+      for (const double value :
+           {view.camera.height, view.camera.center.x(), view.camera.center.y()})
+        list.push_back(value);
+    }
+    return list;
+  };
+  const std::vector<double> before = cameras();
+  move_y(session, 40.0);
+  session.fit();
+  const std::vector<double> far = cameras();
+  EXPECT_NE(before, far);
+  EXPECT_TRUE(session.undo(Session::Cameras::as_then));
+  EXPECT_EQ(before, cameras());
+  EXPECT_TRUE(session.redo(Session::Cameras::as_then));
+  EXPECT_EQ(far, cameras());
+  session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
+  const std::vector<double> by_hand = cameras();
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(by_hand[0], cameras()[0]) << "a camera set by hand stays";
+}
+
+TEST(Session, AHistoryIsRestoredInAnotherSession) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  std::map<long, Lesson> kept = {{session.lesson_id(), session.lesson()}};
+  for (int i = 0; i < 4; ++i) {
+    move_y(session, 0.25);
+    kept.emplace(session.lesson_id(), session.lesson());
+  }
+  EXPECT_EQ(5u, kept.size()) << "each lesson has a number of its own";
+  session.undo();
+  session.undo();
+  EXPECT_EQ(session.lesson(), kept.at(session.lesson_id()));
+  const auto with_lessons = [&](const std::vector<Session::Kept>& list) {
+    std::vector<Session::KeptLesson> out;
+    for (const Session::Kept& each : list) out.push_back({each, kept.at(each.id)});
+    return out;
+  };
+  Session other(fonts());
+  ASSERT_TRUE(other.open(shipped_lesson("polygons-gjk"), {}));
+  ASSERT_TRUE(other.restore(with_lessons(session.past()),
+                            {{session.lesson_id(), ""}, session.lesson()},
+                            with_lessons(session.future())));
+  for (const bool back : {false, true}) {
+    for (;;) {
+      EXPECT_EQ(session.lesson(), other.lesson());
+      EXPECT_EQ(session.lesson_id(), other.lesson_id());
+      EXPECT_EQ(session.undo_name(), other.undo_name());
+      EXPECT_EQ(session.redo_name(), other.redo_name());
+      const bool more = back ? session.undo() : session.redo();
+      EXPECT_EQ(more, back ? other.undo() : other.redo());
+      if (!more) break;
+    }
+  }
+  move_y(other, 1.0);
+  EXPECT_FALSE(kept.contains(other.lesson_id())) << "a number is never given twice";
 }
 
 TEST(Session, AnyLessonOpensInPredictMode) {

@@ -8,9 +8,10 @@ export const read = (path) => readFileSync(`${root}/${path}`, "utf8");
 export const themes = Object.fromEntries(
   ["light", "dark", "high-contrast", "print"].map((name) => [name, read(`assets/themes/${name}.toml`)]));
 
-/** A function from request to answer. */
+/** A function from request to answer, plain objects. */
 export async function startProgram() {
-  const start = new Function(`${read("assets/web/player.js")}; return startPlayerWith;`)();
+  const start = new Function(`${read("assets/web/bytes.js")}; ${read("assets/web/player.js")}; return startPlayerWith;`)();
   const wasm = gunzipSync(readFileSync(`${root}/build/wasm/web/gjkscope.wasm.gz`));
-  return start(wasm, read("build/wasm/web/fonts.css"), themes);
+  const answer = await start(await WebAssembly.compile(wasm), read("build/wasm/web/fonts.css"), themes);
+  return (request) => JSON.parse(answer(JSON.stringify(request)));
 }

@@ -32,7 +32,12 @@ for (const file of lessons) {
   ask({ do: "move", x: 333.3, y: 222.2 });
   ask({ do: "release" });
   ask({ do: "predict", on: true });
+  ask({ do: "step", by: 5 });
+  ask({ do: "print" });
   ask({ do: "lesson" });
+  const kept = (id) => ({ id, change: "move a vertex", lesson: read(`lessons/${file}`) });
+  ask({ do: "restore", name: file, past: [kept(1)], now: kept(2), future: [], to: 2, predicting: false });
+  ask({ do: "undo" });
 }
 ask({ do: "open", lesson: read("assets/web/playground.toml"), name: "playground.toml" });
 const cases = readdirSync(`${root}/tests/hard-cases`);

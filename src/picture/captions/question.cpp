@@ -54,6 +54,7 @@ class Asking {
     for (const std::string& of_y : asked_.choices) {
       for (const std::string& name : of_x) pairs.push_back(fmt::format("{}−{}", of_y, name));
     }
+    asked_.pair = {{y.name, std::move(asked_.choices)}, {x.name, of_x}};
     asked_.choices = std::move(pairs);
   }
 

@@ -1,0 +1,139 @@
+"use strict";
+
+// The program beside the page: what is asked is answered one after the other, while the page goes
+// on. What takes long says so, and can be given up: then another thread goes on from what is kept.
+
+const BUSY_MS = 150;
+/** Of these only the newest that waits is asked. */
+const NEWEST = new Set(["go", "layout", "move", "point", "tween"]);
+
+let worker = null;
+let script = null;  // the address of the worker's
+let module = null;
+let sent = null;
+const waiting = [];
+let busyTimer = 0;
+
+/** Promises the answer to a request (docs/web.md); null when a newer one took its place, or it was given up. */
+function ask(request) {
+  return new Promise((done) => {
+    const last = waiting.at(-1)?.message;
+    const steps = last?.do === "step" && request.do === "step";
+    const message = steps ? { do: "step", by: last.by + request.by } : request;
+    if (steps || (last?.do === request.do && NEWEST.has(request.do))) waiting.pop().done(null);
+    waiting.push({ message, done });
+    sendNext();
+  });
+}
+
+function sendNext() {
+  if (sent || !waiting.length) return;
+  sent = waiting.shift();
+  const isRequest = sent.message.do !== undefined;
+  worker.postMessage(isRequest ? JSON.stringify(sent.message) : sent.message);
+  // Before, the page says that it gets ready.
+  if (isRequest && root.dataset.live) busyTimer = setTimeout(() => showBusy(true), BUSY_MS);
+}
+
+function hear(heard) {
+  if (!sent) return;
+  showBusy(false);
+  const { message, done } = sent;
+  sent = null;
+  if (heard.stopped !== undefined && message.do !== undefined) {
+    done(null);
+    giveUp(`The program has stopped (${heard.stopped}): this is what was shown before.`);
+    return;
+  }
+  if (heard.module) ({ module } = heard);
+  done(typeof heard === "string" ? JSON.parse(heard) : heard);
+  sendNext();
+}
+
+function showBusy(on) {
+  clearTimeout(busyTimer);
+  const focused = document.activeElement;
+  $("busy").hidden = !on;
+  root.classList.toggle("working", on);
+  keepFocus(focused);
+}
+
+/** Starts the program, in place of one that there is: what that was asked is given up. */
+async function startProgram() {
+  worker?.terminate();
+  showBusy(false);
+  for (const { done } of [sent, ...waiting.splice(0)].filter(Boolean)) done(null);
+  script ??= URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
+  const thread = new Worker(script);
+  worker = thread;
+  thread.onmessage = (event) => thread === worker && hear(event.data);
+  thread.onerror = (event) => thread === worker && hear({ stopped: event.message ?? "its thread does not start" });
+  const wasm = module ? undefined : $("wasm").textContent;
+  const started = await new Promise((done) => {
+    sent = null;
+    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, themes: data.themes }, done });
+    sendNext();
+  });
+  if (started?.stopped !== undefined) throw new Error(started.stopped);
+}
+
+// What is kept ------------------------------------------------------------------------------------
+
+const MOST_KEPT = 1 << 22;  // characters of lessons
+
+/** Lessons of the history by their number, and the place in the run, as last shown. */
+const kept = { lessons: new Map(), history: null, to: 0, predicting: false, layout: null };
+
+/** Notes what another program would need to go on from here. */
+async function keep({ history, index, predicting }) {
+  Object.assign(kept, { history, to: index, predicting });
+  if (kept.lessons.has(history.now)) return;
+  const answer = await ask({ do: "lesson" });
+  if (answer?.lesson !== undefined) kept.lessons.set(answer.id, answer.lesson);
+  const ids = new Set([kept.history.now, ...[...kept.history.past, ...kept.history.future].map(({ id }) => id)]);
+  let room = MOST_KEPT;
+  for (const [id, lesson] of [...kept.lessons].reverse()) {
+    room -= lesson.length;
+    if (!ids.has(id) || (room < 0 && id !== kept.history.now)) kept.lessons.delete(id);
+  }
+}
+
+/** Of a list that ends at the present, all from the last lesson that is not kept on. */
+function known(list) {
+  const from = list.findLastIndex(({ id }) => !kept.lessons.has(id)) + 1;
+  return list.slice(from).map(({ id, change }) => ({ id, change, lesson: kept.lessons.get(id) }));
+}
+
+/** The lesson of the page, in a program that has just started. */
+async function openLesson() {
+  const { lesson, name, files } = data;
+  const depth = data.kind === "playground" ? true : undefined;
+  const opened = await ask({ do: "open", lesson, name, files, depth });
+  if (opened?.problem !== undefined) throw new Error(opened.problem);
+  return opened;
+}
+
+let givenUp = 0;  // times, since something was shown
+
+/** Gives up what the program does, and brings back what was shown before. */
+async function giveUp(why) {
+  const mostTimes = 3;
+  if (++givenUp > mostTimes) return say("The program stops again and again; reload the page.");
+  const { history, to, predicting, layout } = kept;
+  kept.history = null;  // should this be given up, too, the lesson is opened as it was written
+  dropHand();
+  stop();
+  try {
+    // All of it waits before anything that one presses meanwhile.
+    const started = startProgram();
+    const opened = openLesson();
+    if (layout) ask(layout);
+    const lesson = history && kept.lessons.get(history.now);
+    const shown = act(lesson ? { do: "restore", name: data.name, to, predicting, past: known(history.past),
+      now: { id: history.now, change: "", lesson }, future: known(history.future) } : { do: "go", to: 0 });
+    await Promise.all([started, opened]);
+    if (await shown) tell(why);
+  } catch (error) {
+    say(`The program does not start again: ${error.message}. Reload the page.`);
+  }
+}

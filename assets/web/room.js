@@ -1,0 +1,60 @@
+"use strict";
+
+// Room for the figure, before the program is there: nothing moves when it comes.
+
+/** Whether this browser can run the program; then the page shows what belongs to it. */
+const CAN_RUN = Boolean(window.WebAssembly && window.Worker && window.DecompressionStream);
+document.documentElement.classList.toggle("js", CAN_RUN);
+
+/**
+ * How large the figure is, in pixels of its own, and how much larger the page shows it: a projector
+ * is looked at from afar.
+ */
+function makeRoom() {
+  const root = document.documentElement;
+  const stage = document.getElementById("stage");
+  const zoom = Math.min(2, Math.max(1, innerWidth / 1440));
+  root.style.setProperty("--zoom", zoom);
+  const width = stage.clientWidth / zoom;
+  const top = stage.getBoundingClientRect().top + scrollY;
+  const height = heightOf(width, innerHeight - top, zoom);
+  stage.style.height = `${height * zoom}px`;
+  root.style.setProperty("--stage-height", stage.style.height);
+  return { zoom, width, height };
+}
+
+/** "below" the figure, "over" the lower edge of the window or "beside" the figure: style.css says it. */
+function placeOfBar() {
+  return getComputedStyle(document.documentElement).getPropertyValue("--bar").trim();
+}
+
+/** `left`: pixels of the window from the figure's top on. */
+function heightOf(width, left, zoom) {
+  const two = document.body.classList.contains("two");
+  const place = placeOfBar();
+  // The bar takes none of the figure's height, or some at the lower edge of the window.
+  if (place === "beside") return Math.max(200, left / zoom - 8);
+  if (place === "over") {
+    const gap = 8;
+    const bottom = (id) => document.getElementById(id).getBoundingClientRect().bottom;
+    const hint = Math.max(0, bottom("hint") - bottom("stage"));
+    const bar = document.querySelector(".bar").offsetHeight;
+    return Math.min(Math.max(200, (left - hint - gap - bar) / zoom), (two ? 1.72 : 1) * width);
+  }
+  // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
+  const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
+  const link = document.documentElement.classList.contains("embed") ? 40 : 0;
+  const longest = Number(document.getElementById("stage").dataset.longest);
+  const below = controls + link + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
+  const most = two ? Math.max(0.5 * width, Math.min(0.8 * width, 400)) : 0.62 * width;
+  return Math.min(most, Math.max(330, left / zoom - below));
+}
+
+// A page that was cut off on its way has no script that would start it.
+addEventListener("load", () => {
+  if (!CAN_RUN || document.getElementById("data")?.dataset.starts) return;
+  document.documentElement.classList.remove("js");
+  const problem = document.getElementById("problem");
+  problem.textContent = "This page did not arrive as a whole, so nothing here can be stepped or dragged. Reload it.";
+  problem.hidden = false;
+});

@@ -1,0 +1,22 @@
+"use strict";
+
+// The program in a thread of its own: a text in, a text out. What starts it comes first, and is
+// answered by the compiled module, so that another thread starts without compiling.
+
+let answer = null;
+
+onmessage = async ({ data }) => {
+  try {
+    if (answer) {
+      postMessage(answer(data));
+      return;
+    }
+    const { wasm, fonts, themes } = data;
+    const module = data.module ??
+      await WebAssembly.compile(await through(new DecompressionStream("gzip"), bytesOf(wasm)));
+    answer = await startPlayerWith(module, fonts, themes);
+    postMessage({ module });
+  } catch (error) {
+    postMessage({ stopped: error.message });
+  }
+};
