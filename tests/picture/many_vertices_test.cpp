@@ -107,6 +107,20 @@ TEST(ManyVertices, DisksFollowTheRoomAndNeverTouch) {
   EXPECT_LT(last, 3.0);
 }
 
+/// Where most vertices have room and some stand close together, disks of these are left out.
+TEST(ManyVertices, ACrowdHasFewerDisks) {
+  Lesson lesson = lesson_of_many(40);
+  for (int i = 1; i < 9; ++i)
+    lesson.x().vertices[static_cast<std::size_t>(i)] =
+        lesson.x().vertices[0] + (0.01 * i) * (lesson.x().vertices[9] - lesson.x().vertices[0]);
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts());
+  const std::vector<Disk> disks = disks_of_x(pictures.picture(0));
+  EXPECT_GE(disks.size(), 32u);
+  EXPECT_LT(disks.size(), 38u);
+}
+
 TEST(ManyVertices, WhatIsPointedAtHasANameAndAllElseStays) {
   const LessonRun run = run_lesson(lesson_of_many(1000));
   EffectGraph effects(run);

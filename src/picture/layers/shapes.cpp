@@ -185,8 +185,11 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const std::vector<bool> seen = in_sight(scene, vertices);
   std::vector<bool> named(world.size(), world.size() <= kMostLabels);
   if (has_gjk) named = named_vertices(scene, body, seen, radius > 0.0);
+  const Point* last = nullptr;  // that has a disk
   for (std::size_t i = 0; i < world.size(); ++i) {
-    if (!seen[i] || (radius == 0.0 && !named[i])) continue;
+    const bool touches = last != nullptr && (vertices[i] - *last).norm() < 2.0 * radius + 0.5;
+    if (!seen[i] || (!named[i] && (radius == 0.0 || touches))) continue;
+    last = &vertices[i];
     const int index = static_cast<int>(i);
     scene.disk(role + ".vertex", vertices[i], radius > 0.0 ? radius : kNamedRadius,
                is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
