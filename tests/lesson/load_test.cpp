@@ -564,7 +564,7 @@ TEST(Load, EffectsOfAllDifferencesOfTooManyVerticesAreRefused) {
                                 fmt::join(std::vector<std::string>(199, "[6, 0]"), ", ")));
     text = replaced(text, "names = [\"K\", \"L\", \"M\"]\n", "");
     text = replaced(text, "supports = [\"K-B\"]\n", "");
-    return replaced(text, "\"history\"]", "\"history\", \"minkowski-hull\"]");
+    return replaced(text, "\"history\"]", "\"history\", \"minkowski-cloud\"]");
   };
   const LoadedLesson just = parse(with(5000));
   EXPECT_TRUE(just.problems.empty()) << all_of(just.problems);
@@ -572,7 +572,7 @@ TEST(Load, EffectsOfAllDifferencesOfTooManyVerticesAreRefused) {
   ASSERT_EQ(more.problems.size(), 1u) << all_of(more.problems);
   EXPECT_EQ(
       to_string(more.problems[0]),
-      "lessons/two.toml:35:42: effect 'minkowski-hull' of 1000200 differences y - x, 200 times "
+      "lessons/two.toml:35:42: effect 'minkowski-cloud' of 1000200 differences y - x, 200 times "
       "5001; expected at most 1000000 of them: fewer vertices, or views without this effect");
 }
 
