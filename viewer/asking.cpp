@@ -275,7 +275,9 @@ void Asking::draw_on_stage(const AtlasFonts& fonts) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNav);
-  ImGui::PushFont(const_cast<ImFont*>(&fonts.font(type::kDetail)));
+  const auto& [font, scale] = fonts.font(type::kDetail);
+  ImGui::PushFont(const_cast<ImFont*>(font));
+  ImGui::SetWindowFontScale(static_cast<float>(scale));
   draw();
   ImGui::PopFont();
   ImGui::End();

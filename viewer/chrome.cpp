@@ -62,16 +62,16 @@ double App::layout(double width, double height, double density) {
   density_ = density;
   // Under a hand nothing moves.
   if (!session_.is_dragging()) notice_lines_ = is_presenting() ? 0 : notice_count();
-  room_ = room_of({.width = width,
-                   .height = height,
-                   .scale = ui_scale_,
-                   .density = density,
-                   .presenting = is_presenting(),
-                   .notices = kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_),
-                   .lessons = lessons_shown_,
-                   .drawer = drawer_ ? std::optional(drawer_width()) : std::nullopt,
-                   .drawer_is_chosen =
-                       drawer_ && drawer_widths_.contains(drawers_[*drawer_].name)});
+  room_ =
+      room_of({.width = width,
+               .height = height,
+               .scale = ui_scale_,
+               .density = density,
+               .presenting = is_presenting(),
+               .notices = kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_),
+               .lessons = lessons_shown_,
+               .drawer = drawer_ ? std::optional(drawer_width()) : std::nullopt,
+               .drawer_is_chosen = drawer_ && drawer_widths_.contains(drawers_[*drawer_].name)});
   return picture_.lay_out(room_.stage, density);
 }
 
@@ -432,7 +432,8 @@ void App::draw_drawer() {
   const double left = width_ - room_.drawer;
   const double grip = kGrip * ui_scale_;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
-  begin_panel("##edge", {{left, room_.stage.min.y()}, {left + grip, height_}}, ImGuiWindowFlags_NoScrollbar);
+  begin_panel("##edge", {{left, room_.stage.min.y()}, {left + grip, height_}},
+              ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   drag_edge();
   ImGui::End();

@@ -13,7 +13,8 @@ constexpr double kMostOver = 0.8;         // of a stage that a drawer lies over
 }  // namespace
 
 Room room_of(const RoomWish& wish) {
-  const auto [width, height, scale, density, presenting, notices, lessons, drawer, is_chosen] = wish;
+  const auto [width, height, scale, density, presenting, notices, lessons, drawer, is_chosen] =
+      wish;
   Room room;
   room.stage = {{0.0, 0.0}, {width, height}};
   if (presenting) return room;

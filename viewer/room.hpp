@@ -27,7 +27,7 @@ struct RoomWish {
   double scale = 1.0;    ///< Of the panels.
   double density = 1.0;  ///< Of the screen: of the stage's type.
   bool presenting = false;
-  double notices = 0.0;  ///< Height of their lines below the bar.
+  double notices = 0.0;           ///< Height of their lines below the bar.
   bool lessons = false;           ///< The list is wanted beside the stage.
   std::optional<double> drawer;   ///< Its width at scale 1; nothing: none is open.
   bool drawer_is_chosen = false;  ///< A hand has made it as wide, even if it covers the stage.
