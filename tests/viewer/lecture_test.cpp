@@ -44,7 +44,10 @@ TEST(Lecture, AClickerShowsTheFramesOfTheExport) {
     window.key("PageDown");
     const LessonRun exported = run_lesson(session.lesson());
     ASSERT_EQ(static_cast<int>(exported.frames.size()), session.frame_count()) << id;
-    int questions = 0;
+    const auto asks = [](const Frame& frame) { return frame.question >= 0; };
+    const auto expected = std::count_if(exported.frames.begin(), exported.frames.end(), asks);
+    EXPECT_GT(expected, 0) << id;
+    std::ptrdiff_t questions = 0;
     for (int i = 0; i < session.frame_count(); ++i) {
       EXPECT_EQ(exported.frames[static_cast<std::size_t>(i)].question,
                 session.run().frames[static_cast<std::size_t>(i)].question)
@@ -54,7 +57,7 @@ TEST(Lecture, AClickerShowsTheFramesOfTheExport) {
       questions += session.question() ? 1 : 0;
       window.key("PageDown");
     }
-    EXPECT_EQ(static_cast<int>(session.lesson().questions.size()), questions) << id;
+    EXPECT_EQ(expected, questions) << id;
     EXPECT_EQ(session.frame_count() - 1, session.index()) << "and comes to the end";
   }
 }
@@ -118,7 +121,7 @@ void go_to_many_choices(HeadlessApp& window) {
 }
 
 TEST(Lecture, NumbersAboveNineAreTyped) {
-  HeadlessApp window("penetration-depth");
+  HeadlessApp window("penetration-identical");
   Session& session = window.session();
   go_to_many_choices(window);
   const std::vector<std::string> choices = session.question()->choices;
@@ -131,7 +134,7 @@ TEST(Lecture, NumbersAboveNineAreTyped) {
 
 TEST(Lecture, EnterOrAShortWhileMakesADigitANumber) {
   for (const bool waits : {false, true}) {
-    HeadlessApp window("penetration-depth");
+    HeadlessApp window("penetration-identical");
     Session& session = window.session();
     go_to_many_choices(window);
     const std::vector<std::string> choices = session.question()->choices;
