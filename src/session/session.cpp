@@ -123,6 +123,7 @@ bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool 
   std::vector<std::optional<Sight>> sights =
       std::exchange(sights_, std::vector<std::optional<Sight>>(lesson_.views.size()));
   shown_ = std::move(made->shown);
+  stacked_ = shown_->pictures.is_stacked();
   index_ = 0;
   picture_.reset();
   // The window may have changed meanwhile.
