@@ -27,8 +27,6 @@ using Kind = Subject::Kind;
 
 constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
 constexpr double kLooksBeside = 0.1;   // seconds; at what is done beside the window
-constexpr double kSlowest = 0.25;      // frames a second
-constexpr double kFastest = 32.0;
 
 /// Whether there is such a vertex or shape: what was selected may have been undone.
 bool has(const Lesson& lesson, const Subject& subject) {
@@ -47,6 +45,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       session_(fonts),
       theme_(Theme::load(paths_.share / "assets" / "themes", theme_name_)),
       picture_(*this),
+      asking_(*this),
       thumbnails_(fonts),
       chapters_(parse_chapters(read_whole(paths_.share / "assets" / "chapters.toml"),
                                "assets/chapters.toml")),
@@ -67,6 +66,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
 #undef DRAWER
   make_commands();
   read_recent();
+  if (!paths_.state.empty()) apply(read_settings(paths_.state / "settings"));
   fs::path file = opening_lesson(paths_.share);
   if (fs::is_directory(name)) {
     const auto good =
@@ -89,7 +89,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
   const bool is_first = recent_.empty();
   open_path(file);
   if (!error_.empty()) throw std::runtime_error(error_details_);
-  if (is_first) say("Drag a vertex. → shows the next step, ? all keys.");
+  welcomes_ = is_first && name.empty();
   offer_left_work();
 }
 
@@ -98,6 +98,7 @@ App::~App() {
   for (const LeftWork& each : left_) {
     if (each.is_discarded) unsaved_.forget(each.work);
   }
+  keep_settings();
 }
 
 // Time -------------------------------------------------------------------------------------------
@@ -121,10 +122,10 @@ void App::say(const std::vector<Problem>& problems) {
 void App::tick(double now) {
   now_ = now;
   if (playing_ && now_ >= next_step_) {
-    const bool waits = session_.question() != nullptr;
-    if (waits || !session_.step(1)) playing_ = false;
+    if (session_.question() || !session_.step(1)) playing_ = false;
     next_step_ = now_ + 1.0 / frames_per_second_;
   }
+  asking_.tick(now_);
   end_export();
   end_opening();
   thumbnails_.tick();
@@ -141,6 +142,7 @@ void App::tick(double now) {
   const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
   if (is_due && !keeping_.valid()) keep_unsaved_beside();
   note_finished();
+  if (!ImGui::GetIO().MouseDown[0]) keep_settings();
 }
 
 std::optional<double> App::wakes_at() const {
@@ -150,6 +152,8 @@ std::optional<double> App::wakes_at() const {
   if (picture_.is_moving()) at = std::min(at, now_ + kImage);
   if (!message_.empty()) at = std::min(at, message_ends_.value_or(0.0));
   if (gone_since_ && now_ < *gone_since_ + kGoneAfter) at = std::min(at, *gone_since_ + kGoneAfter);
+  at = std::min(at, presenter_.wakes_at(now_).value_or(HUGE_VAL));
+  at = std::min(at, asking_.wakes_at().value_or(HUGE_VAL));
   const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
   if (is_exporting() || is_opening() || keeping_.valid() || makes_thumbnails() ||
       (open && open->waits && open->waits()))
@@ -215,11 +219,36 @@ void App::erase_selected() {
   if (edit("delete a vertex", std::move(lesson))) picture_.selected = {};
 }
 
-void App::step(int by, bool over_questions) {
+void App::step(int by) {
   playing_ = false;
-  if (by > 0 && !over_questions && session_.question())
+  if (by > 0 && session_.is_predicting() && session_.question() && !is_presenting())
     return say("a question is open: choose with ↑ and ↓, answer with Enter, or Page Down tells");
   session_.step(by);
+}
+
+const ListedLesson* App::neighbour(int by) const {
+  const auto open = std::find_if(lessons_.begin(), lessons_.end(), [&](const ListedLesson& each) {
+    return each.id == session_.lesson().id;
+  });
+  if (open == lessons_.end()) return nullptr;
+  for (auto i = open - lessons_.begin() + by; i >= 0 && i < std::ssize(lessons_); i += by) {
+    const ListedLesson& lesson = lessons_[static_cast<std::size_t>(i)];
+    if (lesson.problem.empty()) return &lesson;
+  }
+  return nullptr;
+}
+
+bool App::can_click_on(int by) const {
+  const int to = session_.index() + by;
+  return (to >= 0 && to < session_.frame_count()) || (is_presenting() && neighbour(by) != nullptr);
+}
+
+void App::click_on(int by) {
+  playing_ = false;
+  session_.set_asking(true);
+  if (session_.step(by) || !is_presenting() || neighbour(by) == nullptr) return;
+  open_path(neighbour(by)->file);
+  if (by < 0) session_.go_to(session_.frame_count() - 1);
 }
 
 void App::note_finished() {
@@ -272,7 +301,9 @@ bool App::is_dark() const {
   return 0.3 * c.r + 0.6 * c.g + 0.1 * c.b < 128.0;
 }
 
-bool App::panels_have_keys() const { return focused_ || dialog_ || ImGui::GetIO().WantTextInput; }
+bool App::panels_have_keys() const {
+  return focused_ || dialog_ || has_popup() || ImGui::GetIO().WantTextInput;
+}
 
 // Commands ---------------------------------------------------------------------------------------
 
@@ -285,11 +316,15 @@ void App::make_commands() {
   const auto is_not_first = [&] { return session_.index() > 0; };
   const auto is_not_last = [&] { return session_.index() + 1 < session_.frame_count(); };
   add(
-      "Step", "Next step", {"Right"}, [&] { step(1, false); }, is_not_last);
+      "Step", "Next step", {"Right"}, [&] { step(1); }, is_not_last);
   add(
-      "Step", "Step before", {"Left", "PageUp"}, [&] { step(-1, true); }, is_not_first);
+      "Step", "Step before", {"Left"}, [&] { step(-1); }, is_not_first);
   add(
-      "Step", "Next step, over questions", {"PageDown"}, [&] { step(1, true); }, is_not_last);
+      "Step", "Go on, with the lesson's questions", {"PageDown"}, [&] { click_on(1); },
+      [&] { return can_click_on(1); });
+  add(
+      "Step", "Go back, with the lesson's questions", {"PageUp"}, [&] { click_on(-1); },
+      [&] { return can_click_on(-1); });
   add(
       "Step", "Next iteration", {"Shift+Right"},
       [&] {
@@ -321,25 +356,12 @@ void App::make_commands() {
       [&] { frames_per_second_ = std::min(2.0 * frames_per_second_, kFastest); });
   add("Step", "Play slower", {"["},
       [&] { frames_per_second_ = std::max(0.5 * frames_per_second_, kSlowest); });
-  const auto neighbour = [this](int by) -> const ListedLesson* {
-    const auto open = std::find_if(lessons_.begin(), lessons_.end(), [&](const ListedLesson& each) {
-      return each.id == session_.lesson().id;
-    });
-    if (open == lessons_.end()) return nullptr;
-    for (auto i = open - lessons_.begin() + by; i >= 0 && i < std::ssize(lessons_); i += by) {
-      const ListedLesson& lesson = lessons_[static_cast<std::size_t>(i)];
-      if (lesson.problem.empty()) return &lesson;
-    }
-    return nullptr;
-  };
   add(
-      "Step", "Next lesson", {"Ctrl+PageDown"},
-      [this, neighbour] { open_path(neighbour(1)->file); },
-      [neighbour] { return neighbour(1) != nullptr; });
+      "Step", "Next lesson", {"Ctrl+PageDown"}, [&] { open_path(neighbour(1)->file); },
+      [&] { return neighbour(1) != nullptr; });
   add(
-      "Step", "Lesson before", {"Ctrl+PageUp"},
-      [this, neighbour] { open_path(neighbour(-1)->file); },
-      [neighbour] { return neighbour(-1) != nullptr; });
+      "Step", "Lesson before", {"Ctrl+PageUp"}, [&] { open_path(neighbour(-1)->file); },
+      [&] { return neighbour(-1) != nullptr; });
 
   add(
       "Edit", "Undo", {"Ctrl+Z"},
@@ -459,20 +481,30 @@ void App::make_commands() {
                            [](const LessonView& view) { return shows_shapes(view.kind); });
       });
   add("View", "Lessons", {"L"}, [&] {
-    lessons_shown_ = !has_lessons();
-    if (lessons_shown_ && drawer_ && !has_lessons()) toggle_drawer(*drawer_);
+    const bool had = has_lessons();
+    lessons_over_ = false;
+    lessons_shown_ = !had;
+    if (had) return;
+    (void)layout(width_, height_, density_);
+    lessons_over_ = !has_lessons();
   });
+  add(
+      "View", "Black screen", {"B", "."}, [&] { presenter_.blacken(true); },
+      [&] { return is_presenting(); });
   for (std::size_t i = 0; i < drawers_.size(); ++i) {
     add("View", drawers_[i].name, {drawers_[i].key}, [this, i] { toggle_drawer(i); });
     for (const Command& command : drawers_[i].commands) commands_.push_back(command);
   }
   add("View", "Small pictures of lessons, or none", {}, [&] { has_thumbnails = !has_thumbnails; });
   add("View", "Motion between steps, or none", {}, [&] { moves_ = !moves_; });
-  add("View", "Presenter mode", {"F5", "F11"}, [&] { presenting_ = !presenting_; });
+  add("View", "Presenter mode", {"F5", "Shift+F5", "F11"}, [&] {
+    presenter_.turn(!is_presenting());
+    if (is_presenting()) session_.set_asking(true);
+  });
   add("View", "Larger panels", {"Ctrl+=", "Ctrl++"},
-      [&] { panel_size_ = std::min(panel_size_ + 0.125, 3.0); });
+      [&] { panel_size_ = std::min(panel_size_ + 0.125, kLargestPanels); });
   add("View", "Smaller panels", {"Ctrl+-"},
-      [&] { panel_size_ = std::max(panel_size_ - 0.125, 0.75); });
+      [&] { panel_size_ = std::max(panel_size_ - 0.125, kSmallestPanels); });
   add("View", "Next panel by keyboard", {"F6"}, [&] { focus_next_panel(1); });
   add("View", "Panel before by keyboard", {"Shift+F6"}, [&] { focus_next_panel(-1); });
   const std::vector<std::string> themes = Theme::names(paths_.share / "assets" / "themes");
@@ -483,6 +515,7 @@ void App::make_commands() {
     set_theme(now == themes.end() || now + 1 == themes.end() ? themes.front() : *(now + 1));
   });
 
+  add("Help", "Where to begin", {}, [&] { welcomes_ = true; });
   add("Help", "Keys", {"?", "F1"}, [&] { show_dialog(keys_dialog(*this)); });
   add("Help", "Any command", {"Ctrl+P", "/"}, [&] { show_dialog(palette_dialog(*this)); });
   add("Help", "Close or leave", {"Escape"}, [&] {
@@ -491,9 +524,15 @@ void App::make_commands() {
     } else if (focused_) {
       focused_.reset();
       focus_moves_ = true;
-    } else if (presenting_) {
-      presenting_ = false;
+    } else if (lessons_over_) {
+      lessons_over_ = false;
+    } else if (asking_.has_begun()) {
+      asking_.forget();
+      picture_.selected = {};
+    } else if (is_presenting()) {
+      presenter_.turn(false);
     } else {
+      welcomes_ = false;
       message_.clear();
       error_.clear();
       picture_.selected = {};
@@ -515,6 +554,17 @@ void App::focus_next_panel(int by) {
 bool App::press(const KeyPress& press) {
   const std::string name =
       fmt::format("{}{}{}", press.ctrl ? "Ctrl+" : "", press.shift ? "Shift+" : "", press.key);
+  if (presenter_.is_black()) {
+    presenter_.blacken(false);
+    return true;
+  }
+#if IMGUI_VERSION_NUM < 18700
+  // Enter presses what the keyboard points at, as Space does.
+  if (name == "Enter" && panels_have_keys() && !ImGui::GetIO().WantTextInput)
+    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0f;
+#endif
+  // An open menu or list takes the keys, Escape, too.
+  if (has_popup()) return false;
   // Under a dialog nothing moves but the dialog.
   if (dialog_ && name != "Escape") return false;
   if (panels_have_keys() && name != "Escape" && !name.ends_with("F6")) return false;
@@ -555,12 +605,13 @@ std::string App::state_json() {
       {"frames", session_.frame_count()},
       {"iteration", session_.text().iteration},
       {"phase", session_.text().phase},
-      {"caption", session_.text().caption},
+      {"caption", session_.told().caption},
       {"unsaved", session_.is_unsaved()},
       {"undo", session_.undo_name()},
       {"redo", session_.redo_name()},
       {"playing", playing_},
-      {"presenting", presenting_},
+      {"presenting", is_presenting()},
+      {"black", presenter_.is_black()},
       {"theme", theme_name_},
       {"drawer", drawer_ ? drawers_[*drawer_].name : ""},
       {"dialog", dialog_ ? dialog_->title : ""},
@@ -573,10 +624,14 @@ std::string App::state_json() {
        }()},
       {"left", std::count_if(left_.begin(), left_.end(),
                              [](const LeftWork& each) { return !each.is_discarded; })},
+      {"lessons", has_lessons()},
+      {"folded", room_.folded},
+      {"welcome", welcomes_},
       {"pinned", pinned_text()},
       {"exporting", is_exporting()},
       {"recent", recent_},
       {"question", session_.question() != nullptr},
+      {"asking", session_.is_asking()},
       {"asked", session_.answers().size()},
       {"right", session_.right_answers()}};
   const LessonRun& run = session_.run();

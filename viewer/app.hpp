@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -16,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "asking.hpp"
 #include "command.hpp"
 #include "dialog.hpp"
 #include "drawer.hpp"
@@ -25,7 +27,10 @@
 #include "lesson/case.hpp"
 #include "paint/imgui_painter.hpp"
 #include "picture_view.hpp"
+#include "presenter.hpp"
+#include "room.hpp"
 #include "session/session.hpp"
+#include "settings.hpp"
 #include "thumbnails.hpp"
 #include "unsaved.hpp"
 
@@ -101,7 +106,9 @@ class App {
   /// Quits, unless work would be lost that nobody has agreed to lose; whoever asks again has.
   void ask_to_quit();
   [[nodiscard]] bool wants_to_quit() const { return quit_; }
-  [[nodiscard]] bool wants_full_screen() const { return presenting_; }
+  [[nodiscard]] bool wants_full_screen() const { return presenter_.is_on(); }
+  /// False while a lecture has no use for it.
+  [[nodiscard]] bool shows_pointer() const { return presenter_.pointer_opacity(now_) > 0.0; }
   [[nodiscard]] std::string title() const;
   /// The panels take the colours of the theme.
   void set_colors() const;
@@ -116,7 +123,9 @@ class App {
   [[nodiscard]] const Theme& theme() const { return theme_; }
   [[nodiscard]] const std::string& theme_name() const { return theme_name_; }
   [[nodiscard]] bool is_dark() const;
-  [[nodiscard]] bool is_presenting() const { return presenting_; }
+  [[nodiscard]] bool is_presenting() const { return presenter_.is_on(); }
+  [[nodiscard]] const Presenter& presenter() const { return presenter_; }
+  [[nodiscard]] Asking& asking() { return asking_; }
   [[nodiscard]] const std::filesystem::path& share() const { return paths_.share; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
@@ -158,6 +167,7 @@ class App {
   /// Whether what changes from step to step moves.
   [[nodiscard]] bool moves() const { return moves_; }
   [[nodiscard]] double now() const { return now_; }
+  [[nodiscard]] const Room& room() const { return room_; }
 
   /// Lessons of the list that were stepped to their end.
   struct Progress {
@@ -207,6 +217,11 @@ class App {
   // Parts of the window
   void draw_top_bar();
   void draw_transport();
+  void draw_steps();
+  bool draw_tab(const char* name);
+  void draw_menu(const char* name, const std::vector<std::string_view>& items);
+  /// What stands on the stage beside the picture: where to begin, and the way home.
+  void draw_on_stage();
   void draw_lessons();
   void draw_drawer();
   void draw_dialog();
@@ -215,14 +230,20 @@ class App {
   void draw_status();
   void draw_pinned(float begin);
   [[nodiscard]] std::string pinned_text();
-  /// The list of lessons gives way where the picture has no room beside it.
+  /// Beside the stage, or over it.
   [[nodiscard]] bool has_lessons() const;
+  [[nodiscard]] double drawer_width() const;
+  void drag_edge();
+  /// A menu or a list is open, besides a dialog.
+  [[nodiscard]] bool has_popup() const;
+  /// The keyboard's frame is around what it would press in a panel.
+  void show_focus(const std::string& panel);
   [[nodiscard]] const std::string& said() const;
   /// How many lines notices take.
   [[nodiscard]] std::size_t notice_count() const;
   [[nodiscard]] bool fits_status(const std::string& text) const;
   void draw_lesson(const ListedLesson& lesson, bool is_open);
-  void draw_icon_button(Icon icon, std::string_view name);
+  void draw_icon_button(Icon icon, std::string_view name, bool at_top = false);
   void draw_menu_item(std::string_view name);
 
   // Deeds
@@ -271,8 +292,13 @@ class App {
   /// Those that were closed, too.
   [[nodiscard]] std::vector<Notice> all_notices() const;
   [[nodiscard]] bool would_lose_work() const;
-  /// One frame on, or back. By a clicker, over questions, too.
-  void step(int by, bool over_questions);
+  /// One frame on, or back.
+  void step(int by);
+  /// The same by a clicker, with the lesson's own questions; in a lecture from lesson to lesson.
+  void click_on(int by);
+  [[nodiscard]] bool can_click_on(int by) const;
+  /// The next lesson of the list that can be shown, or the one before; null where there is none.
+  [[nodiscard]] const ListedLesson* neighbour(int by) const;
   void nudge(const Eigen::Vector2d& pixels);
   void erase_selected();
   void select_next(int by);
@@ -289,6 +315,9 @@ class App {
   void discard_left_work(bool is_discarded);
   void read_recent();
   void remember_recent(const std::filesystem::path& file);
+  [[nodiscard]] Settings settings() const;
+  void apply(const Settings& settings);
+  void keep_settings();
   void write_lines(const char* name, const std::vector<std::string>& lines) const;
   void end_export();
   void note_finished();
@@ -299,6 +328,7 @@ class App {
   std::string theme_name_ = "light";
   Theme theme_;
   PictureView picture_;
+  Asking asking_;
   Thumbnails thumbnails_;
   std::map<int, std::string> chapters_;  ///< Their titles.
   std::vector<ListedLesson> lessons_;
@@ -320,11 +350,12 @@ class App {
   std::optional<double> gone_since_;    ///< When that was seen first.
   std::vector<NotedCase> noted_cases_;  ///< Those opened last.
 
-  double top_height_ = 0.0;  ///< Of the bar as it was drawn last, in pixels.
   double panel_size_ = 1.0;  ///< As the user chose.
   double ui_scale_ = 1.0;    ///< Times the density of the screen.
   double width_ = 0.0;       ///< Of the window, in pixels.
   double height_ = 0.0;
+  double density_ = 1.0;
+  Room room_;
   PanelFonts panel_fonts_;
   const AtlasFonts* atlas_fonts_ = nullptr;  ///< Of the frame that is drawn.
 
@@ -334,8 +365,13 @@ class App {
   std::optional<std::string> focused_;    ///< The panel that keys go to.
   bool focus_moves_ = false;
   bool lessons_shown_ = true;
+  bool lessons_over_ = false;  ///< Over the stage, which has no room beside it.
+  std::optional<std::string> menu_open_;
+  std::map<std::string, double> drawer_widths_;  ///< Those that were chosen.
+  bool welcomes_ = false;                        ///< Says where to begin.
+  Settings kept_settings_;                       ///< As the file has them.
   std::string listed_;  ///< The file of the lesson that was open when the list was drawn last.
-  bool presenting_ = false;
+  Presenter presenter_;
   bool playing_ = false;
   bool moves_ = true;
   double frames_per_second_ = 1.0;

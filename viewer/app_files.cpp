@@ -106,11 +106,11 @@ void App::open_exported(const fs::path& file) {
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
   LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
   if (!loaded.lesson) return say(loaded.problems);
-  // The step counts the frames that ask, which the window shows only in predict mode.
+  // The step counts the frames that ask, which the window shows when it is told to.
   const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
   const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));
   const auto end = frames.begin() + static_cast<std::ptrdiff_t>(std::min(step, frames.size()));
-  const auto index = session_.is_predicting()
+  const auto index = session_.is_asking() && !session_.is_predicting()
                          ? end - frames.begin() - 1
                          : std::count_if(frames.begin(), end, [](const Frame& frame) {
                              return frame.question < 0;
@@ -382,6 +382,37 @@ void App::end_export() {
 }
 
 // Between two starts -----------------------------------------------------------------------------
+
+Settings App::settings() const {
+  return {theme_name_, panel_size_, frames_per_second_, lessons_shown_, has_thumbnails,
+          moves_,      snaps_,      hexadecimal,        drawer_widths_};
+}
+
+void App::apply(const Settings& settings) {
+  kept_settings_ = settings;
+  const std::vector<std::string> themes = Theme::names(paths_.share / "assets" / "themes");
+  if (std::find(themes.begin(), themes.end(), settings.theme) != themes.end())
+    set_theme(settings.theme);
+  panel_size_ = std::clamp(settings.panel_size, kSmallestPanels, kLargestPanels);
+  frames_per_second_ = std::clamp(settings.frames_per_second, kSlowest, kFastest);
+  lessons_shown_ = settings.lessons;
+  has_thumbnails = settings.thumbnails;
+  moves_ = settings.motion;
+  snaps_ = settings.snaps;
+  hexadecimal = settings.hexadecimal;
+  drawer_widths_ = settings.drawers;
+}
+
+void App::keep_settings() {
+  const Settings now = settings();
+  if (paths_.state.empty() || now == kept_settings_) return;
+  kept_settings_ = now;
+  try {
+    write_whole(paths_.state / "settings", settings_text(now));
+  } catch (const std::runtime_error&) {
+    // A convenience; a full disk is said where work is saved.
+  }
+}
 
 void App::read_recent() {
   if (paths_.state.empty()) return;

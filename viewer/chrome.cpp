@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // which popups are open, and what the keyboard points at
 
 #include <algorithm>
 #include <array>
@@ -20,13 +21,12 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 // Pixels at scale 1.
-constexpr double kBar = 38.0;  // of one row
-constexpr double kLessons = 280.0;
 constexpr double kThumbnail = 64.0;  // its width
-constexpr double kDrawer = 400.0;
 constexpr double kSpeed = 98.0;
-constexpr double kStatus = 24.0;   // below the transport
-constexpr double kMostBars = 0.4;  // of the window's height
+constexpr float kDimmed = 0.75f;  // ink of lesser words: 4.5 to 1 on all that panels are made of
+constexpr double kGrip = 5.0;     // of a drawer's edge
+
+constexpr const char* kHint = "drag a vertex    → next step    / find    ? keys";
 
 /// A panel that fills `rect`. End it with ImGui::End.
 void begin_panel(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) {
@@ -47,38 +47,32 @@ float button_width(const char* text) {
   return ImGui::CalcTextSize(text).x + 2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Puts things beside each other, and in a new row where the panel is too narrow.
-class Row {
- public:
-  void place(float width) {
-    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end)
-      ImGui::SameLine();
-    is_first_ = false;
-  }
-
- private:
-  bool is_first_ = true;
-};
-
 }  // namespace
 
 double App::layout(double width, double height, double density) {
-  ui_scale_ = panel_size_ * density;
+  // On a screen much larger than the usual one the picture grows, and what stands around it, too.
+  constexpr double kUsualWidth = 1920.0;
+  constexpr double kUsualHeight = 1080.0;
+  constexpr double kSteps = 4.0;  // to a doubling, so that fonts are not built anew all the time
+  const double larger =
+      std::floor(kSteps * std::min(width / kUsualWidth, height / kUsualHeight)) / kSteps;
+  ui_scale_ = panel_size_ * std::max(density, larger);
   width_ = width;
   height_ = height;
-  Rect area{{0.0, 0.0}, {width, height}};
+  density_ = density;
   // Under a hand nothing moves.
-  if (!session_.is_dragging()) notice_lines_ = presenting_ ? 0 : notice_count();
-  if (!presenting_) {
-    const double bar = kBar * ui_scale_;
-    area.min.y() = std::min(std::max(bar, top_height_), kMostBars * height);
-    area.max.y() -= std::min(bar + kStatus * ui_scale_, 0.5 * (height - area.min.y()));
-    area.min.y() += kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_);
-    if (has_lessons()) area.min.x() = kLessons * ui_scale_;
-    if (drawer_) area.max.x() = std::max(width - kDrawer * ui_scale_, area.min.x());
-  }
-  return picture_.lay_out(area, density);
+  if (!session_.is_dragging()) notice_lines_ = is_presenting() ? 0 : notice_count();
+  room_ =
+      room_of({.width = width,
+               .height = height,
+               .scale = ui_scale_,
+               .density = density,
+               .presenting = is_presenting(),
+               .notices = kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_),
+               .lessons = lessons_shown_,
+               .drawer = drawer_ ? std::optional(drawer_width()) : std::nullopt,
+               .drawer_is_chosen = drawer_ && drawer_widths_.contains(drawers_[*drawer_].name)});
+  return picture_.lay_out(room_.stage, density);
 }
 
 void App::draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts) {
@@ -86,25 +80,32 @@ void App::draw(const AtlasFonts& fonts, const PanelFonts& panel_fonts) {
   atlas_fonts_ = &fonts;
   pointed_in_panel = {};
   ImGuiIO& io = ImGui::GetIO();
-  const bool by_keyboard = focused_ || dialog_;
+  const bool by_keyboard = focused_ || dialog_ || has_popup();
   io.ConfigFlags = by_keyboard ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+  presenter_.see({io.MousePos.x, io.MousePos.y}, now_);
   picture_.draw(fonts);
-  if (!presenting_) {
+  asking_.draw_on_stage(fonts);
+  if (!is_presenting()) {
+    draw_on_stage();
     draw_top_bar();
     draw_notices();
-    if (has_lessons()) draw_lessons();
+    if (!room_.folded) draw_transport();
     draw_drawer();
-    draw_transport();
+    if (has_lessons()) draw_lessons();
   }
-  if (std::exchange(focus_moves_, false))
+  if (std::exchange(focus_moves_, false)) {
     ImGui::SetWindowFocus(focused_ ? focused_->c_str() : nullptr);
+    if (focused_) show_focus(*focused_);
+  }
   draw_dialog();
   draw_message();
-  if (io.MouseClicked[0] && !io.WantCaptureMouse) focused_.reset();
+  if (io.MouseClicked[0]) focused_.reset();
   picture_.take_pointer();
   for (const Drawer& drawer : drawers_) {
     if (drawer.pointed) drawer.pointed(picture_.hovered());
   }
+  if (presenter_.is_black())
+    ImGui::GetForegroundDrawList()->AddRectFilled({0.0f, 0.0f}, io.DisplaySize, IM_COL32_BLACK);
 }
 
 void App::set_colors() const {
@@ -122,7 +123,7 @@ void App::set_colors() const {
   const ImVec4 current = line.a == 255 ? color_of(line) : between(card, strong, 0.15f);
   ImVec4* colors = ImGui::GetStyle().Colors;
   colors[ImGuiCol_Text] = ink;
-  colors[ImGuiCol_TextDisabled] = between(paper, ink, 0.6f);
+  colors[ImGuiCol_TextDisabled] = between(paper, ink, kDimmed);
   colors[ImGuiCol_WindowBg] = colors[ImGuiCol_PopupBg] = between(paper, ink, 0.05f);
   colors[ImGuiCol_Border] = between(paper, ink, 0.18f);
   colors[ImGuiCol_FrameBg] = card;
@@ -155,7 +156,7 @@ void App::draw_button(std::string_view name, float width) {
   if (pressed) shown.run();
 }
 
-void App::draw_icon_button(Icon icon, std::string_view name) {
+void App::draw_icon_button(Icon icon, std::string_view name, bool at_top) {
   const Command& shown = *command(name);
   const bool can = shown.is_enabled();
   const float size = ImGui::GetFrameHeight();
@@ -170,10 +171,9 @@ void App::draw_icon_button(Icon icon, std::string_view name) {
   draw_icon(*ImGui::GetWindowDrawList(), icon, {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)},
             0.72f * size, ImGui::GetColorU32(ImGuiCol_Text), ImGui::GetColorU32(ImGuiCol_WindowBg));
   ImGui::EndDisabled();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::SetTooltip("%s%s", shown.name.c_str(),
-                      shown.keys.empty() ? "" : fmt::format(" ({})", shown.keys.front()).c_str());
-  }
+  const std::string key = shown.keys.empty() ? "" : fmt::format(" ({})", shown.keys.front());
+  tip(shown.name + key, at_top ? tips::kBelow : tips::kAbove,
+      ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled));
   if (pressed) shown.run();
 }
 
@@ -185,72 +185,87 @@ void App::draw_menu_item(std::string_view name) {
 
 // Panels -----------------------------------------------------------------------------------------
 
-void App::draw_top_bar() {
-  const double bottom =
-      picture_.area().min.y() - kNoticeRow * ui_scale_ * static_cast<double>(notice_lines_);
-  begin_panel("##top", {{0.0, 0.0}, {width_, bottom}}, ImGuiWindowFlags_NoScrollbar);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  Row row;
+bool App::draw_tab(const char* name) {
   // Menus and drawers: words without a frame.
-  const auto tab = [](const char* name) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
-    const bool pressed = ImGui::Button(name);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    return pressed;
-  };
-  const auto menu = [&](const char* name, std::initializer_list<std::string_view> items) {
-    row.place(button_width(name));
-    if (tab(name)) ImGui::OpenPopup(name);
-    const ImVec2 below(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y);
-    ImGui::SetNextWindowPos(below);
-    if (!ImGui::BeginPopup(name)) return;
-    for (const std::string_view item : items) {
-      if (item.empty()) {
-        ImGui::Separator();
-      } else {
-        draw_menu_item(item);
-      }
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+  const bool pressed = ImGui::Button(name);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  return pressed;
+}
+
+/// Opened by a click, or by the pointer while another one is open.
+void App::draw_menu(const char* name, const std::vector<std::string_view>& items) {
+  const bool pressed = draw_tab(name);
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const bool is_open = ImGui::IsPopupOpen(name);
+  const bool another_is_open = menu_open_ && *menu_open_ != name && has_popup();
+  if (pressed || (another_is_open && ImGui::IsMouseHoveringRect(min, max, false))) {
+    ImGui::OpenPopup(name);
+    menu_open_ = name;
+  } else if (menu_open_ == name && !is_open) {
+    menu_open_.reset();
+  }
+  ImGui::SetNextWindowPos(ImVec2(min.x, max.y));
+  if (!ImGui::BeginPopup(name)) return;
+  for (const std::string_view item : items) {
+    if (item.empty()) {
+      ImGui::Separator();
+    } else {
+      draw_menu_item(item);
     }
-    ImGui::EndPopup();
-  };
-  menu("File", {"Open", "Save", "Save as", "Revert to what is saved", "", "Export frames", "",
-                "Copy as case", "Copy the frame as SVG text", "Copy the frame in words",
-                "Paste a case", "", "Quit"});
-  menu("View", {"Lessons", "Presenter mode", "Fit", "Grid and axes", "Snap to round numbers", "",
-                "Next theme", "Larger panels", "Smaller panels", "", "Any command", "Keys"});
-  const float icon = 1.25f * ImGui::GetFrameHeight();
+  }
+  ImGui::EndPopup();
+}
+
+void App::draw_top_bar() {
+  begin_panel("##top", {{0.0, 0.0}, {width_, room_.bar}},
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  draw_menu("File", {"Open", "Save", "Save as", "Revert to what is saved", "", "Export frames", "",
+                     "Copy as case", "Copy the frame as SVG text", "Copy the frame in words",
+                     "Paste a case", "", "Quit"});
+  ImGui::SameLine();
+  draw_menu("View", {"Lessons", "Presenter mode", "Fit", "Grid and axes", "Snap to round numbers",
+                     "", "Next theme", "Larger panels", "Smaller panels", "", "Any command",
+                     "Where to begin", "Keys"});
+  ImGui::SameLine();
+  if (room_.folded) {
+    std::vector<std::string_view> names;
+    for (const Drawer& drawer : drawers_) names.push_back(drawer.name);
+    names.insert(names.end(), {"", "Undo", "Redo"});
+    draw_menu("Panels", names);
+    ImGui::SameLine();
+    draw_steps();
+    return ImGui::End();
+  }
   for (const auto& [drawn, name] :
        {std::pair(Icon::undo, "Undo"), {Icon::redo, "Redo"}, {Icon::fit, "Fit"}}) {
-    row.place(icon);
-    draw_icon_button(drawn, name);
+    draw_icon_button(drawn, name, true);
+    ImGui::SameLine();
   }
   // Drawers at the right end, over the one that is open.
   float tabs = 0.0f;
   for (const Drawer& drawer : drawers_)
     tabs += button_width(drawer.name.c_str()) + style.ItemSpacing.x;
-  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  const float gap = end - ImGui::GetItemRectMax().x - tabs - 2.0f * style.ItemSpacing.x;
-  if (gap > 0.0f) {
-    ImGui::SameLine();
-    ImGui::Dummy(ImVec2(gap, 1.0f));
-  }
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(),
+                                ImGui::GetWindowContentRegionMax().x - tabs + style.ItemSpacing.x));
   for (std::size_t i = 0; i < drawers_.size(); ++i) {
     const Drawer& drawer = drawers_[i];
-    row.place(button_width(drawer.name.c_str()));
+    if (i > 0) ImGui::SameLine();
     const bool is_open = drawer_ == i;
-    if (tab(drawer.name.c_str())) toggle_drawer(i);
-    if (ImGui::IsItemHovered() && !is_open)
-      ImGui::SetTooltip("%s (%s)", drawer.help.c_str(), drawer.key.c_str());
-    if (!is_open) continue;
+    if (draw_tab(drawer.name.c_str())) toggle_drawer(i);
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
+    tip(fmt::format("{} ({})", drawer.help, drawer.key), tips::kBelow,
+        ImGui::IsItemHovered() && !is_open);
+    if (!is_open) continue;
     const auto line = static_cast<float>(3.0 * ui_scale_);
     ImGui::GetWindowDrawList()->AddRectFilled({min.x, max.y - line}, max,
                                               ImGui::GetColorU32(ImGuiCol_CheckMark));
   }
-  top_height_ = ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + style.WindowPadding.y;
   ImGui::End();
 }
 
@@ -258,6 +273,14 @@ void App::draw_transport() {
   const Rect& area = picture_.area();
   begin_panel("##transport", {{area.min.x(), area.max.y()}, {area.max.x(), height_}},
               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_steps();
+  if (room_.has_status) draw_status();
+  ImGui::End();
+}
+
+/// The buttons that step, and around them what else has room: the place in the run, the speed, the
+/// next lesson at the end of this one.
+void App::draw_steps() {
   constexpr std::array<std::pair<Icon, const char*>, 7> kButtons = {
       {{Icon::first, "First frame"},
        {Icon::back_far, "Iteration before"},
@@ -267,42 +290,71 @@ void App::draw_transport() {
        {Icon::forth_far, "Next iteration"},
        {Icon::last, "Last frame"}}};
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float buttons = kButtons.size() * (1.25f * ImGui::GetFrameHeight() + style.ItemSpacing.x);
-  const float middle = 0.5f * ImGui::GetWindowWidth();
-  if (!session_.is_predicting()) {  // the number of steps would give answers away
+  const float gap = style.ItemSpacing.x;
+  const float buttons = kButtons.size() * (1.25f * ImGui::GetFrameHeight() + gap);
+  const float begin = ImGui::GetCursorPosX();
+  const float end = ImGui::GetWindowContentRegionMax().x;
+  // The number of steps would give answers away.
+  const std::string place =
+      session_.last_told() + 1 == session_.frame_count()
+          ? fmt::format("{} of {}", session_.index() + 1, session_.frame_count())
+          : "";
+  const float place_width = ImGui::CalcTextSize(place.c_str()).x + gap;
+  const auto speed_width = static_cast<float>(kSpeed * ui_scale_);
+  const bool at_end =
+      session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled();
+  // From what matters most: the buttons, the way on, the place, the speed.
+  float room = end - begin - buttons;
+  const auto takes = [&](float width) {
+    if (width > room) return false;
+    room -= width;
+    return true;
+  };
+  const bool has_next = at_end && takes(button_width("Next lesson") + gap);
+  const bool has_place = !place.empty() && takes(place_width);
+  const bool has_speed = takes(speed_width + gap);
+  const float left = has_place ? place_width : 0.0f;
+  const float right = (has_next ? button_width("Next lesson") + gap : 0.0f) +
+                      (has_speed ? speed_width + gap : 0.0f);
+  if (has_place) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%d of %d", session_.index() + 1, session_.frame_count());
+    ImGui::TextDisabled("%s", place.c_str());
     ImGui::SameLine();
   }
-  ImGui::SetCursorPosX(std::max(middle - 0.5f * buttons, style.WindowPadding.x));
+  const float middle = 0.5f * (begin + end - buttons);
+  ImGui::SetCursorPosX(
+      std::clamp(middle, begin + left, std::max(end - right - buttons, begin + left)));
   for (const auto& [icon, name] : kButtons) {
-    draw_icon_button(icon == Icon::play && playing_ ? Icon::pause : icon, name);
+    draw_icon_button(icon == Icon::play && playing_ ? Icon::pause : icon, name, room_.folded);
     ImGui::SameLine();
   }
-  ImGui::SetNextItemWidth(static_cast<float>(kSpeed * ui_scale_));
-  auto speed = static_cast<float>(frames_per_second_);
-  if (ImGui::DragFloat("##speed", &speed, 0.02f, 0.25f, 16.0f,
-                       speed == 1.0f ? "%.2g step/s" : "%.2g steps/s",
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-    frames_per_second_ = speed;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames a second: drag, or press [ and ]");
-  if (session_.index() + 1 == session_.frame_count() && command("Next lesson")->is_enabled()) {
+  if (has_speed) {
+    ImGui::SetNextItemWidth(speed_width);
+    auto speed = static_cast<float>(frames_per_second_);
+    if (ImGui::DragFloat("##speed", &speed, 0.02f, 0.25f, 16.0f,
+                         speed == 1.0f ? "%.2g step/s" : "%.2g steps/s",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+      frames_per_second_ = speed;
+    tip("Frames a second: drag, or press [ and ]", room_.folded ? tips::kBelow : tips::kAbove,
+        ImGui::IsItemHovered());
     ImGui::SameLine();
-    draw_button("Next lesson");
   }
-  draw_status();
-  ImGui::End();
+  if (has_next) draw_button("Next lesson");
+  ImGui::NewLine();
 }
 
 void App::draw_lessons() {
-  begin_panel("##lessons", {{0.0, picture_.area().min.y()}, {picture_.area().min.x(), height_}});
+  // Beside the stage, or over it where it has no room.
+  const double width =
+      room_.lessons > 0.0 ? room_.lessons : std::min(kLessonsWidth * ui_scale_, 0.9 * width_);
+  begin_panel("##lessons", {{0.0, room_.stage.min.y()}, {width, height_}});
   const auto draw_progress = [](const Progress& count) {
     if (count.done == 0) return;
     const std::string text = fmt::format("{}/{}", count.done, count.of);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextDisabled("%s", text.c_str());
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%d of %d lessons were stepped to their end", count.done, count.of);
+    tip(fmt::format("{} of {} lessons were stepped to their end", count.done, count.of),
+        tips::kRight, ImGui::IsItemHovered());
   };
   heading(*this, "Lessons");
   draw_progress(progress());
@@ -342,9 +394,11 @@ void App::draw_lesson(const ListedLesson& lesson, bool is_open) {
   const bool pressed =
       ImGui::Selectable("##title", is_open, 0, ImVec2(0.0f, std::max(size.y, picture.y)));
   const bool is_seen = ImGui::IsItemVisible();
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", is_good ? lesson.id.c_str() : lesson.problem.c_str());
-  if (pressed && is_good) open_path(lesson.file);
+  tip(lesson.problem, tips::kRight, ImGui::IsItemHovered() && !is_good);
+  if (pressed && is_good) {
+    open_path(lesson.file);
+    lessons_over_ = false;
+  }
   if (!is_seen) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + picture.x, at.y + picture.y);
@@ -375,8 +429,15 @@ void App::draw_small_picture(const std::filesystem::path& file, const ImVec2& at
 
 void App::draw_drawer() {
   if (!drawer_) return;
-  const Rect& area = picture_.area();
-  begin_panel("##drawer", {{area.max.x(), area.min.y()}, {width_, height_}});
+  const double left = width_ - room_.drawer;
+  const double grip = kGrip * ui_scale_;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+  begin_panel("##edge", {{left, room_.stage.min.y()}, {left + grip, height_}},
+              ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  drag_edge();
+  ImGui::End();
+  begin_panel("##drawer", {{left + grip, room_.stage.min.y()}, {width_, height_}});
   const Drawer& open = drawers_[*drawer_];
   ImGui::AlignTextToFramePadding();
   heading(*this, open.name);
@@ -419,9 +480,43 @@ void App::draw_dialog() {
   if (!open) close_dialog();
 }
 
-bool App::has_lessons() const {
-  const double panels = kLessons + (drawer_ ? kDrawer : 0.0);
-  return lessons_shown_ && width_ >= panels * ui_scale_ + PictureView::kNarrowest;
+bool App::has_lessons() const { return room_.lessons > 0.0 || lessons_over_; }
+
+double App::drawer_width() const {
+  const Drawer& drawer = drawers_[*drawer_];
+  const auto chosen = drawer_widths_.find(drawer.name);
+  if (chosen != drawer_widths_.end()) return chosen->second;
+  return drawer.width ? std::max(drawer.width(), kDrawerWidth) : kDrawerWidth;
+}
+
+/// The left edge of the drawer follows the hand, and is where it was left at the next start.
+void App::drag_edge() {
+  ImGui::SetCursorPos({0.0f, 0.0f});
+  ImGui::InvisibleButton("##grip", ImGui::GetWindowSize());
+  const bool is_held = ImGui::IsItemActive();
+  if (is_held || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                              ImGui::GetColorU32(ImGuiCol_CheckMark));
+  }
+  if (!is_held) return;
+  const double wanted = (width_ - ImGui::GetIO().MousePos.x) / ui_scale_;
+  drawer_widths_[drawers_[*drawer_].name] =
+      std::clamp(wanted, kNarrowestDrawer, std::max(kNarrowestDrawer, width_ / ui_scale_));
+}
+
+bool App::has_popup() const {
+  const int own = dialog_drawn_ ? 1 : 0;
+  return ImGui::GetCurrentContext()->OpenPopupStack.Size > own;
+}
+
+void App::show_focus(const std::string& panel) {
+  ImGuiWindow* window = ImGui::FindWindowByName(panel.c_str());
+  if (!window) return;
+  ImGui::NavInitWindow(window, true);
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.NavDisableHighlight = false;
+  context.NavDisableMouseHover = true;
 }
 
 const std::string& App::said() const {
@@ -430,6 +525,7 @@ const std::string& App::said() const {
 }
 
 bool App::fits_status(const std::string& text) const {
+  if (!room_.has_status) return false;
   const double room = picture_.area().size().x() - 2.0 * ImGui::GetStyle().WindowPadding.x;
   return text.find('\n') == std::string::npos && ImGui::CalcTextSize(text.c_str()).x <= room;
 }
@@ -475,6 +571,14 @@ void App::draw_status() {
                         session_.file().empty() ? "in no file" : session_.file().filename().c_str(),
                         session_.is_unsaved() ? ", not saved" : "", compared.empty() ? "" : "    ",
                         compared.c_str());
+    const float begin = ImGui::GetItemRectMax().x + ImGui::GetFontSize();
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float at = end - ImGui::CalcTextSize(kHint).x;
+    if (pinned.empty() && at > begin) {
+      ImGui::SameLine(0.0f, 0.0f);
+      ImGui::SetCursorScreenPos({at, ImGui::GetCursorScreenPos().y});
+      ImGui::TextDisabled("%s", kHint);
+    }
   }
   if (!pinned.empty()) draw_pinned(ImGui::GetItemRectMax().x);
 }
@@ -482,10 +586,10 @@ void App::draw_status() {
 /// What was said last, where it is too long for the line below.
 void App::draw_message() {
   const std::string& text = said();
-  if (text.empty() || (!presenting_ && fits_status(text))) return;
+  if (text.empty() || is_presenting() || fits_status(text)) return;
   const Rect& area = picture_.area();
   const double right = area.max.x() - 8.0 * ui_scale_;
-  const double below = presenting_ ? height_ : area.max.y();
+  const double below = area.max.y();
   ImGui::SetNextWindowPos(vec({right, below - 6.0 * ui_scale_}), ImGuiCond_Always,
                           ImVec2(1.0f, 1.0f));
   ImGui::Begin("##message", nullptr,

@@ -26,6 +26,8 @@ struct Drawer {
   std::vector<Command> commands = {};
   /// Whether it waits for what is computed beside the window; it is drawn again until it has it.
   std::function<bool()> waits = nullptr;
+  /// In pixels at scale 1, until another one is chosen; the usual one without.
+  std::function<double()> width = nullptr;
 };
 
 #define DRAWER(name) [[nodiscard]] Drawer name##_drawer(App& app);

@@ -52,7 +52,7 @@ int run(int argc, char** argv) {
   std::string screenshot;
   std::pair<int, int> size = {0, 0};
   std::string size_text;
-  double scale = 1.0;
+  std::optional<double> scale;
   bool keeps = true;
   bool log_frames = false;
   arguments.add_option("LESSON", name, "a lesson by id or path, a case (.json), or a folder");
@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
       });
   arguments
       .add_option("--scale", scale,
-                  "how large everything is; 2 on a dense screen that does not say that it is one")
+                  "how large everything is, 2 for twice; without it, as the screen says of itself")
       ->check(CLI::Range(0.5, 8.0));
   arguments.add_flag("--log-frames", log_frames,
                      "write to standard error how many milliseconds each frame took");

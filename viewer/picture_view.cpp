@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // which window lies below the others
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "picture/tween.hpp"
+#include "picture/words.hpp"
 #include "session/hit.hpp"
 
 namespace gjkscope {
@@ -25,7 +27,6 @@ constexpr double kSlack = 7.0;        // frame pixels around a point or a line t
 constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
 constexpr double kHandleAway = 30.0;  // of the rotation handle from its shape, frame pixels
 constexpr double kHandleRadius = 7.0;
-constexpr double kSmallestZoom = 0.3;
 
 bool is_vertex(const Subject& subject) {
   return subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
@@ -59,18 +60,27 @@ double PictureView::lay_out(const Rect& area, double density) {
   area_ = area;
   const Point size = area.size().cwiseMax(1.0);
   const Page smallest;
+  constexpr double kReadable = 12.0 / 16.0;  // of the size of most type
+  if (size.x() < kStageWidth * density || size.y() < kStageHeight * density) {
+    zoom_ = kReadable * density;
+    session_.set_page({.width = std::max(size.x() / zoom_, kBarest),
+                       .height = std::max(size.y() / zoom_, kBarest),
+                       .zoom = zoom_,
+                       .bare = true,
+                       .captions = true});
+    return zoom_;
+  }
   // In steps, so that the fonts are not built anew for every pixel by which a window grows.
   constexpr double kSteps = 32.0;
   // Where there is no room for the usual page, the page becomes narrower, down to kNarrow; then
   // type becomes smaller, down to 12 pixels; then the page becomes narrower again, down to
   // kNarrowest.
-  constexpr double kReadable = 12.0 / 16.0;  // of the size of most type
   const double usual = std::min(size.x() / smallest.width, size.y() / smallest.height);
   const double across =
       std::max(size.x() / kNarrow, std::min(kReadable * density, size.x() / kNarrowest));
   const double narrow = std::min({density, across, size.y() / smallest.height});
   const double fitting = std::max(usual, narrow);
-  zoom_ = std::max(std::floor(fitting * kSteps) / kSteps, kSmallestZoom);
+  zoom_ = std::max(std::floor(fitting * kSteps) / kSteps, kReadable * density);
   session_.set_page(
       {std::max(size.x() / zoom_, kNarrowest), std::max(size.y() / zoom_, smallest.height), zoom_});
   return zoom_;
@@ -93,8 +103,8 @@ Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
                                    .cwiseProduct(Vector2d(off.x(), -off.y()));
 }
 
-/// Above the selected shape, in the first view of the world; an empty rectangle where there is
-/// none.
+/// Beside the selected shape, in the first view of the world, where it covers no label; an empty
+/// rectangle where there is none.
 Rect PictureView::rotation_handle(std::size_t body) const {
   const PositionedRun& run = session_.run().run(session_.frame());
   const auto& world = run.bodies[body].world;
@@ -102,20 +112,30 @@ Rect PictureView::rotation_handle(std::size_t body) const {
   for (const LessonPictures::ShownView& view : session_.views()) {
     if (view.kind != ViewKind::world) continue;
     const StageMap map(view.card, view.camera);
-    Point top = map(world.front());
-    double left = top.x();
-    double right = top.x();
+    Rect box{map(world.front()), map(world.front())};
     for (const Vector2d& vertex : world) {
-      const Point p = map(vertex);
-      left = std::min(left, p.x());
-      right = std::max(right, p.x());
-      if (p.y() < top.y()) top = p;
+      box.min = box.min.cwiseMin(map(vertex));
+      box.max = box.max.cwiseMax(map(vertex));
     }
-    const Point inset(kHandleRadius + 2.0, kHandleRadius + 2.0);
-    const Point center = Point(0.5 * (left + right), top.y() - kHandleAway)
-                             .cwiseMax(view.card.min + inset)
-                             .cwiseMin(view.card.max - inset);
-    return {center - Point::Constant(kHandleRadius), center + Point::Constant(kHandleRadius)};
+    const Point middle = box.center();
+    std::optional<Rect> first;
+    for (const Point& at : {Point(middle.x(), box.min.y() - kHandleAway),
+                            Point(middle.x(), box.max.y() + kHandleAway),
+                            Point(box.max.x() + kHandleAway, middle.y()),
+                            Point(box.min.x() - kHandleAway, middle.y())}) {
+      const Point inset(kHandleRadius + 2.0, kHandleRadius + 2.0);
+      const Point center = at.cwiseMax(view.card.min + inset).cwiseMin(view.card.max - inset);
+      const Rect handle{center - Point::Constant(kHandleRadius),
+                        center + Point::Constant(kHandleRadius)};
+      if (!first) first = handle;
+      const std::vector<Mark>& marks = session_.picture().marks;
+      const bool covers = std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+        const Text* text = std::get_if<Text>(&mark.shape);
+        return text && mark.clip >= 0 && overlap(box_of(app_.fonts(), *text), handle);
+      });
+      if (!covers) return handle;
+    }
+    return *first;
   }
   return {};
 }
@@ -162,36 +182,45 @@ void PictureView::draw(const AtlasFonts& fonts) {
                                          ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   std::size_t next = 0;
+  std::vector<ImGuiWindow*> parts;
   // A list holds 65,536 vertices; large pictures take several, each in a window of its own.
-  for (int part = 0; part == 0 || next < picture.marks.size(); ++part) {
+  while (parts.empty() || next < picture.marks.size()) {
     ImGui::SetNextWindowPos(vec(area_.min));
     ImGui::SetNextWindowSize(vec(area_.size()));
-    ImGui::Begin(fmt::format("##picture{}", part).c_str(), nullptr,
-                 kBackdrop | (part == 0 ? ImGuiWindowFlags_NoBringToFrontOnFocus : 0));
+    ImGui::Begin(fmt::format("##picture{}", parts.size()).c_str(), nullptr,
+                 kBackdrop | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    parts.push_back(ImGui::GetCurrentWindow());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const DrawPlacement placement{area_.min, zoom_, ImGui::GetIO().Fonts->TexID};
     next = paint_marks(list, picture, next, app_.theme(), fonts, placement);
-    if (next >= picture.marks.size()) draw_highlights(picture);
+    if (next >= picture.marks.size()) draw_highlights(picture, fonts);
     ImGui::End();
   }
   ImGui::PopStyleVar();
+  // Below all that may lie over the stage.
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+    ImGui::BringWindowToDisplayBack(*part);
 }
 
 /// Rings around what is pointed at and what belongs to it, and around what is selected.
-void PictureView::draw_highlights(const Picture& picture) {
+void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& fonts) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // The colour of the words, which is no shape's.
   const Color words = *app_.theme().style("title").fill;
   const ImU32 ink = IM_COL32(words.r, words.g, words.b, 255);
   const ImU32 wash = IM_COL32(words.r, words.g, words.b, 40);
   const auto width = static_cast<float>(2.0 * zoom_);
+  std::vector<Rect> rings;
   for (const Mark& mark : picture.marks) {
     const bool pointed = is_linked(mark.subject, hovered_);
     const bool is_selected = mark.subject.kind != Kind::none && mark.subject == selected;
     if (!pointed && !is_selected) continue;
     if (const Disk* disk = std::get_if<Disk>(&mark.shape)) {
-      const double radius = zoom_ * (disk->radius + (is_selected ? 7.0 : 5.0));
-      list.AddCircle(vec(to_pixel(disk->center)), static_cast<float>(radius), ink, 0, width);
+      const double radius = disk->radius + (is_selected ? 7.0 : 5.0);
+      list.AddCircle(vec(to_pixel(disk->center)), static_cast<float>(zoom_ * radius), ink, 0,
+                     width);
+      rings.push_back(
+          {disk->center - Point::Constant(radius), disk->center + Point::Constant(radius)});
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const Rect box = box_of(app_.fonts(), *text);
       list.AddRectFilled(vec(to_pixel(box.min - Point(4.0, 4.0))),
@@ -210,6 +239,18 @@ void PictureView::draw_highlights(const Picture& picture) {
       list.AddRect(vec(to_pixel(box->rect.min)), vec(to_pixel(box->rect.max)), ink, 3.0f, 0, width);
     }
   }
+  app_.asking().draw_verdicts(list);
+  // Labels stand on rings.
+  Picture labels{picture.width, picture.height, picture.clips, picture.clip_corner, {}};
+  for (const Mark& mark : picture.marks) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (text && mark.clip >= 0 && std::any_of(rings.begin(), rings.end(), [&](const Rect& ring) {
+          return overlap(ring, box_of(app_.fonts(), *text));
+        }))
+      labels.marks.push_back(mark);
+  }
+  (void)paint_marks(list, labels, 0, app_.theme(), fonts,
+                    {area_.min, zoom_, ImGui::GetIO().Fonts->TexID});
   if (is_shape(selected)) {
     const Rect handle = rotation_handle(body_of(selected));
     if (handle.size().x() > 0.0) {
@@ -220,10 +261,46 @@ void PictureView::draw_highlights(const Picture& picture) {
                      IM_COL32(paper.r, paper.g, paper.b, 255), 0, width);
     }
   }
-  if (app_.is_presenting()) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    list.AddCircle(mouse, 26.0f, ink, 0, 4.0f);
+  const double opacity = app_.presenter().pointer_opacity(app_.now());
+  if (app_.is_presenting() && opacity > 0.0) {
+    const auto alpha = static_cast<int>(std::lround(255.0 * opacity));
+    list.AddCircle(ImGui::GetIO().MousePos, static_cast<float>(20.0 * zoom_),
+                   IM_COL32(words.r, words.g, words.b, alpha), 0, static_cast<float>(3.0 * zoom_));
   }
+}
+
+Rect PictureView::last_card() {
+  Rect card = {to_page(area_.min), to_page(area_.max)};
+  for (const Mark& mark : session_.picture().marks) {
+    if (mark.role == "card") card = std::get<Box>(mark.shape).rect;
+  }
+  return {to_pixel(card.min), to_pixel(card.max)};
+}
+
+std::vector<Rect> PictureView::empty_cards() {
+  std::vector<Rect> out;
+  for (const LessonPictures::ShownView& view : session_.views()) {
+    if (shows_shapes(view.kind) && !is_in_sight(session_.picture(), view.card))
+      out.push_back({to_pixel(view.card.min), to_pixel(view.card.max)});
+  }
+  return out;
+}
+
+std::optional<Rect> PictureView::words_of_choices() {
+  constexpr double kAbove = 22.0;  // its base line, frame pixels
+  const FrameText& text = session_.text();
+  if (!text.question) return std::nullopt;
+  const bool lists =
+      !text.question->pair.empty() || text.detail == listed_choices(text.question->choices);
+  std::optional<Point> at;
+  for (const Mark& mark : session_.picture().marks) {
+    if (mark.role != "detail" || (lists && at)) continue;
+    at = std::get<Text>(mark.shape).at;
+  }
+  if (!at) return std::nullopt;
+  if (!lists) at->y() += kAbove;
+  const double right = session_.page().width - at->x();
+  return Rect{to_pixel({at->x(), at->y() - kAbove}), to_pixel({right, at->y()})};
 }
 
 std::optional<Point> PictureView::pixel_of(const Subject& subject) {
@@ -248,13 +325,13 @@ void PictureView::take_pointer() {
   const bool inside = std::isfinite(pixel.x()) && std::abs(pixel.x()) < 1e6 &&
                       (pixel.array() >= area_.min.array()).all() &&
                       (pixel.array() < area_.max.array()).all();
-  const bool ours = inside && !io.WantCaptureMouse && !app_.has_dialog();
+  const bool ours = inside && !io.WantCaptureMouse && !app_.has_dialog() && app_.shows_pointer();
   const Point page = to_page(pixel);
   if (drag_) {
     if (io.MouseDown[0]) {
       continue_drag(page);
     } else {
-      release();
+      let_go();
     }
     return;
   }
@@ -297,7 +374,7 @@ std::optional<int> PictureView::frame_at(const Point& page) {
 }
 
 void PictureView::press(const Subject& subject, const Point& page) {
-  if (app_.offer_click(subject)) return;
+  if (!session_.question() && app_.offer_click(subject)) return;
   if (const std::optional<int> frame = frame_at(page)) {
     app_.stop_playing();
     session_.go_to(*frame);
@@ -319,6 +396,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
       return;
     }
   }
+  if (session_.question()) aim_ = Aim{subject, *view, to_view(*view, page)};
   const Subject taken = held(subject);
   drag_ = Drag{taken, *view, page, to_view(*view, page)};
   drag_->was_convex =
@@ -407,6 +485,13 @@ void PictureView::release() {
     }
   }
   drag_.reset();
+  aim_.reset();
+}
+
+void PictureView::let_go() {
+  const std::optional<Aim> aim = drag_->moved ? std::nullopt : aim_;
+  release();
+  if (aim) app_.asking().click(aim->subject, aim->view, aim->at);
 }
 
 void PictureView::double_click(const Point& page) {

@@ -18,11 +18,13 @@ class PictureView {
   /// Widths of a page, in frame pixels: what the words of all lessons need, and what shapes need.
   static constexpr double kNarrow = 1000.0;
   static constexpr double kNarrowest = 760.0;
+  /// Of a page that holds stages and captions alone, in a window that has no room for more.
+  static constexpr double kBarest = 240.0;
 
   explicit PictureView(App& app);
 
-  /// Fills `area`, in pixels of the window; gives pixels per frame pixel, which are fewer than
-  /// `density` only where there is no room.
+  /// Fills `area`, in pixels of the window; gives pixels per frame pixel: fewer than `density`
+  /// where there is no room, but never so few that type has less than 12 pixels.
   double lay_out(const Rect& area, double density);
   [[nodiscard]] const Rect& area() const { return area_; }
   void draw(const AtlasFonts& fonts);
@@ -43,6 +45,12 @@ class PictureView {
   [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
   /// The step that a hand is held to; 0 where it goes anywhere.
   [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
+  /// The card of the panel, or of the last view where there is none, on the window.
+  [[nodiscard]] Rect last_card();
+  /// Cards of shapes that show none, on the window.
+  [[nodiscard]] std::vector<Rect> empty_cards();
+  /// Where the frame lists the choices of its question, on the window; nothing where it does not.
+  [[nodiscard]] std::optional<Rect> words_of_choices();
   /// Where the handle is that turns a shape.
   [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;
 
@@ -55,6 +63,13 @@ class PictureView {
     bool turns = false;
     bool moved = false;
     bool was_convex = false;  ///< The shape whose vertex it is.
+  };
+
+  /// Where the button went down while a question was open: an answer, unless it becomes a drag.
+  struct Aim {
+    Subject subject;
+    std::size_t view = 0;
+    Eigen::Vector2d at;
   };
 
   /// What was shown when a step was taken, and when that was.
@@ -72,8 +87,10 @@ class PictureView {
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
   /// The session's picture, or what leads to it from the step that was shown before.
   [[nodiscard]] Picture picture_now();
-  void draw_highlights(const Picture& picture);
+  void draw_highlights(const Picture& picture, const AtlasFonts& fonts);
   void press(const Subject& subject, const Point& page);
+  /// The button went up.
+  void let_go();
   void continue_drag(const Point& page);
   void double_click(const Point& page);
   void zoom(std::size_t view, const Point& page, double factor);
@@ -84,6 +101,7 @@ class PictureView {
   double zoom_ = 1.0;
   Subject hovered_;
   std::optional<Drag> drag_;
+  std::optional<Aim> aim_;
   int clicks_ = 0;
   Picture shown_;  ///< The last, of this version of the lesson and this step.
   long shown_version_ = -1;

@@ -44,6 +44,23 @@ void wrapped_text(const std::string& text) {
 
 ImVec4 error_ink() { return {0.84f, 0.25f, 0.0f, 1.0f}; }
 
+void tip(const std::string& words, const ImVec2& side, bool now) {
+  if (!now) return;
+  constexpr float kGap = 0.5f;     // ems
+  constexpr float kWidth = 32.0f;  // ems
+  const float em = ImGui::GetFontSize();
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const ImVec2 at(0.5f * (min.x + max.x + side.x * (max.x - min.x)) + side.x * kGap * em,
+                  0.5f * (min.y + max.y + side.y * (max.y - min.y)) + side.y * kGap * em);
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, {0.5f - 0.5f * side.x, 0.5f - 0.5f * side.y});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kWidth * em);
+  ImGui::TextUnformatted(words.c_str(), words.c_str() + words.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 void table_row(const std::string& name, const std::vector<std::string>& cells) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();

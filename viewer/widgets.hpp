@@ -37,6 +37,15 @@ void wrapped_text(const std::string& text);
 [[nodiscard]] ImVec4 error_ink();
 /// Height of a line of notices, in pixels at scale 1.
 inline constexpr double kNoticeRow = 30.0;
+/// On which side of a thing the words about it stand, so that the thing stays in sight.
+namespace tips {
+inline const ImVec2 kBelow(0.0f, 1.0f);
+inline const ImVec2 kAbove(0.0f, -1.0f);
+inline const ImVec2 kRight(1.0f, 0.0f);
+inline const ImVec2 kLeft(-1.0f, 0.0f);
+}  // namespace tips
+/// Words about what was drawn last, while `now`.
+void tip(const std::string& words, const ImVec2& side, bool now);
 /// A row of a table with a name and texts.
 void table_row(const std::string& name, const std::vector<std::string>& cells);
 

@@ -16,6 +16,7 @@
 #include <thread>
 #include <tuple>
 
+#include "density.hpp"
 #include "file_watch.hpp"
 #include "imgui_keys.hpp"
 #include "lesson/problem.hpp"
@@ -93,11 +94,13 @@ struct Sdl {
   Sdl& operator=(const Sdl&) = delete;
 };
 
-/// The usual size, or what of it the screen has room for beside bars and frames.
-std::pair<int, int> size_on_screen() {
+/// The usual size at this scale, or what of it the screen has room for beside bars and frames.
+std::pair<int, int> size_on_screen(double scale) {
   SDL_Rect room = {};
-  if (SDL_GetDisplayUsableBounds(0, &room) != 0) return {kWidth, kHeight};
-  return {std::min(kWidth, room.w * 19 / 20), std::min(kHeight, room.h * 9 / 10)};
+  if (SDL_GetDisplayUsableBounds(0, &room) != 0)
+    return {static_cast<int>(kWidth * scale), static_cast<int>(kHeight * scale)};
+  return {std::min(static_cast<int>(kWidth * scale), room.w * 19 / 20),
+          std::min(static_cast<int>(kHeight * scale), room.h * 9 / 10)};
 }
 
 /// X ends a program with an error that nobody takes; while one of these lives, it takes all. SDL
@@ -134,6 +137,40 @@ class XErrors {
   Handler before_ = nullptr;
 };
 
+/// The resources of X, where SDL has loaded it; empty elsewhere.
+std::string x_resources() {
+  void* library = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  if (!library) return {};
+  const auto find = [&](auto& function, const char* name) {
+    void* address = ::dlsym(library, name);
+    if (address) std::memcpy(&function, &address, sizeof function);
+    return address != nullptr;
+  };
+  void* (*open)(const char*) = nullptr;
+  char* (*resources)(void*) = nullptr;
+  int (*close)(void*) = nullptr;
+  if (!find(open, "XOpenDisplay") || !find(resources, "XResourceManagerString") ||
+      !find(close, "XCloseDisplay"))
+    return {};
+  void* display = open(nullptr);
+  if (!display) return {};
+  const char* text = resources(display);
+  const std::string copy = text ? text : "";
+  close(display);
+  return copy;
+}
+
+/// What the screen says of its density, where its pixels are the window's units: what is set for
+/// type, else what its size in inches comes to.
+double scale_of_screen() {
+  if (const std::optional<double> dpi = dpi_of_resources(x_resources())) return scale_of_dpi(*dpi);
+  float dpi = 0.0f;
+  // Many screens of laptops are a little denser than usual, and nobody wants them otherwise.
+  constexpr float kDense = 144.0f;
+  const bool is_dense = SDL_GetDisplayDPI(0, nullptr, &dpi, nullptr) == 0 && dpi >= kDense;
+  return is_dense ? scale_of_dpi(dpi) : 1.0;
+}
+
 struct DeleteWindow {
   void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
 };
@@ -162,14 +199,14 @@ const ImWchar* panel_characters() {
 }  // namespace
 
 struct Window::Impl {
-  Impl(App& the_app, const Fonts& the_fonts, int width, int height, double the_scale)
-      : app(the_app), fonts(the_fonts), scale(the_scale) {
+  Impl(App& the_app, const Fonts& the_fonts, int width, int height, std::optional<double> the_scale)
+      : app(the_app), fonts(the_fonts), scale(the_scale ? *the_scale : scale_of_screen()) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
     if (width <= 0 || height <= 0) {
-      std::tie(width, height) = size_on_screen();
+      std::tie(width, height) = size_on_screen(scale);
     }
     const XErrors errors;
     window.reset(
@@ -182,7 +219,10 @@ struct Window::Impl {
           fmt::format("there is no OpenGL 3 ({})", errors.any() ? "X refuses it" : SDL_GetError()));
     SDL_GL_SetSwapInterval(0);
     gl = std::make_unique<WindowGl>();
+    SDL_SetWindowMinimumSize(window.get(), static_cast<int>(kLeastWidth * scale),
+                             static_cast<int>(kLeastHeight * scale));
     hand.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND));
+    sideways.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_SIZEWE));
     arrow.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW));
 
     imgui = ImGui::CreateContext();
@@ -332,9 +372,12 @@ struct Window::Impl {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     app.draw(*atlas_fonts, panel_fonts);
-    const bool over_hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+    const ImGuiMouseCursor cursor = ImGui::GetMouseCursor();
     ImGui::Render();
-    SDL_SetCursor(over_hand ? hand.get() : arrow.get());
+    SDL_SetCursor(cursor == ImGuiMouseCursor_Hand       ? hand.get()
+                  : cursor == ImGuiMouseCursor_ResizeEW ? sideways.get()
+                                                        : arrow.get());
+    SDL_ShowCursor(app.shows_pointer() ? SDL_ENABLE : SDL_DISABLE);
     const Color paper = app.theme().background();
     gl->viewport(0, 0, pixels_wide, pixels_high);
     gl->clear_color(static_cast<float>(paper.r) / 255.0f, static_cast<float>(paper.g) / 255.0f,
@@ -421,6 +464,14 @@ struct Window::Impl {
         SDL_free(event.drop.file);
         return false;
       case SDL_WINDOWEVENT:
+        // In a window of another size the pointer is elsewhere, though nobody moved it.
+        if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED &&
+            SDL_GetMouseFocus() == window.get()) {
+          int x = 0;
+          int y = 0;
+          SDL_GetMouseState(&x, &y);
+          io.MousePos = in_pixels(x, y);
+        }
         if (event.window.event == SDL_WINDOWEVENT_LEAVE && !io.MouseDown[0])
           io.MousePos = ImVec2(-HUGE_VALF, -HUGE_VALF);
         if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
@@ -444,12 +495,13 @@ struct Window::Impl {
 
   App& app;
   const Fonts& fonts;
+  Sdl sdl;  // before what asks it
   double scale;
-  Sdl sdl;
   std::unique_ptr<SDL_Window, DeleteWindow> window;
   std::unique_ptr<void, DeleteContext> context;
   std::unique_ptr<SDL_Cursor, DeleteCursor> hand;
   std::unique_ptr<SDL_Cursor, DeleteCursor> arrow;
+  std::unique_ptr<SDL_Cursor, DeleteCursor> sideways;
   std::unique_ptr<WindowGl> gl;
   ImGuiContext* imgui = nullptr;
   std::unique_ptr<AtlasFonts> atlas_fonts;
@@ -466,7 +518,7 @@ struct Window::Impl {
   PanelFonts panel_fonts;
 };
 
-Window::Window(App& app, const Fonts& fonts, int width, int height, double scale)
+Window::Window(App& app, const Fonts& fonts, int width, int height, std::optional<double> scale)
     : impl_(std::make_unique<Impl>(app, fonts, width, height, scale)) {}
 Window::~Window() = default;
 

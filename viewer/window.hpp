@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -21,9 +22,10 @@ class NoWindow : public std::runtime_error {
 class Window {
  public:
   /// Without a width or a height: a size that suits the screen. `scale`: how many times larger than
-  /// on an ordinary screen everything is, beyond what the display says of itself. Throws NoWindow
-  /// saying what was tried.
-  Window(App& app, const Fonts& fonts, int width, int height, double scale = 1.0);
+  /// on an ordinary screen everything is; without it, what the screen says of itself. Throws
+  /// NoWindow saying what was tried.
+  Window(App& app, const Fonts& fonts, int width, int height,
+         std::optional<double> scale = std::nullopt);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

@@ -174,6 +174,7 @@ void tell_answers(std::vector<FrameText>& texts) {
   std::string answers;
   for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
     const std::string& answer = texts[i - 1].question->answer;
+    texts[i - 1].question->reason = answering.caption;
     answers = answers.empty() ? answer : answer + "; " + answers;
   }
   if (answers.empty()) return;
@@ -288,7 +289,7 @@ Camera camera_in(const Sight& sight, const Rect& card) {
 }  // namespace
 
 void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights,
-                             LabelScope scope) {
+                             LabelScope scope, std::optional<bool> stacked) {
   page_ = page;
   scope_ = scope;
   views_.clear();
@@ -317,25 +318,27 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
   };
   const auto scale = [&](std::size_t view, const Rect& card) {
     const Point room = (card.size() - kAround).cwiseMax(1.0);
-    return shows_shapes(run_.lesson.views[view].kind)
-               ? StageMap(card, camera_on(view, card)).scale()
-               : room.minCoeff();
+    const LessonView& of = run_.lesson.views[view];
+    return shows_shapes(of.kind) ? StageMap(card, camera_of(run_, of, card)).scale()
+                                 : room.minCoeff();
   };
-  // Whatever shows shapes larger; but cards that are too narrow for words never stand side by side.
-  // What a card of one kind has in sight is never larger on the other: nothing jumps under a hand.
-  const auto stacks = [&](const Cards& beside, const Cards& stacked) {
+  // Whatever shows the lesson's shapes larger, wherever a hand has moved the view since; but cards
+  // that are too narrow for words never stand side by side.
+  const auto stacks = [&](const Cards& beside, const Cards& below) {
     if (!may_stack(page_)) return false;
     double larger = 1.0;
     bool has_words = !page_.bare;
-    for (std::size_t i = 0; i < stacked.size(); ++i) {
-      larger *= scale(i, stacked[i]) / scale(i, beside[i]);
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      if (!stacked) larger *= scale(i, below[i]) / scale(i, beside[i]);
       has_words = has_words || !shows_shapes(run_.lesson.views[i].kind);
     }
-    return larger >= 1.0 || (has_words && beside[0].size().x() < kNarrowestCard);
+    return stacked.value_or(larger >= 1.0) ||
+           (has_words && beside[0].size().x() < kNarrowestCard);
   };
   const Layout layout = layout_of(run_, static_cast<int>(prose_lines),
                                   static_cast<int>(caption_lines), page_, stacks);
   panel_ = layout.panel;
+  stacked_ = layout.views.size() > 1 && layout.views[0].min.x() == layout.views[1].min.x();
   prose_y_ = layout.prose_y;
   caption_y_ = layout.caption_y;
   timeline_ = layout.timeline;
@@ -594,9 +597,9 @@ void LessonPictures::draw_close_up(Picture& picture, View& near, std::size_t ind
   page.write("inset.label", {card.min.x() + 10.0, card.max.y() - 10.0}, near.title[0], type::kText);
 }
 
-Picture LessonPictures::picture(int index, std::span<const Subject> pointed) {
+Picture LessonPictures::picture(int index, const FrameText& text,
+                                std::span<const Subject> pointed) {
   const auto at = static_cast<std::size_t>(index);
-  const FrameText& text = texts_[at];
   const double text_width = page_.width - 2.0 * kMargin;
   Picture picture;
   picture.width = page_.width;
@@ -607,7 +610,7 @@ Picture LessonPictures::picture(int index, std::span<const Subject> pointed) {
   if (!page_.bare) {
     page.write("title", {kMargin, 44.0}, run_.lesson.title, type::kTitle);
     const double beside = text_width - fonts_.width(type::kTitle, run_.lesson.title) - kMargin;
-    if (!is_narrow(page_) || fonts_.width(type::kPosition, text.position) <= beside) {
+    if (fonts_.width(type::kPosition, text.position) <= beside) {
       page.write("position", {page_.width - kMargin, 44.0}, text.position, type::kPosition,
                  Align::right);
     }
@@ -662,9 +665,12 @@ Picture LessonPictures::picture(int index, std::span<const Subject> pointed) {
   }
 
   if (page_.bare && !page_.captions) return picture;
+  const char* const role = text.is_right   ? (*text.is_right ? "caption.right" : "caption.wrong")
+                           : text.question ? "caption.question"
+                                           : "caption";
   const double detail_y = page.write_lines(
-      text.question ? "caption.question" : "caption", {kMargin, caption_y_},
-      wrapped(fonts_, type::kCaption, text.caption, text_width), type::kCaption, kCaptionLine);
+      role, {kMargin, caption_y_}, wrapped(fonts_, type::kCaption, text.caption, text_width),
+      type::kCaption, kCaptionLine);
   page.write_lines("detail", {kMargin, detail_y},
                    wrapped(fonts_, type::kDetail, text.detail, text_width), type::kDetail,
                    kCaptionLine);

@@ -27,6 +27,7 @@ struct FrameQuestion {
   std::string answer;                ///< The next frame that asks nothing tells it.
   /// Where a choice is a pair, "K−A": the two to choose, in its order.
   std::vector<VertexChoice> pair = {};
+  std::string reason = {};  ///< The caption of the frame that tells, without the answer before it.
 };
 
 /// The words and numbers of a frame: what the sidecar file, the contact sheet, the transcript and
@@ -41,6 +42,7 @@ struct FrameText {
   std::vector<std::pair<std::string, std::string>>
       values;  ///< Name and printed value, in reading order.
   std::optional<FrameQuestion> question;
+  std::optional<bool> is_right = {};  ///< Of an answer given, which the caption grades.
 };
 
 /// What a frame says to who cannot see it: the alternative text of its figure.
@@ -97,8 +99,11 @@ class LessonPictures {
                  const Page& page = {}, LabelScope scope = LabelScope::lesson);
   ~LessonPictures();
   /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
-  /// for each view, nothing for the lesson's own. Nothing is run again.
-  void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope);
+  /// for each view, nothing for the lesson's own. Nothing is run again. `stacked`: whether views
+  /// stand one below the other, on a page that has room for both; without, as suits the lesson.
+  void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope,
+               std::optional<bool> stacked = std::nullopt);
+  [[nodiscard]] bool is_stacked() const { return stacked_; }
   /// While frames are laid out one by one (LabelScope::frame), the panel explains what `other` has
   /// explained: the same lesson, before a hand changed it.
   void explain_as(const LessonPictures& other) { explained_marks_ = other.explained_marks_; }
@@ -107,7 +112,12 @@ class LessonPictures {
 
   /// `index` is that of the frame in LessonRun::frames. Vertices pointed at are named in any case;
   /// all else stays where it is.
-  [[nodiscard]] Picture picture(int index, std::span<const Subject> pointed = {});
+  [[nodiscard]] Picture picture(int index, std::span<const Subject> pointed = {}) {
+    return picture(index, texts_[static_cast<std::size_t>(index)], pointed);
+  }
+  /// With other words than those of the frame.
+  [[nodiscard]] Picture picture(int index, const FrameText& text,
+                                std::span<const Subject> pointed = {});
   [[nodiscard]] const std::vector<FrameText>& texts() const { return texts_; }
   [[nodiscard]] std::vector<ShownView> views() const;
 
@@ -131,6 +141,7 @@ class LessonPictures {
   const Fonts& fonts_;
   Page page_;
   LabelScope scope_ = LabelScope::lesson;
+  bool stacked_ = false;
   std::vector<FrameText> texts_;
   std::vector<View> views_;
   /// What is explained in each frame of each view: marks where they are shown first.

@@ -81,6 +81,74 @@ Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, d
   return best;
 }
 
+gjk::Face face_at(const std::vector<Eigen::Vector2d>& simplex, const VoronoiRegions::Value& regions,
+                  const Eigen::Vector2d& p, double reach) {
+  const int count = static_cast<int>(simplex.size());
+  const auto vertex = [&](int i) { return simplex[static_cast<std::size_t>(i)]; };
+  const auto nearest = std::min_element(
+      simplex.begin(), simplex.end(),
+      [&](const auto& a, const auto& b) { return (p - a).norm() < (p - b).norm(); });
+  if ((p - *nearest).norm() <= reach)
+    return gjk::face_of(static_cast<int>(nearest - simplex.begin()));
+  for (int i = 0; i < count; ++i) {
+    for (int j = i + 1; j < count; ++j) {
+      if (segment_distance(p, vertex(i), vertex(j)) <= reach)
+        return static_cast<gjk::Face>(gjk::face_of(i) | gjk::face_of(j));
+    }
+  }
+  const auto around =
+      std::find_if(regions.begin(), regions.end(), [&](const VoronoiRegions::Region& region) {
+        return std::all_of(
+            region.half_planes.begin(), region.half_planes.end(),
+            [&](const HalfPlane& half) { return half.normal.dot(p - half.point) <= 0.0; });
+      });
+  return around == regions.end() ? gjk::Face{0} : around->face;
+}
+
+namespace {
+
+bool overlaps(const Rect& rect, const std::vector<Point>& points, bool closed) {
+  if (closed && is_inside(points, rect.center())) return true;
+  if (points.size() == 1) return is_in(rect, points.front());
+  for (std::size_t i = closed ? 0 : 1; i < points.size(); ++i) {
+    if (clip(points[i == 0 ? points.size() - 1 : i - 1], points[i], {rect.min, rect.max}))
+      return true;
+  }
+  return false;
+}
+
+bool is_of_shapes(const Subject& subject) {
+  switch (subject.kind) {
+    case Kind::vertex_of_x:
+    case Kind::vertex_of_y:
+    case Kind::shape_x:
+    case Kind::shape_y:
+    case Kind::difference:
+    case Kind::difference_vertex:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool is_in_sight(const Picture& picture, const Rect& card) {
+  return std::any_of(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
+    // Marks of this card, not what the panel says of the same subjects.
+    if (!is_of_shapes(mark.subject) || mark.clip < 0) return false;
+    const Rect& clip = picture.clips[static_cast<std::size_t>(mark.clip)];
+    if (!overlap(clip, card) || std::holds_alternative<Text>(mark.shape)) return false;
+    if (const Disk* disk = std::get_if<Disk>(&mark.shape)) return is_in(card, disk->center);
+    if (const Cross* cross = std::get_if<Cross>(&mark.shape)) return is_in(card, cross->center);
+    if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape))
+      return overlaps(card, polygon->points, true);
+    if (const Polyline* line = std::get_if<Polyline>(&mark.shape))
+      return overlaps(card, line->points, line->closed);
+    return false;
+  });
+}
+
 Subject held(const Subject& subject) {
   if (subject.kind != Kind::tree_node) return subject;
   return {subject.x >= 0 ? Kind::shape_x : Kind::shape_y};

@@ -1,6 +1,7 @@
 #pragma once
 // What of a picture is under the pointer.
 
+#include "effects/voronoi.hpp"
 #include "picture/picture.hpp"
 
 namespace gjkscope {
@@ -10,6 +11,16 @@ namespace gjkscope {
 /// `slack` away.
 [[nodiscard]] Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p,
                                  double slack);
+
+/// The face of a simplex that a click means: its vertex or its edge within `reach` of `p`, else
+/// that of the Voronoi region around `p`. Points are in the coordinates of the Minkowski
+/// difference.
+[[nodiscard]] gjk::Face face_at(const std::vector<Eigen::Vector2d>& simplex,
+                                const VoronoiRegions::Value& regions, const Eigen::Vector2d& p,
+                                double reach);
+
+/// Whether any part of a shape, or of the difference, is inside of `card`.
+[[nodiscard]] bool is_in_sight(const Picture& picture, const Rect& card);
 
 /// What a hand takes there: with a volume of a tree the shape that it bounds a part of.
 [[nodiscard]] Subject held(const Subject& subject);

@@ -1,5 +1,7 @@
 #include "session/session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -75,8 +77,12 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   const bool is_first = !shown_;
   Whereabouts there{file_, saved_, index_};
   std::vector<std::optional<Sight>> sights = sights_;
+  const std::optional<bool> stacked = std::exchange(stacked_, std::nullopt);
   std::optional<Lesson> before = replace(std::move(lesson), {});
-  if (!before) return false;
+  if (!before) {
+    stacked_ = stacked;
+    return false;
+  }
   go_to(0);
   file_ = std::move(file);
   saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
@@ -117,6 +123,7 @@ bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool 
   std::vector<std::optional<Sight>> sights =
       std::exchange(sights_, std::vector<std::optional<Sight>>(lesson_.views.size()));
   shown_ = std::move(made->shown);
+  stacked_ = shown_->pictures.is_stacked();
   index_ = 0;
   picture_.reset();
   // The window may have changed meanwhile.
@@ -261,6 +268,7 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to, C
   if (entry.of_other) {
     const Whereabouts there = std::exchange(*entry.of_other, {file_, saved_, index_});
     sights_.clear();
+    stacked_.reset();
     file_ = there.file;
     saved_ = there.saved;
     index = there.index;
@@ -311,7 +319,7 @@ Lesson Session::to_run(Lesson lesson) const {
     lesson.questions.clear();
     for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
       lesson.questions.push_back({std::string(ask.name), {}});
-  } else {
+  } else if (!asking_) {
     lesson.questions.clear();
   }
   return lesson;
@@ -352,7 +360,8 @@ bool Session::show(LabelScope scope) {
 }
 
 void Session::lay_out(LabelScope scope) {
-  shown_->pictures.lay_out(page_, sights_, scope);
+  shown_->pictures.lay_out(page_, sights_, scope, stacked_);
+  stacked_ = shown_->pictures.is_stacked();
   picture_.reset();
 }
 
@@ -425,7 +434,7 @@ bool Session::go_to_next(std::string_view phase) {
     const int i = (index_ + k) % frame_count();
     const Frame& frame = run().frames[static_cast<std::size_t>(i)];
     if (frame.question >= 0 || run().info(frame).phase != phase) continue;
-    go_to(i);
+    go_to(i > index_ ? std::min(i, last_told()) : i);
     return true;
   }
   return false;
@@ -475,17 +484,97 @@ void Session::set_predicting(bool on) {
   go_to(first);
 }
 
+void Session::set_asking(bool on) {
+  if (on == asking_) return;
+  asking_ = on;
+  if (!predicting_ && !lesson_.questions.empty()) show(LabelScope::lesson);
+}
+
 const FrameQuestion* Session::question() const {
   const std::optional<FrameQuestion>& question = text().question;
-  return predicting_ && question ? &*question : nullptr;
+  return question && !given(index_) ? &*question : nullptr;
 }
 
 void Session::answer(const std::string& choice) {
+  if (take(choice)) step(1);
+}
+
+void Session::grade(const std::string& choice) {
+  if (!take(choice)) return;
+  const auto next = static_cast<std::size_t>(index_) + 1;
+  picture_.reset();
+  if (next < texts().size() && !texts()[next].question) step(1);
+}
+
+bool Session::take(const std::string& choice) {
   const FrameQuestion* asked = question();
-  if (!asked) return;
-  answers_.push_back(
-      {lesson_.id, text().iteration, asked->ask, asked->choices, choice, asked->answer});
-  step(1);
+  if (!asked) return false;
+  answers_.push_back({lesson_.id, text().iteration, asked->ask, asked->choices, choice,
+                      asked->answer, version_, frame().run, frame().answering_step});
+  return true;
+}
+
+const Answer* Session::given(int index) const {
+  const auto at = static_cast<std::size_t>(index);
+  if (!texts()[at].question) return nullptr;
+  const Frame& frame = run().frames[at];
+  const auto found = std::find_if(answers_.begin(), answers_.end(), [&](const Answer& answer) {
+    return answer.version == version_ && answer.run == frame.run &&
+           answer.step == frame.answering_step && answer.ask == texts()[at].question->ask;
+  });
+  return found == answers_.end() ? nullptr : &*found;
+}
+
+FrameText Session::told() const {
+  FrameText text = this->text();
+  const bool asks = text.question.has_value();
+  int first = index_;
+  while (!asks && first > 0 && texts()[static_cast<std::size_t>(first) - 1].question) --first;
+  std::string verdicts;
+  int count = 0;
+  bool all_right = true;
+  for (int i = first; i < index_ + (asks ? 1 : 0); ++i) {
+    const std::string& right = texts()[static_cast<std::size_t>(i)].question->answer;
+    const Answer* answer = given(i);
+    if (answer) ++count;
+    if (answer && !answer->is_right()) all_right = false;
+    verdicts += !answer              ? fmt::format("Answer: {}. ", right)
+                : answer->is_right() ? fmt::format("Right: {}. ", right)
+                                     : fmt::format("Not so: {}, not {}. ", right, answer->chosen);
+  }
+  if (count == 0) return text;
+  const std::string& reason = texts()[static_cast<std::size_t>(first)].question->reason;
+  text.is_right = all_right;
+  if (asks) {
+    verdicts.pop_back();
+    text.caption = verdicts;
+    text.detail = reason;
+  } else {
+    text.caption = verdicts + reason;
+  }
+  return text;
+}
+
+int Session::last_told() const {
+  int at = index_;
+  while (at + 1 < frame_count() && !(texts()[static_cast<std::size_t>(at)].question && !given(at)))
+    ++at;
+  return at;
+}
+
+void Session::forget_answers() {
+  answers_.clear();
+  picture_.reset();
+}
+
+std::pair<int, int> Session::score() const {
+  std::pair<int, int> out = {0, 0};
+  for (const Answer& answer : answers_) {
+    if (answer.lesson != lesson_.id) continue;
+    out.first += answer.is_right() ? 1 : 0;
+    ++out.second;
+  }
+  return out;
 }
 
 int Session::right_answers() const {
@@ -512,11 +601,12 @@ std::string Session::answers_json() const {
 void Session::set_page(const Page& page) {
   if (page == page_) return;
   page_ = page;
+  stacked_.reset();
   if (shown_) lay_out(dragging_ ? LabelScope::frame : LabelScope::lesson);
 }
 
 const Picture& Session::picture() {
-  if (!picture_) picture_ = shown_->pictures.picture(index_, pointed_);
+  if (!picture_) picture_ = shown_->pictures.picture(index_, told(), pointed_);
   return *picture_;
 }
 
@@ -590,6 +680,7 @@ void Session::hold_cameras() {
 
 void Session::fit() {
   if (!shown_) return;
+  stacked_.reset();
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     // A view without a camera of its own fits what it shows, on whatever card.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lesson/lesson.hpp"
@@ -23,6 +24,10 @@ struct Answer {
   std::vector<std::string> choices;
   std::string chosen;
   std::string right;  ///< From the trace.
+  /// Which question it was: of this version of the lesson, of this run and this step of it.
+  long version = 0;
+  int run = 0;
+  int step = 0;
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 
@@ -133,7 +138,8 @@ class Session {
   bool step(int by);
   /// To the first frame of the next iteration, or of this one, or of the one before.
   bool step_iteration(int by);
-  /// To the next frame of the phase, from the start again after the last. False when there is none.
+  /// To the next frame of the phase, from the start again after the last, or to an open question
+  /// on the way there. False when there is none.
   bool go_to_next(std::string_view phase);
   /// What one may run to. The first two are GJK's.
   enum class Event { simplex_changes, vertex_dropped, run_ends };
@@ -147,13 +153,28 @@ class Session {
   /// Where the frame's answer would be told at once, its question is put first.
   void set_predicting(bool on);
   [[nodiscard]] bool is_predicting() const { return predicting_; }
+  /// The lesson's own questions, in the frames that its export has. Predict mode asks all there
+  /// are.
+  void set_asking(bool on);
+  [[nodiscard]] bool is_asking() const { return asking_; }
   /// The question of the frame, while it is open.
   [[nodiscard]] const FrameQuestion* question() const;
-  /// Takes the choice, and goes on to the frame that tells.
+  /// Takes the choice, and goes on to the next frame.
   void answer(const std::string& choice);
+  /// Takes the choice. Goes on where the next frame tells; where it asks something else, the
+  /// verdict comes first.
+  void grade(const std::string& choice);
+  /// The answer that was given to the question of a frame; null where none was, or none was asked.
+  [[nodiscard]] const Answer* given(int index) const;
+  /// Of this frame, with what is to be said of answers to its question, or to those that it tells.
+  [[nodiscard]] FrameText told() const;
+  /// The last frame that may be told: what comes after an open question would answer it.
+  [[nodiscard]] int last_told() const;
   [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
   [[nodiscard]] int right_answers() const;
-  void forget_answers() { answers_.clear(); }
+  /// Right ones, and all, of the lesson that is open.
+  [[nodiscard]] std::pair<int, int> score() const;
+  void forget_answers();
   [[nodiscard]] std::string answers_json() const;
 
   // Pictures
@@ -205,6 +226,8 @@ class Session {
     int part = -1;
   };
 
+  /// False when no question is open.
+  bool take(const std::string& choice);
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
   std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
   /// With the cameras that `lesson` was seen with.
@@ -249,8 +272,10 @@ class Session {
   std::vector<std::size_t> follows_;  ///< Views that a difference may not leave, during a drag.
   std::optional<std::size_t> held_;
   bool predicting_ = false;
+  bool asking_ = false;
   std::vector<Answer> answers_;
   std::vector<std::optional<Sight>> sights_;
+  std::optional<bool> stacked_;  ///< Cards keep their place on this page, until all is fitted.
   std::unique_ptr<Shown> shown_;
   int index_ = 0;
   std::vector<Subject> pointed_;

@@ -19,13 +19,11 @@ struct KeyOfPanels {
   std::string_view name;
   int key;
 };
-constexpr KeyOfPanels kKeysOfPanels[] = {{"Enter", ImGuiKey_Enter},
-                                         {"Tab", ImGuiKey_Tab},
-                                         {"Space", ImGuiKey_Space},
-                                         {"Delete", ImGuiKey_Delete},
-                                         {"Right", ImGuiKey_RightArrow},
-                                         {"Down", ImGuiKey_DownArrow},
-                                         {"A", ImGuiKey_A}};
+constexpr KeyOfPanels kKeysOfPanels[] = {
+    {"Enter", ImGuiKey_Enter},      {"Tab", ImGuiKey_Tab},
+    {"Space", ImGuiKey_Space},      {"Delete", ImGuiKey_Delete},
+    {"Right", ImGuiKey_RightArrow}, {"Down", ImGuiKey_DownArrow},
+    {"Escape", ImGuiKey_Escape},    {"A", ImGuiKey_A}};
 
 }  // namespace
 
@@ -127,16 +125,17 @@ void HeadlessApp::wheel(double by) {
 void HeadlessApp::key(const std::string& key, bool ctrl, bool shift) {
   ImGuiIO& io = ImGui::GetIO();
   const auto of_panels = std::ranges::find(kKeysOfPanels, key, &KeyOfPanels::name);
-  if (app_->panels_have_keys() && of_panels != std::end(kKeysOfPanels)) {
-    const auto index = of_panels - std::begin(kKeysOfPanels);
+  const bool goes_to_panels = app_->panels_have_keys() && of_panels != std::end(kKeysOfPanels);
+  const auto index = of_panels - std::begin(kKeysOfPanels);
+  if (goes_to_panels) {
     io.KeysDown[index] = true;
     io.KeyCtrl = ctrl;
-    settle();
-    io.KeysDown[index] = false;
-    io.KeyCtrl = false;
-  } else {
-    app_->press({key, ctrl, shift});
   }
+  app_->press({key, ctrl, shift});
+  settle();
+  if (!goes_to_panels) return;
+  io.KeysDown[index] = false;
+  io.KeyCtrl = false;
   settle();
 }
 

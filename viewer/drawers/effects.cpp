@@ -26,7 +26,7 @@ void draw_effects(App& app) {
       bool on = views[i].calls_for(info->name);
       if (ImGui::Checkbox(title_of(*info).c_str(), &on))
         change = [&app, i, info] { toggle_effect(app, i, info->name); };
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info->summary).c_str());
+      tip(std::string(info->summary), tips::kLeft, ImGui::IsItemHovered());
       const EffectCount count = effects.count(info->name);
       ImGui::SameLine(static_cast<float>(210.0 * app.ui_scale()));
       if (count.runs > 0) {

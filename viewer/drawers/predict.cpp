@@ -3,90 +3,33 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <memory>
+#include <tuple>
 
 #include "app.hpp"
-#include "picture/words.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
 namespace {
 
-using Kind = Subject::Kind;
-
 struct Predict {
   App& app;
-  int chosen = 0;  ///< Of the choices, by keyboard.
-  Subject half;    ///< The first vertex that was clicked of a pair.
+  bool every_step = true;  ///< Or what the lesson asks.
+  bool is_open = false;
 
   [[nodiscard]] Session& session() const { return app.session(); }
 
-  /// The name by which a question's choices call a subject; empty when they do not.
-  [[nodiscard]] std::string name_of(const Subject& subject) const {
-    const LessonRun& run = session().run();
-    switch (subject.kind) {
-      case Kind::vertex_of_x:
-        return run.lesson.x().vertex_names[static_cast<std::size_t>(subject.x)];
-      case Kind::vertex_of_y:
-        return run.lesson.y().vertex_names[static_cast<std::size_t>(subject.y)];
-      case Kind::difference_vertex:
-        return run.pair_name({subject.x, subject.y});
-      case Kind::region:
-        return SimplexWords(run, run.state(session().frame()).simplex)
-            .face(static_cast<gjk::Face>(subject.x));
-      default:
-        return {};
-    }
+  void ask() const {
+    session().set_asking(is_open && !every_step);
+    session().set_predicting(is_open && every_step);
   }
 
-  void answer(const std::string& choice) {
-    session().answer(choice);
-    chosen = 0;
-    half = {};
-    const Answer& given = session().answers().back();
-    app.say(given.is_right()
-                ? fmt::format("Right: {}.", given.right)
-                : fmt::format("Not so: the answer is {}, not {}.", given.right, given.chosen));
-  }
-
-  void choose(int number) {
-    const FrameQuestion* question = session().question();
-    if (question && number < static_cast<int>(question->choices.size()))
-      answer(question->choices[static_cast<std::size_t>(number)]);
-  }
-
-  /// A click on a choice, or on the second of two vertices that make one.
-  bool click(const Subject& subject) {
-    const FrameQuestion* question = session().question();
-    if (!question) return false;
-    const std::vector<std::string>& choices = question->choices;
-    const auto is_choice = [&](const std::string& name) {
-      return !name.empty() && std::find(choices.begin(), choices.end(), name) != choices.end();
-    };
-    if (const std::string name = name_of(subject); is_choice(name)) {
-      answer(name);
-      return true;
+  /// Whether any frame of the run asks.
+  [[nodiscard]] bool asks() const {
+    for (const Frame& frame : session().run().frames) {
+      if (frame.question >= 0) return true;
     }
-    const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
-    if (!is_vertex || question->ask != "support") return false;
-    if (half.kind == Kind::none || half.kind == subject.kind) {
-      half = subject;
-      app.picture().selected = subject;
-      const LessonShape& other =
-          subject.kind == Kind::vertex_of_x ? session().lesson().y() : session().lesson().x();
-      app.say(fmt::format("{}: now click a vertex of {}", name_of(subject), other.name));
-      return true;
-    }
-    const Subject pair{Kind::difference_vertex, std::max(half.x, subject.x),
-                       std::max(half.y, subject.y)};
-    half = {};
-    if (const std::string name = name_of(pair); is_choice(name)) {
-      answer(name);
-    } else {
-      app.say(fmt::format("{} is none of the choices", name));
-    }
-    return true;
+    return false;
   }
 
   void draw() {
@@ -94,35 +37,32 @@ struct Predict {
         "Before a step is shown, say what it will do: click it on the stage, click here, press "
         "its number, or choose with Up and Down and answer with Enter. The answer is the run's, "
         "on any shapes.");
-    const int asked = static_cast<int>(session().answers().size());
+    if (ImGui::RadioButton("Ask before every step", every_step)) every_step = true;
+    if (ImGui::RadioButton("Ask what the lesson asks", !every_step)) every_step = false;
+    ask();
     ImGui::Separator();
-    ImGui::Text("Score: %d of %d", session().right_answers(), asked);
+    const auto [right, asked] = session().score();
+    ImGui::Text("Score in this lesson: %d of %d", right, asked);
+    if (const int all = static_cast<int>(session().answers().size()); all > asked)
+      ImGui::TextDisabled("in all lessons: %d of %d", session().right_answers(), all);
     ImGui::Separator();
-    if (const FrameQuestion* question = session().question()) {
+    if (session().question()) {
       wrapped_text(session().text().caption);
-      const std::vector<std::string> choices = question->choices;
-      for (std::size_t i = 0; i < choices.size(); ++i) {
-        const std::string label = fmt::format("{}  {}", i + 1, choices[i]);
-        const bool is_chosen = static_cast<int>(i) == chosen;
-        if (is_chosen)
-          ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
-        const bool pressed = ImGui::Button(label.c_str(), ImVec2(-1.0f, 0.0f));
-        if (is_chosen) ImGui::PopStyleColor();
-        if (pressed) return answer(choices[i]);
-      }
+      app.asking().draw();
+    } else if (!asks()) {
+      wrapped_text(every_step ? "No step of this lesson can be asked about: each has one answer."
+                              : "This lesson asks nothing by itself.");
     } else {
-      if (asked > 0) {
-        const Answer& last = session().answers().back();
-        if (last.is_right()) {
-          ImGui::TextColored(ImVec4(0.0f, 0.62f, 0.45f, 1.0f), "Right: %s.", last.right.c_str());
-        } else {
-          ImGui::TextColored(ImVec4(0.84f, 0.37f, 0.0f, 1.0f), "Not so: it was %s.",
-                             last.right.c_str());
-        }
+      if (const FrameText told = session().told(); told.is_right) {
+        const char* const role = *told.is_right ? "caption.right" : "caption.wrong";
+        const Color ink = *app.theme().style(role).fill;
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(ink.r, ink.g, ink.b, 255));
+        wrapped_text(told.caption);
+        ImGui::PopStyleColor();
       }
       app.draw_button("Next step", -1.0f);
     }
-    if (asked == 0) return;
+    if (session().answers().empty()) return;
     ImGui::Separator();
     if (ImGui::Button("Save the answers as JSON")) {
       app.show_dialog(save_dialog(app, "Save the answers", "answers.json", {},
@@ -137,36 +77,28 @@ struct Predict {
 }  // namespace
 
 Drawer predict_drawer(App& app) {
-  const auto predict = std::make_shared<Predict>(Predict{app, 0, {}});
+  const auto predict = std::make_shared<Predict>(Predict{app});
   Drawer drawer{"Predict", "P", "Say what a step will do before it is shown",
                 [predict] { predict->draw(); }};
-  drawer.toggled = [&app](bool is_open) { app.session().set_predicting(is_open); };
-  drawer.clicked = [predict](const Subject& subject) { return predict->click(subject); };
-  const auto is_asked = [&app] { return app.session().question() != nullptr; };
-  for (int i = 0; i < 9; ++i) {
-    drawer.commands.push_back({fmt::format("Answer {}", i + 1),
+  drawer.toggled = [predict](bool is_open) {
+    predict->is_open = is_open;
+    predict->ask();
+  };
+  const auto is_asked = [&app] { return app.asking().is_open(); };
+  for (int i = 0; i < 10; ++i) {
+    drawer.commands.push_back({fmt::format("Answer {}", i),
                                "Predict",
-                               {std::to_string(i + 1)},
-                               [predict, i] { predict->choose(i); },
+                               {std::to_string(i)},
+                               [&app, i] { app.asking().type(i); },
                                is_asked});
   }
   for (const auto& [name, key, by] :
        {std::tuple("Choice below", "Down", 1), {"Choice above", "Up", -1}}) {
-    drawer.commands.push_back({name,
-                               "Predict",
-                               {key},
-                               [predict, by = by] {
-                                 const auto count = static_cast<int>(
-                                     predict->session().question()->choices.size());
-                                 predict->chosen = (predict->chosen + by + count) % count;
-                               },
-                               is_asked});
+    drawer.commands.push_back(
+        {name, "Predict", {key}, [&app, by = by] { app.asking().move(by); }, is_asked});
   }
-  drawer.commands.push_back({"Answer with the choice",
-                             "Predict",
-                             {"Enter"},
-                             [predict] { predict->choose(predict->chosen); },
-                             is_asked});
+  drawer.commands.push_back(
+      {"Answer with the choice", "Predict", {"Enter"}, [&app] { app.asking().enter(); }, is_asked});
   return drawer;
 }
 

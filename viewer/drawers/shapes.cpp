@@ -107,14 +107,30 @@ void draw_radius(App& app, std::size_t body) {
   app.edit(fmt::format("radius of {}", kBodyKeys[body]), std::move(lesson));
 }
 
-/// The coordinates of a vertex in two fields; where one was typed, the vertex it makes.
-std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex) {
+/// Whether two fields beside each other show all digits of each coordinate.
+bool fit_beside(const App& app, const std::vector<Vector2d>& vertices, float room) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float field = 0.5f * (room - style.ItemSpacing.x) - 2.0f * style.FramePadding.x;
+  return std::all_of(vertices.begin(), vertices.end(), [&](const Vector2d& vertex) {
+    return std::max(ImGui::CalcTextSize(number_text(vertex.x(), app.hexadecimal).c_str()).x,
+                    ImGui::CalcTextSize(number_text(vertex.y(), app.hexadecimal).c_str()).x) <=
+           field;
+  });
+}
+
+/// The coordinates of a vertex in two fields, side by side or one below the other; where one was
+/// typed, the vertex it makes.
+std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex, bool beside) {
   std::optional<Vector2d> typed;
+  ImGui::SameLine();
+  const float begin = ImGui::GetCursorPosX();
   for (int axis = 0; axis < 2; ++axis) {
-    ImGui::SameLine();
+    if (axis == 1 && beside) ImGui::SameLine();
+    if (axis == 1 && !beside) ImGui::SetCursorPosX(begin);
     ImGui::PushID(axis);
     const float rest = ImGui::GetContentRegionAvail().x;
-    const float width = axis == 0 ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest;
+    const float width =
+        axis == 0 && beside ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest;
     if (const std::optional<double> read = edit_number(app, vertex[axis], width)) {
       typed = vertex;
       (*typed)[axis] = *read;
@@ -132,12 +148,15 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
   const LessonShape& shape = app.session().lesson().bodies[body];
   if (shape.vertices.size() > edit::kMostEditable) return ImGui::TextDisabled("too many to list");
   std::optional<std::pair<std::size_t, Vector2d>> typed;
+  const auto name_width = static_cast<float>(36.0 * app.ui_scale());
+  const bool beside =
+      fit_beside(app, shape.vertices,
+                 ImGui::GetContentRegionAvail().x - name_width - ImGui::GetStyle().ItemSpacing.x);
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const int index = static_cast<int>(i);
     ImGui::PushID(index);
     const Subject subject =
         is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};
-    const auto name_width = static_cast<float>(36.0 * app.ui_scale());
     const Color ink = app.theme().style(is_x ? "shape.x.label" : "shape.y.label").fill.value();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(ink.r, ink.g, ink.b, 255));
@@ -146,7 +165,7 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
       app.picture().selected = subject;
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) app.pointed_in_panel = subject;
-    if (const std::optional<Vector2d> vertex = edit_vertex(app, shape.vertices[i]))
+    if (const std::optional<Vector2d> vertex = edit_vertex(app, shape.vertices[i], beside))
       typed = {i, *vertex};
     ImGui::PopID();
   }

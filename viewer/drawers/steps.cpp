@@ -1,6 +1,9 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <memory>
+#include <sstream>
 #include <utility>
 
 #include "app.hpp"
@@ -36,21 +39,65 @@ struct Table {
   int shown = -1;  ///< The frame that was in sight when it was drawn last.
   long version = -1;
   std::vector<std::string> columns;  ///< Of that version of the lesson.
+  int pointed = -1;                  ///< The row whose caption is told.
+  double width = 400.0;              ///< Of all columns, in pixels at scale 1.
 };
 
-void draw_row(Session& session, const Table& table, int i) {
+/// Which step it is, in few words.
+std::string step_name(const FrameText& text) {
+  if (text.iteration == 0) return text.phase == "start" ? text.phase : text.position;
+  return fmt::format("{} · {}", text.iteration, text.phase);
+}
+
+/// As the table has it: the names that go with weights stand in the column of the simplex.
+std::string cell(const std::string& column, const std::string& value) {
+  if (column != "weights") return value;
+  std::string out;
+  std::istringstream words(value);
+  for (std::string weight, name; words >> weight; words >> name)
+    out += (out.empty() ? "" : "  ") + weight;
+  return out;
+}
+
+/// What all columns need, with a bar to scroll by.
+float width_of(const std::vector<FrameText>& texts, const std::vector<std::string>& columns) {
+  const auto measured = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  float first = measured("step");
+  std::vector<float> widths;
+  for (const std::string& column : columns) widths.push_back(measured(column));
+  for (const FrameText& text : texts) {
+    first = std::max(first, measured(step_name(text)));
+    for (const auto& [name, value] : text.values) {
+      const auto column = std::find(columns.begin(), columns.end(), name);
+      if (column == columns.end()) continue;
+      float& width = widths[static_cast<std::size_t>(column - columns.begin())];
+      width = std::max(width, measured(cell(name, value)));
+    }
+  }
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float between = 2.0f * style.CellPadding.x + 1.0f;
+  const float around = style.ScrollbarSize + 2.0f * style.WindowPadding.x + ImGui::GetFontSize();
+  float all = first + between + around;
+  for (const float width : widths) all += width + between;
+  return all;
+}
+
+void draw_row(Session& session, Table& table, int i) {
   const FrameText& text = session.texts()[static_cast<std::size_t>(i)];
   ImGui::TableNextColumn();
   ImGui::PushID(i);
-  if (ImGui::Selectable(text.position.c_str(), i == session.index(),
+  if (ImGui::Selectable(step_name(text).c_str(), i == session.index(),
                         ImGuiSelectableFlags_SpanAllColumns))
     session.go_to(i);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.caption.c_str());
+  // Not while the keys step and the pointer rests.
+  const ImVec2& moved = ImGui::GetIO().MouseDelta;
+  if (moved.x != 0.0f || moved.y != 0.0f) table.pointed = i;
+  tip(text.caption, tips::kLeft, ImGui::IsItemHovered() && table.pointed == i);
   ImGui::PopID();
   for (const std::string& name : table.columns) {
     ImGui::TableNextColumn();
     for (const auto& [known, value] : text.values) {
-      if (known == name) ImGui::TextUnformatted(value.c_str());
+      if (known == name) ImGui::TextUnformatted(cell(name, value).c_str());
     }
   }
 }
@@ -61,6 +108,7 @@ void draw_steps(App& app, Table& table) {
   if (table.version != session.version()) {
     table.columns = columns_of(session.texts());
     table.version = session.version();
+    table.width = width_of(session.texts(), table.columns) / app.ui_scale();
   }
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
@@ -71,9 +119,10 @@ void draw_steps(App& app, Table& table) {
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
   // What is asked before it is told is not in the table before it was told.
-  const int count = session.is_predicting() ? session.index() + 1 : session.frame_count();
+  const int count = session.last_told() + 1;
   const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   if (std::exchange(table.shown, session.index()) != session.index()) {
+    table.pointed = -1;
     const auto middle = static_cast<float>(session.index() + 1) * row;
     ImGui::SetScrollY(std::max(middle - 0.5f * ImGui::GetWindowHeight(), 0.0f));
   }
@@ -88,8 +137,10 @@ void draw_steps(App& app, Table& table) {
 }  // namespace
 
 Drawer steps_drawer(App& app) {
+  const auto table = std::make_shared<Table>();
   Drawer drawer{"Steps", "J", "All steps in a table, and how to run to the one you look for",
-                [&app, table = Table{}]() mutable { draw_steps(app, table); }};
+                [&app, table] { draw_steps(app, *table); }};
+  drawer.width = [table] { return table->width; };
   for (const RunUntil& each : kRunUntil) {
     drawer.commands.push_back(
         {each.name,

@@ -4,6 +4,8 @@
 #include "effects/other_normal.hpp"
 #include "effects/projection.hpp"
 #include "effects/slab.hpp"
+#include "geometry/polygon.hpp"
+#include "lesson/questions.hpp"
 #include "picture/blocks/blocks.hpp"
 #include "picture/layers/layers.hpp"
 #include "picture/words.hpp"
@@ -250,7 +252,25 @@ const Layer kOtherNormal{.effect = OtherNormal::kName,
                          .order = Layer::kOfAct + 10,
                          .draw = other_normal};
 
+namespace {
+
+/// Which vertices lie farthest along d and −d is asked of the shapes: there the arrows stand.
+void asked_directions(SceneBuilder& scene) {
+  const Frame& frame = scene.frame;
+  if (frame.question < 0 || frame.answering_step < 0) return;
+  const LessonQuestion& question =
+      scene.run.lesson.questions[static_cast<std::size_t>(frame.question)];
+  if (question.ask != asks::kSupport.name) return;
+  const Vector2d& d =
+      scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
+  search_arrow(scene, scene.at(centroid(scene.positioned.y().world)), d, kPairArrow, "d");
+  search_arrow(scene, scene.at(centroid(scene.positioned.x().world)), -d, kPairArrow, "−d");
+}
+
+}  // namespace
+
 void search_between_shapes(SceneBuilder& scene) {
+  asked_directions(scene);
   if (!scene.knows.support || scene.knows.has_ended) return;
   search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
                "d");
