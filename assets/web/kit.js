@@ -20,12 +20,6 @@ const KIT = {
 
 const MOST_LISTED = 20000;  // characters of a case
 
-/** The vertices of both shapes. */
-async function world() {
-  const shapes = state.shapes ?? await ask({ do: "vertices" });
-  const points = ({ vertices }) => vertices.map(([x, y]) => [Number(x), Number(y)]);
-  return shapes?.x && { x: points(shapes.x), y: points(shapes.y) };
-}
 function middle(points) {
   return [0, 1].map((i) => points.reduce((sum, p) => sum + p[i], 0) / points.length);
 }
@@ -34,14 +28,21 @@ function setCase(a, b) {
   return act({ do: "case", text: JSON.stringify({ a, b }), name: "shapes" });
 }
 
-async function setShape(key, kind) {
+let kitChange = Promise.resolve();
+
+/** One after the other: each change keeps the shape that the one before made. */
+function setShape(key, kind) {
   const corners = Math.min(64, Math.max(3, Math.round(Number($("corners").value) || 3)));
-  const shapes = await world();
-  if (!shapes) return;
-  const [cx, cy] = middle(shapes[key]);
-  shapes[key] = KIT[kind](corners).map(([x, y]) =>
-    [Number((x + cx).toFixed(3)), Number((y + cy).toFixed(3))]);
-  setCase(shapes.x, shapes.y);
+  kitChange = kitChange.then(async () => {
+    const answer = await ask({ do: "vertices" });
+    if (!answer?.x) return;
+    const points = (shape) => shape.vertices.map(([x, y]) => [Number(x), Number(y)]);
+    const shapes = { x: points(answer.x), y: points(answer.y) };
+    const [cx, cy] = middle(shapes[key]);
+    shapes[key] = KIT[kind](corners).map(([x, y]) =>
+      [Number((x + cx).toFixed(3)), Number((y + cy).toFixed(3))]);
+    await setCase(shapes.x, shapes.y);
+  });
 }
 
 function setRandomPair() {

@@ -82,9 +82,8 @@ function vertexTable(key, shape) {
     input.setAttribute("aria-label", `${"xy"[axis]} of ${shape.names[index]}`);
     input.id = `${key}-${index}-${axis}`;
     input.onchange = async () => {
-      const [x, y] = [0, 1].map((i) =>
-        i === axis ? input.value.trim() : shape.vertices[index][hex ? 2 + i : i]);
-      if (!(await act({ do: "vertex", shape: key, index, x, y }, { about: input }))) input.value = text;
+      const typed = { ["xy"[axis]]: input.value.trim() };
+      if (!(await act({ do: "vertex", shape: key, index, ...typed }, { about: input }))) input.value = text;
     };
     return element("td", {}, input);
   };

@@ -415,9 +415,12 @@ void Player::put_vertex(const Asked& asked) {
   std::vector<Vector2d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
     throw no_vertex(index, vertices.size());
-  const std::string& vertex = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
-  vertices[static_cast<std::size_t>(index)] = {coordinate(asked.text("x"), "x of " + vertex),
-                                               coordinate(asked.text("y"), "y of " + vertex)};
+  const std::string& name = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
+  Vector2d& vertex = vertices[static_cast<std::size_t>(index)];
+  for (const auto& [axis, key] : {std::pair(0, "x"), {1, "y"}}) {
+    if (asked.json.contains(key))
+      vertex[axis] = coordinate(asked.text(key), fmt::format("{} of {}", key, name));
+  }
   change("type a value", lesson);
 }
 

@@ -705,6 +705,26 @@ action("changes survive a reload and Back", async (visit, size) => {
   await close(page);
 });
 
+claim("what is pressed or typed while the program works keeps what was pressed before", async () => {
+  const page = await open(url("playground"));
+  await page.evaluate(() => {
+    for (const [shape, kind] of [["x", "point"], ["y", "segment"], ["x", "box"], ["y", "ngon"]]) document.querySelector(`[data-for="${shape}"][data-shape="${kind}"]`).click();
+  });
+  await until(page, () => state.shapes.x.vertices.length === 4 && state.shapes.y.vertices.length === 6);
+  await page.locator("#vertices-part summary").click();
+  await page.evaluate(() => {
+    for (const [id, value] of [["x-0-0", "-4"], ["x-0-1", "-3"]]) {
+      document.getElementById(id).value = value;
+      document.getElementById(id).dispatchEvent(new window.Event("change"));
+    }
+  });
+  assert.deepEqual((await state(page)).shapes.x.vertices[0].slice(0, 2), ["-4", "-3"]);
+  await page.evaluate(() => ["step", "back", "back", "back"].forEach((id) => document.getElementById(id).click()));
+  const [at, all] = await count(page);
+  assert.equal(at, all - 3);
+  await close(page);
+});
+
 claim("Back brings the random pair of the playground again", async () => {
   const page = await open(url("playground"));
   await page.click("#random");
