@@ -75,7 +75,7 @@ function dropHand() {
 function onLeave(event) {
   if (event.pointerType !== "mouse") return;
   pointed = lit = null;
-  $("stage").querySelectorAll(".ring").forEach((ring) => ring.remove());
+  $("stage").querySelectorAll(".ring, .near").forEach((mark) => mark.remove());
 }
 
 function onUp(event) {
@@ -114,7 +114,11 @@ async function light(place) {
   const found = await ask({ do: "point", ...place });
   if (!found?.linked || lit !== place) return;
   const svg = $("stage").querySelector("svg");
-  svg.querySelectorAll(".ring").forEach((ring) => ring.remove());
+  svg.querySelectorAll(".ring, .near").forEach((mark) => mark.remove());
+  if (found.names) {
+    svg.insertAdjacentHTML("beforeend", found.names);
+    svg.lastElementChild.classList.add("near");
+  }
   $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));
   for (const name of found.linked) {
     if (!/^(node )?[xyz] /.test(name)) continue;

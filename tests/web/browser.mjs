@@ -633,6 +633,30 @@ claim("what takes long runs beside the page, says so, and is given up by a butto
   await close(page);
 });
 
+claim("a vertex without a name is named where the pointer comes near", async () => {
+  const page = await open(url("playground"));
+  await paste(page, { a: ring(40, 0, 3), b: ring(3, 6) });
+  await settle(page);
+  const places = await page.evaluate(() => {
+    const names = new Set([...document.querySelectorAll("#stage text")].map((text) => text.textContent));
+    return [...document.querySelectorAll('#stage circle[data-of^="x "]')]
+      .map((mark) => ({ name: `x${Number(mark.dataset.of.slice(2)) + 1}`, box: mark.getBoundingClientRect() }))
+      .filter(({ name }) => !names.has(name))
+      .map(({ name, box }) => ({ name, at: [box.x + box.width / 2, box.y + box.height / 2] }));
+  });
+  assert.ok(places.length > 0, "all 40 have names");
+  const near = () => page.locator("#stage .near text").allTextContents();
+  for (const { name, at } of places.slice(0, 3)) {
+    await page.mouse.move(...at);
+    await rest(page);
+    assert.deepEqual(await near(), [name]);
+  }
+  await page.mouse.move(5, 5);
+  await rest(page);
+  assert.deepEqual(await near(), []);
+  await close(page);
+});
+
 claim("a link that takes long does not hang the page", async () => {
   const page = await open(url("polygons-gjk", `#case=${encodeURIComponent(JSON.stringify(long))}`), "laptop", { waits: false });
   await page.locator("#busy").waitFor();
