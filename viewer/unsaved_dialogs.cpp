@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr float kWidth = 40.0f;   // ems
 constexpr float kHeight = 26.0f;  // ems
 
-std::string time_text(const fs::file_time_type& time) {
+std::string clock_text(const fs::file_time_type& time) {
   const auto moment = std::chrono::file_clock::to_sys(time);
   const std::time_t seconds = std::chrono::system_clock::to_time_t(
       std::chrono::time_point_cast<std::chrono::system_clock::duration>(moment));
@@ -72,7 +72,7 @@ struct LeftWorkList {
     ImGui::SameLine();
     ImGui::BeginGroup();
     heading(app, title);
-    ImGui::TextDisabled("%s    %s", time_text(work.time).c_str(),
+    ImGui::TextDisabled("%s    %s", clock_text(work.time).c_str(),
                         work.file.empty() ? "in no file" : work.file.c_str());
     ImGui::BeginDisabled(each.is_discarded);
     const bool opened = ImGui::Button("Open");

@@ -106,7 +106,7 @@ TEST(Room, ADrawerIsWidenedByItsEdgeAndKeepsItsWidth) {
 
 TEST(Room, StepsShowAllTheirColumns) {
   HeadlessApp window;
-  window.resize(1440.0, 900.0);
+  window.resize(1920.0, 1080.0);
   window.app().show_drawer("Steps");
   window.settle();
   for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
@@ -169,7 +169,7 @@ TEST(Room, AWayHomeIsThereWhenNothingIsInSight) {
   window.session().set_camera(0, {view.camera.center + Eigen::Vector2d(500.0, 0.0), 3.0});
   window.settle();
   ASSERT_EQ(1u, window.app().picture().empty_cards().size());
-  window.click(window.app().picture().empty_cards()[0].center() + Point(0.0, 12.0));
+  window.click(window.app().picture().empty_cards()[0].center() + Point(-40.0, 12.0));
   EXPECT_TRUE(window.app().picture().empty_cards().empty()) << "its button leads back";
 }
 

@@ -113,7 +113,12 @@ void draw_steps(App& app, Table& table) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
                                      ImGuiTableFlags_ScrollY;
-  if (!ImGui::BeginTable("##steps", static_cast<int>(table.columns.size()) + 1, kFlags)) return;
+  const ImVec2 padding = ImGui::GetStyle().CellPadding;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.6f * padding.x, padding.y));
+  const bool is_open =
+      ImGui::BeginTable("##steps", static_cast<int>(table.columns.size()) + 1, kFlags);
+  ImGui::PopStyleVar();
+  if (!is_open) return;
   ImGui::TableSetupScrollFreeze(1, 1);
   ImGui::TableSetupColumn("step");
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
