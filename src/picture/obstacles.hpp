@@ -137,10 +137,12 @@ class Field {
   [[nodiscard]] int row_of(double y) const { return cell_along(y - bounds_.min.y(), rows_); }
   [[nodiscard]] int column_of(double x) const { return cell_along(x - bounds_.min.x(), columns_); }
   [[nodiscard]] std::vector<int>& cell(int row, int column) {
-    return cells_[static_cast<std::size_t>(row * columns_ + column)];
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
   }
   [[nodiscard]] const std::vector<int>& cell(int row, int column) const {
-    return cells_[static_cast<std::size_t>(row * columns_ + column)];
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
   }
 
   /// From where to where it may be found in a row.
