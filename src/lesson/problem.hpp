@@ -35,7 +35,8 @@ struct Problem {
 [[nodiscard]] std::string to_string(const Problem& problem);
 /// One a line.
 [[nodiscard]] std::string to_string(const std::vector<Problem>& problems);
-/// The first one for a line of a window: what helps comes first, the file without its folder, and
+/// One of them, the first that has a nearest name if any has, for a line of a window: what helps
+/// comes first, the file without its folder, and
 /// what was expected where it is short. Empty without problems.
 [[nodiscard]] std::string in_one_line(const std::vector<Problem>& problems);
 
