@@ -55,6 +55,13 @@ std::vector<Notice> App::all_notices() const {
                    .details = session_.file().string(),
                    .answers = {"Save"}});
   }
+  if (opening_) {
+    all.push_back({.cause = "opening",
+                   .text = fmt::format("{} is being opened…", opening_->file.filename().string()),
+                   .is_error = false,
+                   .answers = {"Cancel opening"},
+                   .can_be_closed = false});
+  }
   if (!error_.empty()) all.push_back({.cause = "deed", .text = error_, .details = error_details_});
   const std::string& not_kept = not_kept_.empty() ? unsaved_.problem() : not_kept_;
   if (!not_kept.empty()) {

@@ -62,7 +62,10 @@ std::string to_string(const std::vector<Problem>& problems) {
 
 std::string in_one_line(const std::vector<Problem>& problems) {
   if (problems.empty()) return "";
-  const Problem& first = problems.front();
+  // A slip of the fingers explains what is missing, too.
+  const auto helps = std::find_if(problems.begin(), problems.end(),
+                                  [](const Problem& each) { return !each.nearest.empty(); });
+  const Problem& first = helps == problems.end() ? problems.front() : *helps;
   constexpr std::size_t kShort = 60;
   std::string out;
   if (!first.nearest.empty()) out += fmt::format("did you mean '{}'? ", first.nearest);

@@ -35,8 +35,9 @@ struct Problem {
 [[nodiscard]] std::string to_string(const Problem& problem);
 /// One a line.
 [[nodiscard]] std::string to_string(const std::vector<Problem>& problems);
-/// The first one for a line of a window: what helps comes first, the file without its folder, and
-/// what was expected where it is short. Empty without problems.
+/// One of them, the first that has a nearest name if any has, for a line of a window: what helps
+/// comes first, the file is without its folder, and what was expected is there where it is short.
+/// Empty without problems.
 [[nodiscard]] std::string in_one_line(const std::vector<Problem>& problems);
 
 /// The known name with the smallest edit distance, if that is small enough to be a slip of the

@@ -285,8 +285,10 @@ class Patch {
 
   /// The original with all edits, none of which overlap.
   std::string written() {
-    std::stable_sort(edits_.begin(), edits_.end(),
-                     [](const Edit& a, const Edit& b) { return a.range.begin < b.range.begin; });
+    // What is put between two lines comes before what happens to the second one.
+    std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
+      return std::pair(a.range.begin, a.range.end) < std::pair(b.range.begin, b.range.end);
+    });
     std::string out;
     std::size_t at = 0;
     for (const Edit& edit : edits_) {

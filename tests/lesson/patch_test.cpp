@@ -22,10 +22,7 @@ const std::string kMine = R"(# My lesson. It has a # in a comment, and "quotes".
 title = "It's # not a comment"   # but this is one
 chapter = 4
 order = 3   # after "segment"
-prose = '''
-[not.a.table]
-key = "#"
-'''
+prose = '''[not.a.table] key = "#"'''
 
 # The triangle of the lecture.
 [ shapes.X ]   # X stays where it is
@@ -60,6 +57,9 @@ show = "difference" # Z
 
 [panel]
 blocks = ["simplex"]
+
+[expect]  # what comes out
+distance = 1.5
 )";
 
 LoadedLesson parse(const std::string& text) {
@@ -133,10 +133,10 @@ TEST(Patch, CommentsOfWhatGoesStay) {
 
 TEST(Patch, ATableThatComesAndOneThatGoes) {
   Lesson other = lesson(kMine);
-  other.expect.stop = "origin-inside";
+  other.questions.push_back({"support", 1});
   const std::string more = kept(kMine, other);
   EXPECT_TRUE(without(kMine, more).empty());
-  other.expect = {};
+  other.questions.clear();
   EXPECT_TRUE(without(kMine, kept(more, other)).empty());
 }
 

@@ -905,7 +905,8 @@ TEST(App, AFileThatChangesIsReadAgainAndABrokenOneIsSaidWithItsPlace) {
   const int index = window.session().index();
   (void)folder.file("mine.toml", text + "\nnonsense = 1\n");
   window.app().file_changed(file);
-  EXPECT_NE(std::string::npos, window.app().message().find("mine.toml:")) << window.app().message();
+  ASSERT_FALSE(window.app().notices().empty());
+  EXPECT_NE(std::string::npos, window.app().notices().front().text.find("mine.toml:"));
   EXPECT_EQ(index, window.session().index());
   std::string other = text;
   other.replace(other.find("Polygon to polygon"), 18, "Changed just nowXX");
