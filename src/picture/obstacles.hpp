@@ -132,7 +132,8 @@ class Field {
     return std::max(1, static_cast<int>(std::ceil(length / kCell)));
   }
   static int cell_along(double way, int count) {
-    return static_cast<int>(std::clamp(std::floor(way / kCell), 0.0, count - 1.0));
+    // In this order what is no number counts as beyond the last.
+    return static_cast<int>(std::max(0.0, std::min(count - 1.0, std::floor(way / kCell))));
   }
   [[nodiscard]] int row_of(double y) const { return cell_along(y - bounds_.min.y(), rows_); }
   [[nodiscard]] int column_of(double x) const { return cell_along(x - bounds_.min.x(), columns_); }

@@ -82,6 +82,7 @@ key Right
 key Right
 state $DIR/asked
 key 1
+key 1
 state $DIR/answered
 key F5
 state $DIR/presenting
