@@ -29,7 +29,8 @@ std::optional<std::pair<int, std::string>> first_difference(const LessonRun& run
     return names;
   };
   if (start_of(a) != start_of(b))
-    return std::pair(-1, fmt::format("start {} here, {} there", start_of(a), start_of(b)));
+    return std::pair(
+        -1, fmt::format("started elsewhere, from {} here and {} there", start_of(a), start_of(b)));
   const auto text = [&](const Eigen::Vector2d& v) {
     return fmt::format("({}, {})", number_text(v.x(), hexadecimal),
                        number_text(v.y(), hexadecimal));
@@ -123,6 +124,7 @@ struct Beside {
     int run = 0;
     ScalarKind scalar = ScalarKind::exact;
     gjk::Options options;
+    bool as_here = true;  ///< Both runs are asked to start in the same way.
     friend bool operator==(const From&, const From&) = default;
   };
   From from;
@@ -146,9 +148,10 @@ struct Beside {
       pending_from = wanted;
       stop = std::stop_source();
       pending = std::async(std::launch::async, [here, wanted, stopped = stop.get_token()] {
-        return run_again(here, wanted.options, wanted.scalar, [&] {
-          if (stopped.stop_requested()) throw Stopped();
-        });
+        return run_again(here, wanted.as_here ? started_as(here, wanted.options) : wanted.options,
+                         wanted.scalar, [&] {
+                           if (stopped.stop_requested()) throw Stopped();
+                         });
       });
       take(kAtOnce);
     }
@@ -243,8 +246,9 @@ void draw_numerics(App& app, Beside& beside) {
 
   if (!run.has_gjk()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const PositionedRun& here = run.run(session.frame());
-  const Beside::From from{session.version(), session.frame().run, beside.scalar,
-                          beside.options_for(run.lesson.options)};
+  const gjk::Options there = beside.options_for(run.lesson.options);
+  const Beside::From from{session.version(), session.frame().run, beside.scalar, there,
+                          there.start == run.lesson.options.start};
   if (!beside.has(here, from)) {
     const bool stopped = beside.given_up == from;
     ImGui::TextDisabled(
