@@ -57,7 +57,7 @@ EffectKey RoundedPair::key(const LessonRun&, const Frame&) { return {-1, -1, -1}
 
 RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, const Frame&) {
   const PositionedRun& given = run.runs.front();
-  const gjk::Options& options = run.lesson.options;
+  const gjk::Options options = started_as(given, run.lesson.options);
   Value value{run_again(given, options, ScalarKind::exact),
               run_again(given, options, ScalarKind::single),
               run_again(given, options, ScalarKind::double_),

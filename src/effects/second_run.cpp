@@ -8,12 +8,12 @@ EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.r
 
 SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   const PositionedRun& first = run.run(frame);
-  Value value{run_again(first, run.lesson.options, run.lesson.beside.value())};
+  Value value{run_again(first, started_as(first, run.lesson.options), run.lesson.beside.value())};
   const auto is_inside = [](const PositionedRun& each) {
     return each.trace.result.distance == 0.0;
   };
   if (is_inside(value.run) && !is_inside(first)) {
-    gjk::Options options = run.lesson.options;
+    gjk::Options options = started_as(first, run.lesson.options);
     options.direction_rule = gjk::DirectionRule::perpendicular;
     value.mended = run_again(first, options, run.lesson.scalar);
   }

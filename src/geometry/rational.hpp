@@ -37,6 +37,8 @@ class Rational {
   friend bool operator==(const Rational& a, const Rational& b) = default;
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
+  /// The nearest double; ties to even.
+  explicit operator double() const { return to_double(*this); }
   /// -1, 0 or 1.
   [[nodiscard]] int sign() const { return numerator_.sign(); }
   [[nodiscard]] Rational times_power_of_two(int exponent) const;

@@ -32,6 +32,7 @@ class Expansion {
     for (const long double component : components_) sum = sum + Wider<R>(component);
     return static_cast<R>(sum);
   }
+  explicit operator double() const { return estimate(); }
   [[nodiscard]] Expansion scaled(int exponent) const {
     Expansion out = *this;
     for (long double& component : out.components_) component = std::ldexp(component, exponent);

@@ -36,12 +36,7 @@ struct Result {
   Simplex<R, D> simplex;  ///< Its weights made the witness points. In the run's unit.
 
   /// A start for the next query of the same shapes, somewhat moved.
-  [[nodiscard]] WarmStart warm() const {
-    WarmStart out;
-    out.count = simplex.count;
-    for (int i = 0; i < simplex.count; ++i) out.pairs[i] = simplex.vertices[i].pair;
-    return out;
-  }
+  [[nodiscard]] WarmStart warm() const { return simplex.as_start(); }
 };
 
 }  // namespace gjk

@@ -23,7 +23,7 @@ namespace detail {
 }  // namespace detail
 
 /// Floating-point scalars: Eigen::half, float, double, long double. Other types specialise this
-/// template.
+/// template, and those that are exact convert to double by static_cast.
 template <class S>
 struct ScalarTraits {
   using Real = S;                        ///< The type of a length.

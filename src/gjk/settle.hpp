@@ -12,7 +12,7 @@ namespace gjk {
 /// Runs `query` in exact arithmetic R, and returns the final state.
 template <class R, class S, int D>
 [[nodiscard]] State<R, D> exact_run(const Query<S, D>& query, const Prepared<R, D>& prepared,
-                                    const WarmStart& from = {}) {
+                                    const WarmStart& from) {
   Options options;
   options.start = from;
   State<R, D> state = start(query, options, prepared);
@@ -47,7 +47,9 @@ template <class R, class S>
   const auto y = all_seen(query.y, prepared.y, prepared.offset);
   const Query<R, 2> flat{{x}, {y}};
   const Prepared<R, 2> flat_prepared = prepare<R>(flat, {});
-  return touches(exact_run(flat, flat_prepared), flat, flat_prepared);
+  WarmStart anywhere;
+  anywhere.count = 1;
+  return touches(exact_run(flat, flat_prepared, anywhere), flat, flat_prepared);
 }
 
 template <class R, class S, int D>

@@ -54,6 +54,14 @@ struct Simplex {
 
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
 
+  /// A start from these vertices.
+  [[nodiscard]] WarmStart as_start() const {
+    WarmStart out;
+    out.count = count;
+    for (int i = 0; i < count; ++i) out.pairs[i] = vertices[i].pair;
+    return out;
+  }
+
   /// Copies the vertices in use, each by itself: processors wait where one wide read follows
   /// several narrow writes.
   void take(const Simplex& other) {

@@ -27,12 +27,19 @@ template <class S>
 
 /// Calls `ask` with the gjk::Query<S, 2> of X and Y where the placements, one for each body, put
 /// them; what it borrows lives as long as the call. Returns what `ask` returns.
+template <class S, class Ask>
+decltype(auto) with_query_in(const Lesson& lesson, const std::vector<Placement>& at,
+                             const Ask& ask) {
+  const std::vector<gjk::Vec<S, 2>> of_x = narrowed_all<S, 2>(lesson.x().vertices);
+  const std::vector<gjk::Vec<S, 2>> of_y = narrowed_all<S, 2>(lesson.y().vertices);
+  return ask(gjk::Query<S, 2>{{of_x, pose_of<S>(at[0])}, {of_y, pose_of<S>(at[1])}});
+}
+
+/// `with_query_in` the lesson's scalar.
 template <class Ask>
 decltype(auto) with_query(const Lesson& lesson, const std::vector<Placement>& at, const Ask& ask) {
   return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> of_x = narrowed_all<S, 2>(lesson.x().vertices);
-    const std::vector<gjk::Vec<S, 2>> of_y = narrowed_all<S, 2>(lesson.y().vertices);
-    return ask(gjk::Query<S, 2>{{of_x, pose_of<S>(at[0])}, {of_y, pose_of<S>(at[1])}});
+    return with_query_in<S>(lesson, at, ask);
   });
 }
 

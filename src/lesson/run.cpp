@@ -62,6 +62,17 @@ RunIn<D> run_query(
   return run;
 }
 
+/// The options with a start, where they have none: the one that `given` has in double. Coordinates
+/// that are rounded to fewer digits could choose another.
+template <int D>
+gjk::Options with_start(gjk::Options options, const gjk::Query<double, D>& given) {
+  if (options.start.count > 0) return options;
+  const gjk::Prepared<double, D> prepared = gjk::prepare<double>(given, options);
+  if (prepared.error != gjk::Error::none) return options;
+  options.start = gjk::start(given, options, prepared).simplex.as_start();
+  return options;
+}
+
 /// The shapes as they stand in the world, in the lesson's scalar.
 Case world_of(const Lesson& lesson, const std::vector<Placement>& placements) {
   return with_query(lesson, placements, []<class S>(const gjk::Query<S, 2>& query) {
@@ -79,8 +90,10 @@ PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
 }
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
+  const gjk::Options started = with_query_in<double>(
+      lesson, at.placements, [&](const auto& given) { return with_start(options, given); });
   return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
-    return run_query<S, 2>(query, options, at);
+    return run_query<S, 2>(query, started, at);
   });
 }
 
@@ -255,10 +268,11 @@ std::string LessonRun::pair_name(gjk::VertexPair pair) const {
 
 template <int D>
 RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
+  const gjk::Options options = with_start<D>({}, {{shapes.a}, {shapes.b}});
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, D>> x = narrowed_all<S, D>(shapes.a);
     const std::vector<gjk::Vec<S, D>> y = narrowed_all<S, D>(shapes.b);
-    return run_query<S, D>({{x}, {y}}, {}, {});
+    return run_query<S, D>({{x}, {y}}, options, {});
   });
 }
 template RunIn<2> run_case(const CaseIn<2>& shapes, ScalarKind scalar);
@@ -295,12 +309,18 @@ PositionedRun run_afresh(const LessonRun& run, int index) {
   return run_at(run.lesson, {placements_of(positioned), positioned.time}, run.lesson.options);
 }
 
+gjk::Options started_as(const PositionedRun& run, gjk::Options options) {
+  options.start = run.trace.initial.simplex.as_start();
+  return options;
+}
+
 PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
                         const std::function<void()>& before_phase) {
+  const gjk::Options started = with_start<2>(options, {{run.x().world}, {run.y().world}});
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
-    return run_query<S, 2>({{x}, {y}}, options, {placements_of(run), run.time}, before_phase);
+    return run_query<S, 2>({{x}, {y}}, started, {placements_of(run), run.time}, before_phase);
   });
 }
 

@@ -135,8 +135,11 @@ template <int D>
 /// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);
 
-/// GJK once more with other options or in another scalar. It starts from the vertices in the world
-/// as `run` rounded them, so that both compute from the very same numbers. `before_phase` may
+/// The options, with the start that a run had.
+[[nodiscard]] gjk::Options started_as(const PositionedRun& run, gjk::Options options);
+
+/// GJK once more with other options or in another scalar. It is asked about the vertices in the
+/// world as `run` rounded them, so that both compute from the very same numbers. `before_phase` may
 /// throw, to give up.
 [[nodiscard]] PositionedRun run_again(
     const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,

@@ -40,7 +40,8 @@ std::optional<Difference> first_difference(const LessonRun& run, const WideTrace
     return names;
   };
   if (start_of(a) != start_of(b))
-    return Difference{-1, fmt::format("start {} here, {} there", start_of(a), start_of(b))};
+    return Difference{
+        -1, fmt::format("started elsewhere, from {} here and {} there", start_of(a), start_of(b))};
   for (std::size_t i = 0; i < std::min(a.steps.size(), b.steps.size()); ++i) {
     const gjk::Step<double, 2>& one = a.steps[i];
     const gjk::Step<double, 2>& other = b.steps[i];
@@ -136,6 +137,7 @@ struct Beside {
     int run = 0;
     ScalarKind scalar = ScalarKind::exact;
     gjk::Options options;
+    bool as_here = true;  ///< Both runs are asked to start in the same way.
     friend bool operator==(const From&, const From&) = default;
   };
   From from;
@@ -159,9 +161,10 @@ struct Beside {
       pending_from = wanted;
       stop = std::stop_source();
       pending = std::async(std::launch::async, [here, wanted, stopped = stop.get_token()] {
-        return run_again(here, wanted.options, wanted.scalar, [&] {
-          if (stopped.stop_requested()) throw Stopped();
-        });
+        return run_again(here, wanted.as_here ? started_as(here, wanted.options) : wanted.options,
+                         wanted.scalar, [&] {
+                           if (stopped.stop_requested()) throw Stopped();
+                         });
       });
       take(kAtOnce);
     }
@@ -256,8 +259,9 @@ void draw_numerics(App& app, Beside& beside) {
 
   if (!run.has_gjk()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const PositionedRun& here = run.run(session.frame());
-  const Beside::From from{session.version(), session.frame().run, beside.scalar,
-                          beside.options_for(run.lesson.options)};
+  const gjk::Options there = beside.options_for(run.lesson.options);
+  const Beside::From from{session.version(), session.frame().run, beside.scalar, there,
+                          there.start == run.lesson.options.start};
   if (!beside.has(here, from)) {
     const bool stopped = beside.given_up == from;
     ImGui::TextDisabled(
