@@ -154,7 +154,7 @@ void App::draw_notices() {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Notice& notice = all[i];
     ImGui::PushID(notice.cause.c_str());
-    ImGui::SetCursorPosY(static_cast<float>(i) * row + middle);
+    ImGui::SetCursorPos({style.WindowPadding.x, static_cast<float>(i) * row + middle});
     float buttons = notice.can_be_closed ? ImGui::GetFrameHeight() + style.ItemSpacing.x : 0.0f;
     for (const std::string_view answer : notice.answers) {
       const std::string name(answer);
