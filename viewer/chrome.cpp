@@ -431,10 +431,12 @@ void App::draw_drawer() {
   if (!drawer_) return;
   const double left = width_ - room_.drawer;
   const double grip = kGrip * ui_scale_;
+  // Padding would leave nothing of it to take hold of.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   begin_panel("##edge", {{left, room_.stage.min.y()}, {left + grip, height_}},
               ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   drag_edge();
   ImGui::End();
   begin_panel("##drawer", {{left + grip, room_.stage.min.y()}, {width_, height_}});
