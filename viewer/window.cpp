@@ -137,8 +137,13 @@ class XErrors {
   Handler before_ = nullptr;
 };
 
-/// The resources of X, where SDL has loaded it; empty elsewhere.
-std::string x_resources() {
+/// What X says of its screen, where SDL has loaded it: its resources, and dots per inch.
+struct XScreen {
+  std::string resources;
+  double dpi = 0.0;
+};
+
+XScreen x_screen() {
   void* library = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
   if (!library) return {};
   const auto find = [&](auto& function, const char* name) {
@@ -148,27 +153,35 @@ std::string x_resources() {
   };
   void* (*open)(const char*) = nullptr;
   char* (*resources)(void*) = nullptr;
+  int (*pixels)(void*, int) = nullptr;
+  int (*millimetres)(void*, int) = nullptr;
   int (*close)(void*) = nullptr;
   if (!find(open, "XOpenDisplay") || !find(resources, "XResourceManagerString") ||
+      !find(pixels, "XDisplayWidth") || !find(millimetres, "XDisplayWidthMM") ||
       !find(close, "XCloseDisplay"))
     return {};
   void* display = open(nullptr);
   if (!display) return {};
-  const char* text = resources(display);
-  const std::string copy = text ? text : "";
+  constexpr double kInch = 25.4;  // mm
+  XScreen screen;
+  if (const char* text = resources(display)) screen.resources = text;
+  if (const int wide = millimetres(display, 0); wide > 0)
+    screen.dpi = kInch * pixels(display, 0) / wide;
   close(display);
-  return copy;
+  return screen;
 }
 
 /// What the screen says of its density, where its pixels are the window's units: what is set for
 /// type, else what its size in inches comes to.
 double scale_of_screen() {
-  if (const std::optional<double> dpi = dpi_of_resources(x_resources())) return scale_of_dpi(*dpi);
-  float dpi = 0.0f;
+  const XScreen x = x_screen();
+  if (const std::optional<double> dpi = dpi_of_resources(x.resources)) return scale_of_dpi(*dpi);
+  float diagonal = 0.0f;
+  if (SDL_GetDisplayDPI(0, &diagonal, nullptr, nullptr) != 0) diagonal = 0.0f;
   // Many screens of laptops are a little denser than usual, and nobody wants them otherwise.
-  constexpr float kDense = 144.0f;
-  const bool is_dense = SDL_GetDisplayDPI(0, nullptr, &dpi, nullptr) == 0 && dpi >= kDense;
-  return is_dense ? scale_of_dpi(dpi) : 1.0;
+  constexpr double kDense = 144.0;
+  const double dpi = std::max<double>(diagonal, x.dpi);
+  return dpi >= kDense ? scale_of_dpi(dpi) : 1.0;
 }
 
 struct DeleteWindow {
