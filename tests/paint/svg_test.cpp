@@ -34,7 +34,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 TEST(Svg, IsAsLargeAsItIsAskedToBeAndLaidOutAsItWas) {
-  const std::string svg = to_svg(one("line", Disk{{10.0, 10.0}, 2.0}), fonts(),
+  const std::string svg = to_svg(one("closest", Disk{{10.0, 10.0}, 2.0}), fonts(),
                                  Theme::load(kAssets / "themes", "light"), "", "", false, 1.5);
   EXPECT_NE(std::string::npos, svg.find(R"(width="150" height="75" viewBox="0 0 100 50")"))
       << svg.substr(0, 200);

@@ -60,7 +60,7 @@ TEST(Words, PointsHaveDigitsThatCount) {
   EXPECT_EQ(numbers.point({1.5e7, 0.0}), "(1.50, 0.00)·10⁷");
   EXPECT_EQ(numbers.weight(0.25), "0.250");
   EXPECT_EQ(numbers.weight(0.0), "0.000");
-  EXPECT_EQ(numbers.weight(1.25e-9), "1.2·10⁻⁹");
+  EXPECT_EQ(numbers.weight(1.24e-9), "1.2·10⁻⁹");
 }
 
 TEST(Words, AnEdgeThatARunStartsWithHasItsDirection) {

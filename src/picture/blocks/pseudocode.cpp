@@ -34,22 +34,22 @@ void write_line(PanelBuilder& panel, const std::string& text, const LineView& li
   const std::size_t indent = text.find_first_not_of(' ');
   const double at = panel.left + 10.0 * static_cast<double>(indent);
   std::string words = text.substr(indent);
-  double right = panel.right;
-  if (line.verdict) {
-    panel.write(*line.verdict ? "pass" : "fail", right, *line.verdict ? "✓" : "✗", style,
-                Align::right);
-    right -= 20.0;
-  }
   // The listing is the same all the time, the value is not: where both do not fit, words give way.
   constexpr double kSpace = 10.0;
+  constexpr double kVerdict = 20.0;
+  const double right = panel.right - (line.verdict ? kVerdict : 0.0);
   const double room = right - at - panel.fonts.width(style, line.value) - kSpace;
   if (!line.value.empty()) {
     while (panel.fonts.width(style, words) > room && character_count(words) > kFewestCharacters)
       words = shortened(std::move(words));
-    if (panel.fonts.width(style, words) <= room)
-      panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
   }
   panel.write(role, at, words, style);
+  if (line.verdict) {
+    panel.write(*line.verdict ? "pass" : "fail", panel.right, *line.verdict ? "✓" : "✗", style,
+                Align::right);
+  }
+  if (!line.value.empty() && panel.fonts.width(style, words) <= room)
+    panel.write(current ? "code.value" : "code.muted", right, line.value, style, Align::right);
   panel.y += rows::kRow;
 }
 
