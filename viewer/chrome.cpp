@@ -339,7 +339,10 @@ void App::draw_steps() {
         ImGui::IsItemHovered());
     ImGui::SameLine();
   }
-  if (has_next) draw_button("Next lesson");
+  if (has_next) {
+    draw_button("Next lesson");
+    ImGui::SameLine();
+  }
   ImGui::NewLine();
 }
 
