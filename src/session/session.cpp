@@ -100,7 +100,8 @@ struct Session::Made {
 };
 
 std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) const {
-  return [this, to_run = to_run(lesson), lesson = std::move(lesson), page = page_] {
+  Lesson asked = to_run(lesson);
+  return [this, to_run = std::move(asked), lesson = std::move(lesson), page = page_] {
     auto made = std::make_shared<Made>(Made{lesson, page, {}, nullptr});
     LessonRun run = run_lesson(to_run);
     made->problem = why_not_shown(run);
@@ -112,7 +113,7 @@ std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) co
   };
 }
 
-bool Session::open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved) {
+bool Session::open(const std::shared_ptr<Made>& made, std::filesystem::path file, bool unsaved) {
   if (dragging_) end_drag();
   problems_.clear();
   problem_ = made->problem;

@@ -52,7 +52,7 @@ class Session {
   /// into the work; the session may change, but must not end, until it is done.
   [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(Lesson lesson) const;
   /// Shows what was made, as open() shows a lesson.
-  bool open(std::shared_ptr<Made> made, std::filesystem::path file, bool unsaved = false);
+  bool open(const std::shared_ptr<Made>& made, std::filesystem::path file, bool unsaved = false);
 
   /// Shows another lesson, from its start: an entry of the history, so that undo goes back to the
   /// one before, whatever was done to it. `file` is where it is saved, empty for what has no file
