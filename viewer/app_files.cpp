@@ -176,7 +176,7 @@ void App::end_opening() {
   if (!result.read.lesson) return say(result.read.problems);
   picture_.release();
   leaves_unsaved_ = session_.is_unsaved();
-  if (shown(session_.open(std::move(result.made), file), file.string()))
+  if (shown(session_.open(result.made, file), file.string()))
     opened(file, std::move(result.text), std::move(result.read));
 }
 

@@ -125,8 +125,7 @@ Rect PictureView::rotation_handle(std::size_t body) const {
                             Point(box.min.x() - kHandleAway, middle.y())}) {
       const Point inset(kHandleRadius + 2.0, kHandleRadius + 2.0);
       const Point center = at.cwiseMax(view.card.min + inset).cwiseMin(view.card.max - inset);
-      const Rect handle{center - Point::Constant(kHandleRadius),
-                        center + Point::Constant(kHandleRadius)};
+      Rect handle{center - Point::Constant(kHandleRadius), center + Point::Constant(kHandleRadius)};
       if (!first) first = handle;
       const std::vector<Mark>& marks = session_.picture().marks;
       const bool covers = std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {

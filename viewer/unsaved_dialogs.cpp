@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kWidth = 40.0f;   // ems
-constexpr float kHeight = 26.0f;  // ems
+constexpr float kDialogWidth = 40.0f;  // ems
+constexpr float kHeight = 26.0f;       // ems
 
 std::string clock_text(const fs::file_time_type& time) {
   const auto moment = std::chrono::file_clock::to_sys(time);
@@ -46,7 +46,7 @@ struct LeftWorkList {
     }
     const float em = ImGui::GetFontSize();
     std::optional<std::size_t> opened;
-    ImGui::BeginChild("##works", ImVec2(kWidth * em, kHeight * em));
+    ImGui::BeginChild("##works", ImVec2(kDialogWidth * em, kHeight * em));
     for (std::size_t i = 0; i < all.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (draw_work(all[i], titles[i])) opened = i;
