@@ -172,8 +172,9 @@ class MarkPainter {
 
   void operator()(const Text& text) const {
     if (!style_->fill) return;
-    const auto& [face, density] = fonts_.font(text.style);
-    const ImFont& font = *face;
+    const AtlasFonts::Sized& sized = fonts_.font(text.style);
+    const ImFont& font = *sized.font;
+    const double density = sized.density;
     const std::u32string characters = code_points(text.text);
     double width = 0.0;
     for (const char32_t c : characters) width += density * glyph(font, c).AdvanceX;
