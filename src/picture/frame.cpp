@@ -332,8 +332,7 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
       if (!stacked) larger *= scale(i, below[i]) / scale(i, beside[i]);
       has_words = has_words || !shows_shapes(run_.lesson.views[i].kind);
     }
-    return stacked.value_or(larger >= 1.0) ||
-           (has_words && beside[0].size().x() < kNarrowestCard);
+    return stacked.value_or(larger >= 1.0) || (has_words && beside[0].size().x() < kNarrowestCard);
   };
   const Layout layout = layout_of(run_, static_cast<int>(prose_lines),
                                   static_cast<int>(caption_lines), page_, stacks);
