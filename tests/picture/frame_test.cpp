@@ -823,18 +823,24 @@ TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
   }
 }
 
+/// The numbers of two runs, by the height of their row: "fail" has that of the first, "pass" that
+/// of the second.
+std::map<double, std::map<std::string, const Text*>> rows_that_differ(const Picture& picture) {
+  std::map<double, std::map<std::string, const Text*>> rows;
+  for (const Mark& mark : picture.marks) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (text && text->style == type::kCodeBold && (mark.role == "fail" || mark.role == "pass"))
+      rows[text->at.y()][mark.role] = text;
+  }
+  return rows;
+}
+
 TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
   const LessonRun run = run_lesson(testing::shipped_lesson("direction-half"));
   EffectGraph effects(run);
   int differing = 0;
   for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
-    std::map<double, std::map<std::string, const Text*>> rows;
-    for (const Mark& mark : frame.picture.marks) {
-      const Text* text = std::get_if<Text>(&mark.shape);
-      if (text && text->style == type::kCodeBold && (mark.role == "fail" || mark.role == "pass"))
-        rows[text->at.y()][mark.role] = text;
-    }
-    for (const auto& [y, texts] : rows) {
+    for (const auto& [y, texts] : rows_that_differ(frame.picture)) {
       if (texts.size() != 2) continue;
       const std::u32string one = code_points(texts.at("fail")->text);
       const std::u32string other = code_points(texts.at("pass")->text);
@@ -902,13 +908,7 @@ TEST(TwoRuns, NumbersThatDifferAreWrittenApart) {
   EffectGraph effects(run);
   int pairs = 0;
   for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
-    std::map<double, std::map<std::string, const Text*>> rows;
-    for (const Mark& mark : frame.picture.marks) {
-      const Text* text = std::get_if<Text>(&mark.shape);
-      if (text && text->style == type::kCodeBold && (mark.role == "fail" || mark.role == "pass"))
-        rows[text->at.y()][mark.role] = text;
-    }
-    for (const auto& [y, texts] : rows) {
+    for (const auto& [y, texts] : rows_that_differ(frame.picture)) {
       if (texts.size() != 2) continue;
       const Text& first = *texts.at("fail");
       const Text& second = *texts.at("pass");
