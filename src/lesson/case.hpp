@@ -40,7 +40,7 @@ struct OutlineCase {
   std::vector<models::Outline> b;
 };
 
-/// What a case says of itself; of another type than it should be: nothing.
+/// A case's own words and expectations. An entry of another type than it should have is left out.
 struct CaseNotes {
   std::string why;
   std::string source;
@@ -48,7 +48,7 @@ struct CaseNotes {
   std::optional<bool> expected_overlap;
 };
 
-/// What a case may hold at most, where it becomes a lesson; by itself anything finite.
+/// Limits of a case that becomes a lesson; by itself a case may hold anything finite.
 struct CaseLimits {
   std::size_t points = std::numeric_limits<std::size_t>::max();  ///< Of a shape.
   double magnitude = std::numeric_limits<double>::max();         ///< Of a coordinate.

@@ -1,5 +1,5 @@
 #pragma once
-// What labels must not cover, and which of it is where: a label asks about what is near alone.
+// Marks that labels must not cover, in a grid: a label asks about those near it alone.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace gjkscope {
 
-/// What labels must not cover.
+/// Marks that labels must not cover.
 struct Obstacles {
   struct Segment {
     Point a;
@@ -35,7 +35,7 @@ struct Obstacles {
   /// it far away from what it names.
   std::vector<Segment> passing;
   std::vector<Circle> circles;
-  /// Where marks are too small and too many to keep off: labels stand on them, with a halo.
+  /// Areas whose marks are too small and too many to keep off: labels stand on them, with a halo.
   std::vector<Rect> grounds;
 };
 
@@ -114,7 +114,7 @@ class Field {
   };
 
   [[nodiscard]] Item& item(int index) { return items_[static_cast<std::size_t>(index)]; }
-  /// Of a shape that is there from now on.
+  /// The index of a shape, which is added if it is new.
   [[nodiscard]] int index_of(const Shape& shape) {
     const auto [known, is_new] = known_.try_emplace(shape, static_cast<int>(items_.size()));
     if (!is_new) return known->second;

@@ -150,7 +150,7 @@ class Session {
 
   // Predict mode: frames ask before they tell
 
-  /// Where the frame's answer would be told at once, its question is put first.
+  /// A question is put before each frame that would tell its answer at once.
   void set_predicting(bool on);
   [[nodiscard]] bool is_predicting() const { return predicting_; }
   /// The lesson's own questions, in the frames that its export has. Predict mode asks all there
@@ -166,7 +166,7 @@ class Session {
   void grade(const std::string& choice);
   /// The answer that was given to the question of a frame; null where none was, or none was asked.
   [[nodiscard]] const Answer* given(int index) const;
-  /// Of this frame, with what is to be said of answers to its question, or to those that it tells.
+  /// The words of this frame, with the verdict on answers to its question, or to those that it tells.
   [[nodiscard]] FrameText told() const;
   /// The last frame that may be told: what comes after an open question would answer it.
   [[nodiscard]] int last_told() const;
