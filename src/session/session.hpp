@@ -166,7 +166,8 @@ class Session {
   void grade(const std::string& choice);
   /// The answer that was given to the question of a frame; null where none was, or none was asked.
   [[nodiscard]] const Answer* given(int index) const;
-  /// The words of this frame, with the verdict on answers to its question, or to those that it tells.
+  /// The words of this frame, with the verdict on answers to its question, or to those that it
+  /// tells.
   [[nodiscard]] FrameText told() const;
   /// The last frame that may be told: what comes after an open question would answer it.
   [[nodiscard]] int last_told() const;

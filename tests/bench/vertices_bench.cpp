@@ -1,5 +1,5 @@
-// The cost of shapes of many vertices: opening a case, a move of the hand, letting go, undo. It is a
-// session's own work, without what paints the picture. Prints milliseconds, and which of them are
+// The cost of shapes of many vertices: opening a case, a move of the hand, letting go, undo. It is
+// a session's own work, without what paints the picture. Prints milliseconds, and which of them are
 // more than there is time for: `vertices-bench`, or
 // `vertices-bench star` for the rows of stars.
 
