@@ -42,11 +42,10 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   const auto* tried = frame.part.as<TriedTests>();
   facts.gradual = tried != nullptr;
   facts.tests_reached = (tried ? tried->count : static_cast<int>(facts.region_tests.size())) - 1;
-  facts.stop_follows_scan =
-      facts.phase_is(Phase::stop) && run.run(frame).follows_support(frame.step);
   facts.closest_point = knows_closest_point(frame, facts);
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;
-  facts.support = facts.phase_is(Phase::support) || facts.stop_follows_scan;
+  facts.support = facts.phase_is(Phase::support) ||
+                  (facts.phase_is(Phase::stop) && steps[frame.step - 1].phase == Phase::support);
   const auto* part = frame.part.as<SupportPart>();
   facts.whole_support = part ? *part == SupportPart::of_z : facts.support;
   facts.direction = facts.phase_is(Phase::direction) || facts.support;

@@ -27,7 +27,6 @@ struct FrameFacts {
     bool direction = false;           ///< d
     bool support = false;             ///< The support point along d.
     bool whole_support = false;       ///< The same, and the frame has put it together.
-    bool stop_follows_scan = false;   ///< The step is a stop test of a support point just found.
     bool has_ended = false;           ///< The step ends the run.
     std::span<const gjk::RegionTest<double>> region_tests;  ///< Of a closest-point step.
     bool gradual = false;                                   ///< Frames show them one by one.

@@ -84,7 +84,7 @@ int iterations_within(double tolerance, const gjk::Trace<double, 2>& trace) {
   const double part = 1.0 - tolerance;
   for (const gjk::Step<double, 2>& step : trace.steps) {
     if (step.phase == gjk::Phase::stop &&
-        part * part * step.after.best_sq <= step.after.plane_distance_sq)
+        part * part * step.after.evidence.best_sq <= step.after.evidence.plane_distance_sq)
       return step.iteration;
   }
   return trace.result.iterations;

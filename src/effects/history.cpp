@@ -12,7 +12,7 @@ History::Value History::compute(EffectGraph&, const LessonRun& run, const Frame&
   Value entries;
   const int now = run.state(frame).iteration;
   for (const gjk::Step<double, 2>& step : run.run(frame).trace.steps) {
-    if (step.phase == gjk::Phase::cull && step.iteration < now) {
+    if (step.phase == gjk::Phase::drop && step.iteration < now) {
       entries.push_back({step.iteration, step.after.simplex, step.after.p});
     }
   }

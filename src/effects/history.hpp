@@ -3,7 +3,8 @@
 
 namespace gjkscope {
 
-/// The simplices, culled, and closest points of the iterations that were complete before a frame's.
+/// The simplices after drop, and closest points of the iterations that were complete before a
+/// frame's.
 struct History {
   static constexpr std::string_view kName = "history";
   static constexpr std::string_view kNeeds = "";

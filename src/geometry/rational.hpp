@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geometry/integer.hpp"
-#include "gjk/scalar.hpp"
+#include "gjk/proof/scalar.hpp"
 
 namespace gjkscope {
 
@@ -46,6 +46,7 @@ class Rational {
   [[nodiscard]] std::pair<Integer, Integer> fraction() const;
   friend std::string to_string(const Rational& value);
   friend double to_double(const Rational& value);
+  explicit operator double() const { return to_double(*this); }
 
  private:
   Rational(Integer numerator, Integer denominator, long exponent);

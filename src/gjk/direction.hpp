@@ -5,7 +5,7 @@
 
 namespace gjk {
 
-/// The direction that `rule` builds from a culled simplex of 1 to D vertices and its closest point.
+/// The direction that `rule` builds from the 1 to D vertices of P's face and its closest point.
 ///
 /// towards_origin: d = O - P. perpendicular: from the simplex alone, without a division:
 ///   vertex A            -A
@@ -13,35 +13,35 @@ namespace gjk {
 ///   edge in the plane,  its normal, with the sign that makes dot(d, O - A) > 0 (Catto 2010, slide
 ///   triangle in space   "Fixing the sign")
 /// Where that is 0 (coinciding or collinear points, O on an edge's line), d = O - P.
-template <class S, int D>
-[[nodiscard]] DirectionNote<S, D> search_direction(const Simplex<S, D>& simplex, const Vec<S, D>& p,
+template <class R, int D>
+[[nodiscard]] DirectionNote<R, D> search_direction(const Simplex<R, D>& simplex, const Vec<R, D>& p,
                                                    DirectionRule rule) {
-  DirectionNote<S, D> note;
+  DirectionNote<R, D> note;
   note.d = -p;
   if (rule != DirectionRule::perpendicular || simplex.count == 1) return note;
-  const Vec<S, D>& a = simplex.vertices[0].w;
+  const Vec<R, D>& a = simplex.vertices[0].w;
   if constexpr (D == 3) {
     if (simplex.count == 2) {
-      const Vec<S, D> edge = simplex.vertices[1].w - a;
-      const Vec<S, D> towards_origin = cross(edge, cross(edge, a));
+      const Vec<R, D> edge = simplex.vertices[1].w - a;
+      const Vec<R, D> towards_origin = cross(edge, cross(edge, a));
       if (!is_zero(towards_origin)) note.d = towards_origin;
       return note;
     }
   }
-  const Vec<S, D> normal = normal_of(simplex, simplex.all());
+  const Vec<R, D> normal = normal_of(simplex, simplex.all());
   if (is_zero(normal)) return note;
   note.from_normal = true;
   note.normal = normal;
   note.side = -dot(normal, a);
-  note.flipped = note.side < S(0);
-  note.sign_is_arbitrary = note.side == S(0);
-  note.d = note.flipped ? Vec<S, D>(-normal) : normal;
+  note.flipped = note.side < R(0);
+  note.sign_is_arbitrary = note.side == R(0);
+  note.d = note.flipped ? Vec<R, D>(-normal) : normal;
   return note;
 }
 
-template <class S, int D, class Rec>
-void build_direction(State<S, D>& state, const Options& options, Rec& record) {
-  const DirectionNote<S, D> note = search_direction(state.simplex, state.p, options.direction_rule);
+template <class R, int D, class Rec>
+void build_direction(State<R, D>& state, const Options& options, Rec& record) {
+  const DirectionNote<R, D> note = search_direction(state.simplex, state.p, options.direction_rule);
   state.d = note.d;
   if constexpr (Rec::kOn) record.direction = note;
   state.previous = Phase::direction;

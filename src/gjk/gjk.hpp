@@ -2,13 +2,14 @@
 // The distance between two convex shapes, by GJK, with a certificate.
 //
 // query.hpp holds what a caller asks, result.hpp the answer. To understand the algorithm, read in
-// this order: simplex.hpp, state.hpp, closest_point.hpp, direction.hpp, support.hpp, stop.hpp,
-// loop.hpp. record.hpp holds what each phase notes; ring.hpp finds support points of large polygons
-// faster. The other files keep rounding in check: prepare.hpp (frames, units, how large errors can
-// become), certificate.hpp and careful.hpp (proved bounds of the distance), settle.hpp (exact
-// answers), witness.hpp and answer.hpp.
+// this order: query.hpp, vector.hpp, simplex.hpp, state.hpp, regions.hpp, direction.hpp,
+// support.hpp, stop.hpp, loop.hpp; record.hpp holds what each phase notes. The folder proof keeps
+// rounding in check: first_pair.hpp (where runs start), ring.hpp (support points of large
+// polygons), nearest_face.hpp, prepare.hpp (frames, units, how large errors can become),
+// certificate.hpp and careful.hpp (proved bounds of the distance), settle.hpp (exact answers),
+// witness.hpp, answer.hpp.
 
-#include "gjk/answer.hpp"
+#include "gjk/proof/answer.hpp"
 
 namespace gjk {
 

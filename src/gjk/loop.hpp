@@ -5,7 +5,7 @@
 //   pick an initial simplex S
 //   loop
 //     closest    compute the closest point P on S
-//     cull       drop the vertices that have no weight in P
+//     drop       drop the vertices that have no weight in P
 //     direction  build d, pointing from P to O
 //     support    find the support point of Z = Y - X in direction d
 //     stop       decide whether the answer is found
@@ -13,50 +13,13 @@
 //
 // No phase reads a record, so recording cannot change a decision.
 
-#include "gjk/closest_point.hpp"
 #include "gjk/direction.hpp"
+#include "gjk/proof/first_pair.hpp"
+#include "gjk/regions.hpp"
 #include "gjk/stop.hpp"
 #include "gjk/support.hpp"
 
 namespace gjk {
-
-/// A shape's numbers in double.
-template <int D>
-struct InDouble {
-  std::vector<Vec<double, D>> points;
-  Pose<double, D> pose;
-
-  template <class S>
-  explicit InDouble(const Shape<S, D>& shape)
-      : pose{Rotation<double, D>(shape.pose.rotation.matrix().template cast<double>()),
-             converted<double, S, D>(shape.pose.translation)} {
-    for (const Vec<S, D>& point : shape.vertices())
-      points.push_back(converted<double, S, D>(point));
-  }
-};
-
-/// The pair that a run starts from when it is given none: the support point of Z along the line
-/// between the centres of the shapes. It is chosen in double, whatever the run computes in, so that
-/// runs of one query start alike in every scalar. Only queries that double cannot hold choose for
-/// themselves.
-template <class R, class S, int D>
-[[nodiscard]] VertexPair first_pair(const Query<S, D>& query, const Prepared<R, D>& prepared) {
-  const auto chosen = [](const auto& asked, const auto& in) {
-    return farthest_pair(asked, in, (-in.offset).eval());
-  };
-  if constexpr (ScalarTraits<S>::kExact) {
-    const InDouble<D> x(query.x);
-    const InDouble<D> y(query.y);
-    const Query<double, D> in_double{{x.points, x.pose}, {y.points, y.pose}};
-    const Prepared<double, D> rounded = prepare<double>(in_double, {});
-    if (rounded.error == Error::none) return chosen(in_double, rounded);
-  } else if constexpr (!std::is_same_v<R, double> &&
-                       std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
-    const Prepared<double, D> rounded = prepare<double>(query, {});
-    if (rounded.error == Error::none) return chosen(query, rounded);
-  }
-  return chosen(query, prepared);
-}
 
 /// The state before the first phase.
 template <class R, class S, int D>
@@ -87,8 +50,8 @@ void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
   switch (state.phase) {
     case Phase::closest:
       return find_closest_point(state, options, record);
-    case Phase::cull:
-      return cull(state, options, record);
+    case Phase::drop:
+      return drop(state, options, record);
     case Phase::direction:
       return build_direction(state, options, record);
     case Phase::support:
@@ -100,15 +63,16 @@ void step(State<R, D>& state, const Query<S, D>& query, const Options& options,
   }
 }
 
-/// Runs until the run ends, recording nothing: the same as `step` in a loop, but the compiler sees
-/// which phase follows which.
+/// Runs until the run ends, recording nothing. The order of the phases stands here a second time:
+/// calling `step` in a loop would do the same, but here the compiler sees which phase follows
+/// which. tests/gjk/decisions_test.cpp compares the two to the last bit.
 template <class R, class S, int D>
 void run(State<R, D>& state, const Query<S, D>& query, const Options& options,
          const Prepared<R, D>& prepared) {
   NoRecord none;
   while (state.stop == StopReason::running) {
     find_closest_point(state, options, none);
-    cull(state, options, none);
+    drop(state, options, none);
     if (state.phase == Phase::direction) build_direction(state, options, none);
     if (state.phase == Phase::support) find_support(state, query, prepared, none);
     run_stop_tests(state, options, prepared, none);

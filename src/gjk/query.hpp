@@ -5,11 +5,12 @@
 #include <array>
 #include <cstdint>
 
-#include "gjk/shape.hpp"
+#include "gjk/proof/shape.hpp"
 
 namespace gjk {
 
-/// Two shapes. GJK computes distance(X, Y) as the distance of the origin O from the Minkowski
+/// Two shapes, whose coordinates are S; R is the scalar of a run everywhere, and D the dimension.
+/// GJK computes distance(X, Y) as the distance of the origin O from the Minkowski
 /// difference Z = Y - X. A query "point Q against a polygon" has X = {Q}: then Z is the polygon
 /// seen from Q, and O stands for Q.
 template <class S, int D>
@@ -77,7 +78,7 @@ struct Options {
 
   /// Stop when the support point is already in the simplex (Catto 2010, termination case 1).
   bool stop_on_repeated_support = true;
-  /// Stop when the support point is no farther along d than the simplex, or P no nearer to O.
+  /// Stop when P came no nearer to O, or the support point is no farther along d than the simplex.
   bool stop_on_no_progress = true;
   /// Stop when lower >= (1 - tolerance) * upper: a relative tolerance in [0, 1), where 0 is off.
   double tolerance = 0.0;

@@ -9,9 +9,9 @@
 namespace gjk {
 
 /// A vertex of the Minkowski difference Z, with the two vertices that made it.
-template <class S, int D>
+template <class R, int D>
 struct SupportPoint {
-  Vec<S, D> w = Vec<S, D>::Zero();  ///< y - x, in world axes and the run's unit of length.
+  Vec<R, D> w = Vec<R, D>::Zero();  ///< y - x, in world axes and the run's unit of length.
   VertexPair pair = {};
 };
 
@@ -46,10 +46,10 @@ inline constexpr auto kFaceVertices = [] {
   return detail::kFaceVertices[face];
 }
 
-template <class S, int D>
+template <class R, int D>
 struct Simplex {
-  std::array<SupportPoint<S, D>, D + 1> vertices = {};
-  std::array<S, D + 1> weights = {};  ///< Barycentric coordinates of P; 0 outside P's face.
+  std::array<SupportPoint<R, D>, D + 1> vertices = {};
+  std::array<R, D + 1> weights = {};  ///< Barycentric coordinates of P; 0 outside P's face.
   int count = 0;
 
   [[nodiscard]] Face all() const { return static_cast<Face>((1u << count) - 1); }
@@ -76,24 +76,24 @@ struct Simplex {
 /// Barycentric coordinates of O's projection onto the affine hull of a face, before the division:
 /// coordinate i is numerator[i] / denominator, and denominator >= 0. A degenerate face (repeated
 /// points, collinear triangle) has only zeros, so no coordinate counts as positive.
-template <class S, int D>
+template <class R, int D>
 struct Barycentric {
-  std::array<S, D + 1> numerator;  ///< 0 for vertices outside the face.
-  S denominator;
+  std::array<R, D + 1> numerator;  ///< 0 for vertices outside the face.
+  R denominator;
 };
 
 // Segment AB: fractional lengths, with n = B - A and Q = O (Catto 2010, slide "(u,v) from Q"):
 //   u = dot(B - Q, n) / dot(n, n)      v = dot(Q - A, n) / dot(n, n)
-template <class S, int D>
-[[nodiscard]] Barycentric<S, D> segment_coordinates(const Simplex<S, D>& simplex, int a, int b) {
-  Barycentric<S, D> out{};
-  const Vec<S, D>& point_a = simplex.vertices[a].w;
-  const Vec<S, D>& point_b = simplex.vertices[b].w;
-  const Vec<S, D> edge = point_b - point_a;
+template <class R, int D>
+[[nodiscard]] Barycentric<R, D> segment_coordinates(const Simplex<R, D>& simplex, int a, int b) {
+  Barycentric<R, D> out{};
+  const Vec<R, D>& point_a = simplex.vertices[a].w;
+  const Vec<R, D>& point_b = simplex.vertices[b].w;
+  const Vec<R, D> edge = point_b - point_a;
   out.denominator = dot(edge, edge);
-  const bool degenerate = !(S(0) < out.denominator);
-  out.numerator[a] = degenerate ? S(0) : dot(point_b, edge);
-  out.numerator[b] = degenerate ? S(0) : S(-dot(point_a, edge));
+  const bool degenerate = !(R(0) < out.denominator);
+  out.numerator[a] = degenerate ? R(0) : dot(point_b, edge);
+  out.numerator[b] = degenerate ? R(0) : R(-dot(point_a, edge));
   return out;
 }
 
@@ -101,52 +101,52 @@ template <class S, int D>
 // slide "Barycentric coordinates"); tetrahedron in space: fractions of signed volumes.
 //   u = area(Q, B, C) / area(A, B, C)      v = area(Q, C, A) / area(A, B, C)
 //   w = area(Q, A, B) / area(A, B, C)      area(Q, B, C) = cross(B - Q, C - Q) / 2
-template <class S, int D>
-[[nodiscard]] Barycentric<S, D> volume_coordinates(const Simplex<S, D>& simplex) {
+template <class R, int D>
+[[nodiscard]] Barycentric<R, D> volume_coordinates(const Simplex<R, D>& simplex) {
   const auto volume_without = [&](int left_out) {  // signed, of O and all vertices but one
-    std::array<Vec<S, D>, D> facet;
+    std::array<Vec<R, D>, D> facet;
     for (int j = 0, k = 0; j <= D; ++j) {
       if (j != left_out) facet[k++] = simplex.vertices[j].w;
     }
-    const S volume = determinant<S, D>(facet);
-    return left_out % 2 == 1 ? S(-volume) : volume;
+    const R volume = determinant<R, D>(facet);
+    return left_out % 2 == 1 ? R(-volume) : volume;
   };
-  std::array<Vec<S, D>, D> edges;
+  std::array<Vec<R, D>, D> edges;
   for (int i = 0; i < D; ++i) edges[i] = simplex.vertices[i + 1].w - simplex.vertices[0].w;
-  const S volume = determinant<S, D>(edges);
-  Barycentric<S, D> out{};
-  if (volume == S(0)) return out;
+  const R volume = determinant<R, D>(edges);
+  Barycentric<R, D> out{};
+  if (volume == R(0)) return out;
   out.denominator = magnitude(volume);
   for (int i = 0; i <= D; ++i) {
-    const S part = volume_without(i);
-    out.numerator[i] = volume < S(0) ? S(-part) : part;
+    const R part = volume_without(i);
+    out.numerator[i] = volume < R(0) ? R(-part) : part;
   }
   return out;
 }
 
 // Triangle ABC in space: the same areas, with Q = O's projection onto the triangle's plane, signed
 // along the normal n = (B - A) x (C - A) (Ericson 2005, "Real-Time Collision Detection", 3.4).
-template <class S>
-[[nodiscard]] Barycentric<S, 3> triangle_coordinates(const Simplex<S, 3>& simplex, int a, int b,
+template <class R>
+[[nodiscard]] Barycentric<R, 3> triangle_coordinates(const Simplex<R, 3>& simplex, int a, int b,
                                                      int c) {
-  const Vec<S, 3>& point_a = simplex.vertices[a].w;
-  const Vec<S, 3>& point_b = simplex.vertices[b].w;
-  const Vec<S, 3>& point_c = simplex.vertices[c].w;
-  const Vec<S, 3> edge_ab = point_b - point_a;
-  const Vec<S, 3> edge_ca = point_a - point_c;
-  const Vec<S, 3> normal = cross(edge_ca, edge_ab);
-  Barycentric<S, 3> out{};
+  const Vec<R, 3>& point_a = simplex.vertices[a].w;
+  const Vec<R, 3>& point_b = simplex.vertices[b].w;
+  const Vec<R, 3>& point_c = simplex.vertices[c].w;
+  const Vec<R, 3> edge_ab = point_b - point_a;
+  const Vec<R, 3> edge_ca = point_a - point_c;
+  const Vec<R, 3> normal = cross(edge_ca, edge_ab);
+  Barycentric<R, 3> out{};
   if (is_zero(normal)) return out;
   out.denominator = dot(normal, normal);
-  out.numerator[a] = dot(normal, cross(point_b, Vec<S, 3>(point_c - point_b)));
+  out.numerator[a] = dot(normal, cross(point_b, Vec<R, 3>(point_c - point_b)));
   out.numerator[b] = dot(normal, cross(point_c, edge_ca));
   out.numerator[c] = dot(normal, cross(point_a, edge_ab));
   return out;
 }
 
 /// Coordinates of O in `face`, which must have a vertex.
-template <class S, int D>
-[[nodiscard]] Barycentric<S, D> barycentric(const Simplex<S, D>& simplex, Face face) {
+template <class R, int D>
+[[nodiscard]] Barycentric<R, D> barycentric(const Simplex<R, D>& simplex, Face face) {
   const auto& [vertex, count] = vertices_of(face);
   if (count == 2) return segment_coordinates(simplex, vertex[0], vertex[1]);
   if (count == D + 1) return volume_coordinates(simplex);
@@ -155,59 +155,59 @@ template <class S, int D>
       return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
     }
   }
-  Barycentric<S, D> point{};
-  point.numerator[vertex[0]] = S(1);
-  point.denominator = S(1);
+  Barycentric<R, D> point{};
+  point.numerator[vertex[0]] = R(1);
+  point.denominator = R(1);
   return point;
 }
 
 /// A normal of a facet (an edge in the plane, a triangle in space), as `perpendicular` makes it.
-template <class S, int D>
-[[nodiscard]] Vec<S, D> normal_of(const Simplex<S, D>& simplex, Face facet) {
+template <class R, int D>
+[[nodiscard]] Vec<R, D> normal_of(const Simplex<R, D>& simplex, Face facet) {
   const FaceVertices& vertex = vertices_of(facet);
-  std::array<Vec<S, D>, D - 1> edges;
+  std::array<Vec<R, D>, D - 1> edges;
   for (int i = 1; i < D; ++i) {
     edges[i - 1] = simplex.vertices[vertex.index[i]].w - simplex.vertices[vertex.index[0]].w;
   }
-  return perpendicular<S, D>(edges);
+  return perpendicular<R, D>(edges);
 }
 
 /// Sets the weights of P in `face` from its coordinates. A segment divides by its squared length,
 /// as the slides do; a larger face by the sum of the numerators, so that the weights add up to 1.
-template <class S, int D>
-void set_weights(std::array<S, D + 1>& weights, Face face, const Barycentric<S, D>& coordinates) {
+template <class R, int D>
+void set_weights(std::array<R, D + 1>& weights, Face face, const Barycentric<R, D>& coordinates) {
   const FaceVertices& in_face = vertices_of(face);
-  weights.fill(S(0));
+  weights.fill(R(0));
   if (in_face.count == 1) {
-    weights[in_face.index[0]] = S(1);
+    weights[in_face.index[0]] = R(1);
     return;
   }
-  S divisor = coordinates.denominator;
+  R divisor = coordinates.denominator;
   if (in_face.count > 2) {
-    divisor = S(0);
+    divisor = R(0);
     for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
   for (const int i : in_face) weights[i] = coordinates.numerator[i] / divisor;
 }
 
 /// The largest magnitude of a coordinate of the simplex.
-template <class S, int D>
-[[nodiscard]] S largest_coordinate(const Simplex<S, D>& simplex) {
-  S size(0);
+template <class R, int D>
+[[nodiscard]] R largest_coordinate(const Simplex<R, D>& simplex) {
+  R size(0);
   for (int i = 0; i < simplex.count; ++i) size = larger(size, norm_max(simplex.vertices[i].w));
   return size;
 }
 
 /// The sum of the vertices of `face`, each times its weight.
-template <class S, int D>
-[[nodiscard]] Vec<S, D> weighted_point(const Simplex<S, D>& simplex, Face face,
-                                       const std::array<S, D + 1>& weights) {
+template <class R, int D>
+[[nodiscard]] Vec<R, D> weighted_point(const Simplex<R, D>& simplex, Face face,
+                                       const std::array<R, D + 1>& weights) {
   const FaceVertices& in_face = vertices_of(face);
   if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
-  Vec<S, D> point = Vec<S, D>::Zero();
+  Vec<R, D> point = Vec<R, D>::Zero();
   for (const int i : in_face) {
     for (int k = 0; k < D; ++k) {
-      point[k] = point[k] + S(weights[i] * simplex.vertices[i].w[k]);
+      point[k] = point[k] + R(weights[i] * simplex.vertices[i].w[k]);
     }
   }
   return point;

@@ -7,17 +7,18 @@ namespace gjk {
 
 /// The least plane_distance_sq that certifies the tolerance when rounding is subtracted. If the
 /// plane fails even without that, an unrecorded run gets the cheaper value without rounding.
-template <class S, int D>
-[[nodiscard]] S wanted_plane_distance_sq(const State<S, D>& state, const Options& options,
-                                         const Prepared<S, D>& prepared, bool recorded) {
-  const S keep = ScalarTraits<S>::from(1.0 - options.tolerance);
-  S without_rounding = keep * keep * state.best_sq;
-  if constexpr (!ScalarTraits<S>::kExact) {
-    if (recorded || !(state.plane_distance_sq < without_rounding)) {
-      const S upper = ScalarTraits<S>::root_above(state.best_sq) + prepared.simplex_error();
-      const S error = prepared.plane_error(ScalarTraits<S>::root(state.plane_distance_sq),
-                                           ScalarTraits<S>::root(state.plane_reach_sq));
-      const S wanted = keep * upper + error;
+template <class R, int D>
+[[nodiscard]] R wanted_plane_distance_sq(const State<R, D>& state, const Options& options,
+                                         const Prepared<R, D>& prepared, bool recorded) {
+  const R keep = ScalarTraits<R>::from(1.0 - options.tolerance);
+  R without_rounding = keep * keep * state.evidence.best_sq;
+  if constexpr (!ScalarTraits<R>::kExact) {
+    if (recorded || !(state.evidence.plane_distance_sq < without_rounding)) {
+      const R upper =
+          ScalarTraits<R>::root_above(state.evidence.best_sq) + prepared.simplex_error();
+      const R error = prepared.plane_error(ScalarTraits<R>::root(state.evidence.plane_distance_sq),
+                                           ScalarTraits<R>::root(state.evidence.plane_reach_sq));
+      const R wanted = keep * upper + error;
       return wanted * wanted;
     }
   }
@@ -27,70 +28,67 @@ template <class S, int D>
 /// Runs the stop tests in order; the first that holds names the reason. Each compares two values:
 ///
 ///   reason            left                                     right                 holds if
-///   origin_inside     vertices of the culled simplex           those of a full one   left = right
+///   origin_inside     vertices that drop kept                  those of a full one   left = right
+///   not_nearer        |best P|^2                               |P|^2                 left <= right
 ///   zero_direction    |d|_1                                    0                     left = right
 ///   repeated_support  index of the simplex vertex that is      0                     left >= right
 ///                     the support point, or -1
 ///   no_progress       dot(d, support)                          largest dot(d, w_i)   left <= right
-///      (P not nearer)    |best P|^2                            |P|^2                 left <= right
 ///   within_tolerance  wanted_plane_distance_sq                 plane_distance_sq     left <= right
 ///   iteration_cap     cap                                      iteration             left <= right
 ///
-/// The first three rows are cases 2, 3a and 1 of Catto 2010, slides "Termination".
-template <class S, int D, class Rec>
-void run_stop_tests(State<S, D>& state, const Options& options, const Prepared<S, D>& prepared,
+/// Rows 1, 3 and 4 are cases 2, 3a and 1 of Catto 2010, slides "Termination".
+template <class R, int D, class Rec>
+void run_stop_tests(State<R, D>& state, const Options& options, const Prepared<R, D>& prepared,
                     Rec& record) {
-  const auto test = [&](StopReason reason, bool enabled, bool holds, const S& left,
-                        const S& right) {
+  const auto test = [&](StopReason reason, bool enabled, bool holds, const R& left,
+                        const R& right) {
     const bool tried = enabled && state.stop == StopReason::running;
     if constexpr (Rec::kOn) {
       record.stop_tests.push_back({reason, enabled, tried, tried && holds, left, right});
     }
     if (tried && holds) state.stop = reason;
   };
-  const Simplex<S, D>& simplex = state.simplex;
-  const bool has_direction = state.previous != Phase::cull;
-  const bool nearer = has_direction || simplex.count == D + 1;
+  const Simplex<R, D>& simplex = state.simplex;
+  const bool has_direction = state.previous != Phase::drop;
   const bool has_support = state.previous == Phase::support;
 
   int repeated = -1;
-  S reach(0);
+  R reach(0);
   if (has_support) {
     for (int i = 0; i < simplex.count; ++i) {
       if (simplex.vertices[i].pair == state.support.pair) repeated = i;
-      const S value = dot(state.d, simplex.vertices[i].w);
+      const R value = dot(state.d, simplex.vertices[i].w);
       if (i == 0 || reach < value) reach = value;
     }
   }
 
-  test(StopReason::origin_inside, true, simplex.count == D + 1, S(simplex.count), S(D + 1));
-  test(StopReason::zero_direction, has_direction, is_zero(state.d), norm_1(state.d), S(0));
+  test(StopReason::origin_inside, true, simplex.count == D + 1, R(simplex.count), R(D + 1));
+  test(StopReason::not_nearer, !has_direction && simplex.count <= D, true, state.evidence.best_sq,
+       state.p_sq);
+  test(StopReason::zero_direction, has_direction, is_zero(state.d), norm_1(state.d), R(0));
   test(StopReason::repeated_support, has_support && options.stop_on_repeated_support, repeated >= 0,
-       S(repeated), S(0));
-  if (has_support) {
-    test(StopReason::no_progress, options.stop_on_no_progress, !(reach < state.support_value),
-         state.support_value, reach);
-  } else {
-    test(StopReason::no_progress, !nearer, true, state.best_sq, state.p_sq);
-  }
+       R(repeated), R(0));
+  test(StopReason::no_progress, has_support && options.stop_on_no_progress,
+       !(reach < state.support_value), state.support_value, reach);
   const bool has_tolerance = has_support && 0.0 < options.tolerance;
   const bool asks_tolerance = has_tolerance && state.stop == StopReason::running;
-  const S wanted = asks_tolerance || Rec::kOn
+  const R wanted = asks_tolerance || Rec::kOn
                        ? wanted_plane_distance_sq(state, options, prepared, Rec::kOn)
-                       : S(0);
-  test(StopReason::within_tolerance, has_tolerance, !(state.plane_distance_sq < wanted), wanted,
-       state.plane_distance_sq);
+                       : R(0);
+  test(StopReason::within_tolerance, has_tolerance, !(state.evidence.plane_distance_sq < wanted),
+       wanted, state.evidence.plane_distance_sq);
   test(StopReason::iteration_cap, has_support, options.iteration_cap <= state.iteration,
-       S(options.iteration_cap), S(state.iteration));
+       R(options.iteration_cap), R(state.iteration));
 
   state.previous = Phase::stop;
   if (state.stop == StopReason::running) state.phase = Phase::add;
 }
 
-template <class S, int D>
-void add_support(State<S, D>& state) {
+template <class R, int D>
+void add_support(State<R, D>& state) {
   state.simplex.vertices[state.simplex.count] = state.support;
-  state.simplex.weights[state.simplex.count] = S(0);
+  state.simplex.weights[state.simplex.count] = R(0);
   ++state.simplex.count;
   state.region = state.simplex.all();
   ++state.iteration;

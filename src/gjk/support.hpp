@@ -4,7 +4,7 @@
 // The sign convention of the whole project is the slides': Z = Y - X, and the query point is the
 // origin O. For a point query X = {Q}, so d, drawn in the world, points from P to Q.
 
-#include "gjk/prepare.hpp"
+#include "gjk/proof/prepare.hpp"
 #include "gjk/record.hpp"
 
 namespace gjk {
@@ -32,24 +32,44 @@ template <class R, class S, int D>
   return {Vec<R, D>(y - x) + prepared.offset, pair};
 }
 
-/// Returns use(count, along), with along(i) = dot(d, vertex i - centre) for a shape's `count`
-/// vertices and a direction d in world axes.
-template <class R, class S, int D, class Use>
-auto look_along(const Vec<R, D>& d, const Shape<S, D>& shape, const Prepared<R, D>& prepared,
-                const Body<R, D>& body, const Use& use) {
-  const int count = static_cast<int>(shape.vertices().size());
-  if (body.placed_count > 0) {
-    return use(count, [&](int i) { return dot(d, body.placed[i]); });
-  }
-  const Vec<R, D> local = shape.pose.template direction_to_local<R>(d);
-  return use(count,
-             [&](int i) { return dot(local, detail::from_centre(shape, prepared, body, i)); });
-}
+/// dot(d, vertex i - centre) of a shape's vertices, for a direction d in world axes.
+template <class R, class S, int D>
+struct Along {
+  const Shape<S, D>& shape;
+  const Prepared<R, D>& prepared;
+  const Body<R, D>& body;
+  Vec<R, D> d;  ///< In the axes in which the vertices are read.
 
-/// The first of the farthest vertices (Catto 2010, slide "Support point code"). Comparisons select
-/// instead of branching, because processors would mispredict the branch.
-template <class R, class Along>
-[[nodiscard]] int scan(int count, const Along& along) {
+  Along(const Vec<R, D>& in_world, const Shape<S, D>& of, const Prepared<R, D>& in,
+        const Body<R, D>& seen_as)
+      : shape(of), prepared(in), body(seen_as), d(in_world) {
+    if (body.placed_count == 0) d = shape.pose.template direction_to_local<R>(in_world);
+  }
+  [[nodiscard]] int count() const { return static_cast<int>(shape.vertices().size()); }
+  [[nodiscard]] R operator()(int i) const {
+    if (body.placed_count > 0) return dot(d, body.placed[i]);
+    return dot(d, detail::from_centre(shape, prepared, body, i));
+  }
+  /// The error of a difference of two values, for `climb`.
+  [[nodiscard]] R rounding() const {
+    if constexpr (ScalarTraits<R>::kExact) {
+      return R(0);
+    } else {
+      return R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff() * norm_1(d) * body.radius;
+    }
+  }
+};
+
+/// The vertex of a shape that lies farthest along d; of equal ones the first (Catto 2010, slide
+/// "Support point code"). Comparisons select instead of branching, because processors would
+/// mispredict the branch.
+template <class R, class S, int D>
+[[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
+                                  const Prepared<R, D>& prepared, const Body<R, D>& body) {
+  const Along<R, S, D> along(d, shape, prepared, body);
+  const int count = along.count();
+  if (body.is_ring) [[unlikely]]
+    return detail::climb(count, along, along.rounding());
   int index = 0;
   R most = along(0);
   for (int i = 1; i < count; ++i) {
@@ -60,36 +80,13 @@ template <class R, class Along>
   return index;
 }
 
-/// The vertex of a shape that lies farthest along d; of equal ones the first. Calls visit(i, value)
-/// for each vertex that it looks at.
-template <class R, class S, int D, class Visit>
-[[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
-                                  const Prepared<R, D>& prepared, const Body<R, D>& body,
-                                  const Visit& visit) {
-  return look_along(d, shape, prepared, body, [&](int count, const auto& along) {
-    const auto looked_at = [&](int i) {
-      R value = along(i);
-      visit(i, value);
-      return value;
-    };
-    if (!body.is_ring) [[likely]]
-      return scan<R>(count, looked_at);
-    R rounding(0);  // of the difference of two values
-    if constexpr (!ScalarTraits<R>::kExact) {
-      rounding = R(4 * (D + 1)) * ScalarTraits<R>::unit_roundoff() * norm_1(d) * body.radius;
-    }
-    return detail::climb(count, looked_at, rounding);
-  });
-}
-
 /// The pair that makes Z's support point: support(Z, d) = support(Y, d) - support(X, -d) (Catto
 /// 2010, slide "Property 2: support points").
 template <class R, class S, int D>
 [[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                        const Vec<R, D>& d) {
-  const auto nothing = [](int, const R&) {};
-  return {farthest_vertex(Vec<R, D>(-d), query.x, prepared, prepared.x, nothing),
-          farthest_vertex(d, query.y, prepared, prepared.y, nothing)};
+  return {farthest_vertex(Vec<R, D>(-d), query.x, prepared, prepared.x),
+          farthest_vertex(d, query.y, prepared, prepared.y)};
 }
 
 /// The record of `farthest_vertex`: the vertices that it looks at, in its order.
@@ -99,10 +96,18 @@ template <class R, class S, int D>
                                                      const Body<R, D>& body) {
   std::vector<ScanEntry<R>> entries;
   const R at_centre = dot(d, shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
+  const Along<R, S, D> along(d, shape, prepared, body);
   detail::Farthest<R> farthest;
-  static_cast<void>(farthest_vertex(d, shape, prepared, body, [&](int i, const R& value) {
+  const auto look_at = [&](int i) {
+    R value = along(i);
     entries.push_back({i, value + at_centre, farthest.offer(i, value)});
-  }));
+    return value;
+  };
+  if (body.is_ring) {
+    static_cast<void>(detail::climb(along.count(), look_at, along.rounding()));
+  } else {
+    for (int i = 0; i < along.count(); ++i) look_at(i);
+  }
   return entries;
 }
 
@@ -113,9 +118,9 @@ void note_support_plane(State<R, D>& state) {
   const R d_sq = dot(state.d, state.d);
   if (!(state.support_value < R(0)) || !(R(0) < d_sq)) return;
   const R distance_sq = state.support_value * R(state.support_value / d_sq);
-  if (!(state.plane_distance_sq < distance_sq)) return;
-  state.plane_distance_sq = distance_sq;
-  state.plane_reach_sq = dot(state.support.w, state.support.w);
+  if (!(state.evidence.plane_distance_sq < distance_sq)) return;
+  state.evidence.plane_distance_sq = distance_sq;
+  state.evidence.plane_reach_sq = dot(state.support.w, state.support.w);
 }
 
 template <class R, class S, int D, class Rec>
@@ -128,7 +133,7 @@ void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R
   state.support = support_point(query, prepared, farthest_pair(query, prepared, state.d));
   state.support_value = dot(state.d, state.support.w);
   note_support_plane(state);
-  if (state.support_value == R(0)) state.touches_plane = true;
+  if (state.support_value == R(0)) state.evidence.touches_plane = true;
   state.previous = Phase::support;
   state.phase = Phase::stop;
 }

@@ -42,7 +42,7 @@ template <>
 struct Named<gjk::Phase> {
   static constexpr std::array<std::pair<std::string_view, gjk::Phase>, 6> kTable = {
       {{"closest", gjk::Phase::closest},
-       {"drop", gjk::Phase::cull},
+       {"drop", gjk::Phase::drop},
        {"direction", gjk::Phase::direction},
        {"support", gjk::Phase::support},
        {"stop", gjk::Phase::stop},
@@ -50,11 +50,12 @@ struct Named<gjk::Phase> {
 };
 template <>
 struct Named<gjk::StopReason> {
-  static constexpr std::array<std::pair<std::string_view, gjk::StopReason>, 8> kTable = {
+  static constexpr std::array<std::pair<std::string_view, gjk::StopReason>, 9> kTable = {
       {{"running", gjk::StopReason::running},
        {"repeated-support", gjk::StopReason::repeated_support},
        {"origin-inside", gjk::StopReason::origin_inside},
        {"zero-direction", gjk::StopReason::zero_direction},
+       {"not-nearer", gjk::StopReason::not_nearer},
        {"no-progress", gjk::StopReason::no_progress},
        {"within-tolerance", gjk::StopReason::within_tolerance},
        {"iteration-cap", gjk::StopReason::iteration_cap},

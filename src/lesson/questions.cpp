@@ -50,7 +50,7 @@ bool tells(const WideTrace& trace, int step, std::string_view ask) {
   if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
   if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
   if (ask == asks::kDropped.name)
-    return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::cull);
+    return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::drop);
   return ask == asks::kStop.name && is(at + 1, gjk::Phase::stop);
 }
 

@@ -54,11 +54,6 @@ struct RunIn {
 
   [[nodiscard]] const BodyIn<D>& x() const { return bodies[0]; }
   [[nodiscard]] const BodyIn<D>& y() const { return bodies[1]; }
-
-  /// True for a step right after a scan; a stop phase that is not ended the run before one.
-  [[nodiscard]] bool follows_support(int step) const {
-    return step > 0 && trace.steps[step - 1].phase == gjk::Phase::support;
-  }
 };
 using PositionedRun = RunIn<2>;
 

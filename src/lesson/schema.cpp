@@ -140,7 +140,8 @@ std::vector<LessonKey> own_keys() {
        "about"},
 
       {"expect", "stop",
-       "one of: repeated-support, origin-inside, zero-direction, no-progress, within-tolerance, "
+       "one of: repeated-support, origin-inside, zero-direction, not-nearer, no-progress, "
+       "within-tolerance, "
        "iteration-cap",
        "required where GJK runs",
        "why the run ends; the last run of a path. Where GJK is not run, a stop reason of the "

@@ -85,11 +85,11 @@ class Widener {
     out.d = length(state.d);
     out.support = point(state.support);
     out.support_value = square(state.support_value);
-    out.best = widened(state.best, exponent_);
-    out.best_sq = square(state.best_sq);
-    out.plane_distance_sq = square(state.plane_distance_sq);
-    out.plane_reach_sq = square(state.plane_reach_sq);
-    out.touches_plane = state.touches_plane;
+    out.evidence.best = widened(state.evidence.best, exponent_);
+    out.evidence.best_sq = square(state.evidence.best_sq);
+    out.evidence.plane_distance_sq = square(state.evidence.plane_distance_sq);
+    out.evidence.plane_reach_sq = square(state.evidence.plane_reach_sq);
+    out.evidence.touches_plane = state.evidence.touches_plane;
     out.stop = state.stop;
     out.error = state.error;
     return out;
@@ -131,7 +131,7 @@ class Widener {
   [[nodiscard]] gjk::StopTest<double> widen(const gjk::StopTest<S>& test) const {
     double factor = 1.0;
     if (test.reason == gjk::StopReason::zero_direction) factor = unit_;
-    if (test.reason == gjk::StopReason::no_progress ||
+    if (test.reason == gjk::StopReason::not_nearer || test.reason == gjk::StopReason::no_progress ||
         test.reason == gjk::StopReason::within_tolerance) {
       factor = unit_sq_;
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gjk/error_free.hpp"
-#include "gjk/linear.hpp"
+#include "gjk/proof/error_free.hpp"
+#include "gjk/vector.hpp"
 
 namespace models {
 namespace {

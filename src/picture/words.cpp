@@ -274,8 +274,10 @@ std::string stop_test(const LessonRun& run, const Frame& frame) {
       return "no";
     case gjk::StopReason::repeated_support:
       return "V in S";
+    case gjk::StopReason::not_nearer:
+      return "P no closer";
     case gjk::StopReason::no_progress:
-      return run.run(frame).follows_support(frame.step) ? "V no farther" : "P no closer";
+      return "V no farther";
     case gjk::StopReason::origin_inside:
       return query_name(run) + " inside S";
     case gjk::StopReason::zero_direction:

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "gjk/scalar.hpp"
+#include "gjk/proof/scalar.hpp"
 
 namespace gjkscope {
 

@@ -57,11 +57,6 @@ template Json vertex(const gjk::SupportPoint<double, 2>& value, const std::strin
 template Json vertex(const gjk::SupportPoint<double, 3>& value, const std::string& name,
                      const RunIn<3>& run);
 
-std::string_view stop_test_name(gjk::StopReason reason, bool follows_support) {
-  if (reason != gjk::StopReason::no_progress) return name_of(reason);
-  return follows_support ? "support-no-farther" : "p-no-closer";
-}
-
 std::string number_text(ScalarKind scalar, double value) {
   switch (scalar) {
     case ScalarKind::half:

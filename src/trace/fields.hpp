@@ -26,10 +26,6 @@ template <int D>
 [[nodiscard]] Json vertex(const gjk::SupportPoint<double, D>& value, const std::string& name,
                           const RunIn<D>& run);
 
-/// Names a stop test. Two of them end a run for the same reason, no progress: "support-no-farther"
-/// after a scan, "p-no-closer" before there is a direction.
-[[nodiscard]] std::string_view stop_test_name(gjk::StopReason reason, bool follows_support);
-
 /// As few digits as name a value of the scalar.
 [[nodiscard]] std::string number_text(ScalarKind scalar, double value);
 template <int D>

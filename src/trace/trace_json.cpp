@@ -131,11 +131,11 @@ class TraceWriter {
     out["p_sq"] = number(value.p_sq);
     out["d"] = point<D>(value.d);
     out["support_value"] = number(value.support_value);
-    out["best"] = simplex(value.best);
-    out["best_sq"] = number(value.best_sq);
-    out["plane_distance_sq"] = number(value.plane_distance_sq);
-    out["plane_reach_sq"] = number(value.plane_reach_sq);
-    out["touches_plane"] = value.touches_plane;
+    out["best"] = simplex(value.evidence.best);
+    out["best_sq"] = number(value.evidence.best_sq);
+    out["plane_distance_sq"] = number(value.evidence.plane_distance_sq);
+    out["plane_reach_sq"] = number(value.evidence.plane_reach_sq);
+    out["touches_plane"] = value.evidence.touches_plane;
     out["stop"] = name_of(value.stop);
     out["error"] = name_of(value.error);
     return out;
@@ -145,7 +145,6 @@ class TraceWriter {
   Json one_step(const RunIn<D>& run, std::size_t index) const {
     const gjk::Step<double, D>& step = run.trace.steps[index];
     const DistanceBounds& bounds = run.bounds[index];
-    const bool follows_support = run.follows_support(static_cast<int>(index));
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
@@ -157,7 +156,7 @@ class TraceWriter {
           out["region_tests"].push_back(region_test(test));
         out["no_region_held"] = record.no_region_held;
         break;
-      case Phase::cull:
+      case Phase::drop:
         out["dropped"] = Json::array();
         for (const auto& dropped : record.dropped) out["dropped"].push_back(vertex(dropped));
         break;
@@ -171,8 +170,7 @@ class TraceWriter {
         break;
       case Phase::stop:
         out["stop_tests"] = Json::array();
-        for (const auto& test : record.stop_tests)
-          out["stop_tests"].push_back(stop_test(test, follows_support));
+        for (const auto& test : record.stop_tests) out["stop_tests"].push_back(stop_test(test));
         break;
       case Phase::add:
         break;
@@ -211,9 +209,9 @@ class TraceWriter {
     return out;
   }
 
-  static Json stop_test(const gjk::StopTest<double>& test, bool follows_support) {
+  static Json stop_test(const gjk::StopTest<double>& test) {
     Json out;
-    out["test"] = fields::stop_test_name(test.reason, follows_support);
+    out["test"] = name_of(test.reason);
     out["enabled"] = test.enabled;
     out["tried"] = test.tried;
     out["holds"] = test.holds;
@@ -224,11 +222,9 @@ class TraceWriter {
 
   Json result(const RunIn<D>& run) const {
     const gjk::Result<double, D>& value = run.trace.result;
-    const int last = static_cast<int>(run.trace.steps.size()) - 1;
     Json out;
     out["error"] = name_of(value.error);
     out["stop"] = name_of(value.stop);
-    out["stop_test"] = fields::stop_test_name(value.stop, run.follows_support(last));
     out["verdict"] = name_of(value.verdict);
     out["settled"] = value.settled;
     out["distance"] = number(value.distance);

@@ -104,8 +104,8 @@ class TraceText {
                                     face(after.simplex, after.region), number(after.p_sq)));
         line("", "weights " + weights(after.simplex));
         break;
-      case Phase::cull:
-        cull(after, record);
+      case Phase::drop:
+        drop(after, record);
         break;
       case Phase::direction:
         direction(after, record.direction);
@@ -114,8 +114,7 @@ class TraceText {
         support(after, record);
         break;
       case Phase::stop:
-        for (const auto& test : record.stop_tests)
-          stop_test(test, before.previous == Phase::support);
+        for (const auto& test : record.stop_tests) stop_test(test);
         line("bounds", fmt::format("{} to {}", number(bounds.lower), number(bounds.upper)));
         break;
       case Phase::add:
@@ -146,7 +145,7 @@ class TraceText {
     for (const std::string& term : terms) line("", "  " + term);
   }
 
-  void cull(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
+  void drop(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
     std::vector<std::string> names;
     for (const auto& vertex : record.dropped) names.push_back(name(vertex));
     line("drop", fmt::format("keeps {}{}", face(after.simplex, after.simplex.all()),
@@ -189,8 +188,8 @@ class TraceText {
                      name(after.support), number(after.support_value)));
   }
 
-  void stop_test(const gjk::StopTest<double>& test, bool follows_support) {
-    const std::string_view name = fields::stop_test_name(test.reason, follows_support);
+  void stop_test(const gjk::StopTest<double>& test) {
+    const std::string_view name = name_of(test.reason);
     const std::string_view verdict = !test.enabled ? "off"
                                      : !test.tried ? "not tried"
                                      : test.holds  ? "yes"

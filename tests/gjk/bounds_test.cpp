@@ -20,6 +20,9 @@ class Fraction {
   }
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }
   [[nodiscard]] std::int64_t denominator() const { return denominator_; }
+  explicit operator double() const {
+    return static_cast<double>(numerator_) / static_cast<double>(denominator_);
+  }
 
   friend Fraction operator+(const Fraction& a, const Fraction& b) {
     return {a.numerator_ * b.denominator_ + b.numerator_ * a.denominator_,
@@ -66,9 +69,7 @@ struct gjk::ScalarTraits<bounds_test::Fraction> {
     return value;
   }
   [[nodiscard]] static bool is_finite(const Fraction&) { return true; }
-  [[nodiscard]] static Real root(const Fraction& a) {
-    return std::sqrt(static_cast<double>(a.numerator()) / static_cast<double>(a.denominator()));
-  }
+  [[nodiscard]] static Real root(const Fraction& a) { return std::sqrt(static_cast<double>(a)); }
   [[nodiscard]] static Real root_below(const Fraction& a) { return root(a) * (1 - 0x1p-51); }
   [[nodiscard]] static Real root_above(const Fraction& a) { return root(a) * (1 + 0x1p-51); }
   [[nodiscard]] static Fraction scaled(const Fraction& a, int) { return a; }

@@ -96,9 +96,10 @@ void count_steps(const gjk::Options& options, const gjk::Trace<S, 2>& trace, Cou
       case Phase::closest:
         count_regions(options, *before, step, counts);
         break;
-      case Phase::cull:
+      case Phase::drop:
         ++counts["dropped " + std::to_string(step.record.dropped.size())];
-        ++counts[after.best_sq == after.p_sq && after.phase == Phase::direction ? "P is the best"
+        ++counts[after.evidence.best_sq == after.p_sq && after.phase == Phase::direction
+                     ? "P is the best"
                  : after.phase == Phase::direction ? "P is not the best"
                  : after.simplex.count == 3        ? "P inside"
                                                    : "P no nearer"];
@@ -107,10 +108,12 @@ void count_steps(const gjk::Options& options, const gjk::Trace<S, 2>& trace, Cou
         count_direction(options, *before, step, counts);
         break;
       case Phase::support:
-        ++counts[!(after.support_value < 0)                             ? "no plane between"
-                 : after.plane_distance_sq != before->plane_distance_sq ? "a farther plane"
-                                                                        : "a nearer plane"];
-        if (after.touches_plane && !before->touches_plane) ++counts["a plane through O"];
+        ++counts[!(after.support_value < 0) ? "no plane between"
+                 : after.evidence.plane_distance_sq != before->evidence.plane_distance_sq
+                     ? "a farther plane"
+                     : "a nearer plane"];
+        if (after.evidence.touches_plane && !before->evidence.touches_plane)
+          ++counts["a plane through O"];
         break;
       case Phase::stop:
         for (const gjk::StopTest<S>& test : step.record.stop_tests) {

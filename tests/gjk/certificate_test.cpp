@@ -1,7 +1,7 @@
 // What is proved of an answer: bounds around the exact distance, no wider than rounding explains,
 // and exact arithmetic where they leave the verdict open.
 
-#include "gjk/certificate.hpp"
+#include "gjk/proof/certificate.hpp"
 
 #include "check.hpp"
 #include "gjk/gjk.hpp"
@@ -38,11 +38,11 @@ struct Proved : gjk::Bounds<R> {
 template <class R, class S>
 Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
                  const gjk::Prepared<R, 2>& prepared, bool ended = true) {
-  if (state.best.count == 3) {
-    const bool inside = gjk::surely_inside(state.best, prepared);
+  if (state.evidence.best.count == 3) {
+    const bool inside = gjk::surely_inside(state.evidence.best, prepared);
     return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
   }
-  gjk::Simplex<R, 2> simplex = state.best;
+  gjk::Simplex<R, 2> simplex = state.evidence.best;
   gjk::OutsideBounds<R, S, 2> outside(state, query, prepared, simplex);
   const gjk::Bounds<R> bounds = outside.prove(ended);
   return {bounds, outside.is_tight()};
@@ -56,7 +56,7 @@ struct Case {
   gjk::State<R, 2> state;
 
   Case(std::vector<Vec<R, 2>> points, int in_simplex) : y(std::move(points)) {
-    state.best = simplex_of<R>({y.begin(), y.begin() + in_simplex});
+    state.evidence.best = simplex_of<R>({y.begin(), y.begin() + in_simplex});
   }
   [[nodiscard]] gjk::Query<R, 2> query() const { return {{x}, {y}}; }
   [[nodiscard]] gjk::Prepared<R, 2> prepared() const { return gjk::prepare<R>(query(), {}); }
@@ -202,8 +202,8 @@ TEST(far_plane, "farther off the plane of the run is what proves the lower bound
   Case<double> edge({{30, -1}, {30, 1}, {30, 0}}, 2);
   CHECK(!edge.bounds().tight);
   CHECK_EQ(0.0, edge.bounds().lower);
-  edge.state.plane_distance_sq = 900;
-  edge.state.plane_reach_sq = 901;
+  edge.state.evidence.plane_distance_sq = 900;
+  edge.state.evidence.plane_reach_sq = 901;
   CHECK(edge.bounds().tight);
   CHECK_NEAR(30.0, edge.bounds().lower, 8 * kDoubleU * 30);
   CHECK(edge.bounds().lower < 30.0 - 2 * kDoubleU * 30);
@@ -220,7 +220,7 @@ TEST(beyond_end, "an upper bound is the distance of a point of the edge, not of 
       const float weight = std::max(-beside / 2, 0.0f);
       for (const float rounding : {0.0f, kFloatU, 4 * kFloatU}) {
         const check::Context context("beside", k, "height", height, "rounding", rounding);
-        edge.state.best.weights = {1 - (weight + rounding), weight + rounding, 0};
+        edge.state.evidence.best.weights = {1 - (weight + rounding), weight + rounding, 0};
         const auto bounds = edge.bounds();
         CHECK(exact <= double{bounds.upper});
         CHECK(double{bounds.upper} <= exact + 64 * kFloatU * (1 + exact));
@@ -239,7 +239,7 @@ struct Rounded {
 
   Rounded(const std::vector<Vec<R, 2>>& seen, std::vector<Vec<R, 2>> vertices, const R& reach)
       : y(std::move(vertices)) {
-    state.best = simplex_of<R>(seen);
+    state.evidence.best = simplex_of<R>(seen);
     prepared.reach = reach;
   }
   [[nodiscard]] Proved<R> bounds(bool ended) const {
@@ -283,7 +283,7 @@ TEST(anew,
     const std::vector<Vec<float, 2>> seen = {{on_edge ? -1.0f : 0.0f, 1.0f}, {1.0f, 1.0f}};
     const std::vector<Vec<float, 2>> given = {{on_edge ? -1.0f : 0.0f, kAnew}, {1.0f, kAnew}};
     Rounded<float> rounded(seen, given, reach);
-    rounded.state.best.count = on_edge ? 2 : 1;
+    rounded.state.evidence.best.count = on_edge ? 2 : 1;
     rounded.prepared.same_frame = same_frame;
     const float distance = rounded.bounds(false).distance;
     CHECK(distance == 1 || distance == kAnew);
@@ -309,7 +309,7 @@ TEST(near_width, "close to O, bounds are tight that are no wider than four times
     // A third vertex on the edge, so that the edge itself proves nothing.
     Rounded<float> rounded({{-1, kHeight}, {1, kHeight}},
                            {{-1, kHeight}, {1, kHeight}, {0, kHeight}}, 1e6f);
-    rounded.state.plane_distance_sq = plane * plane;
+    rounded.state.evidence.plane_distance_sq = plane * plane;
     return rounded.bounds(true).tight;
   };
   // Of 24 the plane's own error takes 4, and the upper bound 6.
@@ -418,7 +418,7 @@ TEST(careful_weights, "weights of a thin simplex have nearly all digits, and add
     const auto y = static_cast<float>(random.between(-1, 1));
     Case<float> thin({{-x, -y}, {x + width, y}, {x, y + width}}, 3);
     const auto weights = gjk::weights_of<float>(
-        gjk::careful_simplex(thin.state.best, thin.query(), thin.prepared()));
+        gjk::careful_simplex(thin.state.evidence.best, thin.query(), thin.prepared()));
     std::array<long double, 3> parts;
     for (int k = 0; k < 3; ++k) {
       const Wide<2> b = thin.y[(k + 1) % 3].cast<long double>();

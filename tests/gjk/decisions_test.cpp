@@ -18,12 +18,14 @@ constexpr std::uint64_t kSeed = 20100311;
 template <class S>
 bool same_bits(const gjk::State<S, 2>& a, const gjk::State<S, 2>& b) {
   return a.phase == b.phase && a.previous == b.previous && a.iteration == b.iteration &&
-         a.region == b.region && a.touches_plane == b.touches_plane && a.stop == b.stop &&
-         a.error == b.error && same_bits(a.simplex, b.simplex) && same_bits(a.p, b.p) &&
-         same_bits(a.p_sq, b.p_sq) && same_bits(a.d, b.d) && same_bits(a.support, b.support) &&
-         same_bits(a.support_value, b.support_value) && same_bits(a.best, b.best) &&
-         same_bits(a.best_sq, b.best_sq) && same_bits(a.plane_distance_sq, b.plane_distance_sq) &&
-         same_bits(a.plane_reach_sq, b.plane_reach_sq);
+         a.region == b.region && a.evidence.touches_plane == b.evidence.touches_plane &&
+         a.stop == b.stop && a.error == b.error && same_bits(a.simplex, b.simplex) &&
+         same_bits(a.p, b.p) && same_bits(a.p_sq, b.p_sq) && same_bits(a.d, b.d) &&
+         same_bits(a.support, b.support) && same_bits(a.support_value, b.support_value) &&
+         same_bits(a.evidence.best, b.evidence.best) &&
+         same_bits(a.evidence.best_sq, b.evidence.best_sq) &&
+         same_bits(a.evidence.plane_distance_sq, b.evidence.plane_distance_sq) &&
+         same_bits(a.evidence.plane_reach_sq, b.evidence.plane_reach_sq);
 }
 /// Half of the pairs run with the default options, the others with mixed ones.
 gjk::Options random_options(families::Source& random, int x_count, int y_count) {
@@ -69,7 +71,7 @@ const char* difference(const gjk::Query<S, 2>& query, const gjk::Options& option
 }
 
 struct Shares {
-  std::array<long, 8> stop = {};
+  std::array<long, 9> stop = {};
   std::array<long, 5> verdict = {};
   std::array<long, 4> simplex_count = {};
   long iterations = 0;
@@ -119,7 +121,8 @@ void check_representative(const Shares& shares) {
   check_share("repeated support", stop(StopReason::repeated_support), 0.20);
   check_share("origin inside", stop(StopReason::origin_inside), 0.10);
   check_share("zero direction", stop(StopReason::zero_direction), 0.005);
-  check_share("no progress", stop(StopReason::no_progress), 0.02);
+  check_share("not nearer", stop(StopReason::not_nearer), 0.005);
+  check_share("no progress", stop(StopReason::no_progress), 0.005);
   check_share("within tolerance", stop(StopReason::within_tolerance), 0.01);
   check_share("iteration cap", stop(StopReason::iteration_cap), 0.05);
   CHECK_EQ(0L, stop(StopReason::running));

@@ -1,6 +1,6 @@
 // Sums and products together with what rounding lost, against exact integers and wider scalars.
 
-#include "gjk/error_free.hpp"
+#include "gjk/proof/error_free.hpp"
 
 #include <array>
 #include <random>

@@ -1,6 +1,6 @@
 // Exact arithmetic on doubles, against exact integers.
 
-#include "gjk/expansion.hpp"
+#include "gjk/proof/expansion.hpp"
 
 #include <random>
 

@@ -103,7 +103,7 @@ Shares shares_of(Family family, Representation representation) {
         result.simplex.count == 4,
         result.stop == StopReason::origin_inside,
         result.stop == StopReason::zero_direction,
-        result.stop == StopReason::no_progress,
+        result.stop == StopReason::not_nearer || result.stop == StopReason::no_progress,
         result.stop == StopReason::repeated_support,
     };
     for (std::size_t k = 0; k < kShareCount; ++k) counts[k] += holds[k];

@@ -1,10 +1,10 @@
 // What a run knows beforehand: errors by name, the unit of length, how far Z reaches, how much
 // rounding can do.
 
-#include "gjk/prepare.hpp"
+#include "gjk/proof/prepare.hpp"
 
 #include "check.hpp"
-#include "gjk/expansion.hpp"
+#include "gjk/proof/expansion.hpp"
 #include "gjk/support.hpp"
 #include "study/families.hpp"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "check.hpp"
-#include "gjk/expansion.hpp"
 #include "gjk/gjk.hpp"
+#include "gjk/proof/expansion.hpp"
 
 namespace query_test {
 

@@ -1,6 +1,6 @@
 // What the core relies on in a scalar type.
 
-#include "gjk/scalar.hpp"
+#include "gjk/proof/scalar.hpp"
 
 #include "check.hpp"
 

@@ -75,22 +75,22 @@ TEST(no_farther, "no progress: another vertex, but no farther along d") {
   CHECK(run.held().left <= run.held().right);
 }
 
-TEST(not_nearer, "no progress: P came no nearer") {
+TEST(not_nearer, "not nearer: P came no nearer") {
   gjk::State<double, 2> state;
   state.simplex.count = 1;
-  state.previous = gjk::Phase::cull;
+  state.previous = gjk::Phase::drop;
   state.phase = gjk::Phase::stop;
   state.p_sq = 4;
-  state.best_sq = 4;
+  state.evidence.best_sq = 4;
   gjk::Record<double, 2> record;
   gjk::run_stop_tests(state, {}, gjk::Prepared<double, 2>{}, record);
-  CHECK_EQ(StopReason::no_progress, state.stop);
+  CHECK_EQ(StopReason::not_nearer, state.stop);
 }
 
 TEST(on_diagonal,
-     "no progress: O on a segment inside Z is an overlap that no third vertex improves") {
+     "not nearer: O on a segment inside Z is an overlap that no third vertex improves") {
   const Run run({{0.25, 0.25}}, kSquare);
-  CHECK_EQ(StopReason::no_progress, run.result().stop);
+  CHECK_EQ(StopReason::not_nearer, run.result().stop);
   CHECK_EQ(Verdict::overlapping, run.result().verdict);
   CHECK_EQ(0.0, run.result().distance);
 }
@@ -192,14 +192,14 @@ TEST(repeats_any, "a support repeats when both of its vertices are those of any 
     gjk::State<double, 2> state = after_support(pair);
     const auto record = stop_tests(state);
     CHECK_EQ(StopReason::repeated_support, state.stop);
-    CHECK_EQ(pair.x == 0 ? 0.0 : 1.0, record.stop_tests[2].left);
+    CHECK_EQ(pair.x == 0 ? 0.0 : 1.0, record.stop_tests[3].left);
   }
   for (const gjk::VertexPair pair : {gjk::VertexPair{0, 0}, gjk::VertexPair{3, 4}}) {
     gjk::State<double, 2> state = after_support(pair);
     const auto record = stop_tests(state);
     CHECK_EQ(StopReason::running, state.stop);
     CHECK_EQ(gjk::Phase::add, state.phase);
-    CHECK_EQ(-1.0, record.stop_tests[2].left);
+    CHECK_EQ(-1.0, record.stop_tests[3].left);
   }
 }
 
@@ -207,7 +207,7 @@ TEST(values, "progress is compared with the vertex that lies farthest along d") 
   for (const int farther : {0, 1}) {
     gjk::State<double, 2> state = after_support({7, 7});
     state.simplex.vertices[farther].w[1] = 1.5;
-    CHECK_EQ(-1.5, stop_tests(state).stop_tests[3].right);
+    CHECK_EQ(-1.5, stop_tests(state).stop_tests[4].right);
     CHECK_EQ(StopReason::running, state.stop);
     state = after_support({7, 7});
     state.simplex.vertices[farther].w[1] = 1;  // as far as the support point
@@ -228,13 +228,13 @@ TEST(which, "what can be tested depends on the phase that led to the stop phase"
     for (const auto& test : stop_tests(state, options).stop_tests) out += test.enabled ? '1' : '0';
     return out;
   };
-  // Origin inside, zero direction, repeated, no progress, tolerance, cap.
-  CHECK_EQ(std::string("111111"), enabled(gjk::Phase::support, 2));
-  CHECK_EQ(std::string("110000"), enabled(gjk::Phase::direction, 2));
-  CHECK_EQ(std::string("100100"), enabled(gjk::Phase::cull, 2));
-  CHECK_EQ(std::string("100000"), enabled(gjk::Phase::cull, 3));
+  // Origin inside, not nearer, zero direction, repeated, no progress, tolerance, cap.
+  CHECK_EQ(std::string("1011111"), enabled(gjk::Phase::support, 2));
+  CHECK_EQ(std::string("1010000"), enabled(gjk::Phase::direction, 2));
+  CHECK_EQ(std::string("1100000"), enabled(gjk::Phase::drop, 2));
+  CHECK_EQ(std::string("1000000"), enabled(gjk::Phase::drop, 3));
   gjk::State<double, 2> state = after_support({7, 7});
-  CHECK(!stop_tests(state).stop_tests[4].enabled);  // without a tolerance
+  CHECK(!stop_tests(state).stop_tests[5].enabled);  // without a tolerance
 }
 
 TEST(tolerance_met, "a tolerance is met when it is met exactly") {
@@ -248,8 +248,8 @@ TEST(tolerance_met, "a tolerance is met when it is met exactly") {
     state.simplex.vertices[0].pair = {9, 9};
     state.d = {gjk::Expansion(-1.0), gjk::Expansion(0.0)};
     state.support_value = gjk::Expansion(-1.0);
-    state.best_sq = gjk::Expansion(4.0);
-    state.plane_distance_sq = gjk::Expansion(plane_sq);
+    state.evidence.best_sq = gjk::Expansion(4.0);
+    state.evidence.plane_distance_sq = gjk::Expansion(plane_sq);
     stop_tests(state, options);
     CHECK_EQ(plane_sq < 1 ? StopReason::running : StopReason::within_tolerance, state.stop);
   }
@@ -260,8 +260,8 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   gjk::Options options;
   options.tolerance = 0.5;
   gjk::State<float, 2> state;
-  state.best_sq = 4;
-  state.plane_distance_sq = 1;
+  state.evidence.best_sq = 4;
+  state.evidence.plane_distance_sq = 1;
   const auto wanted = [&](const gjk::Prepared<float, 2>& prepared) {
     return std::sqrt(gjk::wanted_plane_distance_sq(state, options, prepared, true));
   };
@@ -278,9 +278,9 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   prepared.reach = 0x1p20f;
   CHECK_NEAR(1.0f + 8 * kU * 0x1p20f, wanted(prepared), 20 * kU);
   prepared = {};
-  state.plane_reach_sq = 0x1p36f;
+  state.evidence.plane_reach_sq = 0x1p36f;
   CHECK_NEAR(1.0f + 3 * kU * 0x1p18f, wanted(prepared), 20 * kU);
-  state.plane_distance_sq = 0x1p36f;
+  state.evidence.plane_distance_sq = 0x1p36f;
   CHECK_NEAR(1.0f + 7 * kU * 0x1p18f, wanted(prepared), 20 * kU);
 }
 

@@ -40,8 +40,12 @@ TEST(ties, "of vertices that lie equally far the scan takes the first, wherever 
   for (int count = 1; count <= 7; ++count) {
     for (int far = 1; far < 1 << count; ++far) {
       const check::Context context("vertices", count, "far ones, as bits", far);
-      const auto along = [&](int i) { return static_cast<double>((far >> i) & 1); };
-      CHECK_EQ(__builtin_ctz(static_cast<unsigned>(far)), gjk::scan<double>(count, along));
+      std::vector<Vec<double, 2>> vertices;
+      for (int i = 0; i < count; ++i) vertices.emplace_back((far >> i) & 1, i);
+      const gjk::Query<double, 2> query{{vertices}, {vertices}};
+      const auto prepared = gjk::prepare<double>(query, {});
+      CHECK_EQ(__builtin_ctz(static_cast<unsigned>(far)),
+               gjk::farthest_vertex(Vec<double, 2>(1, 0), query.y, prepared, prepared.y));
     }
   }
 }
@@ -76,7 +80,8 @@ int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared,
   gjk::Body<R, 2> body = prepared.y;
   CHECK(body.is_ring);
   body.is_ring = climbs;
-  return gjk::farthest_vertex(d, query.y, prepared, body, [&](int, const R&) { ++looked_at; });
+  looked_at += static_cast<long>(gjk::scan_entries(d, query.y, prepared, body).size());
+  return gjk::farthest_vertex(d, query.y, prepared, body);
 }
 template <class R, class S>
 int farthest(const gjk::Query<S, 2>& query, const gjk::Prepared<R, 2>& prepared, const Vec<R, 2>& d,
@@ -206,14 +211,13 @@ TEST(turned_scans,
     const auto prepared = gjk::prepare<double>(query, {});
     const Vec<double, 2> d(random.between(-1, 1), random.between(-1, 1));
     const bool small = vertices.size() == 8;
-    gjk::look_along(d, query.y, prepared, prepared.y, [&](int count, const auto& along) {
-      CHECK_EQ(static_cast<int>(vertices.size()), count);
-      for (int k = 0; k < count; ++k) {
-        const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
-                                      : gjk::dot(query.y.pose.direction_to_local(d), vertices[k]);
-        CHECK_EQ(expected, along(k));
-      }
-    });
+    const gjk::Along<double, double, 2> along(d, query.y, prepared, prepared.y);
+    CHECK_EQ(static_cast<int>(vertices.size()), along.count());
+    for (int k = 0; k < along.count(); ++k) {
+      const double expected = small ? gjk::dot(d, query.y.pose.rotated(vertices[k]))
+                                    : gjk::dot(query.y.pose.direction_to_local(d), vertices[k]);
+      CHECK_EQ(expected, along(k));
+    }
   }
 }
 
@@ -265,16 +269,16 @@ TEST(plane, "a support plane with O beyond it is noted, unless a farther one is 
   state.support.w = Vec<double, 2>(3, 7);
   state.support_value = -6;
   gjk::note_support_plane(state);
-  CHECK_EQ(9.0, state.plane_distance_sq);
-  CHECK_EQ(58.0, state.plane_reach_sq);
+  CHECK_EQ(9.0, state.evidence.plane_distance_sq);
+  CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(3, 1);  // as far
   gjk::note_support_plane(state);
-  CHECK_EQ(58.0, state.plane_reach_sq);
+  CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(2, 1);
   state.support_value = -4;
   gjk::note_support_plane(state);
-  CHECK_EQ(9.0, state.plane_distance_sq);
-  CHECK_EQ(58.0, state.plane_reach_sq);
+  CHECK_EQ(9.0, state.evidence.plane_distance_sq);
+  CHECK_EQ(58.0, state.evidence.plane_reach_sq);
 }
 
 TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; nor does d = 0") {
@@ -284,13 +288,13 @@ TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; n
   for (const double value : {0.0, 1.0}) {
     state.support_value = value;
     gjk::note_support_plane(state);
-    CHECK_EQ(0.0, state.plane_distance_sq);
-    CHECK_EQ(0.0, state.plane_reach_sq);
+    CHECK_EQ(0.0, state.evidence.plane_distance_sq);
+    CHECK_EQ(0.0, state.evidence.plane_reach_sq);
   }
   state.d = Vec<double, 2>::Zero();
   state.support_value = -1;
   gjk::note_support_plane(state);
-  CHECK_EQ(0.0, state.plane_distance_sq);
+  CHECK_EQ(0.0, state.evidence.plane_distance_sq);
 }
 
 TEST(plane_through_origin, "a support plane through O is seen, and no other") {
@@ -302,7 +306,7 @@ TEST(plane_through_origin, "a support plane through O is seen, and no other") {
     state.d = Vec<double, 2>(-1, 0);
     gjk::NoRecord record;
     gjk::find_support(state, query, gjk::prepare<double>(query, {}), record);
-    CHECK_EQ(x == 0.0, state.touches_plane);
+    CHECK_EQ(x == 0.0, state.evidence.touches_plane);
   }
 }
 

@@ -40,7 +40,7 @@ void check_complete(const gjk::Trace<S, D>& trace, int x_count, int y_count) {
     CHECK_EQ(step.phase == Phase::stop, !record.stop_tests.empty());
     CHECK_EQ(step.phase == Phase::support ? x_count : 0, static_cast<int>(record.scan_x.size()));
     CHECK_EQ(step.phase == Phase::support ? y_count : 0, static_cast<int>(record.scan_y.size()));
-    CHECK(step.phase == Phase::cull || record.dropped.empty());
+    CHECK(step.phase == Phase::drop || record.dropped.empty());
   }
 }
 
@@ -95,9 +95,9 @@ TEST(given_up, "a run may be given up before any of its phases") {
   }
 }
 
-TEST(phases, "one iteration is closest, cull, direction, support, stop, add") {
+TEST(phases, "one iteration is closest, drop, direction, support, stop, add") {
   const auto trace = traced({{9, 0}}, kPentagon);
-  const Phase order[] = {Phase::closest, Phase::cull, Phase::direction,
+  const Phase order[] = {Phase::closest, Phase::drop, Phase::direction,
                          Phase::support, Phase::stop, Phase::add};
   for (std::size_t i = 0; i < trace.steps.size(); ++i) CHECK_EQ(order[i % 6], trace.steps[i].phase);
 }
@@ -137,7 +137,7 @@ TEST(centre, "centre to centre starts at the support point along the line of cen
   CHECK_EQ(3.0, trace.initial.simplex.vertices[0].w.cwiseAbs().maxCoeff());
   CHECK_EQ(3.0, trace.result.distance);
   CHECK(gjk::is_zero(trace.initial.p));  // nothing of the search for the start is kept
-  CHECK_EQ(0.0, trace.initial.plane_distance_sq);
+  CHECK_EQ(0.0, trace.initial.evidence.plane_distance_sq);
   CHECK(traced(kSquare, kSquare, options).result.verdict == gjk::Verdict::overlapping);
 }
 

@@ -623,7 +623,7 @@ TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Frame& frame = pentagon.frames[i];
     if (frame.step < 0 || frame.question >= 0) continue;
-    const bool drops_vertices = pentagon.step(frame).phase == gjk::Phase::cull;
+    const bool drops_vertices = pentagon.step(frame).phase == gjk::Phase::drop;
     const auto marked =
         std::count_if(frames[i].picture.marks.begin(), frames[i].picture.marks.end(),
                       [](const Mark& mark) { return mark.role == "highlight.pass"; });

@@ -78,7 +78,7 @@ TEST(Words, AnEdgeThatARunStartsWithHasItsDirection) {
 }
 
 TEST(Words, ThePhaseThatDropsVerticesIsCalledSo) {
-  EXPECT_EQ(name_of(gjk::Phase::cull), "drop");
+  EXPECT_EQ(name_of(gjk::Phase::drop), "drop");
   EXPECT_EQ(name_of(gjk::Phase::support), "support");
 }
 

@@ -224,9 +224,9 @@ PROPERTY(BoundsOnlyCloseInAlongATrace) {
   const auto trace = gjk::trace(pair.query());
   const gjk::State<double, D>* before = nullptr;
   for (const auto& step : trace.steps) {
-    if (before != nullptr && before->best.count > 0) {
-      RC_ASSERT(step.after.best_sq <= before->best_sq);
-      RC_ASSERT(step.after.plane_distance_sq >= before->plane_distance_sq);
+    if (before != nullptr && before->evidence.best.count > 0) {
+      RC_ASSERT(step.after.evidence.best_sq <= before->evidence.best_sq);
+      RC_ASSERT(step.after.evidence.plane_distance_sq >= before->evidence.plane_distance_sq);
     }
     before = &step.after;
   }

@@ -85,7 +85,7 @@ struct Row {
   };
 
   std::array<long, kCounts> counts = {};
-  std::array<long, 8> stops = {};
+  std::array<long, 9> stops = {};
   Errors most;
   std::vector<Failure> failures;  ///< To be shown: the first that breaks each bar.
 
@@ -273,7 +273,8 @@ void print_rows(const std::vector<Job>& jobs) {
     fmt::print("{:>9.2f}{:>9.2f}{:>10.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n",
                share(row.counts[Row::overlaps]), share(row.counts[Row::settled]),
                stop(StopReason::repeated_support), stop(StopReason::origin_inside),
-               stop(StopReason::zero_direction), stop(StopReason::no_progress));
+               stop(StopReason::zero_direction),
+               stop(StopReason::not_nearer) + stop(StopReason::no_progress));
   });
 }
 

@@ -9,9 +9,9 @@
 
 #include "algorithms/depth/loop.hpp"
 #include "algorithms/depth/result.hpp"
-#include "gjk/careful.hpp"
-#include "gjk/certificate.hpp"
-#include "gjk/settle.hpp"
+#include "gjk/proof/careful.hpp"
+#include "gjk/proof/certificate.hpp"
+#include "gjk/proof/settle.hpp"
 
 namespace depth::detail {
 
@@ -121,19 +121,18 @@ template <class R, class S>
   const R error = prepared.scan_error_within(R(0));
   const auto improve = [&](int gjk::VertexPair::*index, const Vec<R, 2>& d,
                            const gjk::Shape<S, 2>& shape, const gjk::Body<R, 2>& body) {
-    gjk::look_along(d, shape, prepared, body, [&](int count, const auto& along_d) {
-      const int found = best.*index;
-      const R as_far = along_d(found) - error;
-      for (int i = 0; i < count; ++i) {
-        if (i == found || along_d(i) < as_far) continue;
-        gjk::VertexPair other = best;
-        other.*index = i;
-        const R reach = reach_of(other);
-        if (!(most < reach)) continue;
-        most = reach;
-        best = other;
-      }
-    });
+    const gjk::Along<R, S, 2> along_d(d, shape, prepared, body);
+    const int found = best.*index;
+    const R as_far = along_d(found) - error;
+    for (int i = 0; i < along_d.count(); ++i) {
+      if (i == found || along_d(i) < as_far) continue;
+      gjk::VertexPair other = best;
+      other.*index = i;
+      const R reach = reach_of(other);
+      if (!(most < reach)) continue;
+      most = reach;
+      best = other;
+    }
   };
   improve(&gjk::VertexPair::x, Vec<R, 2>(-direction), query.x, prepared.x);
   improve(&gjk::VertexPair::y, direction, query.y, prepared.y);

@@ -11,7 +11,7 @@ bool is_chosen(const LessonRun& run, int index, int step) {
   const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
   const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
   // Where nothing is dropped there is nothing to see.
-  if (phase == gjk::Phase::cull && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
+  if (phase == gjk::Phase::drop && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
       steps[static_cast<std::size_t>(step)].record.dropped.empty())
     return false;
   return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();

@@ -122,12 +122,12 @@ Lines gjk_lines(const LessonRun& run) {
       {"loop"},
       {point ? fmt::format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
        Phase::closest},
-      {"  drop vertices without weight", Phase::cull},
+      {"  drop vertices without weight", Phase::drop},
       {fmt::format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),
        {},
        {},
        false,
-       Phase::cull},
+       Phase::drop},
       {fmt::format("  d ← normal of S, to {}", q), Phase::direction},
       {"  if d = 0: stop", {}, {}, false, Phase::direction},
       {point ? "  V ← support point along d" : "  V ← support(Y,d) − support(X,−d)",
@@ -199,7 +199,7 @@ std::string value_of(const PanelBuilder& panel, const gjk::Step<double, 2>& step
       return panel.numbers.point(
           point ? Eigen::Vector2d(after.p + panel.run.run(panel.frame).x().world[0]) : after.p);
     }
-    case Phase::cull: {
+    case Phase::drop: {
       std::string dropped;
       for (const auto& vertex : step.record.dropped) {
         if (!dropped.empty()) dropped += " ";

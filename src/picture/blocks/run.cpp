@@ -39,8 +39,8 @@ void scan_of(PanelBuilder& panel, const std::vector<gjk::ScanEntry<double>>& ent
                                     [&](const auto& seen) { return seen.index == i; });
     const bool wins = i == best;
     // Once it is to be decided whether the winner is news: the vertices that are none.
-    const bool in_simplex = panel.run.point_query() && panel.knows.stop_follows_scan &&
-                            has_pair(panel.state.simplex, {0, i});
+    const bool in_simplex = panel.run.point_query() && panel.knows.phase_is(Phase::stop) &&
+                            panel.knows.support && has_pair(panel.state.simplex, {0, i});
     panel.subject =
         of_x ? Subject{Subject::Kind::vertex_of_x, i} : Subject{Subject::Kind::vertex_of_y, -1, i};
     const bool strong = wins || in_simplex;
@@ -76,7 +76,7 @@ void simplex(PanelBuilder& panel) {
   for (const int i : panel.words.order(panel.state.simplex.all())) {
     ++rows;
     panel.subject = subject_of(panel.run, panel.state.simplex.vertices[i].pair);
-    if (panel.knows.phase == Phase::cull) panel.highlight("highlight.pass");  // what is kept
+    if (panel.knows.phase == Phase::drop) panel.highlight("highlight.pass");  // what is kept
     panel.add("simplex.vertex", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
     panel.write("strong", name_at, panel.words.vertex(i), type::kStrong);
     const bool has_weight = weights_known(panel);
@@ -88,7 +88,7 @@ void simplex(PanelBuilder& panel) {
     panel.write("code.current", panel.right, number, type::kCode, Align::right);
     panel.y += kRow;
   }
-  if (panel.knows.phase == Phase::cull) {
+  if (panel.knows.phase == Phase::drop) {
     for (const auto& vertex : panel.run.step(panel.frame).record.dropped) {
       panel.subject = subject_of(panel.run, vertex.pair);
       panel.add("dropped", Disk{{panel.left + 8.0, panel.y - middle}, 5.0});
@@ -129,7 +129,7 @@ void scan(PanelBuilder& panel) {
   static const std::vector<gjk::ScanEntry<double>> none;
   const gjk::Record<double, 2>* record = nullptr;
   if (panel.knows.phase == Phase::support) record = &panel.run.step(panel.frame).record;
-  if (panel.knows.stop_follows_scan)
+  if (panel.knows.phase_is(Phase::stop) && panel.knows.support)
     record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
   const double top = panel.y;
   if (panel.run.point_query()) {

@@ -16,6 +16,8 @@ std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
   switch (reason) {
     case StopReason::origin_inside:
       return query_name(panel.run) + " inside S";
+    case StopReason::not_nearer:
+      return "P no closer";
     case StopReason::zero_direction:
       return "d = 0";
     case StopReason::repeated_support:
@@ -55,6 +57,7 @@ std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& tes
 /// True for tests that the lesson switched off.
 bool left_out(const gjk::Options& options, StopReason reason) {
   return (reason == StopReason::repeated_support && !options.stop_on_repeated_support) ||
+         (reason == StopReason::not_nearer && !options.stop_on_no_progress) ||
          (reason == StopReason::no_progress && !options.stop_on_no_progress) ||
          (reason == StopReason::within_tolerance && !(options.tolerance > 0.0));
 }
@@ -86,25 +89,27 @@ int stop_step(const PanelBuilder& panel) {
 
 /// True for tests that the run had behind it in this phase: a run that goes on to a direction is
 /// not inside and came nearer, one that goes on to a scan has a direction.
-bool decided(const PanelBuilder& panel, StopReason reason, bool follows_support) {
+bool decided(const PanelBuilder& panel, StopReason reason) {
+  const bool before_direction =
+      reason == StopReason::origin_inside || reason == StopReason::not_nearer;
   switch (*panel.knows.phase) {
     case gjk::Phase::closest:
-    case gjk::Phase::cull:
+    case gjk::Phase::drop:
       return false;
     case gjk::Phase::direction:
-      return reason == StopReason::origin_inside;
+      return before_direction;
     case gjk::Phase::support:
-      return reason == StopReason::origin_inside || reason == StopReason::zero_direction;
+      return before_direction || reason == StopReason::zero_direction;
     case gjk::Phase::stop:
     case gjk::Phase::add:
-      return reason != StopReason::no_progress || follows_support;
+      return true;
   }
   return false;
 }
 
 /// Whether P came nearer than in the iteration before, which is asked before there is a direction.
 void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* test) {
-  const std::string name = "P no closer";
+  const std::string name = name_of_test(panel, StopReason::not_nearer);
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   std::vector<double> lengths;  // of this iteration and the one before
   for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
@@ -126,7 +131,6 @@ void stop_tests(PanelBuilder& panel) {
   panel.heading("Stop tests (V: support point)");
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   const int stop = stop_step(panel);
-  const bool follows_support = panel.run.run(panel.frame).follows_support(stop);
   const auto tried = [&](StopReason reason) -> const gjk::StopTest<double>* {
     if (stop < 0) return nullptr;
     const auto& tests = steps[stop].record.stop_tests;
@@ -134,21 +138,22 @@ void stop_tests(PanelBuilder& panel) {
                                    [&](const auto& other) { return other.reason == reason; });
     return test == tests.end() || !test->tried ? nullptr : &*test;
   };
-  constexpr std::array<StopReason, 6> kOrder = {
-      StopReason::origin_inside, StopReason::zero_direction,   StopReason::repeated_support,
-      StopReason::no_progress,   StopReason::within_tolerance, StopReason::iteration_cap};
+  constexpr std::array<StopReason, 7> kOrder = {
+      StopReason::origin_inside,    StopReason::not_nearer,  StopReason::zero_direction,
+      StopReason::repeated_support, StopReason::no_progress, StopReason::within_tolerance,
+      StopReason::iteration_cap};
   for (const StopReason reason : kOrder) {
     if (left_out(panel.run.lesson.options, reason)) continue;
-    const bool is_decided = stop >= 0 && decided(panel, reason, follows_support);
+    const bool is_decided = stop >= 0 && decided(panel, reason);
     const gjk::StopTest<double>* test = is_decided ? tried(reason) : nullptr;
+    if (reason == StopReason::not_nearer) {
+      nearer(panel, is_decided, test);
+      continue;
+    }
     const TestMark mark = !test         ? TestMark::untried
                           : test->holds ? TestMark::holds
                                         : TestMark::fails;
     row(panel, mark, name_of_test(panel, reason), test ? compared(panel, *test) : "");
-    if (reason == StopReason::origin_inside &&
-        !left_out(panel.run.lesson.options, StopReason::no_progress)) {
-      nearer(panel, is_decided, follows_support ? nullptr : tried(StopReason::no_progress));
-    }
   }
 }
 

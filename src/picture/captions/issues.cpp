@@ -23,10 +23,10 @@ std::string why(const Story& story) {
   switch (story.state.stop) {
     case gjk::StopReason::repeated_support:
       return fmt::format("{} is in S already", support);
+    case gjk::StopReason::not_nearer:
+      return "P came no closer";
     case gjk::StopReason::no_progress:
-      return story.positioned.follows_support(story.frame.step)
-                 ? fmt::format("{} lies no farther along d than S", support)
-                 : "P came no closer";
+      return fmt::format("{} lies no farther along d than S", support);
     default:
       return stop_test(story.run, story.frame);
   }

@@ -40,7 +40,7 @@ void start(const Story& story, FrameText& text) {
           : fmt::format("Any vertices will do. First: which point of S is closest to {}?", story.q);
 }
 
-void cull(const Story& story, FrameText& text) {
+void drop(const Story& story, FrameText& text) {
   const std::vector<gjk::SupportPoint<double, 2>>& dropped =
       story.run.step(story.frame).record.dropped;
   const gjk::Phase next = story.trace.steps[story.frame.step + 1].phase;
@@ -310,12 +310,13 @@ void stop(const Story& story, FrameText& text) {
       text.caption = fmt::format("Stop: d = 0, because P = {}.", story.q);
       text.detail = zero_distance(story);
       return;
+    case gjk::StopReason::not_nearer:
+      text.caption = fmt::format("Stop: P is no closer to {} than in the last iteration.", story.q);
+      text.detail = outcome(story);
+      return;
     case gjk::StopReason::no_progress:
-      text.caption =
-          story.trace.steps[story.frame.step - 1].phase == gjk::Phase::cull
-              ? fmt::format("Stop: P is no closer to {} than in the last iteration.", story.q)
-              : fmt::format("Stop: no point of {} lies farther along d than the simplex.",
-                            story.set_name());
+      text.caption = fmt::format("Stop: no point of {} lies farther along d than the simplex.",
+                                 story.set_name());
       text.detail = outcome(story);
       return;
     case gjk::StopReason::within_tolerance:
@@ -358,8 +359,8 @@ void step(const Story& story, FrameText& text) {
   switch (story.run.step(story.frame).phase) {
     case gjk::Phase::closest:
       return story.knows.gradual ? region_test(story, text) : closest(story, text);
-    case gjk::Phase::cull:
-      return cull(story, text);
+    case gjk::Phase::drop:
+      return drop(story, text);
     case gjk::Phase::direction:
       return direction(story, text);
     case gjk::Phase::support:

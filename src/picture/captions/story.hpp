@@ -57,7 +57,7 @@ void start(const Story& story, FrameText& text);
 [[nodiscard]] std::string closest_features(const Story& story);
 /// The values of a run's step.
 void run_values(const Story& story, FrameText& text);
-void cull(const Story& story, FrameText& text);
+void drop(const Story& story, FrameText& text);
 void direction(const Story& story, FrameText& text);
 void support(const Story& story, FrameText& text);
 void stop(const Story& story, FrameText& text);

@@ -146,7 +146,7 @@ void simplex(SceneBuilder& scene) {
     if (!scene.shows_whole_simplex() && !gjk::contains(face, i)) continue;
     scene.simplex_vertex(simplex.vertices[i], "simplex");
   }
-  if (scene.knows.phase_is(gjk::Phase::cull)) {
+  if (scene.knows.phase_is(gjk::Phase::drop)) {
     const auto& dropped = scene.run.step(scene.frame).record.dropped;
     for (const gjk::SupportPoint<double, 2>& vertex : dropped) dropped_vertex(scene, vertex);
     if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;

@@ -1,12 +1,11 @@
 // The few products that GJK is made of.
 
-#include "gjk/linear.hpp"
-
 #include <cmath>
 
 #include "check.hpp"
+#include "gjk/proof/measures.hpp"
 
-namespace linear_test {
+namespace vector_test {
 
 using gjk::Vec;
 
@@ -104,4 +103,4 @@ TEST(perpendiculars,
   CHECK((gjk::perpendicular<double, 3>({a, c}) == Vec<double, 3>(24, 15, -18)));
 }
 
-}  // namespace linear_test
+}  // namespace vector_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "gjk/scalar.hpp"
+#include "gjk/proof/scalar.hpp"
 
 namespace gjk {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gjk/careful.hpp"
+#include "gjk/proof/careful.hpp"
 #include "gjk/result.hpp"
 
 namespace gjk {

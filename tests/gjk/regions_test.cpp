@@ -1,6 +1,6 @@
-// Phases "closest" and "cull".
+// Phases "closest" and "drop".
 
-#include "gjk/closest_point.hpp"
+#include "gjk/regions.hpp"
 
 #include <algorithm>
 #include <set>
@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "study/families.hpp"
 
-namespace closest_point_test {
+namespace regions_test {
 
 using gjk::Face;
 using gjk::Vec;
@@ -419,11 +419,11 @@ TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point 
   CHECK_EQ(std::size_t{15}, regions.size());
 }
 
-TEST(culling, "cull keeps the vertices of P's face in order, and drops the others") {
+TEST(dropping, "drop keeps the vertices of P's face in order, and drops the others") {
   gjk::State<double, 2> state = state_of<double, 2>({{1, -1}, {5, 0}, {1, 2}});
   gjk::Record<double, 2> record;
   gjk::find_closest_point(state, {}, record);
-  gjk::cull(state, {}, record);
+  gjk::drop(state, {}, record);
   CHECK_EQ(2, state.simplex.count);
   CHECK_EQ(0, state.simplex.vertices[0].pair.x);
   CHECK_EQ(2, state.simplex.vertices[1].pair.x);
@@ -431,7 +431,7 @@ TEST(culling, "cull keeps the vertices of P's face in order, and drops the other
   CHECK_EQ(std::size_t{1}, record.dropped.size());
   CHECK_EQ(1, record.dropped[0].pair.x);
   CHECK_EQ(gjk::Phase::direction, state.phase);
-  CHECK_EQ(1.0, state.best_sq);
+  CHECK_EQ(1.0, state.evidence.best_sq);
 }
 
 TEST(facets, "the squared distance of P on a facet is that of the facet's line, or plane") {
@@ -463,19 +463,19 @@ TEST(p_itself, "where directions come from P, its squared length is that of P") 
   CHECK(gjk::dot(state.p, state.p) != state.p_sq);
 }
 
-TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P that came no nearer") {
+TEST(drop_full, "a full simplex around O goes to the stop phase; so does a P that came no nearer") {
   gjk::State<double, 2> state = state_of<double, 2>({{-1, -1}, {2, -1}, {-1, 2}});
   gjk::NoRecord none;
   gjk::find_closest_point(state, {}, none);
-  gjk::cull(state, {}, none);
+  gjk::drop(state, {}, none);
   CHECK_EQ(gjk::Phase::stop, state.phase);
   CHECK(gjk::is_zero(state.p));
 
   gjk::State<double, 2> stale = state_of<double, 2>({{3, 4}});
-  stale.best.count = 1;
-  stale.best_sq = 25;
+  stale.evidence.best.count = 1;
+  stale.evidence.best_sq = 25;
   gjk::find_closest_point(stale, {}, none);
-  gjk::cull(stale, {}, none);
+  gjk::drop(stale, {}, none);
   CHECK_EQ(gjk::Phase::stop, stale.phase);
 
   for (const double best_sq :
@@ -484,11 +484,11 @@ TEST(cull_full, "a full simplex around O goes to the stop phase; so does a P tha
     exact.simplex.count = 1;
     exact.region = 1;
     exact.p_sq = gjk::Expansion(25.0);
-    exact.best.count = 1;
-    exact.best_sq = gjk::Expansion(best_sq);
-    gjk::cull(exact, {}, none);
+    exact.evidence.best.count = 1;
+    exact.evidence.best_sq = gjk::Expansion(best_sq);
+    gjk::drop(exact, {}, none);
     CHECK_EQ(best_sq > 0 ? gjk::Phase::direction : gjk::Phase::stop, exact.phase);
   }
 }
 
-}  // namespace closest_point_test
+}  // namespace regions_test

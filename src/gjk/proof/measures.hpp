@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "gjk/ring.hpp"
+#include "gjk/proof/ring.hpp"
 
 namespace gjk {
 
@@ -25,6 +25,20 @@ struct Measures {
   /// Indices of two points that lie at least as far apart as the longest side of the box.
   std::array<int, 2> far_apart = {};
 };
+
+/// The length of a vector whose squares may overflow or underflow.
+template <class S, int D>
+[[nodiscard]] S careful_length(const Vec<S, D>& a) {
+  const S square = dot(a, a);
+  if (ScalarTraits<S>::is_in_range(square)) [[likely]]
+    return ScalarTraits<S>::root(square);
+  const S size = norm_max(a);
+  if (size == S(0)) return size;
+  const int exponent = ScalarTraits<S>::exponent(size);
+  Vec<S, D> in_unit;
+  for (int i = 0; i < D; ++i) in_unit[i] = ScalarTraits<S>::scaled(a[i], -exponent);
+  return ScalarTraits<S>::scaled(length(in_unit), exponent);
+}
 
 /// a * 2^exponent, but rounded up where it is denormal and rounds.
 template <class R>

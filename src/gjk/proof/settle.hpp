@@ -2,9 +2,9 @@
 // Exact answers where rounding leaves the verdict open or the bounds wide: the last simplex of the
 // run starts another run of the same loop, on expansions. That is rare, so it costs little overall.
 
-#include "gjk/careful.hpp"
-#include "gjk/certificate.hpp"
 #include "gjk/loop.hpp"
+#include "gjk/proof/careful.hpp"
+#include "gjk/proof/certificate.hpp"
 #include "gjk/result.hpp"
 
 namespace gjk {
@@ -55,8 +55,8 @@ template <class R, class S>
 template <class R, class S, int D>
 [[nodiscard]] bool touches(const State<R, D>& state, const Query<S, D>& query,
                            const Prepared<R, D>& prepared) {
-  const Simplex<R, D>& simplex = state.best;
-  if (state.touches_plane) return true;
+  const Simplex<R, D>& simplex = state.evidence.best;
+  if (state.evidence.touches_plane) return true;
   if (simplex.count == D + 1) return false;
   const auto looking_along = [&](const Vec<R, D>& d) {
     State<R, D> probe;
@@ -67,7 +67,8 @@ template <class R, class S, int D>
   };
   if (simplex.count == D) {  // O lies inside a facet: only its plane can be such a plane
     const Vec<R, D> normal = normal_of(simplex, simplex.all());
-    return looking_along(normal).touches_plane || looking_along(-normal).touches_plane;
+    return looking_along(normal).evidence.touches_plane ||
+           looking_along(-normal).evidence.touches_plane;
   }
   if constexpr (D == 3) {
     if (simplex.count == 2) {
@@ -76,7 +77,7 @@ template <class R, class S, int D>
   }
   // O is a vertex of the simplex, which tells nothing of Z around O: start from another vertex.
   const State<R, D> other = looking_along(Vec<R, D>::Unit(0));
-  if (other.touches_plane) return true;
+  if (other.evidence.touches_plane) return true;
   WarmStart from;
   from.count = 1;
   from.pairs[0] = other.support.pair;
@@ -134,11 +135,11 @@ template <class R, class S, int D>
   if (end.stop == StopReason::iteration_cap) return;
 
   using Wide = Wider<R>;  // in double the square of a short edge may underflow
-  const std::array<Wide, D + 1> weights = weights_of<Wide>(end.best);
+  const std::array<Wide, D + 1> weights = weights_of<Wide>(end.evidence.best);
   out.settled = true;
-  out.simplex.count = end.best.count;
-  for (int i = 0; i < end.best.count; ++i) {
-    out.simplex.vertices[i] = support_point(query, prepared, end.best.vertices[i].pair);
+  out.simplex.count = end.evidence.best.count;
+  for (int i = 0; i < end.evidence.best.count; ++i) {
+    out.simplex.vertices[i] = support_point(query, prepared, end.evidence.best.vertices[i].pair);
     out.simplex.weights[i] = static_cast<R>(weights[i]);
   }
   bounds = {};
@@ -147,7 +148,7 @@ template <class R, class S, int D>
     return;
   }
   out.verdict = Verdict::separated;
-  const R distance = static_cast<R>(foot_of<Wide>(end.best).distance);
+  const R distance = static_cast<R>(foot_of<Wide>(end.evidence.best).distance);
   const R few = R(kCarefulRoundings) * ScalarTraits<R>::unit_roundoff();
   const R least = std::numeric_limits<R>::denorm_min();  // a denormal quotient errs by half
   const int exponent = exact.exponent - prepared.exponent;

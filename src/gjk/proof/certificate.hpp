@@ -2,7 +2,7 @@
 // Proved bounds of the distance, rounding included: P bounds it from above, the best support plane
 // from below (Larsen 1998, "Proof of Local Verification"). tests/truth checks these bounds.
 
-#include "gjk/careful.hpp"
+#include "gjk/proof/careful.hpp"
 #include "gjk/support.hpp"
 
 namespace gjk {
@@ -22,8 +22,8 @@ inline constexpr double kAllowedWidth = 15.5;
 /// The lower bound of the distance that the best support plane proves.
 template <class R, int D>
 [[nodiscard]] R plane_bound(const State<R, D>& state, const Prepared<R, D>& prepared) {
-  const R distance = ScalarTraits<R>::root(state.plane_distance_sq);
-  const R reach = ScalarTraits<R>::root(state.plane_reach_sq);
+  const R distance = ScalarTraits<R>::root(state.evidence.plane_distance_sq);
+  const R reach = ScalarTraits<R>::root(state.evidence.plane_reach_sq);
   return larger(R(distance - prepared.plane_error(distance, reach)), R(0));
 }
 
@@ -72,13 +72,12 @@ template <class R, class S, int D>
 [[nodiscard]] bool are_alone(const Vec<R, D>& d, const Shape<S, D>& shape,
                              const Prepared<R, D>& prepared, const Body<R, D>& body,
                              const Corners& corners, const R& error) {
-  return look_along(d, shape, prepared, body, [&](int count, const auto& along) {
-    R nearest = along(corners.index[0]);
-    for (int k = 1; k < corners.count; ++k) nearest = smaller(nearest, along(corners.index[k]));
-    int as_far = 0;
-    for (int k = 0; k < count; ++k) as_far += along(k) < nearest - error ? 0 : 1;
-    return as_far == corners.count;
-  });
+  const Along<R, S, D> along(d, shape, prepared, body);
+  R nearest = along(corners.index[0]);
+  for (int k = 1; k < corners.count; ++k) nearest = smaller(nearest, along(corners.index[k]));
+  int as_far = 0;
+  for (int i = 0; i < along.count(); ++i) as_far += along(i) < nearest - error ? 0 : 1;
+  return as_far == corners.count;
 }
 
 /// A distance below reach / kNear is mostly rounding: it is computed anew with about twice the

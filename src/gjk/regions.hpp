@@ -1,5 +1,5 @@
 #pragma once
-// Phases "closest" and "cull": find the closest point P of the simplex to O, and keep P's face.
+// Phases "closest" and "drop": find the closest point P of the simplex to O, and keep P's face.
 //
 // P lies in the face whose Voronoi region holds O. The sign of O's coordinate i in a face tells
 // whether O lies on the same side of the other vertices as vertex i, so the signs tell the region
@@ -25,7 +25,7 @@
 
 #include <algorithm>
 
-#include "gjk/nearest_face.hpp"
+#include "gjk/proof/nearest_face.hpp"
 #include "gjk/record.hpp"
 
 namespace gjk {
@@ -59,81 +59,43 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
   return edges_first;
 }
 
-/// Which coordinates are positive: bit 4 * face + vertex.
-using SignSet = std::uint64_t;
-[[nodiscard]] constexpr SignSet sign_bit(Face face, int vertex) {
-  return SignSet{1} << (4 * face + vertex);
-}
-
-/// Johnson's condition for one face: the coordinates that must be positive, and those that must not
-/// be. Coordinates of vertices that the simplex does not have count as not positive.
-struct RegionCondition {
-  SignSet positive = 0;
-  SignSet not_positive = 0;
-
-  [[nodiscard]] constexpr bool holds(SignSet signs) const {
-    return (signs & (positive | not_positive)) == positive;
-  }
-};
-inline constexpr auto kRegionConditions = [] {
-  std::array<RegionCondition, 1 << (kMaxDimension + 1)> out = {};
-  for (Face face = 1; face < Face{out.size()}; ++face) {
-    for (int i = 0; i <= kMaxDimension; ++i) {
-      if (!contains(face, i)) {
-        out[face].not_positive |= sign_bit(static_cast<Face>(face | face_of(i)), i);
-      } else if (vertex_count(face) > 1) {  // a point's own coordinate is 1
-        out[face].positive |= sign_bit(face, i);
-      }
-    }
-  }
-  return out;
-}();
-
-/// The coordinates of O in every face of a simplex of kCount vertices, and their signs.
-template <class S, int D, int kCount>
+/// The coordinates of O in every face of a simplex of kCount vertices.
+template <class R, int D, int kCount>
 struct Coordinates {
-  std::array<Barycentric<S, D>, (1 << kCount)> of_face;
-  SignSet signs = 0;
+  std::array<Barycentric<R, D>, (1 << kCount)> of_face;
 
-  explicit Coordinates(const Simplex<S, D>& simplex) {
+  explicit Coordinates(const Simplex<R, D>& simplex) {
     of_face[0] = {};
-    for (int i = 0; i < kCount; ++i) of_face[face_of(i)] = {};  // no condition uses these
-    for (int b = 1; b < kCount; ++b) {
-      for (int a = 0; a < b; ++a) {
-        const Face face = static_cast<Face>(face_of(a) | face_of(b));
-        note(face, segment_coordinates(simplex, a, b));
-      }
-    }
-    if constexpr (kCount > 2 && D > 2) {
-      for (const Face face : {0b0111, 0b1011, 0b1101, 0b1110}) {
-        if (face < of_face.size()) note(face, barycentric(simplex, face));
-      }
-    }
-    if constexpr (kCount == D + 1) note(simplex.all(), volume_coordinates(simplex));
+    for (int face = 1; face < static_cast<int>(of_face.size()); ++face)
+      of_face[face] = barycentric(simplex, static_cast<Face>(face));
   }
 
- private:
-  void note(Face face, const Barycentric<S, D>& coordinates) {
-    of_face[face] = coordinates;
+  /// Coordinate i in F + {i} for a region F: in F itself when i is one of its vertices.
+  [[nodiscard]] const R& numerator(Face region, int i) const {
+    return of_face[region | face_of(i)].numerator[i];
+  }
+  /// Johnson's condition.
+  [[nodiscard]] bool holds(Face region) const {
     for (int i = 0; i < kCount; ++i) {
-      signs |= SignSet{S(0) < coordinates.numerator[i]} << (4 * face + i);
+      if ((R(0) < numerator(region, i)) != contains(region, i)) return false;
     }
+    return true;
   }
 };
 
-/// The record of one region's test.
-template <class S, int D, int kCount>
-[[nodiscard]] RegionTest<S> noted(Face region, const Coordinates<S, D, kCount>& coordinates) {
-  const RegionCondition& condition = kRegionConditions[region];
-  RegionTest<S> note{region, {}, condition.holds(coordinates.signs)};
+/// The record of one region's test: what must be positive, then what must not.
+template <class R, int D, int kCount>
+[[nodiscard]] RegionTest<R> noted(Face region, const Coordinates<R, D, kCount>& coordinates) {
+  RegionTest<R> note{region, {}, coordinates.holds(region)};
   for (const bool wants_positive : {true, false}) {
-    const SignSet wanted = wants_positive ? condition.positive : condition.not_positive;
     for (int i = 0; i < kCount; ++i) {
       const Face face = static_cast<Face>(region | face_of(i));
-      if ((wanted & sign_bit(face, i)) == 0) continue;
-      const Barycentric<S, D>& in_face = coordinates.of_face[face];
-      note.terms.push_back({face, i, wants_positive, in_face.numerator[i], in_face.denominator,
-                            (S(0) < in_face.numerator[i]) == wants_positive});
+      const bool is_vertex = face == face_of(i);  // its own coordinate is 1
+      if (is_vertex || contains(region, i) != wants_positive) continue;
+      const R& numerator = coordinates.numerator(region, i);
+      note.terms.push_back({face, i, wants_positive, numerator,
+                            coordinates.of_face[face].denominator,
+                            (R(0) < numerator) == wants_positive});
     }
   }
   return note;
@@ -141,59 +103,59 @@ template <class S, int D, int kCount>
 
 /// The squared distance of O from the line or plane through `face`, which has 2 to D vertices.
 /// Unlike |P|^2 it needs no weights. In the plane it is exactly 0 when O lies on the line.
-template <class S, int D>
-[[nodiscard]] S distance_sq(const Simplex<S, D>& simplex, Face face) {
+template <class R, int D>
+[[nodiscard]] R distance_sq(const Simplex<R, D>& simplex, Face face) {
   const FaceVertices& in_face = vertices_of(face);
-  const Vec<S, D>& a = simplex.vertices[in_face.index[0]].w;
+  const Vec<R, D>& a = simplex.vertices[in_face.index[0]].w;
   if constexpr (D == 3) {
     if (in_face.count == 2) {
-      const Vec<S, D> edge = simplex.vertices[in_face.index[1]].w - a;
-      const Vec<S, D> moment = cross(edge, a);
+      const Vec<R, D> edge = simplex.vertices[in_face.index[1]].w - a;
+      const Vec<R, D> moment = cross(edge, a);
       return dot(moment, moment) / dot(edge, edge);
     }
   }
-  const Vec<S, D> normal = normal_of(simplex, face);
-  S side(0);  // dot(normal, a); in the plane without the rounding of the edge
+  const Vec<R, D> normal = normal_of(simplex, face);
+  R side(0);  // dot(normal, a); in the plane without the rounding of the edge
   if constexpr (D == 2) {
     side = cross(a, simplex.vertices[in_face.index[1]].w);
   } else {
     side = dot(normal, a);
   }
-  return side * S(side / dot(normal, normal));
+  return side * R(side / dot(normal, normal));
 }
 
 /// Sets P, its weights and its squared length from O's coordinates in `face`. Where O lies in the
 /// face, P is O itself, because the weighted sum would round. With DirectionRule::perpendicular the
 /// squared length is `distance_sq`, which rounds less.
-template <class S, int D>
-void take_region(State<S, D>& state, Face face, const Barycentric<S, D>& coordinates,
+template <class R, int D>
+void take_region(State<R, D>& state, Face face, const Barycentric<R, D>& coordinates,
                  DirectionRule rule) {
   const int size = vertex_count(face);
   state.region = face;
   set_weights(state.simplex.weights, face, coordinates);
-  const bool has_line = 1 < size && size <= D && S(0) < coordinates.denominator;
-  const S from_line_sq = has_line ? distance_sq(state.simplex, face) : S(1);
-  const bool at_origin = size == D + 1 || from_line_sq == S(0);
-  state.p = at_origin ? Vec<S, D>(Vec<S, D>::Zero())
+  const bool has_line = 1 < size && size <= D && R(0) < coordinates.denominator;
+  const R from_line_sq = has_line ? distance_sq(state.simplex, face) : R(1);
+  const bool at_origin = size == D + 1 || from_line_sq == R(0);
+  state.p = at_origin ? Vec<R, D>(Vec<R, D>::Zero())
                       : weighted_point(state.simplex, face, state.simplex.weights);
   state.p_sq = dot(state.p, state.p);
-  if (has_line && !ScalarTraits<S>::kExact && rule == DirectionRule::perpendicular) {
+  if (has_line && !ScalarTraits<R>::kExact && rule == DirectionRule::perpendicular) {
     state.p_sq = from_line_sq;
   }
 }
 
 /// Takes the first region whose condition holds. If none does, or if only rounding may put O inside
 /// a full simplex, takes `nearest_face`; RegionOrder::unchecked takes the whole simplex instead.
-template <int kCount, class S, int D, class Rec>
-void find_region(State<S, D>& state, const Options& options, Rec& record) {
+template <int kCount, class R, int D, class Rec>
+void find_region(State<R, D>& state, const Options& options, Rec& record) {
   static constexpr FaceList kOrders[] = {tested_faces(kCount, RegionOrder::vertices_first),
                                          tested_faces(kCount, RegionOrder::edges_first)};
-  const Coordinates<S, D, kCount> coordinates(state.simplex);
+  const Coordinates<R, D, kCount> coordinates(state.simplex);
   const bool checked = options.region_order != RegionOrder::unchecked;
   Face found = 0;
   for (const Face face : kOrders[options.region_order == RegionOrder::edges_first ? 1 : 0]) {
     if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
-    if (!kRegionConditions[face].holds(coordinates.signs)) continue;
+    if (!coordinates.holds(face)) continue;
     const bool doubtful = checked && vertex_count(face) == D + 1;
     if (!doubtful || weights_reach_origin(state.simplex, coordinates.of_face[face])) {
       found = face;
@@ -201,7 +163,7 @@ void find_region(State<S, D>& state, const Options& options, Rec& record) {
     break;
   }
   if (found == 0) {
-    found = checked ? nearest_face<S, D>(state.simplex, coordinates.of_face) : state.simplex.all();
+    found = checked ? nearest_face<R, D>(state.simplex, coordinates.of_face) : state.simplex.all();
     if constexpr (Rec::kOn) {
       record.no_region_held = checked && vertex_count(found) != D + 1;
     }
@@ -209,8 +171,8 @@ void find_region(State<S, D>& state, const Options& options, Rec& record) {
   take_region(state, found, coordinates.of_face[found], options.direction_rule);
 }
 
-template <class S, int D, class Rec>
-void find_closest_point(State<S, D>& state, const Options& options, Rec& record) {
+template <class R, int D, class Rec>
+void find_closest_point(State<R, D>& state, const Options& options, Rec& record) {
   if (state.simplex.count == 1) find_region<1>(state, options, record);
   if (state.simplex.count == 2) find_region<2>(state, options, record);
   if (state.simplex.count == 3) find_region<3>(state, options, record);
@@ -218,20 +180,20 @@ void find_closest_point(State<S, D>& state, const Options& options, Rec& record)
     if (state.simplex.count == 4) find_region<4>(state, options, record);
   }
   state.previous = Phase::closest;
-  state.phase = Phase::cull;
+  state.phase = Phase::drop;
 }
 
 /// True when P is nearer to O than ever before. In exact arithmetic it always is, until P = O.
-template <class S, int D>
-[[nodiscard]] bool came_nearer(const State<S, D>& state) {
-  if (state.best.count == 0) return true;
-  if constexpr (ScalarTraits<S>::kExact) return S(0) < state.best_sq;
-  return state.p_sq < state.best_sq;
+template <class R, int D>
+[[nodiscard]] bool came_nearer(const State<R, D>& state) {
+  if (state.evidence.best.count == 0) return true;
+  if constexpr (ScalarTraits<R>::kExact) return R(0) < state.evidence.best_sq;
+  return state.p_sq < state.evidence.best_sq;
 }
 
-template <class S, int D, class Rec>
-void cull(State<S, D>& state, const Options& options, Rec& record) {
-  Simplex<S, D>& simplex = state.simplex;
+template <class R, int D, class Rec>
+void drop(State<R, D>& state, const Options& options, Rec& record) {
+  Simplex<R, D>& simplex = state.simplex;
   if constexpr (Rec::kOn) {
     for (int i = 0; i < simplex.count; ++i) {
       if (!contains(state.region, i)) record.dropped.push_back(simplex.vertices[i]);
@@ -248,11 +210,11 @@ void cull(State<S, D>& state, const Options& options, Rec& record) {
 
   const bool nearer = came_nearer(state);
   if (nearer) {
-    state.best.take(simplex);
-    state.best_sq = state.p_sq;
+    state.evidence.best.take(simplex);
+    state.evidence.best_sq = state.p_sq;
   }
   const bool answered = kept == D + 1 || (!nearer && options.stop_on_no_progress);
-  state.previous = Phase::cull;
+  state.previous = Phase::drop;
   state.phase = answered ? Phase::stop : Phase::direction;
 }
 

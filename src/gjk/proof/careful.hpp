@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "gjk/expansion.hpp"
-#include "gjk/prepare.hpp"
+#include "gjk/proof/expansion.hpp"
+#include "gjk/proof/prepare.hpp"
 #include "gjk/simplex.hpp"
 
 namespace gjk {

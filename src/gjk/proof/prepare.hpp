@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gjk/error_free.hpp"
+#include "gjk/proof/error_free.hpp"
 #include "gjk/query.hpp"
 
 namespace gjk {

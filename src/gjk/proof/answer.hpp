@@ -6,8 +6,8 @@
 // are wider than rounding explains, the last simplex starts another run in exact arithmetic. So the
 // verdict is exact.
 
-#include "gjk/settle.hpp"
-#include "gjk/witness.hpp"
+#include "gjk/proof/settle.hpp"
+#include "gjk/proof/witness.hpp"
 
 namespace gjk {
 namespace detail {
@@ -20,8 +20,8 @@ template <class R, class S, int D>
   const bool ended = state.stop != StopReason::running && state.stop != StopReason::iteration_cap;
   Bounds<R> bounds;
   bool tight = true;
-  if (state.best.count == D + 1) {
-    if (surely_inside(state.best, prepared)) {
+  if (state.evidence.best.count == D + 1) {
+    if (surely_inside(state.evidence.best, prepared)) {
       out.verdict = Verdict::overlapping;
     } else {
       bounds.upper = prepared.simplex_error();
@@ -52,13 +52,13 @@ template <class R, class S, int D>
 void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
                       const Prepared<R, D>& prepared, Result<R, D>& out) {
   using Traits = ScalarTraits<R>;
-  out.distance_sq = state.best_sq;
-  out.distance = Traits::root(state.best_sq);
-  out.lower = Traits::root_below(state.plane_distance_sq);
-  out.upper = Traits::root_above(state.best_sq);
-  if (state.best_sq == R(0)) {
+  out.distance_sq = state.evidence.best_sq;
+  out.distance = Traits::root(state.evidence.best_sq);
+  out.lower = Traits::root_below(state.evidence.plane_distance_sq);
+  out.upper = Traits::root_above(state.evidence.best_sq);
+  if (state.evidence.best_sq == R(0)) {
     out.verdict = touches(state, query, prepared) ? Verdict::touching : Verdict::overlapping;
-  } else if (R(0) < state.plane_distance_sq) {
+  } else if (R(0) < state.evidence.plane_distance_sq) {
     out.verdict = Verdict::separated;
   }
 }
@@ -69,7 +69,7 @@ void set_rounded_answer(const State<R, D>& state, const Query<S, D>& query, cons
                         const Prepared<R, D>& prepared, Result<R, D>& out) {
   using Traits = ScalarTraits<R>;
   if (options.proof == Proof::none) {
-    out.distance = Traits::root(state.best_sq);
+    out.distance = Traits::root(state.evidence.best_sq);
     out.verdict = out.distance == R(0) ? Verdict::overlapping : Verdict::separated;
   } else {
     const Bounds<R> bounds = certify(state, query, options, prepared, out);
@@ -94,10 +94,10 @@ template <class R, class S, int D>
   Result<R, D> out;
   out.error = state.error;
   out.stop = state.stop;
-  if (state.error != Error::none || state.best.count == 0) return out;
+  if (state.error != Error::none || state.evidence.best.count == 0) return out;
   out.verdict = Verdict::undecided;
   out.iterations = state.iteration;
-  out.simplex.take(state.best);
+  out.simplex.take(state.evidence.best);
   if constexpr (ScalarTraits<R>::kExact) {
     detail::set_exact_answer(state, query, prepared, out);
   } else {
@@ -118,12 +118,12 @@ template <class R, int D>
 [[nodiscard]] Bounds<typename ScalarTraits<R>::Real> bounds_so_far(const State<R, D>& state,
                                                                    const Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
-  // After closest, P is known, but only cull makes its simplex the best.
+  // After closest, P is known, but only drop makes its simplex the best.
   const bool found_nearer = state.previous == Phase::closest && came_nearer(state);
-  const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.best;
-  const R& nearest_sq = found_nearer ? state.p_sq : state.best_sq;
+  const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.evidence.best;
+  const R& nearest_sq = found_nearer ? state.p_sq : state.evidence.best_sq;
   if constexpr (Traits::kExact) {
-    return {Traits::root_below(state.plane_distance_sq), Traits::root(nearest_sq),
+    return {Traits::root_below(state.evidence.plane_distance_sq), Traits::root(nearest_sq),
             Traits::root_above(nearest_sq)};
   } else {
     const bool full = found_nearer ? state.region == (1 << (D + 1)) - 1 : nearest.count == D + 1;

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "gjk/linear.hpp"
+#include "gjk/vector.hpp"
 
 namespace gjk {
 

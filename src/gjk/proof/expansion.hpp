@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "gjk/error_free.hpp"
+#include "gjk/proof/error_free.hpp"
 
 namespace gjk {
 
@@ -25,6 +25,7 @@ class Expansion {
     if (value != 0.0) components_.push_back(value);
   }
 
+  explicit operator double() const { return estimate(); }
   /// The nearest number of R, or a neighbour of it.
   template <class R = double>
   [[nodiscard]] R estimate() const {

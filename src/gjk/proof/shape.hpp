@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "gjk/linear.hpp"
-#include "gjk/measures.hpp"
+#include "gjk/proof/measures.hpp"
+#include "gjk/vector.hpp"
 
 namespace gjk {
 

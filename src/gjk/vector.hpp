@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "gjk/scalar.hpp"
+#include "gjk/proof/scalar.hpp"
 
 namespace gjk {
 
@@ -103,20 +103,6 @@ template <class S, int D>
 template <class S, int D>
 [[nodiscard]] auto length(const Vec<S, D>& a) {
   return ScalarTraits<S>::root(dot(a, a));
-}
-
-/// The length of a vector whose squares may overflow or underflow.
-template <class S, int D>
-[[nodiscard]] S careful_length(const Vec<S, D>& a) {
-  const S square = dot(a, a);
-  if (ScalarTraits<S>::is_in_range(square)) [[likely]]
-    return ScalarTraits<S>::root(square);
-  const S size = norm_max(a);
-  if (size == S(0)) return size;
-  const int exponent = ScalarTraits<S>::exponent(size);
-  Vec<S, D> in_unit;
-  for (int i = 0; i < D; ++i) in_unit[i] = ScalarTraits<S>::scaled(a[i], -exponent);
-  return ScalarTraits<S>::scaled(length(in_unit), exponent);
 }
 
 template <class S, int D>

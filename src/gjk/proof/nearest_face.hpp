@@ -1,0 +1,50 @@
+#pragma once
+// The face that holds P when rounding makes the region tests unbelievable.
+
+#include <span>
+
+#include "gjk/simplex.hpp"
+
+namespace gjk {
+
+/// Of the vertices and all faces that O projects into, the one with the point nearest to O.
+/// `of_face`: the coordinates of O in every face.
+template <class R, int D>
+[[nodiscard, gnu::noinline]] Face nearest_face(const Simplex<R, D>& simplex,
+                                               std::span<const Barycentric<R, D>> of_face) {
+  Face best = 0;
+  R best_sq(0);
+  for (Face face = 1; face <= simplex.all(); ++face) {
+    const FaceVertices& in_face = vertices_of(face);
+    const bool projects_into = std::all_of(
+        in_face.begin(), in_face.end(), [&](int i) { return R(0) < of_face[face].numerator[i]; });
+    if (!projects_into) continue;
+    std::array<R, D + 1> weights{};
+    set_weights(weights, face, of_face[face]);
+    const Vec<R, D> point = weighted_point(simplex, face, weights);
+    const R point_sq = dot(point, point);
+    if (best == 0 || point_sq < best_sq) {
+      best = face;
+      best_sq = point_sq;
+    }
+  }
+  return best;
+}
+
+/// True when the weights of a full simplex put P at O up to rounding. When false, the simplex is so
+/// thin that its volumes, and their signs, may be rounding errors.
+template <class R, int D>
+[[nodiscard]] bool weights_reach_origin(const Simplex<R, D>& simplex,
+                                        const Barycentric<R, D>& coordinates) {
+  if constexpr (ScalarTraits<R>::kExact) {
+    return true;
+  } else {
+    std::array<R, D + 1> weights{};
+    set_weights(weights, simplex.all(), coordinates);
+    const R rounding =
+        R(4 * D + 4) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
+    return !(rounding < norm_max(weighted_point(simplex, simplex.all(), weights)));
+  }
+}
+
+}  // namespace gjk
