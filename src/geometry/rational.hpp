@@ -46,7 +46,6 @@ class Rational {
   [[nodiscard]] std::pair<Integer, Integer> fraction() const;
   friend std::string to_string(const Rational& value);
   friend double to_double(const Rational& value);
-  explicit operator double() const { return to_double(*this); }
 
  private:
   Rational(Integer numerator, Integer denominator, long exponent);

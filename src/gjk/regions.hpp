@@ -62,13 +62,11 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
 /// The coordinates of O in every face of a simplex of kCount vertices.
 template <class R, int D, int kCount>
 struct Coordinates {
-  std::array<Barycentric<R, D>, (1 << kCount)> of_face;
+  static constexpr Face kAll = (1 << kCount) - 1;
+  std::array<Barycentric<R, D>, kAll + 1> of_face;
 
-  explicit Coordinates(const Simplex<R, D>& simplex) {
-    of_face[0] = {};
-    for (int face = 1; face < static_cast<int>(of_face.size()); ++face)
-      of_face[face] = barycentric(simplex, static_cast<Face>(face));
-  }
+  explicit Coordinates(const Simplex<R, D>& simplex)
+      : Coordinates(simplex, std::make_integer_sequence<Face, kAll>()) {}
 
   /// Coordinate i in F + {i} for a region F: in F itself when i is one of its vertices.
   [[nodiscard]] const R& numerator(Face region, int i) const {
@@ -81,6 +79,11 @@ struct Coordinates {
     }
     return true;
   }
+
+ private:
+  template <Face... before>
+  Coordinates(const Simplex<R, D>& simplex, std::integer_sequence<Face, before...>)
+      : of_face{Barycentric<R, D>{}, barycentric(simplex, static_cast<Face>(before + 1))...} {}
 };
 
 /// The record of one region's test: what must be positive, then what must not.
@@ -146,38 +149,70 @@ void take_region(State<R, D>& state, Face face, const Barycentric<R, D>& coordin
 
 /// Takes the first region whose condition holds. If none does, or if only rounding may put O inside
 /// a full simplex, takes `nearest_face`; RegionOrder::unchecked takes the whole simplex instead.
+template <int kCount, RegionOrder order, class R, int D, class Rec>
+void find_region(State<R, D>& state, DirectionRule rule, Rec& record) {
+  static constexpr FaceList kFaces = tested_faces(kCount, order);
+  const Coordinates<R, D, kCount> coordinates(state.simplex);
+  Face found = 0;
+  Barycentric<R, D> of_found{};
+  const auto test = [&](Face face) {
+    if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
+    if (!coordinates.holds(face)) return false;
+    found = face;
+    of_found = coordinates.of_face[face];
+    return true;
+  };
+  // One by one and not in a loop, so that compilers see which coordinates each test asks for.
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    static_cast<void>((test(kFaces.faces[i]) || ...));
+  }
+  (std::make_index_sequence<kFaces.count>());
+  constexpr bool kChecked = order != RegionOrder::unchecked;
+  if (kChecked && kCount == D + 1 && found == state.simplex.all() &&
+      !weights_reach_origin(state.simplex, of_found)) {
+    found = 0;
+  }
+  if (found == 0) [[unlikely]] {
+    found = kChecked ? nearest_face(state.simplex) : state.simplex.all();
+    of_found = barycentric(state.simplex, found);
+    if constexpr (Rec::kOn) {
+      record.no_region_held = kChecked && vertex_count(found) != D + 1;
+    }
+  }
+  take_region(state, found, of_found, rule);
+}
+
+/// The two other orders; out of line, so that the usual one is short.
+template <int kCount, class R, int D, class Rec>
+[[gnu::noinline]] void find_region_otherwise(State<R, D>& state, const Options& options,
+                                             Rec& record) {
+  if (options.region_order == RegionOrder::edges_first)
+    find_region<kCount, RegionOrder::edges_first>(state, options.direction_rule, record);
+  else
+    find_region<kCount, RegionOrder::unchecked>(state, options.direction_rule, record);
+}
 template <int kCount, class R, int D, class Rec>
 void find_region(State<R, D>& state, const Options& options, Rec& record) {
-  static constexpr FaceList kOrders[] = {tested_faces(kCount, RegionOrder::vertices_first),
-                                         tested_faces(kCount, RegionOrder::edges_first)};
-  const Coordinates<R, D, kCount> coordinates(state.simplex);
-  const bool checked = options.region_order != RegionOrder::unchecked;
-  Face found = 0;
-  for (const Face face : kOrders[options.region_order == RegionOrder::edges_first ? 1 : 0]) {
-    if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
-    if (!coordinates.holds(face)) continue;
-    const bool doubtful = checked && vertex_count(face) == D + 1;
-    if (!doubtful || weights_reach_origin(state.simplex, coordinates.of_face[face])) {
-      found = face;
-    }
-    break;
-  }
-  if (found == 0) {
-    found = checked ? nearest_face<R, D>(state.simplex, coordinates.of_face) : state.simplex.all();
-    if constexpr (Rec::kOn) {
-      record.no_region_held = checked && vertex_count(found) != D + 1;
-    }
-  }
-  take_region(state, found, coordinates.of_face[found], options.direction_rule);
+  if (options.region_order == RegionOrder::vertices_first) [[likely]]
+    find_region<kCount, RegionOrder::vertices_first>(state, options.direction_rule, record);
+  else
+    find_region_otherwise<kCount>(state, options, record);
 }
 
 template <class R, int D, class Rec>
 void find_closest_point(State<R, D>& state, const Options& options, Rec& record) {
-  if (state.simplex.count == 1) find_region<1>(state, options, record);
-  if (state.simplex.count == 2) find_region<2>(state, options, record);
-  if (state.simplex.count == 3) find_region<3>(state, options, record);
-  if constexpr (D > 2) {
-    if (state.simplex.count == 4) find_region<4>(state, options, record);
+  switch (state.simplex.count) {
+    case 1:
+      find_region<1>(state, options, record);
+      break;
+    case 2:
+      find_region<2>(state, options, record);
+      break;
+    case 3:
+      find_region<3>(state, options, record);
+      break;
+    default:
+      if constexpr (D == 3) find_region<4>(state, options, record);
   }
   state.previous = Phase::closest;
   state.phase = Phase::drop;

@@ -25,7 +25,6 @@ class Expansion {
     if (value != 0.0) components_.push_back(value);
   }
 
-  explicit operator double() const { return estimate(); }
   /// The nearest number of R, or a neighbour of it.
   template <class R = double>
   [[nodiscard]] R estimate() const {

@@ -1,26 +1,25 @@
 #pragma once
 // The face that holds P when rounding makes the region tests unbelievable.
 
-#include <span>
+#include <algorithm>
 
 #include "gjk/simplex.hpp"
 
 namespace gjk {
 
-/// Of the vertices and all faces that O projects into, the one with the point nearest to O.
-/// `of_face`: the coordinates of O in every face.
+/// The face with the point nearest to O, among the vertices and all faces that O projects into.
 template <class R, int D>
-[[nodiscard, gnu::noinline]] Face nearest_face(const Simplex<R, D>& simplex,
-                                               std::span<const Barycentric<R, D>> of_face) {
+[[nodiscard, gnu::noinline]] Face nearest_face(const Simplex<R, D>& simplex) {
   Face best = 0;
   R best_sq(0);
   for (Face face = 1; face <= simplex.all(); ++face) {
     const FaceVertices& in_face = vertices_of(face);
-    const bool projects_into = std::all_of(
-        in_face.begin(), in_face.end(), [&](int i) { return R(0) < of_face[face].numerator[i]; });
+    const Barycentric<R, D> coordinates = barycentric(simplex, face);
+    const bool projects_into = std::all_of(in_face.begin(), in_face.end(),
+                                           [&](int i) { return R(0) < coordinates.numerator[i]; });
     if (!projects_into) continue;
     std::array<R, D + 1> weights{};
-    set_weights(weights, face, of_face[face]);
+    set_weights(weights, face, coordinates);
     const Vec<R, D> point = weighted_point(simplex, face, weights);
     const R point_sq = dot(point, point);
     if (best == 0 || point_sq < best_sq) {
