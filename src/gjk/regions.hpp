@@ -218,14 +218,6 @@ void find_closest_point(State<R, D>& state, const Options& options, Rec& record)
   state.phase = Phase::drop;
 }
 
-/// True when P is nearer to O than ever before. In exact arithmetic it always is, until P = O.
-template <class R, int D>
-[[nodiscard]] bool came_nearer(const State<R, D>& state) {
-  if (state.evidence.best.count == 0) return true;
-  if constexpr (ScalarTraits<R>::kExact) return R(0) < state.evidence.best_sq;
-  return state.p_sq < state.evidence.best_sq;
-}
-
 template <class R, int D, class Rec>
 void drop(State<R, D>& state, const Options& options, Rec& record) {
   Simplex<R, D>& simplex = state.simplex;
@@ -243,7 +235,7 @@ void drop(State<R, D>& state, const Options& options, Rec& record) {
   simplex.count = kept;
   state.region = simplex.all();
 
-  const bool nearer = came_nearer(state);
+  const bool nearer = state.evidence.is_nearer(state.p_sq);
   if (nearer) {
     state.evidence.best.take(simplex);
     state.evidence.best_sq = state.p_sq;

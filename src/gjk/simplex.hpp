@@ -19,9 +19,6 @@ struct SupportPoint {
 using Face = std::uint8_t;
 
 [[nodiscard]] constexpr bool contains(Face face, int vertex) { return ((face >> vertex) & 1) != 0; }
-[[nodiscard]] constexpr int vertex_count(Face face) {
-  return (face & 1) + ((face >> 1) & 1) + ((face >> 2) & 1) + ((face >> 3) & 1);
-}
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
 /// The indices of a face's vertices, ascending.
@@ -45,6 +42,7 @@ inline constexpr auto kFaceVertices = [] {
 [[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) {
   return detail::kFaceVertices[face];
 }
+[[nodiscard]] constexpr int vertex_count(Face face) { return vertices_of(face).count; }
 
 template <class R, int D>
 struct Simplex {
@@ -188,14 +186,6 @@ void set_weights(std::array<R, D + 1>& weights, Face face, const Barycentric<R, 
     for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
   for (const int i : in_face) weights[i] = coordinates.numerator[i] / divisor;
-}
-
-/// The largest magnitude of a coordinate of the simplex.
-template <class R, int D>
-[[nodiscard]] R largest_coordinate(const Simplex<R, D>& simplex) {
-  R size(0);
-  for (int i = 0; i < simplex.count; ++i) size = larger(size, norm_max(simplex.vertices[i].w));
-  return size;
 }
 
 /// The sum of the vertices of `face`, each times its weight.

@@ -1,7 +1,7 @@
 #pragma once
 // The state of a run between two phases: a plain value, so that a trace can keep every one.
 
-#include "gjk/simplex.hpp"
+#include "gjk/proof/evidence.hpp"
 
 namespace gjk {
 
@@ -29,20 +29,7 @@ enum class StopReason : std::uint8_t {
   failed,            ///< The query was refused; see Error.
 };
 
-/// What a walk leaves behind that bounds the distance: a point of Z from above, a plane from below.
-template <class R, int D>
-struct Evidence {
-  Simplex<R, D> best;  ///< The simplex, after drop, whose P came nearest to O so far.
-  R best_sq = R(0);    ///< The p_sq of `best`; meaningful once `best.count` > 0.
-
-  /// Squared distance from O of the farthest support plane so far that separates O from Z, rounding
-  /// not subtracted; 0 when no plane has separated them yet.
-  R plane_distance_sq = R(0);
-  R plane_reach_sq = R(0);     ///< |w|^2 of that plane's support point, to bound its rounding.
-  bool touches_plane = false;  ///< Some support plane has passed through O: dot(d, w) was 0.
-};
-
-/// Where a walk is. Lengths are in the run's unit, 2^Prepared::exponent: 1 for all but extreme
+/// Where a walk is. Lengths are in the run's unit, 2^Frames::exponent: 1 for all but extreme
 /// coordinates.
 template <class R, int D>
 struct State {

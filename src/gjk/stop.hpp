@@ -5,26 +5,6 @@
 
 namespace gjk {
 
-/// The least plane_distance_sq that certifies the tolerance when rounding is subtracted. If the
-/// plane fails even without that, an unrecorded run gets the cheaper value without rounding.
-template <class R, int D>
-[[nodiscard]] R wanted_plane_distance_sq(const State<R, D>& state, const Options& options,
-                                         const Prepared<R, D>& prepared, bool recorded) {
-  const R keep = ScalarTraits<R>::from(1.0 - options.tolerance);
-  R without_rounding = keep * keep * state.evidence.best_sq;
-  if constexpr (!ScalarTraits<R>::kExact) {
-    if (recorded || !(state.evidence.plane_distance_sq < without_rounding)) {
-      const R upper =
-          ScalarTraits<R>::root_above(state.evidence.best_sq) + prepared.simplex_error();
-      const R error = prepared.plane_error(ScalarTraits<R>::root(state.evidence.plane_distance_sq),
-                                           ScalarTraits<R>::root(state.evidence.plane_reach_sq));
-      const R wanted = keep * upper + error;
-      return wanted * wanted;
-    }
-  }
-  return without_rounding;
-}
-
 /// Runs the stop tests in order; the first that holds names the reason. Each compares two values:
 ///
 ///   reason            left                                     right                 holds if
@@ -72,9 +52,8 @@ void run_stop_tests(State<R, D>& state, const Options& options, const Prepared<R
   test(StopReason::no_progress, has_support && options.stop_on_no_progress,
        !(reach < state.support_value), state.support_value, reach);
   const bool has_tolerance = has_support && 0.0 < options.tolerance;
-  const bool asks_tolerance = has_tolerance && state.stop == StopReason::running;
-  const R wanted = asks_tolerance || Rec::kOn
-                       ? wanted_plane_distance_sq(state, options, prepared, Rec::kOn)
+  const R wanted = has_tolerance || Rec::kOn
+                       ? wanted_plane_distance_sq<R, D>(state.evidence, options.tolerance, prepared)
                        : R(0);
   test(StopReason::within_tolerance, has_tolerance, !(state.evidence.plane_distance_sq < wanted),
        wanted, state.evidence.plane_distance_sq);

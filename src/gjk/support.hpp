@@ -11,44 +11,44 @@ namespace gjk {
 
 /// Vertex i relative to its shape's centre, in world axes and the run's unit.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Prepared<R, D>& prepared,
+[[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Frames<R, D>& frames,
                                       const Body<R, D>& body, int i) {
   if (body.placed_count > 0) return body.placed[i];
-  return shape.pose.template rotated<R>(detail::from_centre(shape, prepared, body, i));
+  return shape.pose.template rotated<R>(detail::from_centre(shape, frames, body, i));
 }
 
 /// w = (Ry y + ty) - (Rx x + tx), in the run's unit, for rotations R and translations t. A
 /// translation common to both shapes cancels before anything rounds.
 template <class R, class S, int D>
-[[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query,
-                                               const Prepared<R, D>& prepared, VertexPair pair) {
-  if (prepared.same_frame) {
+[[nodiscard]] SupportPoint<R, D> support_point(const Query<S, D>& query, const Frames<R, D>& frames,
+                                               VertexPair pair) {
+  if (frames.same_frame) {
     const auto& x = converted<R, S, D>(query.x.vertices()[pair.x]);
     const auto& y = converted<R, S, D>(query.y.vertices()[pair.y]);
-    return {prepared.in_unit(y) - prepared.in_unit(x), pair};
+    return {frames.in_unit(y) - frames.in_unit(x), pair};
   }
-  const Vec<R, D> x = turned_vertex(query.x, prepared, prepared.x, pair.x);
-  const Vec<R, D> y = turned_vertex(query.y, prepared, prepared.y, pair.y);
-  return {Vec<R, D>(y - x) + prepared.offset, pair};
+  const Vec<R, D> x = turned_vertex(query.x, frames, frames.x, pair.x);
+  const Vec<R, D> y = turned_vertex(query.y, frames, frames.y, pair.y);
+  return {Vec<R, D>(y - x) + frames.offset, pair};
 }
 
 /// dot(d, vertex i - centre) of a shape's vertices, for a direction d in world axes.
 template <class R, class S, int D>
 struct Along {
   const Shape<S, D>& shape;
-  const Prepared<R, D>& prepared;
+  const Frames<R, D>& frames;
   const Body<R, D>& body;
   Vec<R, D> d;  ///< In the axes in which the vertices are read.
 
-  Along(const Vec<R, D>& in_world, const Shape<S, D>& of, const Prepared<R, D>& in,
+  Along(const Vec<R, D>& in_world, const Shape<S, D>& of, const Frames<R, D>& in,
         const Body<R, D>& seen_as)
-      : shape(of), prepared(in), body(seen_as), d(in_world) {
+      : shape(of), frames(in), body(seen_as), d(in_world) {
     if (body.placed_count == 0) d = shape.pose.template direction_to_local<R>(in_world);
   }
   [[nodiscard]] int count() const { return static_cast<int>(shape.vertices().size()); }
   [[nodiscard]] R operator()(int i) const {
     if (body.placed_count > 0) return dot(d, body.placed[i]);
-    return dot(d, detail::from_centre(shape, prepared, body, i));
+    return dot(d, detail::from_centre(shape, frames, body, i));
   }
   /// The error of a difference of two values, for `climb`.
   [[nodiscard]] R rounding() const {
@@ -65,8 +65,8 @@ struct Along {
 /// mispredict the branch.
 template <class R, class S, int D>
 [[nodiscard]] int farthest_vertex(const Vec<R, D>& d, const Shape<S, D>& shape,
-                                  const Prepared<R, D>& prepared, const Body<R, D>& body) {
-  const Along<R, S, D> along(d, shape, prepared, body);
+                                  const Frames<R, D>& frames, const Body<R, D>& body) {
+  const Along<R, S, D> along(d, shape, frames, body);
   const int count = along.count();
   if (body.is_ring) [[unlikely]]
     return detail::climb(count, along, along.rounding());
@@ -83,20 +83,20 @@ template <class R, class S, int D>
 /// The pair that makes Z's support point: support(Z, d) = support(Y, d) - support(X, -d) (Catto
 /// 2010, slide "Property 2: support points").
 template <class R, class S, int D>
-[[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Prepared<R, D>& prepared,
+[[nodiscard]] VertexPair farthest_pair(const Query<S, D>& query, const Frames<R, D>& frames,
                                        const Vec<R, D>& d) {
-  return {farthest_vertex(Vec<R, D>(-d), query.x, prepared, prepared.x),
-          farthest_vertex(d, query.y, prepared, prepared.y)};
+  return {farthest_vertex(Vec<R, D>(-d), query.x, frames, frames.x),
+          farthest_vertex(d, query.y, frames, frames.y)};
 }
 
 /// The record of `farthest_vertex`: the vertices that it looks at, in its order.
 template <class R, class S, int D>
 [[nodiscard]] std::vector<ScanEntry<R>> scan_entries(const Vec<R, D>& d, const Shape<S, D>& shape,
-                                                     const Prepared<R, D>& prepared,
+                                                     const Frames<R, D>& frames,
                                                      const Body<R, D>& body) {
   std::vector<ScanEntry<R>> entries;
-  const R at_centre = dot(d, shape.pose.template rotated<R>(prepared.in_unit(body.centre)));
-  const Along<R, S, D> along(d, shape, prepared, body);
+  const R at_centre = dot(d, shape.pose.template rotated<R>(frames.in_unit(body.centre)));
+  const Along<R, S, D> along(d, shape, frames, body);
   detail::Farthest<R> farthest;
   const auto look_at = [&](int i) {
     R value = along(i);
@@ -111,29 +111,16 @@ template <class R, class S, int D>
   return entries;
 }
 
-/// Notes the plane through the support point w with normal d. All of Z lies beyond it, so
-/// -dot(d, w) / |d| is a lower bound of the distance (Larsen 1998, "Proof of Local Verification").
-template <class R, int D>
-void note_support_plane(State<R, D>& state) {
-  const R d_sq = dot(state.d, state.d);
-  if (!(state.support_value < R(0)) || !(R(0) < d_sq)) return;
-  const R distance_sq = state.support_value * R(state.support_value / d_sq);
-  if (!(state.evidence.plane_distance_sq < distance_sq)) return;
-  state.evidence.plane_distance_sq = distance_sq;
-  state.evidence.plane_reach_sq = dot(state.support.w, state.support.w);
-}
-
 template <class R, class S, int D, class Rec>
-void find_support(State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
+void find_support(State<R, D>& state, const Query<S, D>& query, const Frames<R, D>& frames,
                   Rec& record) {
   if constexpr (Rec::kOn) {
-    record.scan_x = scan_entries(Vec<R, D>(-state.d), query.x, prepared, prepared.x);
-    record.scan_y = scan_entries(state.d, query.y, prepared, prepared.y);
+    record.scan_x = scan_entries(Vec<R, D>(-state.d), query.x, frames, frames.x);
+    record.scan_y = scan_entries(state.d, query.y, frames, frames.y);
   }
-  state.support = support_point(query, prepared, farthest_pair(query, prepared, state.d));
+  state.support = support_point(query, frames, farthest_pair(query, frames, state.d));
   state.support_value = dot(state.d, state.support.w);
-  note_support_plane(state);
-  if (state.support_value == R(0)) state.evidence.touches_plane = true;
+  state.evidence.note_plane(state.d, state.support.w, state.support_value);
   state.previous = Phase::support;
   state.phase = Phase::stop;
 }

@@ -13,18 +13,6 @@ namespace gjk {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
-/// The vector in scalar R; a reference to it where R is its own scalar.
-template <class R, class S, int D>
-[[nodiscard]] decltype(auto) converted(const Vec<S, D>& a) {
-  if constexpr (std::is_same_v<R, S>) {
-    return (a);
-  } else {
-    Vec<R, D> out;
-    for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::from(a[i]);
-    return out;
-  }
-}
-
 template <class S, int D>
 [[nodiscard]] S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
   S sum = a[0] * b[0];
@@ -93,13 +81,6 @@ template <class S, int D>
   for (int i = 0; i < D; ++i) sum = sum + magnitude(S(a[i]));
   return sum;
 }
-/// Largest magnitude of a coordinate.
-template <class S, int D>
-[[nodiscard]] S norm_max(const Vec<S, D>& a) {
-  S largest(0);
-  for (int i = 0; i < D; ++i) largest = larger(largest, magnitude(S(a[i])));
-  return largest;
-}
 template <class S, int D>
 [[nodiscard]] auto length(const Vec<S, D>& a) {
   return ScalarTraits<S>::root(dot(a, a));
@@ -112,12 +93,4 @@ template <class S, int D>
   }
   return true;
 }
-template <class S, int D>
-[[nodiscard]] bool is_finite(const Vec<S, D>& a) {
-  for (int i = 0; i < D; ++i) {
-    if (!ScalarTraits<S>::is_finite(a[i])) return false;
-  }
-  return true;
-}
-
 }  // namespace gjk

@@ -1,7 +1,7 @@
 #pragma once
 // How a configuration answers the pairs of a family.
 
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 #include "study/configuration.hpp"
 #include "study/family.hpp"
 #include "study/interleave.hpp"

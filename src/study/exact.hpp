@@ -2,7 +2,7 @@
 // The exact run, compiled once: it takes the compiler its time.
 
 #include "geometry/rational.hpp"
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 
 namespace gjkscope::study {
 

@@ -40,9 +40,6 @@ class Fraction {
   friend auto operator<=>(const Fraction& a, const Fraction& b) {
     return a.numerator_ * b.denominator_ <=> b.numerator_ * a.denominator_;
   }
-  explicit operator double() const {
-    return static_cast<double>(numerator_) / static_cast<double>(denominator_);
-  }
 
  private:
   std::int64_t numerator_;

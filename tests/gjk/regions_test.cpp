@@ -331,9 +331,7 @@ TEST(believed, "weights of a full simplex are believed when P comes within 12 u 
 
 TEST(nearest, "the nearest face is the first of those whose P is nearest") {
   const auto nearest = [](const std::vector<Vec<double, 2>>& points) {
-    const auto simplex = state_of<double, 2>(points).simplex;
-    const gjk::Coordinates<double, 2, 3> coordinates(simplex);
-    return static_cast<int>(gjk::nearest_face<double, 2>(simplex, coordinates.of_face));
+    return static_cast<int>(gjk::nearest_face(state_of<double, 2>(points).simplex));
   };
   CHECK_EQ(0b001, nearest({{1, 1}, {1, 1}, {3, 4}}));
   CHECK_EQ(0b010, nearest({{3, 4}, {1, 1}, {1, 1}}));

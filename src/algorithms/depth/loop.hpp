@@ -16,7 +16,7 @@
 // A step costs what a support point does, and O(log n) for the heap of n edges.
 
 #include "algorithms/depth/state.hpp"
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 
 namespace depth {
 namespace detail {

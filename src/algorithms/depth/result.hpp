@@ -2,7 +2,7 @@
 // The answer: how far X must move, and where the shapes touch then.
 
 #include "algorithms/depth/state.hpp"
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 
 namespace depth {
 

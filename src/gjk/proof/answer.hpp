@@ -24,7 +24,8 @@ template <class R, class S, int D>
     if (surely_inside(state.evidence.best, prepared)) {
       out.verdict = Verdict::overlapping;
     } else {
-      bounds.upper = prepared.simplex_error();
+      bounds.upper =
+          larger(prepared.simplex_error(), weights_bound<R, D>(state.evidence.best, prepared));
     }
   } else {
     const bool by_itself = ended && state.stop != StopReason::within_tolerance;
@@ -119,7 +120,8 @@ template <class R, int D>
                                                                    const Prepared<R, D>& prepared) {
   using Traits = ScalarTraits<R>;
   // After closest, P is known, but only drop makes its simplex the best.
-  const bool found_nearer = state.previous == Phase::closest && came_nearer(state);
+  const bool found_nearer =
+      state.previous == Phase::closest && state.evidence.is_nearer(state.p_sq);
   const Simplex<R, D>& nearest = found_nearer ? state.simplex : state.evidence.best;
   const R& nearest_sq = found_nearer ? state.p_sq : state.evidence.best_sq;
   if constexpr (Traits::kExact) {
@@ -129,8 +131,10 @@ template <class R, int D>
     const bool full = found_nearer ? state.region == (1 << (D + 1)) - 1 : nearest.count == D + 1;
     const R distance = Traits::root(nearest_sq);
     if (full && surely_inside(nearest, prepared)) return {R(0), distance, R(0)};
-    return {plane_bound(state, prepared), distance,
-            Traits::root_above(nearest_sq) + prepared.simplex_error()};
+    // Far from a short edge |P|^2, made of a cross product, rounds by more than simplex_error.
+    const R upper = larger(R(Traits::root_above(nearest_sq) + prepared.simplex_error()),
+                           weights_bound<R, D>(nearest, prepared));
+    return {plane_bound<R, D>(state.evidence, prepared), distance, upper};
   }
 }
 

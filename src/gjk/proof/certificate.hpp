@@ -15,25 +15,20 @@ struct Bounds {
   R upper = R(0);
 };
 
-/// Rounding has misled a run whose bounds are wider than this, in u times the distance from O to
-/// some vertex of Z. Just below the 16 that tests/truth demands.
-inline constexpr double kAllowedWidth = 15.5;
+/// Bounds are promised to be no farther apart than this, in u times the distance from O to the
+/// farthest vertex of Z. A run whose bounds are wider has been misled by rounding.
+inline constexpr double kPromisedWidth = 16.0;
+/// A 32nd less is demanded, since the width itself and that distance are rounded.
+inline constexpr double kAllowedWidth = kPromisedWidth * 31.0 / 32.0;
 
-/// The lower bound of the distance that the best support plane proves.
-template <class R, int D>
-[[nodiscard]] R plane_bound(const State<R, D>& state, const Prepared<R, D>& prepared) {
-  const R distance = ScalarTraits<R>::root(state.evidence.plane_distance_sq);
-  const R reach = ScalarTraits<R>::root(state.evidence.plane_reach_sq);
-  return larger(R(distance - prepared.plane_error(distance, reach)), R(0));
-}
-
-/// A bound of the error of a determinant of D vertices with no coordinate larger than `size`: when
-/// no vertex is longer than r, and each errs by at most e + u r, r^(D-1) (D e + 8 D D! u r).
+/// A bound of the error of a determinant of D vertices of Z with no coordinate larger than `size`.
+/// They are no longer than r = sqrt(D) size and err by e = vertex_error + u r each, which the other
+/// vertices multiply: D e r^(D-1). The determinant rounds by 2 u r^2, or 5.8 u r^3 in space (see
+/// rounding.hpp). Together r^(D-1) (D vertex_error + c u r), c = 4 in the plane, 8.8 in space.
 template <class R, int D>
 [[nodiscard]] R volume_error(const R& size, const Prepared<R, D>& prepared) {
-  const R r = ScalarTraits<R>::from(D == 2 ? 1.5 : 1.8) * size;
-  R error =
-      R(D) * prepared.vertex_error + R(D == 2 ? 32 : 144) * ScalarTraits<R>::unit_roundoff() * r;
+  const R r = ScalarTraits<R>::from(D == 2 ? 1.42 : 1.74) * size;
+  R error = R(D) * prepared.vertex_error + R(D == 2 ? 4 : 9) * ScalarTraits<R>::unit_roundoff() * r;
   for (int i = 1; i < D; ++i) error = error * r;
   return error;
 }
@@ -47,6 +42,23 @@ template <class R, int D>
     if (!(error < coordinates.numerator[i])) return false;
   }
   return true;
+}
+
+/// An upper bound of the distance from weights that are not negative, however they came about: that
+/// of the point of Z whose weights are these, divided by their sum. The sum P of weighted vertices
+/// errs by D + 1 roundings of the farthest vertex, that vertex by its own error and 1, the sum of
+/// the weights by D, and the quotient and the bound by 2 and kLengthRoundings.
+template <class R, int D>
+[[nodiscard]] R weights_bound(const Simplex<R, D>& simplex, const Rounding<R, D>& rounding) {
+  R sum(0);
+  R farthest_sq(0);
+  for (int i = 0; i < simplex.count; ++i) {
+    sum = sum + simplex.weights[i];
+    farthest_sq = larger(farthest_sq, dot(simplex.vertices[i].w, simplex.vertices[i].w));
+  }
+  const R u = ScalarTraits<R>::unit_roundoff();
+  const R p = length(weighted_point(simplex, simplex.all(), simplex.weights)) / sum;
+  return p + rounding.vertex_error + R(4 * D + 4) * u * ScalarTraits<R>::root(farthest_sq);
 }
 
 /// The vertices of one shape in the pairs of a simplex, each once.
@@ -80,24 +92,37 @@ template <class R, class S, int D>
   return as_far == corners.count;
 }
 
-/// A distance below reach / kNear is mostly rounding: it is computed anew with about twice the
-/// digits, and its face is checked (is_certainly_farthest).
+// Which lengths are measured anew. These limits bound nothing: they choose between a quick bound
+// and a close one, and either holds.
+
+/// A distance below reach / kNear has lost 12 digits of 53 to the rounding of vertices: it is
+/// computed anew with about twice the digits, and its face is checked (is_certainly_farthest).
 inline constexpr int kNear = 4096;
-/// A distance below reach / kQuiteNear is computed anew, too, where that helps: in one frame,
-/// where vertices round so little, and in space, where turned vertices round more often.
+/// A distance below reach / kQuiteNear has lost 4. It is computed anew, too, where that helps: in
+/// one frame, where vertices round once, and in space, where turned vertices round more often.
 inline constexpr int kQuiteNear = 16;
-/// So is a distance above reach / kFarFromEdge from an edge or triangle: it rounds up to six times.
+/// A distance to an edge or triangle above reach / kFarFromEdge has more roundings of its own
+/// (kLengthRoundings and kEdgeRoundings) than of vertices: it is computed anew, too.
 inline constexpr int kFarFromEdge = 2;
-/// In space rounding may end a run on a face beside the nearest one. So where the distance is below
+/// In space rounding may end a run on a face beside the nearest one. Where the distance is below
 /// reach / kCloseInSpace, bounds must be half as wide, or the face is checked.
 inline constexpr int kCloseInSpace = 4;
 /// The run's own weights put P visibly beside its place in a triangle kThin times as long as high.
 inline constexpr int kThin = 4;
-/// How often a distance in the run's own digits rounds at worst: from a vertex; and what an edge or
-/// triangle adds, whose edges round, as do their products with each other and the nearest vertex.
-inline constexpr int kRoundings = 4;
+
+/// Roundings of the distance to an edge or triangle, in u times the distance a of its nearest
+/// vertex, times longest / height, beside kLengthRoundings.
+///   edge in the plane     |dot(n, a)| / |n|, n = B - A: n rounds once, the dot product twice: 3.
+///   edge in space         |cross(n, a)| / |n|: n 1, two products and a difference 2, both times
+///                         1.155 as products of magnitudes; the longer length and quotient 3: 6.5.
+///   triangle in space     n = cross of two edges: (2 + 2) times 1.155; the dot product 3: 7.7.
 template <int D>
 inline constexpr int kEdgeRoundings = D == 2 ? 3 : 8;
+/// Roundings of a weight times the height over its side, in u times the distance of the farthest
+/// vertex, times longest / height: of the edge 1, of its dot product D; in a triangle of the normal
+/// 4.7, of a cross product 3.5, of their dot product 3.
+template <int D>
+inline constexpr int kWeightRoundings = D == 2 ? 4 : 12;
 
 /// Proves bounds for a run whose last simplex does not hold O inside: P lies on a face.
 ///
@@ -111,7 +136,7 @@ class OutsideBounds {
   OutsideBounds(const State<R, D>& state, const Query<S, D>& query, const Prepared<R, D>& prepared,
                 Simplex<R, D>& face)
       : query_(query), prepared_(prepared), face_(face) {
-    lower_ = plane_bound(state, prepared_);
+    lower_ = plane_bound<R, D>(state.evidence, prepared_);
     R most_sq(0);
     R least_sq(0);
     for (int i = 0; i < face_.count; ++i) {
@@ -148,13 +173,14 @@ class OutsideBounds {
   /// Computes distance, error and upper bound in the run's own digits.
   void measure() {
     foot_ = foot_of<R>(face_, nearest_);
-    error_ = prepared_.vertex_error + R(kRoundings) * u_ * foot_.distance;
+    error_ = prepared_.vertex_error + length_rounding(foot_.distance);
     if (face_.count > 1) {
       const R of_vertices = vertex_error();
       const R flatness = foot_.longest / foot_.height;
       error_ = error_ + u_ * (size_ + R(kEdgeRoundings<D>) * to_nearest_ * flatness);
       const R angle = R(2) * u_ + R(2) * of_vertices / foot_.height;
-      const R beyond = of_vertices + R(4) * u_ * size_ * flatness + angle * foot_.distance;
+      const R beyond =
+          of_vertices + R(kWeightRoundings<D>) * u_ * size_ * flatness + angle * foot_.distance;
       for (int i = 0; i < face_.count; ++i) {
         is_inside_ = is_inside_ && beyond < foot_.height * face_.weights[i];
       }
@@ -168,7 +194,7 @@ class OutsideBounds {
     foot_ = foot_of<R>(face);
     if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place
       foot_.distance = to_nearest_;
-      error_ = vertex_error() + R(kRoundings) * u_ * to_nearest_ + least();
+      error_ = vertex_error() + length_rounding(to_nearest_) + least();
       upper_ = to_nearest_ + error_;
       return;
     }
@@ -204,16 +230,21 @@ class OutsideBounds {
     constexpr bool kIsNarrow = std::numeric_limits<R>::max_exponent < 100;
     return kIsNarrow ? R(4) * std::numeric_limits<R>::denorm_min() : R(0);
   }
+  [[nodiscard]] R length_rounding(const R& length) const {
+    return ScalarTraits<R>::from(kLengthRoundings<D>) * u_ * length;
+  }
   /// The error of vertices: in the run's own digits, and computed anew.
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
-  /// The distance from O to the farthest of the four vertices of Z that `far_apart` points make.
+  /// The distance from O to the farthest of the vertices of Z that lie farthest along an axis.
   [[nodiscard, gnu::noinline]] R corner_reach() const {
     R most(0);
-    for (const int x : prepared_.x.far_apart) {
-      for (const int y : prepared_.y.far_apart) {
-        most = larger(most, length(support_point(query_, prepared_, {x, y}).w));
+    for (int axis = 0; axis < D; ++axis) {
+      for (const R& side : {R(-1), R(1)}) {
+        const VertexPair pair =
+            farthest_pair<R>(query_, prepared_, Vec<R, D>(Vec<R, D>::Unit(axis) * side));
+        most = larger(most, length(support_point<R>(query_, prepared_, pair).w));
       }
     }
     return most;

@@ -9,6 +9,33 @@
 
 namespace gjk {
 
+/// The vector in scalar R; a reference to it where R is its own scalar.
+template <class R, class S, int D>
+[[nodiscard]] decltype(auto) converted(const Vec<S, D>& a) {
+  if constexpr (std::is_same_v<R, S>) {
+    return (a);
+  } else {
+    Vec<R, D> out;
+    for (int i = 0; i < D; ++i) out[i] = ScalarTraits<R>::from(a[i]);
+    return out;
+  }
+}
+
+/// Largest magnitude of a coordinate.
+template <class S, int D>
+[[nodiscard]] S norm_max(const Vec<S, D>& a) {
+  S largest(0);
+  for (int i = 0; i < D; ++i) largest = larger(largest, magnitude(S(a[i])));
+  return largest;
+}
+template <class S, int D>
+[[nodiscard]] bool is_finite(const Vec<S, D>& a) {
+  for (int i = 0; i < D; ++i) {
+    if (!ScalarTraits<S>::is_finite(a[i])) return false;
+  }
+  return true;
+}
+
 /// In the shape's own frame and unit. For exact scalars all members keep their defaults.
 template <class S, int D>
 struct Measures {
@@ -22,8 +49,6 @@ struct Measures {
   S largest = S(0);  ///< The largest magnitude of a coordinate.
   S radius = S(0);   ///< Distance from `centre` to the farthest point, up to a rounding or two.
   S to_mean = S(0);  ///< Distance from `centre` to the mean of the points, equally exact.
-  /// Indices of two points that lie at least as far apart as the longest side of the box.
-  std::array<int, 2> far_apart = {};
 };
 
 /// The length of a vector whose squares may overflow or underflow.
@@ -43,6 +68,8 @@ template <class S, int D>
 /// a * 2^exponent, but rounded up where it is denormal and rounds.
 template <class R>
 [[nodiscard]] R scaled_above(const R& a, int exponent) {
+  if (exponent == 0) [[likely]]
+    return a;
   const R out = ScalarTraits<R>::scaled(a, exponent);
   const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
   return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
@@ -57,19 +84,25 @@ template <class R>
 
 namespace detail {
 
-/// Sets radius and to_mean. Computes in units of about `size`, the largest distance from the centre
-/// along an axis, so that no square overflows and none that matters underflows.
+/// Sets radius and to_mean. Where squares would come near overflow or underflow it computes in
+/// units of about `size`, the largest distance from the centre along an axis.
 template <class S, int D>
 void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, D>& out) {
   using Traits = ScalarTraits<S>;
-  const int exponent = Traits::exponent(size);
+  const S sum_size = size * static_cast<S>(points.size());
+  const bool fits = std::numeric_limits<S>::max_exponent > 100 && Traits::is_in_range(size) &&
+                    Traits::is_in_range(sum_size);  // squares of half have no room
+  const int exponent = fits ? 0 : Traits::exponent(size);
+  const Vec<S, D> centre = out.centre;
   S radius_sq(0);
   Vec<S, D> sum = Vec<S, D>::Zero();
   for (const Vec<S, D>& point : points) {
-    Vec<S, D> scaled;
-    for (int i = 0; i < D; ++i) scaled[i] = Traits::scaled(S(point[i] - out.centre[i]), -exponent);
-    radius_sq = std::max(radius_sq, dot(scaled, scaled));
-    sum = sum + scaled;
+    Vec<S, D> from_centre = point - centre;
+    if (exponent != 0) [[unlikely]] {
+      for (int i = 0; i < D; ++i) from_centre[i] = Traits::scaled(from_centre[i], -exponent);
+    }
+    radius_sq = larger(radius_sq, dot(from_centre, from_centre));
+    sum = sum + from_centre;
   }
   out.radius = scaled_above(Traits::root(radius_sq), exponent);
   out.to_mean =
@@ -86,23 +119,19 @@ template <class S, int D>
     if (points.empty()) return out;
     Vec<S, D> low = points[0];
     Vec<S, D> high = points[0];
+    Vec<S, D> nothing = Vec<S, D>::Zero();  // a NaN once a coordinate is not finite
     for (const Vec<S, D>& point : points) {
-      out.is_finite = out.is_finite && is_finite(point);
+      nothing = nothing + (point - point);
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
-    int longest = 0;
-    (high / S(2) - low / S(2)).maxCoeff(&longest);
-    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-      if (points[i][longest] == low[longest]) out.far_apart[0] = i;
-      if (points[i][longest] == high[longest]) out.far_apart[1] = i;
-    }
-    out.largest = std::max(norm_max(low), norm_max(high));
+    out.is_finite = is_zero(nothing);
+    out.largest = larger(norm_max(low), norm_max(high));
     const Vec<S, D> middle = low / S(2) + high / S(2);
     out.is_centred = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
     if (out.is_centred) out.centre = middle;
     const S size =
-        std::max(norm_max(Vec<S, D>(high - out.centre)), norm_max(Vec<S, D>(low - out.centre)));
+        larger(norm_max(Vec<S, D>(high - out.centre)), norm_max(Vec<S, D>(low - out.centre)));
     if (out.is_finite && S(0) < size && ScalarTraits<S>::is_finite(size)) {
       detail::measure_size(points, size, out);
     }

@@ -13,28 +13,34 @@ inline constexpr std::size_t kRingFrom = 32;
 
 namespace detail {
 
-/// True when all turns go the same way beyond rounding, and the edges go round once. Needs a point.
+/// True when all turns go the same way beyond rounding, and the edges go round once. Needs two
+/// points.
 template <class S>
 [[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
   const auto goes_up = [](const Vec<S, 2>& edge) {
     return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);
   };
   const std::size_t count = points.size();
-  int turns = 0;
+  std::size_t left_turns = 0;
   int crossings = 0;
-  Vec<S, 2> before = points[0] - points[count - 1];
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec<S, 2> edge = points[i + 1 == count ? 0 : i + 1] - points[i];
+  Vec<S, 2> before = points[count - 1] - points[count - 2];
+  bool went_up = goes_up(before);
+  Vec<S, 2> from = points[count - 1];
+  for (const Vec<S, 2>& point : points) {
+    const Vec<S, 2> edge = point - from;
     const S left = before[0] * edge[1];
     const S right = before[1] * edge[0];
     const S rounding =
         S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
     if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
-    turns += right < left ? 1 : -1;
-    crossings += goes_up(before) != goes_up(edge) ? 1 : 0;
+    const bool is_up = goes_up(edge);
+    left_turns += right < left ? 1 : 0;
+    crossings += is_up != went_up ? 1 : 0;
     before = edge;
+    went_up = is_up;
+    from = point;
   }
-  return crossings == 2 && (turns == static_cast<int>(count) || -turns == static_cast<int>(count));
+  return crossings == 2 && (left_turns == 0 || left_turns == count);
 }
 
 /// The farthest vertex so far; of equal ones the one of lowest index.

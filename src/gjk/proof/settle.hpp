@@ -5,7 +5,7 @@
 #include "gjk/loop.hpp"
 #include "gjk/proof/careful.hpp"
 #include "gjk/proof/certificate.hpp"
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 
 namespace gjk {
 

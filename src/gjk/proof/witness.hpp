@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gjk/proof/careful.hpp"
-#include "gjk/result.hpp"
+#include "gjk/proof/result.hpp"
 
 namespace gjk {
 

@@ -1,0 +1,153 @@
+#pragma once
+// The frames in which a run reads vertices: a unit of length, a centre for each shape, and the
+// offset between the centres.
+
+#include "gjk/proof/error_free.hpp"
+#include "gjk/query.hpp"
+
+namespace gjk {
+
+/// The vertices of a shape of at most so many are turned into world axes before the run. For a
+/// larger shape each direction is turned into the shape's frame.
+inline constexpr int kMaxPlaced = 8;
+
+/// One shape as a run sees it.
+template <class R, int D>
+struct Body {
+  // As in Measures:
+  Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame and unit.
+  bool is_ring = false;
+  R radius = R(0);  ///< In the run's unit.
+
+  int placed_count = 0;  ///< 0 for a large shape, and for exact scalars.
+  /// The vertices relative to the centre, in world axes and the run's unit.
+  std::array<Vec<R, D>, kMaxPlaced> placed;
+};
+
+/// What the loop reads of a query beside its vertices.
+template <class R, int D>
+struct Frames {
+  /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
+  /// overflow or underflow.
+  int exponent = 0;
+  R unit = R(1);            ///< 2^-exponent, for scalars that round.
+  bool same_frame = false;  ///< One unturned pose for both: differences of vertices round once.
+  bool centred = false;     ///< Some centre is not the origin of its shape's frame.
+  Body<R, D> x;
+  Body<R, D> y;
+  /// From the centre of X to that of Y, in world axes and the run's unit.
+  Vec<R, D> offset = Vec<R, D>::Zero();
+  R offset_error = R(0);
+
+  /// A vector, given in the query's unit, in the run's unit.
+  [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
+    Vec<R, D> out;
+    for (int i = 0; i < D; ++i) {
+      if constexpr (ScalarTraits<R>::kExact) {
+        out[i] = ScalarTraits<R>::scaled(a[i], -exponent);
+      } else {
+        out[i] = a[i] * unit;
+      }
+    }
+    return out;
+  }
+};
+
+namespace detail {
+
+/// Both shapes with their measures.
+template <class S, int D>
+struct Bodies {
+  const Query<S, D>& query;
+  const Measures<S, D>& x;
+  const Measures<S, D>& y;
+};
+
+/// From the origin of X's frame to that of Y's, in the run's unit. To stay in the range of R, large
+/// coordinates are scaled before the subtraction, and small ones after it.
+template <class R, class S, int D>
+[[nodiscard]] Vec<DoubleWord<R>, D> offset_of_origins(const Query<S, D>& query,
+                                                      const Frames<R, D>& frames) {
+  const R first = frames.exponent > 0 ? frames.unit : R(1);
+  const R last = frames.exponent > 0 ? R(1) : frames.unit;
+  Vec<DoubleWord<R>, D> out;
+  for (int i = 0; i < D; ++i) {
+    const R x = ScalarTraits<R>::from(query.x.pose.translation[i]) * first;
+    const R y = ScalarTraits<R>::from(query.y.pose.translation[i]) * first;
+    const DoubleWord<R> offset = exact_sum(y, R(-x));
+    out[i] = DoubleWord<R>(offset.hi * last, offset.lo * last);
+  }
+  return out;
+}
+
+/// From the centre of X to that of Y, computed with about twice the digits and rounded once.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+                                                         const Frames<R, D>& frames) {
+  // In one frame vertices of Z are made without it: it only gives the start and the reach of Z.
+  if (frames.same_frame) return frames.in_unit(frames.y.centre - frames.x.centre);
+  const Vec<DoubleWord<R>, D> origins = offset_of_origins(query, frames);
+  const auto turned = [&](const Shape<S, D>& shape, const Vec<R, D>& centre) {
+    Vec<DoubleWord<R>, D> in_unit;
+    for (int i = 0; i < D; ++i) in_unit[i] = DoubleWord<R>(centre[i] * frames.unit);
+    return shape.pose.template rotated<DoubleWord<R>>(in_unit);
+  };
+  const Vec<DoubleWord<R>, D> x = turned(query.x, frames.x.centre);
+  const Vec<DoubleWord<R>, D> y = turned(query.y, frames.y.centre);
+  Vec<R, D> out;
+  for (int i = 0; i < D; ++i) out[i] = (origins[i] + (y[i] - x[i])).hi;
+  return out;
+}
+
+/// Sets the unit 2^exponent, the frames and the offset between them.
+template <class R, class S, int D>
+void set_frames(const Bodies<S, D>& bodies, int exponent, Frames<R, D>& frames) {
+  const Query<S, D>& query = bodies.query;
+  frames.exponent = exponent;
+  if (exponent != 0) frames.unit = ScalarTraits<R>::scaled(R(1), -exponent);
+  frames.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
+                      is_zero(Vec<S, D>(query.y.pose.translation - query.x.pose.translation));
+  if constexpr (ScalarTraits<R>::kExact) {
+    frames.offset = frames.in_unit(converted<R, S, D>(query.y.pose.translation) -
+                                   converted<R, S, D>(query.x.pose.translation));
+  } else {
+    frames.centred = bodies.x.is_centred || bodies.y.is_centred;
+    if (frames.centred) {
+      frames.x.centre = converted<R, S, D>(bodies.x.centre);
+      frames.y.centre = converted<R, S, D>(bodies.y.centre);
+      frames.offset = offset_of_centres<R>(query, frames);
+      frames.offset_error = ScalarTraits<R>::unit_roundoff() * length(frames.offset);
+    } else {
+      const Vec<DoubleWord<R>, D> offset = offset_of_origins(query, frames);
+      for (int i = 0; i < D; ++i) {
+        frames.offset[i] = offset[i].hi;
+        frames.offset_error = frames.offset_error + magnitude(offset[i].lo);
+      }
+    }
+  }
+}
+
+/// Vertex i relative to its shape's centre, in the shape's own axes and the run's unit.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Frames<R, D>& frames,
+                                    const Body<R, D>& body, int i) {
+  const auto& vertex = converted<R, S, D>(shape.vertices()[i]);
+  return frames.in_unit(frames.centred ? Vec<R, D>(vertex - body.centre) : Vec<R, D>(vertex));
+}
+
+/// Sets all of one body but its centre.
+template <class R, class S, int D>
+void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Frames<R, D>& frames,
+           Body<R, D>& body) {
+  body.is_ring = measures.is_ring;
+  body.radius = ScalarTraits<R>::from(measures.radius) * frames.unit;
+  const int count = static_cast<int>(shape.vertices().size());
+  if (count > kMaxPlaced) return;
+  body.placed_count = count;
+  for (int i = 0; i < count; ++i) {
+    body.placed[i] = shape.pose.template rotated<R>(from_centre(shape, frames, body, i));
+  }
+}
+
+}  // namespace detail
+}  // namespace gjk
