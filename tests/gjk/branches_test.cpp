@@ -19,9 +19,9 @@ constexpr std::uint64_t kSeed = 44;
 
 using Counts = std::map<std::string, long>;
 
-const char* const kReasons[] = {
-    "running",     "repeated support", "origin inside", "zero direction",
-    "no progress", "within tolerance", "iteration cap", "failed"};
+const char* const kReasons[] = {"running",          "repeated support", "origin inside",
+                                "zero direction",   "not nearer",       "no progress",
+                                "within tolerance", "iteration cap",    "failed"};
 const char* const kVerdicts[] = {"separated", "touching", "overlapping", "undecided", "none"};
 
 std::string face_name(gjk::Face face) {
@@ -188,6 +188,8 @@ const char* const kAll[] = {
     "no progress: no",
     "no progress: off",
     "no progress: yes",
+    "not nearer: off",
+    "not nearer: yes",
     "no region, nearest edge",
     "normal as it is",
     "normal flipped",

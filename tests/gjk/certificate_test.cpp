@@ -40,7 +40,7 @@ Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
                  const gjk::Prepared<R, 2>& prepared, bool ended = true) {
   if (state.evidence.best.count == 3) {
     const bool inside = gjk::surely_inside(state.evidence.best, prepared);
-    return {{R(0), R(0), inside ? R(0) : prepared.simplex_error()}};
+    return {{R(0), R(0), inside ? R(0) : gjk::weights_bound<R, 2>(state.evidence.best, prepared)}};
   }
   gjk::Simplex<R, 2> simplex = state.evidence.best;
   gjk::OutsideBounds<R, S, 2> outside(state, query, prepared, simplex);
@@ -72,12 +72,11 @@ TEST(inside, "O is surely inside when every area is larger than its rounding can
     const auto simplex = [&](double t) {
       return simplex_of<double>({{-size, -t * size}, {size, -t * size}, {0, size}});
     };
-    const double least = 36 * kDoubleU;
+    const double least = 4 * 1.42 * 1.42 / 2 * kDoubleU;  // 4 u r^2 of an area of 2 t size^2
     CHECK(gjk::surely_inside(simplex(0.1), prepared));
     CHECK(gjk::surely_inside(simplex(1.01 * least), exact_vertices));
-    CHECK(!gjk::surely_inside(simplex(least), exact_vertices));
     CHECK(!gjk::surely_inside(simplex(0.99 * least), exact_vertices));
-    const double least_in_doubt = least + 150 * kDoubleU / size;
+    const double least_in_doubt = least + 100 * 1.42 * kDoubleU / size;  // 2 r vertex_error
     CHECK(gjk::surely_inside(simplex(1.01 * least_in_doubt), prepared));
     CHECK(!gjk::surely_inside(simplex(0.99 * least_in_doubt), prepared));
     CHECK(!gjk::surely_inside(simplex(0.0), prepared));
@@ -170,10 +169,11 @@ TEST(full, "around O all bounds are 0, unless an area could be a rounding error"
   CHECK_EQ(0.0, sure.bounds().distance);
   CHECK_EQ(0.0, sure.bounds().upper);
   CHECK(sure.bounds().tight);
-  const Case<double> unsure({{-1, 0}, {1, 0}, {0, 1}}, 3);
+  Case<double> unsure({{-1, 0}, {1, 0}, {0, 1}}, 3);
+  unsure.state.evidence.best.weights = {0.5, 0.5, 0.0};
   CHECK_EQ(0.0, unsure.bounds().lower);
   CHECK_EQ(0.0, unsure.bounds().distance);
-  CHECK_NEAR(16 * kDoubleU * unsure.prepared().reach, unsure.bounds().upper, kDoubleU * kDoubleU);
+  CHECK_EQ(12 * kDoubleU, unsure.bounds().upper);
   CHECK(unsure.bounds().tight);
 }
 

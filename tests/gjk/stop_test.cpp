@@ -154,7 +154,7 @@ TEST(listed, "tests after the one that holds are listed, not tried; disabled one
   const Run run({{3, 0}}, kSquare);
   for (const gjk::Step<double, 2>& step : run.trace.steps) {
     if (step.phase != gjk::Phase::stop) continue;
-    CHECK_EQ(std::size_t{6}, step.record.stop_tests.size());
+    CHECK_EQ(std::size_t{7}, step.record.stop_tests.size());
     bool held = false;
     for (const gjk::StopTest<double>& test : step.record.stop_tests) {
       CHECK_EQ(test.enabled && !held, test.tried);
@@ -263,7 +263,8 @@ TEST(tolerance_rounding, "both errors count: that of the upper bound and that of
   state.evidence.best_sq = 4;
   state.evidence.plane_distance_sq = 1;
   const auto wanted = [&](const gjk::Prepared<float, 2>& prepared) {
-    return std::sqrt(gjk::wanted_plane_distance_sq(state, options, prepared, true));
+    return std::sqrt(
+        gjk::wanted_plane_distance_sq<float, 2>(state.evidence, options.tolerance, prepared));
   };
   gjk::Prepared<float, 2> prepared;
   CHECK_NEAR(1.0f, wanted(prepared), 20 * kU);

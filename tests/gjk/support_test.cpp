@@ -268,15 +268,15 @@ TEST(plane, "a support plane with O beyond it is noted, unless a farther one is 
   state.d = Vec<double, 2>(-2, 0);  // length does not matter
   state.support.w = Vec<double, 2>(3, 7);
   state.support_value = -6;
-  gjk::note_support_plane(state);
+  state.evidence.note_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(9.0, state.evidence.plane_distance_sq);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(3, 1);  // as far
-  gjk::note_support_plane(state);
+  state.evidence.note_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(2, 1);
   state.support_value = -4;
-  gjk::note_support_plane(state);
+  state.evidence.note_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(9.0, state.evidence.plane_distance_sq);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
 }
@@ -287,13 +287,13 @@ TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; n
   state.d = Vec<double, 2>(-1, 0);
   for (const double value : {0.0, 1.0}) {
     state.support_value = value;
-    gjk::note_support_plane(state);
+    state.evidence.note_plane(state.d, state.support.w, state.support_value);
     CHECK_EQ(0.0, state.evidence.plane_distance_sq);
     CHECK_EQ(0.0, state.evidence.plane_reach_sq);
   }
   state.d = Vec<double, 2>::Zero();
   state.support_value = -1;
-  gjk::note_support_plane(state);
+  state.evidence.note_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(0.0, state.evidence.plane_distance_sq);
 }
 
@@ -315,11 +315,11 @@ TEST(plane_rounding, "a plane proves its distance but for what rounding may have
   gjk::Prepared<double, 2> prepared;
   prepared.vertex_error = 8 * kRoundoff;
   prepared.scans_placed = true;
-  // dot(d, w) rounds with |w|, its sum and the division with the distance.
+  // w and dot(d, w) round with |w|; |d| and the division with the distance.
   constexpr double kError = (8 + 3 * 5 + 4 * 3) * kRoundoff;
   CHECK_EQ(kError, prepared.plane_error(3.0, 5.0));
   const gjk::Prepared<double, 3> in_space;
-  CHECK_EQ((4 * 5 + 4 * 3) * kRoundoff, in_space.plane_error(3.0, 5.0));
+  CHECK_EQ((4 * 5 + 4.5 * 3) * kRoundoff, in_space.plane_error(3.0, 5.0));
 }
 
 }  // namespace support_test

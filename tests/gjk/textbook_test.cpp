@@ -20,9 +20,9 @@ enum Parting {
   kAlike,
   kOverlapOnly,  ///< The textbook finds O inside a triangle, the core, which asks exactly, beside
                  ///< Z: differences y - x, and the signs of a thin triangle's areas, are rounded.
-  kGapOnly,  ///< The textbook finds a distance, the core finds that the shapes meet.
-  kFarOff,   ///< Both find a distance: products of the smallest numbers are 0 in the textbook,
-             ///< and the core measures in a unit of its own.
+  kGapOnly,      ///< The textbook finds a distance, the core finds that the shapes meet.
+  kFarOff,       ///< Both find a distance: products of the smallest numbers are 0 in the textbook,
+                 ///< and the core measures in a unit of its own.
   kPartings
 };
 

@@ -24,8 +24,7 @@ template <class R, class S, int D>
     if (surely_inside(state.evidence.best, prepared)) {
       out.verdict = Verdict::overlapping;
     } else {
-      bounds.upper =
-          larger(prepared.simplex_error(), weights_bound<R, D>(state.evidence.best, prepared));
+      bounds.upper = weights_bound<R, D>(state.evidence.best, prepared);
     }
   } else {
     const bool by_itself = ended && state.stop != StopReason::within_tolerance;

@@ -237,24 +237,17 @@ class OutsideBounds {
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
-  /// The distance from O to the farthest of the vertices of Z that lie farthest along an axis.
-  [[nodiscard, gnu::noinline]] R corner_reach() const {
-    R most(0);
-    for (int axis = 0; axis < D; ++axis) {
-      for (const R& side : {R(-1), R(1)}) {
-        const VertexPair pair =
-            farthest_pair<R>(query_, prepared_, Vec<R, D>(Vec<R, D>::Unit(axis) * side));
-        most = larger(most, length(support_point<R>(query_, prepared_, pair).w));
-      }
-    }
-    return most;
+  /// The distance from O to the vertex of Z that lies farthest beyond the face.
+  [[nodiscard, gnu::noinline]] R far_side() const {
+    const VertexPair pair = farthest_pair<R, S, D>(query_, prepared_, -foot_.d);
+    return length(support_point<R, S, D>(query_, prepared_, pair).w);
   }
   [[nodiscard]] bool is_allowed() const {
     const bool is_close = D == 3 && R(kCloseInSpace) * foot_.distance < prepared_.reach;
     const R allowed = ScalarTraits<R>::from(is_close ? kAllowedWidth / 2 : kAllowedWidth) * u_;
     const R width = upper_ - lower_;
     return width <= allowed * larger(prepared_.least_reach, size_) ||
-           (upper_ < no_bound() && width <= allowed * corner_reach());
+           (upper_ < no_bound() && width <= allowed * far_side());
   }
   [[nodiscard]] bool is_too_rounded() const {
     const bool gains = prepared_.same_frame || D == 3;

@@ -40,8 +40,8 @@ template <class R, int D>
 
 /// True when the weights of a full simplex put P at O up to rounding. When false, the simplex is so
 /// thin that its volumes, and their signs, may be rounding errors. A weight errs by the D roundings
-/// of the sum of all volumes and its own quotient, a coordinate of P by a product and D sums: 2 D + 2
-/// in all. Twice as many are let pass, for those of the volumes of a simplex that is not thin.
+/// of the sum of all volumes and its own quotient, a coordinate of P by a product and D sums: 2 D +
+/// 2 in all. Twice as many are let pass, for those of the volumes of a simplex that is not thin.
 template <class R, int D>
 [[nodiscard]] bool weights_reach_origin(const Simplex<R, D>& simplex,
                                         const Barycentric<R, D>& coordinates) {

@@ -14,7 +14,8 @@ inline constexpr std::size_t kRingFrom = 32;
 namespace detail {
 
 /// True when all turns go the same way beyond rounding, and the edges go round once. Needs two
-/// points.
+/// points. A turn is left - right: edges round once each, products once, their difference once, by
+/// 4 u (|left| + |right|) in all; twice as much is demanded.
 template <class S>
 [[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
   const auto goes_up = [](const Vec<S, 2>& edge) {

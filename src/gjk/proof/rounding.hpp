@@ -73,9 +73,9 @@ struct Rounding {
     const R u = ScalarTraits<R>::unit_roundoff();
     return R(256) * u * u * from_origins;
   }
-  /// Of |P| as take_region computes it, while no face is shorter or thinner than about a sixth of its
-  /// distance: u reach for the vertices, kLengthRoundings for the length, and for the cross product
-  /// 2 u |a||b| / |e|, or as much for a triangle. weights_bound holds for every face.
+  /// Of |P| as take_region computes it, while no face is shorter or thinner than about a sixth of
+  /// its distance: u reach for the vertices, kLengthRoundings for the length, and for the cross
+  /// product 2 u |a||b| / |e|, or as much for a triangle. weights_bound holds for every face.
   [[nodiscard]] R simplex_error() const {
     return vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * reach;
   }

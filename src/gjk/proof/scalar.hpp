@@ -36,7 +36,8 @@ struct ScalarTraits {
 
   [[nodiscard]] static bool is_finite(const S& a) { return (Eigen::numext::isfinite)(a); }
 
-  /// Square root of a number that is not negative; root_below and root_above bound the exact root.
+  /// Square root of a number that is not negative. root_below and root_above bound the exact root:
+  /// IEEE roots round once, and the product once; 8 leaves room for roots that err by some units.
   [[nodiscard]] static Real root(const S& a) { return Eigen::numext::sqrt(a); }
   [[nodiscard]] static Real root_below(const S& a) {
     return root(a) * (S(1) - S(8) * unit_roundoff());
