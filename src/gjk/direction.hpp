@@ -12,7 +12,7 @@ namespace gjk {
 ///   edge in space       e x (e x A) with e = B - A: the normal of the edge that points to O
 ///   edge in the plane,  its normal, with the sign that makes dot(d, O - A) > 0 (Catto 2010, slide
 ///   triangle in space   "Fixing the sign")
-/// Where that is 0 (coinciding or collinear points, O on an edge's line), d = O - P.
+/// If that is 0 (coinciding or collinear points, O on an edge's line), d = O - P.
 template <class R, int D>
 [[nodiscard]] DirectionNote<R, D> search_direction(const Simplex<R, D>& simplex, const Vec<R, D>& p,
                                                    DirectionRule rule) {

@@ -88,7 +88,7 @@ struct Coordinates {
 
 /// The record of one region's test: what must be positive, then what must not.
 template <class R, int D, int kCount>
-[[nodiscard]] RegionTest<R> noted(Face region, const Coordinates<R, D, kCount>& coordinates) {
+[[nodiscard]] RegionTest<R> region_test(Face region, const Coordinates<R, D, kCount>& coordinates) {
   RegionTest<R> note{region, {}, coordinates.holds(region)};
   for (const bool wants_positive : {true, false}) {
     for (int i = 0; i < kCount; ++i) {
@@ -127,7 +127,7 @@ template <class R, int D>
   return side * R(side / dot(normal, normal));
 }
 
-/// Sets P, its weights and its squared length from O's coordinates in `face`. Where O lies in the
+/// Sets P, its weights and its squared length from O's coordinates in `face`. When O lies in the
 /// face, P is O itself, because the weighted sum would round. With DirectionRule::perpendicular the
 /// squared length is `distance_sq`, which rounds less.
 template <class R, int D>
@@ -156,7 +156,7 @@ void find_region(State<R, D>& state, DirectionRule rule, Rec& record) {
   Face found = 0;
   Barycentric<R, D> of_found{};
   const auto test = [&](Face face) {
-    if constexpr (Rec::kOn) record.region_tests.push_back(noted(face, coordinates));
+    if constexpr (Rec::kOn) record.region_tests.push_back(region_test(face, coordinates));
     if (!coordinates.holds(face)) return false;
     found = face;
     of_found = coordinates.of_face[face];

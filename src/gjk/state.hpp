@@ -29,7 +29,7 @@ enum class StopReason : std::uint8_t {
   failed,            ///< The query was refused; see Error.
 };
 
-/// Where a walk is. Lengths are in the run's unit, 2^Frames::exponent: 1 for all but extreme
+/// The place of a walk. Lengths are in the run's unit, 2^Frames::exponent: 1 for all but extreme
 /// coordinates.
 template <class R, int D>
 struct State {

@@ -34,12 +34,12 @@ void run_stop_tests(State<R, D>& state, const Options& options, const Prepared<R
   const bool has_support = state.previous == Phase::support;
 
   int repeated = -1;
-  R reach(0);
+  R farthest(0);
   if (has_support) {
     for (int i = 0; i < simplex.count; ++i) {
       if (simplex.vertices[i].pair == state.support.pair) repeated = i;
       const R value = dot(state.d, simplex.vertices[i].w);
-      if (i == 0 || reach < value) reach = value;
+      if (i == 0 || farthest < value) farthest = value;
     }
   }
 
@@ -50,7 +50,7 @@ void run_stop_tests(State<R, D>& state, const Options& options, const Prepared<R
   test(StopReason::repeated_support, has_support && options.stop_on_repeated_support, repeated >= 0,
        R(repeated), R(0));
   test(StopReason::no_progress, has_support && options.stop_on_no_progress,
-       !(reach < state.support_value), state.support_value, reach);
+       !(farthest < state.support_value), state.support_value, farthest);
   const bool has_tolerance = has_support && 0.0 < options.tolerance;
   const R wanted = has_tolerance || Rec::kOn
                        ? wanted_plane_distance_sq<R, D>(state.evidence, options.tolerance, prepared)

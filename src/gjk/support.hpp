@@ -120,7 +120,7 @@ void find_support(State<R, D>& state, const Query<S, D>& query, const Frames<R, 
   }
   state.support = support_point(query, frames, farthest_pair(query, frames, state.d));
   state.support_value = dot(state.d, state.support.w);
-  state.evidence.note_plane(state.d, state.support.w, state.support_value);
+  state.evidence.add_plane(state.d, state.support.w, state.support_value);
   state.previous = Phase::support;
   state.phase = Phase::stop;
 }

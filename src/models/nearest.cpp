@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gjk/proof/error_free.hpp"
+#include "gjk/proof/measures.hpp"
 #include "gjk/vector.hpp"
 
 namespace models {

@@ -55,6 +55,19 @@ Contestant prepare_proving(std::span<const Pair<D>> pairs) {
                               [=](const auto& query) { return gjk::distance(query, options); });
 }
 
+/// Ranges of points, which each query measures anew.
+template <int D>
+Contestant prepare_plain(std::span<const Pair<D>> pairs) {
+  const auto given = std::make_shared<std::vector<Pair<D>>>(pairs.begin(), pairs.end());
+  return contestant(
+      pairs.size(),
+      [=](std::size_t i) {
+        const Pair<D>& pair = (*given)[i];
+        return gjk::distance(gjk::Query<double, D>{{pair.x, pair.x_pose}, {pair.y, pair.y_pose}});
+      },
+      [](const auto& result) { return result.distance; });
+}
+
 template <int D>
 Contestant prepare_stepping(std::span<const Pair<D>> pairs) {
   return prepare_with<double>(pairs, [](const auto& query) {
@@ -151,6 +164,14 @@ Library<D> core_stepping() {
 }
 
 template <int D>
+Library<D> core_plain() {
+  return {.name = "plain ranges",
+          .how = "gjk::distance of ranges of points, measured in each query",
+          .in_double = true,
+          .prepare = prepare_plain<D>};
+}
+
+template <int D>
 std::vector<Library<D>> peers(Peers which) {
   std::vector<Library<D>> out;
 #ifdef GJKSCOPE_BOX2D_2
@@ -188,6 +209,8 @@ template Library<2> core_no_proof();
 template Library<3> core_no_proof();
 template Library<2> core_stepping();
 template Library<3> core_stepping();
+template Library<2> core_plain();
+template Library<3> core_plain();
 template std::vector<Library<2>> peers(Peers);
 template std::vector<Library<3>> peers(Peers);
 

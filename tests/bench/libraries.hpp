@@ -42,6 +42,8 @@ template <int D>
 [[nodiscard]] Library<D> core_no_proof();
 template <int D>
 [[nodiscard]] Library<D> core_stepping();
+template <int D>
+[[nodiscard]] Library<D> core_plain();
 
 // Those that were found when this was built; see peers.cmake.
 [[nodiscard]] Library<2> box2d_2();

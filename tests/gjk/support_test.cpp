@@ -268,15 +268,15 @@ TEST(plane, "a support plane with O beyond it is noted, unless a farther one is 
   state.d = Vec<double, 2>(-2, 0);  // length does not matter
   state.support.w = Vec<double, 2>(3, 7);
   state.support_value = -6;
-  state.evidence.note_plane(state.d, state.support.w, state.support_value);
+  state.evidence.add_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(9.0, state.evidence.plane_distance_sq);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(3, 1);  // as far
-  state.evidence.note_plane(state.d, state.support.w, state.support_value);
+  state.evidence.add_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
   state.support.w = Vec<double, 2>(2, 1);
   state.support_value = -4;
-  state.evidence.note_plane(state.d, state.support.w, state.support_value);
+  state.evidence.add_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(9.0, state.evidence.plane_distance_sq);
   CHECK_EQ(58.0, state.evidence.plane_reach_sq);
 }
@@ -287,13 +287,13 @@ TEST(no_plane, "a plane through O, or with O on the side of Z, proves nothing; n
   state.d = Vec<double, 2>(-1, 0);
   for (const double value : {0.0, 1.0}) {
     state.support_value = value;
-    state.evidence.note_plane(state.d, state.support.w, state.support_value);
+    state.evidence.add_plane(state.d, state.support.w, state.support_value);
     CHECK_EQ(0.0, state.evidence.plane_distance_sq);
     CHECK_EQ(0.0, state.evidence.plane_reach_sq);
   }
   state.d = Vec<double, 2>::Zero();
   state.support_value = -1;
-  state.evidence.note_plane(state.d, state.support.w, state.support_value);
+  state.evidence.add_plane(state.d, state.support.w, state.support_value);
   CHECK_EQ(0.0, state.evidence.plane_distance_sq);
 }
 

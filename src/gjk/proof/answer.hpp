@@ -2,8 +2,8 @@
 // The answer, from the end of a run.
 //
 // Rounding can mislead the loop, but its answer can be checked: P bounds the distance from above,
-// the best support plane from below. Where these bounds do not prove whether the shapes overlap, or
-// are wider than rounding explains, the last simplex starts another run in exact arithmetic. So the
+// the best support plane from below. When these bounds do not prove whether the shapes overlap, or
+// are wider than rounding explains, the last simplex starts another run in exact arithmetic: the
 // verdict is exact.
 
 #include "gjk/proof/settle.hpp"
@@ -65,8 +65,8 @@ void set_exact_answer(const State<R, D>& state, const Query<S, D>& query,
 
 /// Sets the distance, its bounds and the verdict of a floating-point run.
 template <class R, class S, int D>
-void set_rounded_answer(const State<R, D>& state, const Query<S, D>& query, const Options& options,
-                        const Prepared<R, D>& prepared, Result<R, D>& out) {
+void set_floating_answer(const State<R, D>& state, const Query<S, D>& query, const Options& options,
+                         const Prepared<R, D>& prepared, Result<R, D>& out) {
   using Traits = ScalarTraits<R>;
   if (options.proof == Proof::none) {
     out.distance = Traits::root(state.evidence.best_sq);
@@ -101,7 +101,7 @@ template <class R, class S, int D>
   if constexpr (ScalarTraits<R>::kExact) {
     detail::set_exact_answer(state, query, prepared, out);
   } else {
-    detail::set_rounded_answer(state, query, options, prepared, out);
+    detail::set_floating_answer(state, query, options, prepared, out);
   }
   set_witness_points(out, query, prepared);
   if (!ScalarTraits<typename Result<R, D>::Real>::is_finite(out.distance) || !is_finite(out.x) ||

@@ -40,7 +40,7 @@ template <class R, class S, int D>
     for (int k = 0; k < D; ++k) out[k] = Word(ScalarTraits<R>::from(a[k]) * prepared.unit);
     return out;
   };
-  const auto placed = [&](const Shape<S, D>& shape, int i) {
+  const auto turned = [&](const Shape<S, D>& shape, int i) {
     return shape.pose.template rotated<Word>(in_unit(shape.vertices()[i]));
   };
   const Vec<Word, D> offset = in_unit(query.y.pose.translation) - in_unit(query.x.pose.translation);
@@ -48,7 +48,7 @@ template <class R, class S, int D>
   out.count = simplex.count;
   for (int i = 0; i < simplex.count; ++i) {
     const VertexPair pair = simplex.vertices[i].pair;
-    out.vertices[i] = {(placed(query.y, pair.y) - placed(query.x, pair.x)) + offset, pair};
+    out.vertices[i] = {(turned(query.y, pair.y) - turned(query.x, pair.x)) + offset, pair};
   }
   return out;
 }
@@ -63,8 +63,9 @@ struct Foot {
   R distance = R(0);
   Vec<R, D> d = Vec<R, D>::Zero();  ///< From the foot to O, of any length; see search_direction.
   R longest = R(0);                 ///< The longer of two edges; the one edge; 0 for a vertex.
-  /// Of a triangle over `longest`; of an edge its length, of a vertex its distance. When vertices
-  /// move by e, the foot moves within the face by at most e, and d turns by at most 2 e / height.
+  /// Height of the triangle over its longest edge. For an edge: its length. For a vertex: its
+  /// distance from O. When vertices move by e, the foot moves within the face by at most e, and d
+  /// turns by at most 2 e / height.
   R height = R(0);
 };
 

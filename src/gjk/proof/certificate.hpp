@@ -104,7 +104,7 @@ inline constexpr int kQuiteNear = 16;
 /// A distance to an edge or triangle above reach / kFarFromEdge has more roundings of its own
 /// (kLengthRoundings and kEdgeRoundings) than of vertices: it is computed anew, too.
 inline constexpr int kFarFromEdge = 2;
-/// In space rounding may end a run on a face beside the nearest one. Where the distance is below
+/// In space rounding may end a run on a face beside the nearest one. When the distance is below
 /// reach / kCloseInSpace, bounds must be half as wide, or the face is checked.
 inline constexpr int kCloseInSpace = 4;
 /// The run's own weights put P visibly beside its place in a triangle kThin times as long as high.
@@ -169,7 +169,6 @@ class OutsideBounds {
     return is_allowed() && (!near_ || upper_ - lower_ <= R(4) * error_);
   }
 
- private:
   /// Computes distance, error and upper bound in the run's own digits.
   void measure() {
     foot_ = foot_of<R>(face_, nearest_);
@@ -179,10 +178,10 @@ class OutsideBounds {
       const R flatness = foot_.longest / foot_.height;
       error_ = error_ + u_ * (size_ + R(kEdgeRoundings<D>) * to_nearest_ * flatness);
       const R angle = R(2) * u_ + R(2) * of_vertices / foot_.height;
-      const R beyond =
+      beyond_ =
           of_vertices + R(kWeightRoundings<D>) * u_ * size_ * flatness + angle * foot_.distance;
       for (int i = 0; i < face_.count; ++i) {
-        is_inside_ = is_inside_ && beyond < foot_.height * face_.weights[i];
+        is_inside_ = is_inside_ && beyond_ < foot_.height * face_.weights[i];
       }
     }
     upper_ = is_inside_ ? R(foot_.distance + error_) : no_bound();
@@ -212,6 +211,14 @@ class OutsideBounds {
     error_ = few * foot_.distance + moved;
     upper_ = to_p * (R(1) + few) + moved;
   }
+
+  // Results of `measure` and `measure_anew`.
+  [[nodiscard]] const Foot<R, D>& foot() const { return foot_; }
+  [[nodiscard]] const R& error() const { return error_; }
+  [[nodiscard]] const R& beyond() const { return beyond_; }
+  [[nodiscard]] bool is_inside() const { return is_inside_; }
+
+ private:
   /// The distance of O from the point that the weights make of `face`.
   [[nodiscard]] R distance_of_p(const Simplex<DoubleWord<R>, D>& face) const {
     const Vec<DoubleWord<R>, D>& a = face.vertices[0].w;
@@ -277,8 +284,9 @@ class OutsideBounds {
   R size_ = R(0);          ///< The distance from O to the farthest vertex of the face.
   int nearest_ = 0;        ///< The vertex of the face that is nearest to O.
   R to_nearest_ = R(0);    ///< The distance from O to that vertex.
-  Foot<R, D> foot_;        ///< Of the perpendicular from O to the face's line or plane.
+  Foot<R, D> foot_;        ///< The foot of the perpendicular from O to the face's line or plane.
   R error_ = R(0);         ///< Bound of the error of foot_.distance.
+  R beyond_ = R(0);        ///< Bound of the error of a weight times the height.
   bool is_inside_ = true;  ///< The foot certainly lies on the face.
   R lower_ = R(0);
   R upper_ = R(0);

@@ -1,5 +1,6 @@
 #pragma once
-// What a walk leaves behind that bounds the distance: a point of Z from above, a plane from below.
+// Evidence that a walk leaves behind: a point of Z bounds the distance from above, a plane from
+// below. The walk itself asks it one question, whether P came nearer.
 
 #include "gjk/proof/prepare.hpp"
 #include "gjk/simplex.hpp"
@@ -23,10 +24,10 @@ struct Evidence {
     if constexpr (ScalarTraits<R>::kExact) return R(0) < best_sq;
     return p_sq < best_sq;
   }
-  /// Notes the plane through the support point w with normal d; `value` is dot(d, w). All of Z lies
+  /// Takes the plane through the support point w with normal d; `value` is dot(d, w). All of Z lies
   /// beyond it, so -dot(d, w) / |d| is a lower bound of the distance (Larsen 1998, "Proof of Local
   /// Verification").
-  void note_plane(const Vec<R, D>& d, const Vec<R, D>& w, const R& value) {
+  void add_plane(const Vec<R, D>& d, const Vec<R, D>& w, const R& value) {
     if (value == R(0)) touches_plane = true;
     const R d_sq = dot(d, d);
     if (!(value < R(0)) || !(R(0) < d_sq)) return;

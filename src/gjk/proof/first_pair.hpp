@@ -1,5 +1,5 @@
 #pragma once
-// Where a run begins: at the same pair in every scalar.
+// The beginning of a run: at the same pair in every scalar.
 
 #include "gjk/support.hpp"
 
@@ -33,12 +33,12 @@ template <class R, class S, int D>
     const InDouble<D> x(query.x);
     const InDouble<D> y(query.y);
     const Query<double, D> in_double{{x.points, x.pose}, {y.points, y.pose}};
-    const Prepared<double, D> rounded = prepare<double>(in_double, {});
-    if (rounded.error == Error::none) return chosen(in_double, rounded);
+    const Prepared<double, D> doubles = prepare<double>(in_double, {});
+    if (doubles.error == Error::none) return chosen(in_double, doubles);
   } else if constexpr (!std::is_same_v<R, double> &&
                        std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
-    const Prepared<double, D> rounded = prepare<double>(query, {});
-    if (rounded.error == Error::none) return chosen(query, rounded);
+    const Prepared<double, D> doubles = prepare<double>(query, {});
+    if (doubles.error == Error::none) return chosen(query, doubles);
   }
   return chosen(query, prepared);
 }

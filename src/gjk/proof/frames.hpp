@@ -24,7 +24,7 @@ struct Body {
   std::array<Vec<R, D>, kMaxPlaced> placed;
 };
 
-/// What the loop reads of a query beside its vertices.
+/// Everything but the vertices that the loop reads of a query.
 template <class R, int D>
 struct Frames {
   /// The run's unit of length is 2^exponent. It is 1 unless squares of coordinates would come near
@@ -57,7 +57,7 @@ namespace detail {
 
 /// Both shapes with their measures.
 template <class S, int D>
-struct Bodies {
+struct MeasuredQuery {
   const Query<S, D>& query;
   const Measures<S, D>& x;
   const Measures<S, D>& y;
@@ -101,8 +101,8 @@ template <class R, class S, int D>
 
 /// Sets the unit 2^exponent, the frames and the offset between them.
 template <class R, class S, int D>
-void set_frames(const Bodies<S, D>& bodies, int exponent, Frames<R, D>& frames) {
-  const Query<S, D>& query = bodies.query;
+void set_frames(const MeasuredQuery<S, D>& measured, int exponent, Frames<R, D>& frames) {
+  const Query<S, D>& query = measured.query;
   frames.exponent = exponent;
   if (exponent != 0) frames.unit = ScalarTraits<R>::scaled(R(1), -exponent);
   frames.same_frame = !query.x.pose.rotation.turns() && !query.y.pose.rotation.turns() &&
@@ -111,10 +111,10 @@ void set_frames(const Bodies<S, D>& bodies, int exponent, Frames<R, D>& frames) 
     frames.offset = frames.in_unit(converted<R, S, D>(query.y.pose.translation) -
                                    converted<R, S, D>(query.x.pose.translation));
   } else {
-    frames.centred = bodies.x.is_centred || bodies.y.is_centred;
+    frames.centred = measured.x.is_centred || measured.y.is_centred;
     if (frames.centred) {
-      frames.x.centre = converted<R, S, D>(bodies.x.centre);
-      frames.y.centre = converted<R, S, D>(bodies.y.centre);
+      frames.x.centre = converted<R, S, D>(measured.x.centre);
+      frames.y.centre = converted<R, S, D>(measured.y.centre);
       frames.offset = offset_of_centres<R>(query, frames);
       frames.offset_error = ScalarTraits<R>::unit_roundoff() * length(frames.offset);
     } else {

@@ -84,7 +84,7 @@ template <class R>
 
 namespace detail {
 
-/// Sets radius and to_mean. Where squares would come near overflow or underflow it computes in
+/// Sets radius and to_mean. If squares would come near overflow or underflow it computes in
 /// units of about `size`, the largest distance from the centre along an axis.
 template <class S, int D>
 void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, D>& out) {

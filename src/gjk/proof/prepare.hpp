@@ -37,8 +37,8 @@ template <class S, int D>
 
 /// The first thing wrong. Alone, a pose that is not finite is found later, by `reach`.
 template <class S, int D>
-[[nodiscard]] Error first_wrong(const Bodies<S, D>& bodies, const Options& options) {
-  const auto& [query, x, y] = bodies;
+[[nodiscard]] Error first_wrong(const MeasuredQuery<S, D>& measured, const Options& options) {
+  const auto& [query, x, y] = measured;
   const int x_count = static_cast<int>(query.x.vertices().size());
   const int y_count = static_cast<int>(query.y.vertices().size());
   const bool bad_options =
@@ -55,34 +55,35 @@ template <class S, int D>
 }
 
 template <class R, class S, int D>
-void prepare_in_unit(const Bodies<S, D>& bodies, int exponent, Prepared<R, D>& prepared) {
-  set_frames<R>(bodies, exponent, prepared);
-  place<R>(bodies.query.x, bodies.x, prepared, prepared.x);
-  place<R>(bodies.query.y, bodies.y, prepared, prepared.y);
+void prepare_in_unit(const MeasuredQuery<S, D>& measured, int exponent, Prepared<R, D>& prepared) {
+  set_frames<R>(measured, exponent, prepared);
+  place<R>(measured.query.x, measured.x, prepared, prepared.x);
+  place<R>(measured.query.y, measured.y, prepared, prepared.y);
   static_cast<Rounding<R, D>&>(prepared) =
-      measure(bodies, static_cast<const Frames<R, D>&>(prepared));
+      rounding_of(measured, static_cast<const Frames<R, D>&>(prepared));
 }
 
 /// Prepares again, in a unit in which squares of coordinates neither overflow nor underflow.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Prepared<R, D> prepared_in_good_unit(const Bodies<S, D>& bodies) {
+[[nodiscard, gnu::noinline]] Prepared<R, D> prepared_in_good_unit(
+    const MeasuredQuery<S, D>& measured) {
   using Traits = ScalarTraits<R>;
   const auto refused = [](Error error) {
     Prepared<R, D> prepared;
     prepared.error = error;
     return prepared;
   };
-  if (!is_finite(bodies.query.x.pose)) return refused(Error::x_not_finite);
-  if (!is_finite(bodies.query.y.pose)) return refused(Error::y_not_finite);
+  if (!is_finite(measured.query.x.pose)) return refused(Error::x_not_finite);
+  if (!is_finite(measured.query.y.pose)) return refused(Error::y_not_finite);
   // Squares may have gone out of range: first a unit in which they do not.
   constexpr int kLimit = std::numeric_limits<R>::max_exponent - 3;
   const auto in_unit = [&](int exponent) {
     Prepared<R, D> prepared;
-    prepare_in_unit(bodies, std::clamp(exponent, -kLimit, kLimit), prepared);
+    prepare_in_unit(measured, std::clamp(exponent, -kLimit, kLimit), prepared);
     return prepared;
   };
-  const Vec<S, D> apart = bodies.query.y.pose.translation - bodies.query.x.pose.translation;
-  const S largest = std::max({bodies.x.largest, bodies.y.largest, norm_max(apart)});
+  const Vec<S, D> apart = measured.query.y.pose.translation - measured.query.x.pose.translation;
+  const S largest = std::max({measured.x.largest, measured.y.largest, norm_max(apart)});
   Prepared<R, D> prepared = in_unit(Traits::exponent(Traits::from(largest)));
   if (prepared.reach == R(0)) return prepared;
   if (Traits::is_finite(prepared.reach)) {
@@ -94,16 +95,17 @@ template <class R, class S, int D>
 }
 
 template <class R, class S, int D>
-void prepare(const Bodies<S, D>& bodies, const Options& options, Prepared<R, D>& prepared) {
-  prepared.error = first_wrong(bodies, options);
+void prepare(const MeasuredQuery<S, D>& measured, const Options& options,
+             Prepared<R, D>& prepared) {
+  prepared.error = first_wrong(measured, options);
   if (prepared.error != Error::none) return;
   if constexpr (ScalarTraits<R>::kExact) {
-    set_frames<R>(bodies, 0, prepared);
+    set_frames<R>(measured, 0, prepared);
   } else {
-    prepare_in_unit(bodies, 0, prepared);
+    prepare_in_unit(measured, 0, prepared);
     if (ScalarTraits<R>::template is_in_range<kDegree<D>>(prepared.reach)) [[likely]]
       return;
-    prepared = prepared_in_good_unit<R>(bodies);
+    prepared = prepared_in_good_unit<R>(measured);
   }
 }
 
@@ -116,11 +118,11 @@ template <class R, class S, int D>
   const Measures<S, D>* y = query.y.measures();
   Prepared<R, D> prepared;
   if (x != nullptr && y != nullptr) {
-    detail::prepare(detail::Bodies<S, D>{query, *x, *y}, options, prepared);
+    detail::prepare(detail::MeasuredQuery<S, D>{query, *x, *y}, options, prepared);
   } else {
     const Measures<S, D> of_x = x != nullptr ? *x : measured<S, D>(query.x.vertices());
     const Measures<S, D> of_y = y != nullptr ? *y : measured<S, D>(query.y.vertices());
-    detail::prepare(detail::Bodies<S, D>{query, of_x, of_y}, options, prepared);
+    detail::prepare(detail::MeasuredQuery<S, D>{query, of_x, of_y}, options, prepared);
   }
   return prepared;
 }

@@ -58,7 +58,7 @@ struct Farthest {
 };
 
 /// The vertex of a convex ring that lies farthest, of equal ones the first. Along a direction the
-/// vertices rise to one summit and fall to one valley. So from the best of some samples the search
+/// vertices rise to one summit and fall to one valley: from the best of some samples the search
 /// goes both ways until the fall exceeds `rounding`, the error of a difference of two values: then
 /// it has seen every vertex as high as that sample.
 template <class R, class Along>

@@ -40,22 +40,22 @@ struct Rounding {
   R moved = R(0);         ///< Sum over the shapes: roundings of moving a vertex, times the radius.
   bool scans_placed = false;  ///< Scans see the vertices of both shapes as Z has them.
 
-  /// Of a vertex w of Z, apart from the u |w| of its last sum: that of the offset, u radius where
-  /// the vertex is centred, (D - 1 + sqrt(D)) u radius where it is turned, and u extent for y - x.
-  /// In one frame 0: w is one difference.
+  /// The error of a vertex w of Z, apart from the u |w| of its last sum: that of the offset, u
+  /// radius where the vertex is centred, (D - 1 + sqrt(D)) u radius where it is turned, and u
+  /// extent for y - x. In one frame 0: w is one difference.
   R vertex_error = R(0);
 
-  /// Of the choice of a support point along a direction in doubt by `angle` (in radians): how much
-  /// farther along d / |d| the true one may lie. A scan compares two dot products, each of which
-  /// errs by D u radius, and by `moved`, since the vertex was moved or the direction turned. Two
-  /// vertices are at most two radii apart, which the angle multiplies.
+  /// The error of the choice of a support point along a direction in doubt by `angle` (in radians):
+  /// how much farther along d / |d| the true one may lie. A scan compares two dot products, each of
+  /// which errs by D u radius, and by `moved`, since the vertex was moved or the direction turned.
+  /// Two vertices are at most two radii apart, which the angle multiplies.
   [[nodiscard]] R scan_error_within(const R& angle) const {
     const R u = ScalarTraits<R>::unit_roundoff();
     return u * (R(2 * D) * extent + R(2) * moved) + R(2) * angle * extent;
   }
-  /// Of the distance of a support plane, |dot(d, w)| / |d|, |w| = `reach_of_w`: the error of w with
-  /// its last sum, u |w|, that of the dot product, D u |w|, that of the choice of w, and the
-  /// roundings of a length. With `scans_placed` scans saw w as it is, so `moved` counts once.
+  /// The error of the distance of a support plane, |dot(d, w)| / |d|, |w| = `reach_of_w`: the error
+  /// of w with its last sum, u |w|, that of the dot product, D u |w|, that of the choice of w, and
+  /// the roundings of a length. With `scans_placed` scans saw w as it is, so `moved` counts once.
   [[nodiscard]] R plane_error(const R& distance, const R& reach_of_w) const {
     const R u = ScalarTraits<R>::unit_roundoff();
     const R dots = u * (R(2 * D) * extent);
@@ -64,18 +64,19 @@ struct Rounding {
     return of_support +
            u * (R(D + 1) * reach_of_w + ScalarTraits<R>::from(kLengthRoundings<D>) * distance);
   }
-  /// Of a vertex w of Z in DoubleWords, and of the arithmetic of foot_of on it. A product of words
-  /// errs by 8 u^2, a sum by 3 u^2 of its parts. So turning a vertex costs (8 + 6 (D - 1)) sqrt(D)
-  /// u^2, at most 35, and y - x + offset 9: 44 for the vertex. In foot_of the normal costs 24 and
-  /// its dot product with a vertex 20 more, of lengths that are no longer than `from_origins`. The
-  /// sum is 88; 256 leaves room for the error's own rounding in half, and for sums of six of them.
+  /// The error of a vertex w of Z in DoubleWords, and of the arithmetic of foot_of on it. A product
+  /// of words errs by 8 u^2, a sum by 3 u^2 of its parts. Turning a vertex costs (8 + 6 (D - 1))
+  /// sqrt(D) u^2, at most 35, and y - x + offset 9: 44 for the vertex. In foot_of the normal costs
+  /// 24 and its dot product with a vertex 20 more, of lengths that are no longer than
+  /// `from_origins`. The sum is 88; 256 leaves room for the error's own rounding in half, and for
+  /// sums of six of them.
   [[nodiscard]] R careful_error() const {
     const R u = ScalarTraits<R>::unit_roundoff();
     return R(256) * u * u * from_origins;
   }
-  /// Of |P| as take_region computes it, while no face is shorter or thinner than about a sixth of
-  /// its distance: u reach for the vertices, kLengthRoundings for the length, and for the cross
-  /// product 2 u |a||b| / |e|, or as much for a triangle. weights_bound holds for every face.
+  /// The error of |P| as take_region computes it, while no face is shorter or thinner than about a
+  /// sixth of its distance: u reach for the vertices, kLengthRoundings for the length, and for the
+  /// cross product 2 u |a||b| / |e|, or as much for a triangle. weights_bound holds for every face.
   [[nodiscard]] R simplex_error() const {
     return vertex_error + R(8 * D) * ScalarTraits<R>::unit_roundoff() * reach;
   }
@@ -85,7 +86,8 @@ namespace detail {
 
 /// The lengths from which rounding is bounded.
 template <class R, class S, int D>
-[[nodiscard]] Rounding<R, D> measure(const Bodies<S, D>& bodies, const Frames<R, D>& frames) {
+[[nodiscard]] Rounding<R, D> rounding_of(const MeasuredQuery<S, D>& measured,
+                                         const Frames<R, D>& frames) {
   constexpr double kTurnRoundings = D == 2 ? 2.5 : 3.75;  // D - 1 + sqrt(D), rounded up
   Rounding<R, D> out;
   R to_means(0);
@@ -104,8 +106,8 @@ template <class R, class S, int D>
     out.extent = out.extent + radius;
     to_means = to_means + ScalarTraits<R>::from(measures.to_mean) * frames.unit * stretch;
   };
-  add(bodies.query.x, bodies.x, frames.x);
-  add(bodies.query.y, bodies.y, frames.y);
+  add(measured.query.x, measured.x, frames.x);
+  add(measured.query.y, measured.y, frames.y);
   const R far = length(frames.offset);
   out.reach = far + out.extent;
   out.least_reach = far - to_means;

@@ -1,5 +1,5 @@
 #pragma once
-// What the core needs of a scalar type beyond + - * / and comparison.
+// Operations of a scalar type that the core needs beyond + - * / and comparison.
 //
 // The loop compares squared lengths only, so it runs on types without a square root, too. Lengths
 // appear once, in the result, as ScalarTraits<S>::Real.

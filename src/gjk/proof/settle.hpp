@@ -86,7 +86,7 @@ template <class R, class S, int D>
 
 /// True when no product of an exact run can underflow or overflow, because no coordinate is much
 /// smaller or larger than 2^exponent. A product has up to two coordinates in the plane and four in
-/// space, and as many entries of rotations. Where long double has more exponents than double, as
+/// space, and as many entries of rotations. If long double has more exponents than double, as
 /// nearly everywhere, there is room for all but products of eight of the smallest doubles.
 template <class Component = long double, class S, int D>
 [[nodiscard]] bool has_exact_products(const Query<S, D>& query, bool same_frame, int exponent) {
@@ -120,7 +120,7 @@ template <class R, class S, int D>
   }
   const Measures<S, D> not_asked;
   Prepared<Expansion, D> exact;
-  detail::set_frames(detail::Bodies<S, D>{query, not_asked, not_asked}, exponent, exact);
+  detail::set_frames(detail::MeasuredQuery<S, D>{query, not_asked, not_asked}, exponent, exact);
   return exact;
 }
 

@@ -30,7 +30,7 @@ class Rotation {
       turns_ = turns_ || !is_unit;
     }
     if constexpr (!ScalarTraits<S>::kExact) {
-      if (turns_) measure();
+      if (turns_) set_stretch();
     }
   }
 
@@ -45,7 +45,7 @@ class Rotation {
   [[nodiscard]] const Size& stretch() const { return stretch_; }
 
  private:
-  void measure() {
+  void set_stretch() {
     const auto column = [&](int i) -> Vec<Size, D> {
       return converted<Size, S, D>(Vec<S, D>(col(i)));
     };
@@ -63,7 +63,7 @@ class Rotation {
   bool turns_ = false;
 };
 
-/// Where a shape stands: world = rotation * local + translation.
+/// The place of a shape: world = rotation * local + translation.
 template <class S, int D>
 struct Pose {
   Rotation<S, D> rotation;

@@ -18,8 +18,9 @@ template <class R, int D>
 /// The point from + beyond of a shape's frame in the world, computed with about twice the digits:
 /// far from the frame's origin a rotation can round by more than the size of Z.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Vec<R, D> careful_place(const Pose<S, D>& pose, const Vec<R, D>& from,
-                                                     const Vec<R, D>& beyond, int exponent) {
+[[nodiscard, gnu::noinline]] Vec<R, D> careful_world_point(const Pose<S, D>& pose,
+                                                           const Vec<R, D>& from,
+                                                           const Vec<R, D>& beyond, int exponent) {
   using Word = DoubleWord<R>;
   const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // 1 if small
   Vec<Word, D> local;
@@ -64,7 +65,7 @@ template <class R, class S, int D>
   }
   if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
     if (shape.pose.rotation.turns() && prepared.centred) {
-      return careful_place<R>(shape.pose, from, beyond, prepared.exponent);
+      return careful_world_point<R>(shape.pose, from, beyond, prepared.exponent);
     }
   }
   const Vec<W, D> local = from + beyond;
@@ -73,7 +74,7 @@ template <class R, class S, int D>
   return converted<R, W, D>(world);
 }
 
-/// Sets both witness points, in the world. Where shapes meet, both are one point, and rounding must
+/// Sets both witness points, in the world. When shapes meet, both are one point, and rounding must
 /// not set them apart: it is their midpoint, or the one that is a vertex.
 template <class R, class S, int D>
 void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
