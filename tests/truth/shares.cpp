@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "bench/document.hpp"
@@ -49,7 +50,7 @@ struct Share {
 template <int D>
 struct Shares {
   Share vertex{"vertex_error + u abs(w)",
-               "broken at half in the plane; in space nine roundings would have to agree"};
+               "broken: the last sum of a vertex uses all of it"};
   Share scan{"scan_error_within",
              "two vertices must lie equally far, and both dot products err the other way"};
   Share plane{"plane_error", "a sum of vertex, scan and length, which are not worst together"};
@@ -57,7 +58,7 @@ struct Shares {
   Share foot{"error of foot_of, own digits",
              "the size stands for the nearest vertex, and all roundings agree"};
   Share careful{"error of foot_of, double words",
-                "88 of 256 are derived; the rest is for scalars of few digits"};
+                "the result rounds up to six times, not all with one sign"};
   Share inside{"error of weights times height", "foot at a corner, and all roundings agree"};
   Share weights{"weights_bound", "weights and vertices have errors of one sign"};
   Share root{"root_above, root_below", "2 of 8 roundings are those of IEEE types"};
