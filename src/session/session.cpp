@@ -225,6 +225,8 @@ void Session::begin_drag(const std::string& name, std::optional<std::size_t> hel
   if (dragging_) end_drag();
   remember({name, lesson_}, sights_);
   hold_cameras();
+  problems_.clear();
+  problem_.clear();
   held_ = held;
   follows_.clear();
   const std::vector<LessonPictures::ShownView> seen = views();
@@ -245,7 +247,11 @@ void Session::end_drag() {
   if (!dragging_) return;
   dragging_ = false;
   held_.reset();
-  if (show(LabelScope::lesson)) return keep_difference_in_sight();
+  if (problem_.empty()) {
+    // The last move has run it; labels get places that suit all frames.
+    lay_out(LabelScope::lesson);
+    return keep_difference_in_sight();
+  }
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
   lesson_ = std::move(past_.back().lesson);
