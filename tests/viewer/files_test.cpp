@@ -457,6 +457,65 @@ TEST(Case, ThatIsLargeNeedNotBeWaitedFor) {
   EXPECT_EQ("polygons-gjk", window.session().lesson().id);
 }
 
+/// A window with a large case that the hand has moved Y in, and let go.
+struct LargeDrag : ::testing::Test {
+  LargeDrag() {
+    window.app().open_path(folder.file("large.json", large_case()));
+    while (window.app().is_opening()) window.frame();
+    window.settle();
+    before = window.session().lesson();
+    shown = window.session().picture();
+    const Point of_y = window.at({Subject::Kind::shape_y});
+    window.drag(of_y, of_y - Point(40.0, 0.0));
+  }
+  TemporaryFolder folder;
+  HeadlessApp window;
+  Lesson before;
+  Picture shown;
+};
+
+TEST_F(LargeDrag, SettlesBesideTheWindowAndSaysSo) {
+  Session& session = window.session();
+  ASSERT_TRUE(session.is_settling());
+  EXPECT_NE("", said(window, "settling"));
+  EXPECT_NE(before.y().vertices, session.lesson().y().vertices);
+  while (session.is_settling()) {
+    EXPECT_TRUE(window.app().wakes_at());
+    window.frame();
+  }
+  EXPECT_EQ("", said(window, "settling"));
+  EXPECT_EQ(session.lesson().y().vertices, session.run().lesson.y().vertices);
+  EXPECT_EQ("move a shape", session.undo_name());
+  window.key("Z", true);
+  EXPECT_EQ(before.y().vertices, session.lesson().y().vertices);
+}
+
+TEST_F(LargeDrag, IsCancelledAsIfItHadNotBeen) {
+  Session& session = window.session();
+  const std::string earlier = "open " + before.id;
+  ASSERT_TRUE(session.is_settling());
+  window.app().run_command("Cancel the change");
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_EQ(earlier, session.undo_name());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+  EXPECT_EQ(shown.marks.size(), session.picture().marks.size());
+  // What was being made for it is not shown.
+  for (int i = 0; i < 50; ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+}
+
+TEST_F(LargeDrag, GivesWayToAnyOtherChange) {
+  Session& session = window.session();
+  ASSERT_TRUE(session.is_settling());
+  window.key("Z", true);
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+}
+
 // Unsaved work -----------------------------------------------------------------------------------
 
 /// Leaves a piece of work on each of these lessons.
