@@ -170,10 +170,10 @@ void App::work_beside() {
   if (working_.valid() && is_ready(working_)) {
     const bool was_settling = session_.is_settling();
     try {
-      session_.take(working_.get());
+      session_.take_work(working_.get());
       if (was_settling && !session_.problem().empty()) say(session_.problem(), true);
     } catch (const std::exception& error) {
-      session_.take(nullptr);
+      session_.take_work(nullptr);
       say(error.what(), true);
     }
   }

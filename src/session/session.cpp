@@ -134,7 +134,7 @@ std::function<std::shared_ptr<Session::Made>()> Session::work() {
   return maker(lesson_, sights_, stacked_, *std::exchange(wanted_, std::nullopt), index_);
 }
 
-void Session::take(const std::shared_ptr<Made>& made) {
+void Session::take_work(const std::shared_ptr<Made>& made) {
   making_ = false;
   if (!made) return cancel_drag();
   if (!before_drag_ || made->drag != drags_) return;

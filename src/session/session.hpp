@@ -104,13 +104,13 @@ class Session {
   // Drags of shapes larger than those of lesson files, beside whoever drives the session
 
   /// From here on moves of such shapes, and the ends of their drags, change the lesson alone; run
-  /// and pictures stay until `take` gets what `work` has made.
+  /// and pictures stay until `take_work` gets what `work` has made.
   void work_beside() { beside_ = true; }
   /// Makes what follows from the lesson, in whatever thread; the session must not end before it is
   /// done. Null where nothing is to be made, or the last work was not taken yet.
   [[nodiscard]] std::function<std::shared_ptr<Made>()> work();
   /// Shows what work() has made, if it is still asked for; null: it has failed.
-  void take(const std::shared_ptr<Made>& made);
+  void take_work(const std::shared_ptr<Made>& made);
   /// A drag has ended, and what follows from it is not shown yet.
   [[nodiscard]] bool is_settling() const { return !dragging_ && before_drag_.has_value(); }
   /// The lesson, and what is shown, as before a drag that goes on, or has not settled.

@@ -457,7 +457,7 @@ TEST(Case, ThatIsLargeNeedNotBeWaitedFor) {
   EXPECT_EQ("polygons-gjk", window.session().lesson().id);
 }
 
-/// A window with a large case that the hand has moved Y in, and let go.
+/// A window with a large case that the hand has moved a vertex of Y in, and let go.
 struct LargeDrag : ::testing::Test {
   LargeDrag() {
     window.app().open_path(folder.file("large.json", large_case()));
@@ -465,7 +465,7 @@ struct LargeDrag : ::testing::Test {
     window.settle();
     before = window.session().lesson();
     shown = window.session().picture();
-    const Point of_y = window.at({Subject::Kind::shape_y});
+    const Point of_y = window.at({Subject::Kind::vertex_of_y, -1, 0});
     window.drag(of_y, of_y - Point(40.0, 0.0));
   }
   TemporaryFolder folder;
@@ -485,7 +485,7 @@ TEST_F(LargeDrag, SettlesBesideTheWindowAndSaysSo) {
   }
   EXPECT_EQ("", said(window, "settling"));
   EXPECT_EQ(session.lesson().y().vertices, session.run().lesson.y().vertices);
-  EXPECT_EQ("move a shape", session.undo_name());
+  EXPECT_EQ("move a vertex", session.undo_name());
   window.key("Z", true);
   EXPECT_EQ(before.y().vertices, session.lesson().y().vertices);
 }
