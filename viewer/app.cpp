@@ -50,6 +50,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       chapters_(parse_chapters(read_whole(paths_.share / "assets" / "chapters.toml"),
                                "assets/chapters.toml")),
       unsaved_(paths_.state) {
+  session_.work_beside();
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";
   for (const LoadedLesson& loaded : load_lessons(folder, vocabulary())) {
     if (loaded.lesson) {
@@ -128,6 +129,7 @@ void App::tick(double now) {
   asking_.tick(now_);
   end_export();
   end_opening();
+  work_beside();
   thumbnails_.tick();
   if (!message_ends_) message_ends_ = is_exporting() ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
@@ -155,8 +157,8 @@ std::optional<double> App::wakes_at() const {
   at = std::min(at, presenter_.wakes_at(now_).value_or(HUGE_VAL));
   at = std::min(at, asking_.wakes_at().value_or(HUGE_VAL));
   const Drawer* open = drawer_ ? &drawers_[*drawer_] : nullptr;
-  if (is_exporting() || is_opening() || keeping_.valid() || makes_thumbnails() ||
-      (open && open->waits && open->waits()))
+  if (is_exporting() || is_opening() || working_.valid() || keeping_.valid() ||
+      makes_thumbnails() || (open && open->waits && open->waits()))
     at = std::min(at, now_ + kLooksBeside);
   if (unsaved_.keeps() && session_.version() != kept_version_ && !keeping_.valid())
     at = std::min(at, next_save_);
@@ -190,6 +192,7 @@ void App::select_next(int by) {
 }
 
 void App::nudge(const Vector2d& pixels) {
+  if (session_.is_settling()) return;
   const Subject& selected = picture_.selected;
   const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
   const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
@@ -371,6 +374,9 @@ void App::make_commands() {
         if (session_.undo()) say(fmt::format("undone: {}", name));
       },
       [&] { return !session_.undo_name().empty(); });
+  add(
+      "Edit", "Cancel the change", {}, [this] { session_.cancel_drag(); },
+      [this] { return session_.is_settling(); });
   add(
       "Edit", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"},
       [&] {

@@ -271,6 +271,7 @@ class App {
   bool shown(bool is_shown, const std::string& name);
   void open_beside(const std::filesystem::path& file);
   void end_opening();
+  void work_beside();
   void open_pasted(const std::string& text);
   void save_case_to(const std::filesystem::path& file);
   /// Whether this is a lesson of the course, or still the same as one.
@@ -400,6 +401,8 @@ class App {
   };
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
+  /// What follows from a drag of large shapes; uses `session_`.
+  std::future<std::shared_ptr<Session::Made>> working_;
   /// A large file that is read, run and drawn beside the window.
   struct Opening {
     std::filesystem::path file;

@@ -166,6 +166,21 @@ void App::open_beside(const fs::path& file) {
   opening_ = std::move(opening);
 }
 
+void App::work_beside() {
+  if (working_.valid() && is_ready(working_)) {
+    const bool was_settling = session_.is_settling();
+    try {
+      session_.take_work(working_.get());
+      if (was_settling && !session_.problem().empty()) say(session_.problem(), true);
+    } catch (const std::exception& error) {
+      session_.take_work(nullptr);
+      say(error.what(), true);
+    }
+  }
+  if (working_.valid()) return;
+  if (auto work = session_.work()) working_ = std::async(std::launch::async, std::move(work));
+}
+
 void App::end_opening() {
   std::erase_if(given_up_, [](const Opening& each) { return is_ready(each.result); });
   if (!opening_ || !is_ready(opening_->result)) return;

@@ -62,6 +62,13 @@ std::vector<Notice> App::all_notices() const {
                    .answers = {"Cancel opening"},
                    .can_be_closed = false});
   }
+  if (session_.is_settling()) {
+    all.push_back({.cause = "settling",
+                   .text = "The run of these large shapes is being made…",
+                   .is_error = false,
+                   .answers = {"Cancel the change"},
+                   .can_be_closed = false});
+  }
   if (!error_.empty()) all.push_back({.cause = "deed", .text = error_, .details = error_details_});
   const std::string& not_kept = not_kept_.empty() ? unsaved_.problem() : not_kept_;
   if (!not_kept.empty()) {

@@ -410,6 +410,7 @@ void PictureView::continue_drag(const Point& page) {
       session_.go_to(*frame);
     return;
   }
+  if (session_.is_settling()) return;
   constexpr double kStill = 2.0;  // frame pixels: a click is not a drag
   if (!drag.moved && (page - drag.last).norm() < kStill) return;
   drag.moved = true;

@@ -52,8 +52,9 @@ async function act(request, { moves = false, about } = {}) {
   return true;
 }
 
-/** Puts a picture into its place; what it says becomes its name. */
+/** Puts a picture into its place, which knows it; what it says becomes its name. */
 function put(host, markup, role) {
+  host.markup = markup;
   const template = document.createElement("template");
   template.innerHTML = markup;
   const svg = template.content.querySelector("svg");
@@ -89,7 +90,7 @@ function show(next, moves) {
   else putStage(state.stage);
   $("panel").hidden = !state.panel;
   if (state.panel) putPanel();
-  put($("timeline"), state.timeline, "img");
+  if ($("timeline").markup !== state.timeline) put($("timeline"), state.timeline, "img");
   setText("prose", state.prose);
   setText("position", state.position);
   setText("caption", state.caption);
@@ -148,6 +149,7 @@ function setText(id, text) {
 
 /** The lines of the pseudocode are buttons: to the next step that takes them. */
 function putPanel() {
+  if ($("panel").markup === state.panel) return;
   const focused = document.activeElement?.dataset?.of;
   put($("panel"), state.panel, "group");
   const seen = new Set();

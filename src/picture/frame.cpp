@@ -235,6 +235,7 @@ struct LessonPictures::View {
   LessonView of;
   LabelPlacer placer;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
+  StillLayers still_layers = {};
   bool has_fixed_labels = false;
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
@@ -387,7 +388,8 @@ const Scene& LessonPictures::scene(View& view, std::size_t index) {
   if (!scene) {
     const double farthest = view.is_close_up ? HUGE_VAL : StageMap::kFarthest;
     scene = stage_scene(run_, effects_, run_.frames[index], view.of,
-                        StageMap(view.shown.card, view.shown.camera, farthest), fonts_);
+                        StageMap(view.shown.card, view.shown.camera, farthest), fonts_,
+                        view.still_layers);
     if (view.is_close_up) scene->marks = cut(scene->marks, view.shown.card);
     if (view.close_up) view.tell_close_up(*scene);
   }

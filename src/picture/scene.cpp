@@ -31,6 +31,20 @@ void add_outline(std::vector<Obstacles::Segment>& to, const std::vector<Point>& 
 
 }  // namespace
 
+void Scene::append(const Scene& more) {
+  const auto add = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(marks, more.marks);
+  add(fixed_labels, more.fixed_labels);
+  add(moving_labels, more.moving_labels);
+  add(area_labels, more.area_labels);
+  add(obstacles.segments, more.obstacles.segments);
+  add(obstacles.passing, more.obstacles.passing);
+  add(obstacles.circles, more.obstacles.circles);
+  add(obstacles.grounds, more.obstacles.grounds);
+}
+
 std::vector<Point> told_apart(const std::vector<Point>& points) {
   constexpr std::size_t kFew = 256;  // all of which are drawn
   constexpr double kApart = 0.5;

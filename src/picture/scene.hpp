@@ -60,6 +60,7 @@ struct Scene {
   std::vector<LabelRequest> moving_labels;
   std::vector<AreaLabelRequest> area_labels;
   Obstacles obstacles;
+  void append(const Scene& more);
 };
 
 /// Corners of an outline, in frame pixels: of more than a few hundred those alone that can be told

@@ -86,16 +86,27 @@ std::vector<const Layer*> sorted_layers() {
 }  // namespace
 
 Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
-                  const LessonView& view, const StageMap& map, const Fonts& fonts) {
+                  const LessonView& view, const StageMap& map, const Fonts& fonts,
+                  StillLayers& drawn) {
   static const std::vector<const Layer*> all = sorted_layers();
   const StagedAct& act = staged(run);
   SceneBuilder scene(run, effects, frame, view, map);
   if (act.fill != nullptr && act.fill(scene, fonts)) return std::move(scene.out);
+  const auto draw_layer = [&](const Layer& layer) {
+    if (layer.key == nullptr) return layer.draw(scene);
+    const auto [still, is_new] = drawn.try_emplace({&layer, layer.key(scene)});
+    if (is_new) {
+      std::swap(scene.out, still->second);
+      layer.draw(scene);
+      std::swap(scene.out, still->second);
+    }
+    scene.out.append(still->second);
+  };
   const auto draw = [&](bool above) {
     for (const Layer* layer : all) {
       const bool is_above = layer->order > Layer::kOfAct;
       const bool is_called = layer->effect.empty() || scene.shows(layer->effect);
-      if (is_above == above && is_called && is_on(*layer, view.kind)) layer->draw(scene);
+      if (is_above == above && is_called && is_on(*layer, view.kind)) draw_layer(*layer);
     }
   };
   draw(false);

@@ -3,6 +3,8 @@
 // the frame.
 
 #include <Eigen/Geometry>
+#include <map>
+#include <utility>
 
 #include "picture/scene.hpp"
 
@@ -15,7 +17,13 @@ namespace gjkscope {
 /// frames.
 [[nodiscard]] Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area);
 
+struct Layer;
+/// What layers of a view have drawn that is the same in many of its frames.
+using StillLayers = std::map<std::pair<const Layer*, EffectKey>, Scene>;
+
+/// `drawn` is that of the view, seen by this `map`.
 [[nodiscard]] Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
-                                const LessonView& view, const StageMap& map, const Fonts& fonts);
+                                const LessonView& view, const StageMap& map, const Fonts& fonts,
+                                StillLayers& drawn);
 
 }  // namespace gjkscope

@@ -12,6 +12,7 @@
 #include "effects/minkowski.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
+#include "lesson/schema.hpp"
 #include "picture/registry.hpp"
 #include "picture/stage.hpp"
 
@@ -94,23 +95,89 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
 
 struct Session::Made {
   Lesson lesson;
-  Page page;                     ///< That its pictures are laid out on.
-  std::string problem;           ///< Why there are none.
-  std::unique_ptr<Shown> shown;  ///< Null where there is a problem.
+  Page page;  ///< That its pictures are laid out on.
+  LabelScope scope = LabelScope::lesson;
+  long layout = 0;               ///< Session::layout_, and
+  long drag = 0;                 ///< Session::drags_, when it was asked for.
+  std::string problem = {};      ///< Why there are no pictures.
+  std::shared_ptr<Shown> shown;  ///< Null where there is a problem.
 };
 
 std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) const {
+  std::vector<std::optional<Sight>> sights(lesson.views.size());
+  return maker(std::move(lesson), std::move(sights), std::nullopt, LabelScope::lesson, 0);
+}
+
+std::function<std::shared_ptr<Session::Made>()> Session::maker(
+    Lesson lesson, std::vector<std::optional<Sight>> sights, std::optional<bool> stacked,
+    LabelScope scope, int index) const {
   Lesson asked = to_run(lesson);
-  return [this, to_run = std::move(asked), lesson = std::move(lesson), page = page_] {
-    auto made = std::make_shared<Made>(Made{lesson, page, {}, nullptr});
-    LessonRun run = run_lesson(to_run);
-    made->problem = why_not_shown(run);
-    if (!made->problem.empty()) return made;
-    made->shown = std::make_unique<Shown>(std::move(run), fonts_, nullptr);
-    made->shown->pictures.lay_out(page, std::vector<std::optional<Sight>>(lesson.views.size()),
-                                  LabelScope::lesson);
-    return made;
+  Made asked_for{std::move(lesson), page_, scope, layout_, drags_, {}, nullptr};
+  return [this, asked = std::move(asked), made = std::move(asked_for), sights = std::move(sights),
+          stacked, index]() mutable {
+    LessonRun run = run_lesson(asked);
+    made.problem = why_not_shown(run);
+    if (made.problem.empty()) {
+      const int last = static_cast<int>(run.frames.size()) - 1;
+      made.shown = std::make_shared<Shown>(std::move(run), fonts_, nullptr);
+      made.shown->pictures.lay_out(made.page, sights, made.scope, stacked);
+      // Its marks are kept.
+      (void)made.shown->pictures.picture(std::min(index, last));
+    }
+    return std::make_shared<Made>(std::move(made));
   };
+}
+
+std::function<std::shared_ptr<Session::Made>()> Session::work() {
+  if (!wanted_ || making_) return nullptr;
+  making_ = true;
+  return maker(lesson_, sights_, stacked_, *std::exchange(wanted_, std::nullopt), index_);
+}
+
+void Session::take_work(const std::shared_ptr<Made>& made) {
+  making_ = false;
+  if (!made) return cancel_drag();
+  if (!before_drag_ || made->drag != drags_) return;
+  problems_.clear();
+  problem_ = made->problem;
+  if (!problem_.empty()) {
+    if (is_settling() && !wanted_) cancel_drag();
+    problem_ = made->problem;
+    return;
+  }
+  if (made->scope == LabelScope::frame) made->shown->pictures.explain_as(shown_->pictures);
+  put(made->shown);
+  stacked_ = shown_->pictures.is_stacked();
+  picture_.reset();
+  if (made->layout != layout_) lay_out(made->scope);
+  if (!is_settling()) return keep_difference_in_sight();
+  if (wanted_) return;
+  before_drag_.reset();
+  keep_difference_in_sight();
+}
+
+void Session::cancel_drag() {
+  if (!before_drag_) return;
+  const BeforeDrag before = *std::exchange(before_drag_, std::nullopt);
+  dragging_ = false;
+  held_.reset();
+  wanted_.reset();
+  sights_ = past_.back().sights;
+  take_back_drag();
+  shown_ = before.shown;
+  index_ = before.index;
+  stacked_ = shown_->pictures.is_stacked();
+  picture_.reset();
+  problems_.clear();
+  problem_.clear();
+  if (layout_ != before.layout) lay_out(LabelScope::lesson);
+}
+
+void Session::take_back_drag() {
+  lesson_ = std::move(past_.back().lesson);
+  id_ = past_.back().id;
+  past_.pop_back();
+  changed();
 }
 
 bool Session::open(const std::shared_ptr<Made>& made, std::filesystem::path file, bool unsaved) {
@@ -124,6 +191,8 @@ bool Session::open(const std::shared_ptr<Made>& made, std::filesystem::path file
   std::vector<std::optional<Sight>> sights =
       std::exchange(sights_, std::vector<std::optional<Sight>>(lesson_.views.size()));
   shown_ = std::move(made->shown);
+  wanted_.reset();
+  before_drag_.reset();
   stacked_ = shown_->pictures.is_stacked();
   index_ = 0;
   picture_.reset();
@@ -223,9 +292,15 @@ bool Session::revert() { return saved_ && edit("revert", *saved_); }
 
 void Session::begin_drag(const std::string& name, std::optional<std::size_t> held) {
   if (dragging_) end_drag();
+  if (is_settling()) show(LabelScope::lesson);
   remember({name, lesson_}, sights_);
   hold_cameras();
+  problems_.clear();
+  problem_.clear();
   held_ = held;
+  ++drags_;
+  const std::size_t vertices = std::max(lesson_.x().vertices.size(), lesson_.y().vertices.size());
+  if (beside_ && vertices > limits::kVertices) before_drag_ = {shown_, index_, layout_};
   follows_.clear();
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -238,20 +313,29 @@ void Session::drag(const std::function<void(Lesson&)>& edit) {
   if (!dragging_) return;
   edit(lesson_);
   changed();
-  if (show(LabelScope::frame)) keep_difference_in_sight();
+  if (before_drag_) {
+    wanted_ = LabelScope::frame;
+  } else if (show(LabelScope::frame)) {
+    keep_difference_in_sight();
+  }
 }
 
 void Session::end_drag() {
   if (!dragging_) return;
   dragging_ = false;
   held_.reset();
-  if (show(LabelScope::lesson)) return keep_difference_in_sight();
+  if (before_drag_) {
+    wanted_ = LabelScope::lesson;
+    return;
+  }
+  if (problem_.empty()) {
+    // The last move has run it; labels get places that suit all frames.
+    lay_out(LabelScope::lesson);
+    return keep_difference_in_sight();
+  }
   // Dropped where no run can be shown: back to where it was.
   const std::string why = problem_;
-  lesson_ = std::move(past_.back().lesson);
-  id_ = past_.back().id;
-  past_.pop_back();
-  changed();
+  take_back_drag();
   show(LabelScope::lesson);
   problem_ = why;
 }
@@ -345,22 +429,30 @@ std::string Session::why_not_shown(const LessonRun& run) {
 }
 
 bool Session::show(LabelScope scope) {
-  const bool was_last = shown_ && index_ + 1 == frame_count();
   LessonRun run = run_lesson(lesson_to_run());
   problems_.clear();
   problem_ = why_not_shown(run);
   if (!problem_.empty()) return false;
-  const bool first = !shown_;
-  const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
-  auto shown = std::make_unique<Shown>(std::move(run), fonts_, first ? nullptr : &shown_->effects);
-  if (!first) shown->pictures.explain_as(shown_->pictures);
-  shown_ = std::move(shown);
-  index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
+  // Nothing that was asked for before is waited for.
+  wanted_.reset();
+  before_drag_.reset();
+  auto shown = std::make_shared<Shown>(std::move(run), fonts_, shown_ ? &shown_->effects : nullptr);
+  if (shown_) shown->pictures.explain_as(shown_->pictures);
+  put(std::move(shown));
   lay_out(scope);
   return true;
 }
 
+void Session::put(std::shared_ptr<Shown> shown) {
+  const bool first = !shown_;
+  const bool was_last = !first && index_ + 1 == frame_count();
+  const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
+  shown_ = std::move(shown);
+  index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
+}
+
 void Session::lay_out(LabelScope scope) {
+  ++layout_;
   shown_->pictures.lay_out(page_, sights_, scope, stacked_);
   stacked_ = shown_->pictures.is_stacked();
   picture_.reset();
@@ -603,7 +695,7 @@ void Session::set_page(const Page& page) {
   if (page == page_) return;
   page_ = page;
   stacked_.reset();
-  if (shown_) lay_out(dragging_ ? LabelScope::frame : LabelScope::lesson);
+  if (shown_) lay_out(dragging_ || is_settling() ? LabelScope::frame : LabelScope::lesson);
 }
 
 const Picture& Session::picture() {

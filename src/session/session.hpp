@@ -100,6 +100,22 @@ class Session {
   void drag(const std::function<void(Lesson&)>& edit);
   void end_drag();
   [[nodiscard]] bool is_dragging() const { return dragging_; }
+
+  // Drags of shapes larger than those of lesson files, beside whoever drives the session
+
+  /// From here on moves of such shapes, and the ends of their drags, change the lesson alone; run
+  /// and pictures stay until `take_work` gets what `work` has made.
+  void work_beside() { beside_ = true; }
+  /// Makes what follows from the lesson, in whatever thread; the session must not end before it is
+  /// done. Null where nothing is to be made, or the last work was not taken yet.
+  [[nodiscard]] std::function<std::shared_ptr<Made>()> work();
+  /// Shows what work() has made, if it is still asked for; null: it has failed.
+  void take_work(const std::shared_ptr<Made>& made);
+  /// A drag has ended, and what follows from it is not shown yet.
+  [[nodiscard]] bool is_settling() const { return !dragging_ && before_drag_.has_value(); }
+  /// The lesson, and what is shown, as before a drag that goes on, or has not settled.
+  void cancel_drag();
+
   /// Whether undo and redo leave cameras as they are, or bring back those of then.
   enum class Cameras { stay, as_then };
   bool undo(Cameras cameras = Cameras::stay);
@@ -240,6 +256,14 @@ class Session {
   [[nodiscard]] static std::string why_not_shown(const LessonRun& run);
   /// Runs the lesson; false, and the last run stays, when it cannot be shown.
   bool show(LabelScope scope);
+  /// In place of what is shown, at the same place of the run.
+  void put(std::shared_ptr<Shown> shown);
+  /// Makes pictures of the lesson, and that of a frame, seen by these cameras.
+  [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(
+      Lesson lesson, std::vector<std::optional<Sight>> sights, std::optional<bool> stacked,
+      LabelScope scope, int index) const;
+  /// The lesson as before the drag that is the last entry of the history, and no longer is.
+  void take_back_drag();
   /// The lesson is another one than before.
   void changed();
   void lay_out(LabelScope scope);
@@ -270,6 +294,17 @@ class Session {
   std::vector<Entry> past_;
   std::vector<Entry> future_;
   bool dragging_ = false;
+  bool beside_ = false;
+  long drags_ = 0;                    ///< So far.
+  std::optional<LabelScope> wanted_;  ///< Of pictures that are to be made beside.
+  bool making_ = false;
+  /// What was shown before.
+  struct BeforeDrag {
+    std::shared_ptr<Shown> shown;
+    int index = 0;
+    long layout = 0;
+  };
+  std::optional<BeforeDrag> before_drag_;  ///< Of a drag beside, until it has settled.
   std::vector<std::size_t> follows_;  ///< Views that a difference may not leave, during a drag.
   std::optional<std::size_t> held_;
   bool predicting_ = false;
@@ -277,7 +312,8 @@ class Session {
   std::vector<Answer> answers_;
   std::vector<std::optional<Sight>> sights_;
   std::optional<bool> stacked_;  ///< Cards keep their place on this page, until all is fitted.
-  std::unique_ptr<Shown> shown_;
+  std::shared_ptr<Shown> shown_;
+  long layout_ = 0;  ///< Grows with each.
   int index_ = 0;
   std::vector<Subject> pointed_;
   std::optional<Picture> picture_;

@@ -16,6 +16,7 @@
 #include "effects/growth.hpp"
 #include "effects/registry.hpp"
 #include "fonts.hpp"
+#include "lesson/schema.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 #include "session/edit.hpp"
@@ -85,6 +86,108 @@ TEST(Session, ADragIsOneEntry) {
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(before, session.lesson());
   EXPECT_FALSE(session.undo());
+}
+
+/// X is larger than a lesson file may say.
+Lesson large_lesson() {
+  Lesson lesson = shipped_lesson("polygons-gjk");
+  constexpr int kVertices = limits::kVertices + 1;
+  lesson.x().vertices.clear();
+  lesson.x().vertex_names.clear();
+  for (int i = 0; i < kVertices; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kVertices;
+    lesson.x().vertices.emplace_back(std::cos(turn), std::sin(turn));
+    lesson.x().vertex_names.push_back(std::to_string(i));
+  }
+  return lesson;
+}
+
+void drag_y(Session& session, double by) {
+  session.begin_drag("drag");
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {by, 0.0}); });
+}
+
+TEST(Session, ADragBesideComesToWhatOneThatIsWaitedForComesTo) {
+  Session waiting(fonts());
+  Session session(fonts());
+  session.work_beside();
+  for (Session* each : {&waiting, &session}) {
+    ASSERT_TRUE(each->open(large_lesson(), {}));
+    each->go_to(3);
+    (void)each->picture();
+    drag_y(*each, 0.25);
+  }
+  EXPECT_NE(session.run().lesson.y().vertices, session.lesson().y().vertices);
+  const auto first = session.work();
+  EXPECT_FALSE(session.work()) << "one after the other";
+  for (Session* each : {&waiting, &session})
+    each->drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.0}); });
+  session.take_work(first());
+  EXPECT_NE(session.run().lesson.y().vertices, session.lesson().y().vertices);
+  session.take_work(session.work()());
+  EXPECT_EQ(session.run().lesson.y().vertices, session.lesson().y().vertices);
+  EXPECT_EQ(waiting.picture(), session.picture());
+  EXPECT_FALSE(session.work());
+
+  for (Session* each : {&waiting, &session}) each->end_drag();
+  EXPECT_TRUE(session.is_settling());
+  session.take_work(session.work()());
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(waiting.index(), session.index());
+  for (const int step : {3, 5, 0}) {
+    for (Session* each : {&waiting, &session}) each->go_to(step);
+    EXPECT_EQ(waiting.picture(), session.picture()) << step;
+  }
+  EXPECT_FALSE(waiting.is_settling());
+}
+
+TEST(Session, ADragBesideIsCancelledAtOnce) {
+  Session session(fonts());
+  session.work_beside();
+  ASSERT_TRUE(session.open(large_lesson(), {}));
+  session.go_to(3);
+  const Lesson before = session.lesson();
+  const Picture shown = session.picture();
+  drag_y(session, 0.25);
+  session.take_work(session.work()());
+  session.end_drag();
+  const auto work = session.work();
+  session.cancel_drag();
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_EQ("", session.undo_name());
+  EXPECT_EQ(3, session.index());
+  EXPECT_EQ(shown, session.picture());
+  session.take_work(work());
+  EXPECT_EQ(shown, session.picture()) << "nobody waits for it any more";
+  // Nor does a drag after it take it for its own.
+  drag_y(session, 0.5);
+  const auto old = session.work();
+  session.cancel_drag();
+  drag_y(session, 1.0);
+  session.take_work(old());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+}
+
+TEST(Session, ADragBesideThatCannotBeShownHasNotBeen) {
+  Session session(fonts());
+  session.work_beside();
+  ASSERT_TRUE(session.open(large_lesson(), {}));
+  const Lesson before = session.lesson();
+  session.begin_drag("drag");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  session.drag([&](Lesson& lesson) { lesson.y().vertices[0].x() = nan; });
+  session.end_drag();
+  session.take_work(session.work()());
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_NE("", session.problem());
+  EXPECT_EQ(before, session.lesson());
+  drag_y(session, 0.25);
+  session.end_drag();
+  EXPECT_TRUE(session.undo()) << "what is asked for meanwhile is waited for";
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
 }
 
 TEST(Session, TheRunFollowsADragToTheBit) {

@@ -412,11 +412,10 @@ TEST(Case, OfMoreCornersThanNamesHaveCharactersForCanBeMade) {
   }
 }
 
-std::string large_case() {
+std::string large_case(int vertices = 20'000) {
   std::string points;
-  constexpr int kVertices = 20'000;
-  for (int i = 0; i < kVertices; ++i) {
-    const double angle = 2.0 * 3.141592653589793 * i / kVertices;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2.0 * 3.141592653589793 * i / vertices;
     points += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", std::cos(angle), std::sin(angle));
   }
   return fmt::format(R"({{"a": [{}], "b": [[5, 5], [6, 5]]}})", points);
@@ -455,6 +454,71 @@ TEST(Case, ThatIsLargeNeedNotBeWaitedFor) {
     window.frame();
   }
   EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+}
+
+/// A window with a large case that the hand has moved a vertex of Y in, and let go.
+struct LargeDrag : ::testing::Test {
+  LargeDrag() {
+    constexpr int kVertices = 200'000;  // that keep a thread busy while the window draws
+    window.app().open_path(folder.file("large.json", large_case(kVertices)));
+    while (window.app().is_opening()) window.frame();
+    window.settle();
+    before = window.session().lesson();
+    shown = unpointed();
+    const Point of_y = window.at({Subject::Kind::vertex_of_y, -1, 0});
+    window.drag(of_y, of_y - Point(40.0, 0.0));
+  }
+  /// Without names that are there for the hand.
+  Picture unpointed() {
+    window.session().point_at({});
+    return window.session().picture();
+  }
+  TemporaryFolder folder;
+  HeadlessApp window;
+  Lesson before;
+  Picture shown;
+};
+
+TEST_F(LargeDrag, SettlesBesideTheWindowAndSaysSo) {
+  Session& session = window.session();
+  ASSERT_TRUE(session.is_settling());
+  EXPECT_NE("", said(window, "settling"));
+  EXPECT_NE(before.y().vertices, session.lesson().y().vertices);
+  while (session.is_settling()) {
+    EXPECT_TRUE(window.app().wakes_at());
+    window.frame();
+  }
+  EXPECT_EQ("", said(window, "settling"));
+  EXPECT_EQ(session.lesson().y().vertices, session.run().lesson.y().vertices);
+  EXPECT_EQ("move a vertex", session.undo_name());
+  window.key("Z", true);
+  EXPECT_EQ(before.y().vertices, session.lesson().y().vertices);
+}
+
+TEST_F(LargeDrag, IsCancelledAsIfItHadNotBeen) {
+  Session& session = window.session();
+  const std::string earlier = "open " + before.id;
+  ASSERT_TRUE(session.is_settling());
+  window.app().run_command("Cancel the change");
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before, session.lesson());
+  EXPECT_EQ(earlier, session.undo_name());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+  EXPECT_EQ(shown, unpointed());
+  // What was being made for it is not shown.
+  for (int i = 0; i < 50; ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
+}
+
+TEST_F(LargeDrag, GivesWayToAnyOtherChange) {
+  Session& session = window.session();
+  ASSERT_TRUE(session.is_settling());
+  window.key("Z", true);
+  EXPECT_FALSE(session.is_settling());
+  EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
 }
 
 // Unsaved work -----------------------------------------------------------------------------------

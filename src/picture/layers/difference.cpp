@@ -113,9 +113,20 @@ void difference(SceneBuilder& scene) {
   }
 }
 
+/// It is another one while it is built.
+EffectKey difference_key(const SceneBuilder& scene) {
+  const auto* build = scene.frame.part.as<BuildFrame>();
+  if (build) return {scene.frame.run, static_cast<int>(build->part), build->made};
+  return {scene.frame.run, -1, hull_is_ghost(scene) ? 1 : 0};
+}
+
 }  // namespace
 
-const Layer kDifference{.effect = {}, .on = Layer::On::difference, .order = 70, .draw = difference};
+const Layer kDifference{.effect = {},
+                        .on = Layer::On::difference,
+                        .order = 70,
+                        .draw = difference,
+                        .key = difference_key};
 
 namespace {
 

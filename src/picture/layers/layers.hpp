@@ -16,6 +16,8 @@ struct Layer {
   On on = On::every_view;
   int order = 0;  ///< Those with lower numbers lie below; the act's own marks have kOfAct.
   void (*draw)(SceneBuilder& scene) = nullptr;
+  /// In frames with equal keys a view's layer is the same, and is drawn once; null: in each frame.
+  EffectKey (*key)(const SceneBuilder& scene) = nullptr;
 
   static constexpr int kOfAct = 500;
 };

@@ -248,7 +248,13 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
                                                 at - scene.at(centroid(world))));
 }
 
-const Layer kShapes{.effect = {}, .on = Layer::On::world, .order = 60, .draw = shapes};
+const Layer kShapes{.effect = {},
+                    .on = Layer::On::world,
+                    .order = 60,
+                    .draw = shapes,
+                    .key = [](const auto& scene) {
+                      return EffectKey{scene.frame.run, -1, -1};
+                    }};
 
 namespace {
 
