@@ -239,7 +239,7 @@ struct LessonPictures::View {
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
-  int clip = -1;  ///< Of the picture being drawn.
+  int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 
   /// Where no label may be.

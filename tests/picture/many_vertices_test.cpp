@@ -107,7 +107,7 @@ TEST(ManyVertices, DisksFollowTheRoomAndNeverTouch) {
   EXPECT_LT(last, 3.0);
 }
 
-/// Where most vertices have room and some stand close together, disks of these are left out.
+/// Vertices that stand close together have no disks, while those with room have.
 TEST(ManyVertices, ACrowdHasFewerDisks) {
   Lesson lesson = lesson_of_many(40);
   for (int i = 1; i < 9; ++i)
