@@ -236,6 +236,7 @@ struct LessonPictures::View {
   LabelPlacer placer;
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   bool has_fixed_labels = false;
+  std::set<std::string> left_out = {};  ///< Ids of fixed labels without room.
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
@@ -250,8 +251,16 @@ struct LessonPictures::View {
   /// A camera may leave vertices outside of the view, and a close-up may stand on them; their
   /// labels stay away, too.
   [[nodiscard]] bool shows(const LabelRequest& label) const {
-    return contains(shown.card, label.anchor) &&
+    return contains(shown.card, label.anchor) && !left_out.contains(label.id) &&
            !(close_up && contains(close_up->shown.card, label.anchor));
+  }
+  void place_fixed(const Fonts& fonts, const LabelRequest& label) {
+    const Mark mark = placer.place(label, true);
+    const auto leader = leader_line(label, box_of(fonts, std::get<Text>(mark.shape)));
+    if (!leader) return;
+    if (!label.needs_room) return placer.avoid(*leader);
+    placer.take_back(label.id);
+    left_out.insert(label.id);
   }
   /// A ring around what is enlarged, and a line from there to where it is.
   void tell_close_up(Scene& scene) const {
@@ -409,12 +418,15 @@ void LessonPictures::place_fixed_labels(View& view, std::size_t shown) {
   for (const Scene* of_frame : scenes) view.placer.add(of_frame->obstacles);
   view.reserve();
   std::set<std::string> placed;
-  for (const Scene* of_frame : scenes) {
-    for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (view.shows(label) && placed.insert(label.id).second) (void)view.placer.place(label, true);
+  for (const bool needs_room : {false, true}) {
+    for (const Scene* of_frame : scenes) {
+      for (const LabelRequest& label : of_frame->fixed_labels) {
+        if (label.needs_room == needs_room && view.shows(label) && placed.insert(label.id).second)
+          view.place_fixed(fonts_, label);
+      }
     }
   }
-  // Of an area that is another one in each frame no place could be kept.
+  // No place could be kept for an area that is another one in each frame.
   std::map<std::string, const AreaLabelRequest*> areas;
   std::set<std::string> change;
   for (const Scene* of_frame : scenes) {
@@ -577,7 +589,9 @@ void LessonPictures::draw_pointed(Picture& picture, View& view, std::size_t inde
   }
   std::set<std::string> named;
   for (const auto* labels : {&of_frame.fixed_labels, &of_frame.moving_labels}) {
-    for (const LabelRequest& label : *labels) named.insert(label.id);
+    for (const LabelRequest& label : *labels) {
+      if (view.shows(label)) named.insert(label.id);
+    }
   }
   for (LabelRequest& label : more.out.moving_labels) {
     if (!view.shows(label) || !named.insert(label.id).second) continue;
@@ -649,7 +663,8 @@ Picture LessonPictures::picture(int index, const FrameText& text,
     }
     draw_pointed(picture, view, at, pointed);
     if (view.close_up) draw_close_up(picture, *view.close_up, at);
-    // Up to the border of the card, at most 2 wide: above the title, too, nothing shows.
+    // Up to the border of the card, which is at most 2 wide; where it is less the role's line
+    // fills.
     page.add(
         "view-title.box",
         Box{{card.min + Point(2.0, 2.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 2.0});
