@@ -28,6 +28,7 @@ namespace {
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
 constexpr double kCardCorner = 10.0;
+constexpr double kCardBorder = 2.0;  // at most: marks and words stay inside of it
 constexpr double kHaloCorner = 4.0;
 constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
@@ -539,7 +540,8 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
   place_fixed_labels(view, index);
   const Rect& card = view.shown.card;
   view.clip = static_cast<int>(picture.clips.size());
-  picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
+  const Point border = Point::Constant(kCardBorder);
+  picture.clips.push_back({card.min + border, card.max - border});
   const Scene& of_frame = scene(view, index);
   for (const Mark& mark : of_frame.marks) {
     picture.marks.push_back(mark);
@@ -617,7 +619,7 @@ Picture LessonPictures::picture(int index, const FrameText& text,
   Picture picture;
   picture.width = page_.width;
   picture.height = page_.height;
-  picture.clip_corner = kCardCorner;
+  picture.clip_corner = kCardCorner - kCardBorder;
   PageWriter page{picture};
 
   if (!page_.bare) {
@@ -656,18 +658,20 @@ Picture LessonPictures::picture(int index, const FrameText& text,
       std::vector<LegendRow> rows;
       for (const LegendEntry& entry : marks_to_explain(i, at))
         rows.push_back({mark_of(scene(view, at), entry.role), entry.text});
-      const std::vector<Mark> explained =
+      std::vector<Mark> explained =
           legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_);
-      if (!explained.empty()) view.placer.reserve(std::get<Box>(explained.front().shape).rect);
-      page.append(explained);
+      if (!explained.empty()) {
+        Mark& ground = explained.front();
+        ground.clip = view.clip;
+        view.placer.reserve(std::get<Box>(ground.shape).rect);
+      }
+      page.append(std::move(explained));
     }
     draw_pointed(picture, view, at, pointed);
     if (view.close_up) draw_close_up(picture, *view.close_up, at);
-    // Up to the border of the card, which is at most 2 wide; where it is less the role's line
-    // fills.
-    page.add(
-        "view-title.box",
-        Box{{card.min + Point(2.0, 2.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 2.0});
+    page.add("view-title.box",
+             Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
+                 kCardCorner - kCardBorder});
     for (std::size_t line = 0; line < view.title.size(); ++line) {
       const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
       page.write("view-title", card.min + start, view.title[line], type::kViewTitle);

@@ -33,7 +33,7 @@ constexpr std::size_t kMostDisks = 64;
 constexpr double kNamedRadius = 3.0;
 constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
 /// Lines with less room than this, in pixels, would be one mass of colour: they are thin and pale.
-constexpr double kDense = 6.0;
+constexpr double kDense = 10.0;
 
 /// A shape of several outlines: what is solid, then its holes.
 void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
