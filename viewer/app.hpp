@@ -48,7 +48,7 @@ struct ListedLesson {
 /// Seconds; between two writes of an editor there may be no file.
 inline constexpr double kGoneAfter = 0.5;
 
-/// What has to be known, or answered, while it holds: a line above the picture.
+/// A line above the picture: a fact to know, or a question to answer, while it holds.
 struct Notice {
   std::string cause;  ///< One of each at a time.
   std::string text;
@@ -130,10 +130,10 @@ class App {
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  /// What was said last.
+  /// The last message, or the error of the last deed.
   [[nodiscard]] const std::string& message() const { return error_.empty() ? message_ : error_; }
   [[nodiscard]] std::vector<Notice> notices() const;
-  /// What the case that is shown expects, and how the run compares; empty where it expects nothing.
+  /// The shown case's expectation, and how the run compares; empty where it expects nothing.
   [[nodiscard]] std::string compared_with_case() const;
   [[nodiscard]] const PanelFonts& panel_fonts() const { return panel_fonts_; }
   /// Whether a hand is held to round numbers: the other way round while Shift is down.
@@ -142,7 +142,7 @@ class App {
   bool hexadecimal = false;
   /// Whether lessons of the list get small pictures.
   bool has_thumbnails = true;
-  /// What was asked for when frames were exported last.
+  /// The options of the last export of frames.
   std::optional<ExportOptions> last_export;
   /// Names of values (drawers/values.hpp) that stay in sight.
   std::vector<std::string> pinned;
@@ -220,7 +220,7 @@ class App {
   void draw_steps();
   bool draw_tab(const char* name);
   void draw_menu(const char* name, const std::vector<std::string_view>& items);
-  /// What stands on the stage beside the picture: where to begin, and the way home.
+  /// Words and buttons on the stage beside the picture: where to begin, and the way home.
   void draw_on_stage();
   void draw_lessons();
   void draw_drawer();
@@ -267,7 +267,7 @@ class App {
   void note(std::optional<NotedCase> noted);
   /// After a lesson of a file is shown.
   void opened(const std::filesystem::path& file, std::string text, ReadLesson read);
-  /// What follows from opening a lesson, or from not being able to.
+  /// Ends the opening of a lesson, or says that it failed.
   bool shown(bool is_shown, const std::string& name);
   void open_beside(const std::filesystem::path& file);
   void end_opening();
@@ -336,9 +336,9 @@ class App {
   std::vector<Drawer> drawers_;
   std::vector<Command> commands_;
   UnsavedWork unsaved_;
-  std::vector<LeftWork> left_;  ///< Of windows that are gone; waits to be opened or not.
+  std::vector<LeftWork> left_;  ///< By windows that are gone; waits to be opened or not.
   KnownFiles files_;
-  /// What the file of a lesson holds now, where that is not what is shown and waits for an answer.
+  /// The content of a lesson's file now, if it differs from the shown one and waits for an answer.
   struct Outside {
     std::filesystem::path file;
     std::string text;
@@ -358,7 +358,7 @@ class App {
   double density_ = 1.0;
   Room room_;
   PanelFonts panel_fonts_;
-  const AtlasFonts* atlas_fonts_ = nullptr;  ///< Of the frame that is drawn.
+  const AtlasFonts* atlas_fonts_ = nullptr;  ///< Those of the drawn frame.
 
   std::optional<std::size_t> drawer_;
   std::shared_ptr<Dialog> dialog_;        ///< Shared with the frame that draws it.
@@ -384,7 +384,7 @@ class App {
   bool snaps_ = false;
   std::string message_;
   std::optional<double> message_ends_;  ///< Set when it is seen first.
-  std::string error_;                   ///< Of the last deed, until the next.
+  std::string error_;                   ///< The last deed's, until the next.
   std::string error_details_;
   std::optional<std::pair<long, int>> error_at_;  ///< Version and step when it was seen first.
   /// The first character of the lesson's words that the stage cannot draw, of this version.

@@ -39,7 +39,7 @@ std::string sentence(std::string text) {
   return text;
 }
 
-/// Where the order of the vertices makes no convex outline, whose hull GJK sees.
+/// True if the vertices in their order are no convex outline; GJK sees their hull.
 bool shows_another_outline(const std::vector<Eigen::Vector2d>& vertices) {
   return vertices.size() > 3 && !is_convex(vertices);
 }

@@ -229,7 +229,7 @@ void App::watch_file() {
   }
   if (!is_missing_) return gone_since_.reset();
   if (!gone_since_) gone_since_ = now_;
-  // What is in no file is unsaved work.
+  // A lesson that is in no file is unsaved work.
   if (now_ >= *gone_since_ + kGoneAfter && session_.saved()) session_.set_saved(std::nullopt);
 }
 
@@ -328,7 +328,7 @@ void App::save_to(const fs::path& file) {
   Lesson lesson = session_.lesson_as_seen();
   if (!is_in(file, fs::absolute(fs::path(lesson.path).parent_path(), none)))
     lesson = with_absolute_file(std::move(lesson));
-  // What the author wrote of the outcome stays while it is true.
+  // The author's statement of the outcome stays while it is true.
   LessonRun run = session_.run();
   run.lesson.expect = lesson.expect;
   if (lesson.expect == Expectation() || !check_expectation(run).empty())

@@ -1,4 +1,4 @@
-// What has to be known or answered: lines above the picture that stay while their cause does.
+// Lines above the picture, to be known or answered, that stay while their cause does.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -118,7 +118,7 @@ void App::find_missing_character() {
 }
 
 void App::forget_closed() {
-  // What comes back is said again.
+  // A notice that comes back is shown again.
   const std::vector<Notice> all = all_notices();
   std::erase_if(closed_, [&](const std::string& closed) {
     return std::none_of(all.begin(), all.end(),

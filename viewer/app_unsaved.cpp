@@ -75,7 +75,7 @@ void App::ask_to_quit() {
   }
 }
 
-// What other windows left ------------------------------------------------------------------------
+// Work that other windows left -------------------------------------------------------------------
 
 void App::offer_left_work() {
   try {

@@ -21,11 +21,11 @@ class Asking {
   explicit Asking(App& app) : app_(app) {}
 
   [[nodiscard]] bool is_open() const;
-  /// What is to be chosen of now: of a pair the vertices of its first shape, then of its second.
+  /// The choices now: for a pair, the vertices of its first shape, then those of its second.
   [[nodiscard]] std::vector<std::string> choices();
   /// A choice, or the next half of one.
   void choose(const std::string& choice);
-  /// A digit of the number of a choice. Where there are more than nine it may be the first of two:
+  /// A digit of the number of a choice. Among more than nine choices it may be the first of two:
   /// Enter, another digit, or a short while makes it a number.
   void type(int digit);
   /// Up and Down, then Enter.
@@ -41,15 +41,15 @@ class Asking {
   void tick(double now);
   [[nodiscard]] std::optional<double> wakes_at() const;
 
-  /// What a reader points at where a choice is shown.
+  /// The subject that a reader points at where a choice is shown.
   [[nodiscard]] std::optional<Subject> subject_of(const std::string& choice) const;
   /// The choices as numbered buttons, side by side as far as there is room: for each shape of a
   /// pair a row.
   void draw();
   /// The same on the stage, where the frame lists its choices.
   void draw_on_stage(const AtlasFonts& fonts);
-  /// Where the frame has an answer: a ring around what was right, and a struck one around what was
-  /// chosen instead.
+  /// A ring around the right answer, and a struck one around the one chosen instead, if the frame
+  /// has an answer.
   void draw_verdicts(ImDrawList& list) const;
 
  private:
@@ -64,7 +64,7 @@ class Asking {
 
   App& app_;
   std::pair<long, int> at_ = {-1, -1};  ///< Version and index of the frame.
-  std::array<std::string, 2> halves_;   ///< Of a pair, those that were chosen.
+  std::array<std::string, 2> halves_;   ///< Halves of a pair that were chosen.
   int highlighted_ = 0;                 ///< By keyboard.
   int typed_ = 0;
   double typed_at_ = 0.0;

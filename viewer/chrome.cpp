@@ -560,7 +560,7 @@ void App::draw_pinned(float begin) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
-/// What was said last, or where the lesson is saved.
+/// The last message, or the lesson's file.
 void App::draw_status() {
   const std::string& text = said();
   if (!text.empty() && fits_status(text)) {

@@ -1,6 +1,5 @@
 #pragma once
-// What differs between the releases of Dear ImGui in the keys: Debian 12 has 1.79, Debian 13
-// has 1.90.
+// Keys, which differ between the releases of Dear ImGui: Debian 12 has 1.79, Debian 13 has 1.90.
 
 #include <imgui.h>
 

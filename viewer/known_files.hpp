@@ -1,5 +1,5 @@
 #pragma once
-// What files held when they were read or written last: whoever writes one again looks whether
+// The contents of files when they were read or written last: whoever writes one again looks whether
 // somebody else was there meanwhile.
 
 #include <filesystem>

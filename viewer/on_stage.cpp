@@ -1,4 +1,4 @@
-// What stands on the stage beside the picture: where to begin, and the way home.
+// Words and buttons on the stage beside the picture: where to begin, and the way home.
 
 #include <fmt/format.h>
 #include <imgui.h>

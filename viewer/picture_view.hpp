@@ -18,7 +18,7 @@ class PictureView {
   /// Widths of a page, in frame pixels: what the words of all lessons need, and what shapes need.
   static constexpr double kNarrow = 1000.0;
   static constexpr double kNarrowest = 760.0;
-  /// Of a page that holds stages and captions alone, in a window that has no room for more.
+  /// The least width of a page of stages and captions alone, in a window that has no room for more.
   static constexpr double kBarest = 240.0;
 
   explicit PictureView(App& app);
@@ -39,7 +39,7 @@ class PictureView {
 
   [[nodiscard]] const Subject& hovered() const { return hovered_; }
   Subject selected;
-  /// Where on the window a mark of the subject is; nothing when none is to be seen.
+  /// The place of a mark of the subject on the window; nothing when none is in sight.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
   /// A few pixels of a view along x and y, as a round number of its units.
   [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
@@ -49,9 +49,10 @@ class PictureView {
   [[nodiscard]] Rect last_card();
   /// Cards of shapes that show none, on the window.
   [[nodiscard]] std::vector<Rect> empty_cards();
-  /// Where the frame lists the choices of its question, on the window; nothing where it does not.
+  /// The box on the window in which the frame lists the choices of its question; nothing without
+  /// one.
   [[nodiscard]] std::optional<Rect> words_of_choices();
-  /// Where the handle is that turns a shape.
+  /// The place of the handle that turns a shape.
   [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;
 
  private:
@@ -59,13 +60,13 @@ class PictureView {
     Subject subject;
     std::size_t view = 0;
     Point last;                     ///< On the page.
-    Eigen::Vector2d start_in_view;  ///< Where it was taken.
+    Eigen::Vector2d start_in_view;  ///< The point at which it was taken.
     bool turns = false;
     bool moved = false;
     bool was_convex = false;  ///< The shape whose vertex it is.
   };
 
-  /// Where the button went down while a question was open: an answer, unless it becomes a drag.
+  /// The press of a button while a question was open: an answer, unless it becomes a drag.
   struct Aim {
     Subject subject;
     std::size_t view = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// What a lecture adds to the window: the whole screen for the picture, a black screen, and a ring
-// that shows where the pointer is while it moves.
+// The window in a lecture: the whole screen for the picture, a black screen, and a ring that shows
+// the pointer while it moves.
 
 #include <optional>
 
@@ -15,7 +15,7 @@ class Presenter {
   [[nodiscard]] bool is_black() const { return black_; }
   void blacken(bool black) { black_ = black; }
 
-  /// Where the pointer is, in each frame.
+  /// Takes the place of the pointer, in each frame.
   void see(const Point& pointer, double now);
   /// From 0 to 1: the pointer is there after it has moved, and fades when it rests.
   [[nodiscard]] double pointer_opacity(double now) const;

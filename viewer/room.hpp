@@ -22,10 +22,10 @@ inline constexpr double kStageWidth = 570.0;
 inline constexpr double kStageHeight = 540.0;
 
 struct RoomWish {
-  double width = 0.0;  ///< Of the window, in pixels, as is all else.
+  double width = 0.0;  ///< The window's, in pixels, as all lengths here.
   double height = 0.0;
-  double scale = 1.0;    ///< Of the panels.
-  double density = 1.0;  ///< Of the screen: of the stage's type.
+  double scale = 1.0;    ///< The panels'.
+  double density = 1.0;  ///< The screen's, and so that of the stage's type.
   bool presenting = false;
   double notices = 0.0;           ///< Height of their lines below the bar.
   bool lessons = false;           ///< The list is wanted beside the stage.

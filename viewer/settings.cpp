@@ -15,7 +15,7 @@ void read(const nlohmann::json& from, const char* key, T& value) {
   try {
     value = found->get<T>();
   } catch (const nlohmann::json::exception&) {
-    // Of another type: as at first.
+    // A value of another type counts as none.
   }
 }
 

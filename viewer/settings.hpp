@@ -1,5 +1,5 @@
 #pragma once
-// What the window remembers of how it was used, from one start to the next.
+// Settings that the window remembers from one start to the next.
 
 #include <filesystem>
 #include <map>
@@ -14,7 +14,7 @@ inline constexpr double kLargestPanels = 3.0;
 
 struct Settings {
   std::string theme = "light";
-  double panel_size = 1.0;  ///< Of the panels' type.
+  double panel_size = 1.0;  ///< The scale of the panels' type.
   double frames_per_second = 1.0;
   bool lessons = true;  ///< Their list stands beside the stage.
   bool thumbnails = true;

@@ -29,12 +29,12 @@ class UnsavedWork {
 
   struct Left {
     std::string text;                      ///< A lesson file.
-    std::filesystem::path file;            ///< Where it belongs; empty when it had no file.
-    std::filesystem::path kept_in;         ///< Where the text stands.
+    std::filesystem::path file;            ///< The lesson's; empty when it had none.
+    std::filesystem::path kept_in;         ///< The file of the text.
     std::filesystem::file_time_type time;  ///< When it was kept.
   };
-  /// What windows left that are gone, the newest first. Until this window ends, no other one is
-  /// offered it.
+  /// The work that windows left that are gone, the newest first. Until this window ends, no other
+  /// one is offered it.
   [[nodiscard]] std::vector<Left> left();
   /// Removes one that left() gave.
   void forget(const Left& left);
@@ -42,7 +42,7 @@ class UnsavedWork {
  private:
   struct Orphan {
     int lock = -1;
-    std::filesystem::path path;  ///< Of the lock; the work stands beside it.
+    std::filesystem::path path;  ///< The lock's; the work stands beside it.
   };
   /// Removes the lock of one whose work is gone.
   static void release(Orphan& orphan);

@@ -36,7 +36,7 @@ std::string title_of(const UnsavedWork::Left& left) {
 
 struct LeftWorkList {
   App& app;
-  std::vector<std::string> titles;  ///< Of each piece, as they are in the list.
+  std::vector<std::string> titles;  ///< One for each piece, in the list's order.
 
   void draw() {
     std::vector<App::LeftWork>& all = app.left_work();

@@ -64,7 +64,7 @@ bool is_sign(std::string_view text) {
   return text.size() == 1 && std::ispunct(static_cast<unsigned char>(text[0])) != 0;
 }
 
-/// What the environment says of displays, none of which can be opened.
+/// The displays that the environment names, none of which can be opened.
 std::string named_displays() {
   std::string out;
   for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
@@ -137,7 +137,7 @@ class XErrors {
   Handler before_ = nullptr;
 };
 
-/// What X says of its screen, where SDL has loaded it: its resources, and dots per inch.
+/// The resources and dots per inch of the X screen, if SDL has loaded X.
 struct XScreen {
   std::string resources;
   double dpi = 0.0;
@@ -171,8 +171,8 @@ XScreen x_screen() {
   return screen;
 }
 
-/// What the screen says of its density, where its pixels are the window's units: what is set for
-/// type, else what its size in inches comes to.
+/// The density of a screen whose pixels are the window's units: the one that is set for type, else
+/// the one that follows from its size in inches.
 double scale_of_screen() {
   const XScreen x = x_screen();
   if (const std::optional<double> dpi = dpi_of_resources(x.resources)) return scale_of_dpi(*dpi);

@@ -26,7 +26,7 @@ async function unpacked(text) {
   return new TextDecoder().decode(all);
 }
 
-/** What follows # in the address of this step, with what was changed. */
+/** The part after # in the address of this step, with all changes. */
 async function hashOfStep() {
   const hash = `#step=${state.index + 1}`;
   if (!state.changed) return hash;

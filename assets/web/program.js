@@ -1,10 +1,10 @@
 "use strict";
 
 // The program beside the page: what is asked is answered one after the other, while the page goes
-// on. What takes long says so, and can be given up: then another thread goes on from what is kept.
+// on. Long work says so, and can be given up: then another thread goes on from the kept history.
 
 const BUSY_MS = 150;
-/** Of these only the newest that waits is asked. */
+/** Requests of which only the newest that waits is sent. */
 const NEWEST = new Set(["go", "layout", "move", "point", "tween"]);
 
 let worker = null;
@@ -77,7 +77,7 @@ async function startProgram() {
   if (started?.stopped !== undefined) throw new Error(started.stopped);
 }
 
-// What is kept ------------------------------------------------------------------------------------
+// The kept history --------------------------------------------------------------------------------
 
 const MOST_KEPT = 1 << 22;  // characters of lessons
 
@@ -98,7 +98,7 @@ async function keep({ history, index, predicting }) {
   }
 }
 
-/** Of a list that ends at the present, all from the last lesson that is not kept on. */
+/** The end of a list whose last entry is the present: all entries after the last one not kept. */
 function known(list) {
   const from = list.findLastIndex(({ id }) => !kept.lessons.has(id)) + 1;
   return list.slice(from).map(({ id, change }) => ({ id, change, lesson: kept.lessons.get(id) }));

@@ -1,6 +1,6 @@
 "use strict";
 
-// The program in a thread of its own: a text in, a text out. What starts it comes first, and is
+// The program in a thread of its own: a text in, a text out. The first message starts it and is
 // answered by the compiled module, so that another thread starts without compiling.
 
 let answer = null;

@@ -27,7 +27,7 @@ struct CloudPoint {
                                                       std::span<const Eigen::Vector2d> y);
 
 /// Corners of the convex hull of all differences of two sets of points, counter-clockwise from the
-/// leftmost. Of the differences only those of the hulls' corners are looked at, so that shapes of
+/// leftmost. Only differences of corners of the two hulls are looked at, so that shapes of
 /// thousands of vertices have an outline of Z, too.
 [[nodiscard]] std::vector<CloudPoint> minkowski_hull(std::span<const Eigen::Vector2d> x,
                                                      std::span<const Eigen::Vector2d> y);

@@ -50,8 +50,8 @@ struct CaseNotes {
 
 /// Limits of a case that becomes a lesson; by itself a case may hold anything finite.
 struct CaseLimits {
-  std::size_t points = std::numeric_limits<std::size_t>::max();  ///< Of a shape.
-  double magnitude = std::numeric_limits<double>::max();         ///< Of a coordinate.
+  std::size_t points = std::numeric_limits<std::size_t>::max();  ///< In a shape.
+  double magnitude = std::numeric_limits<double>::max();         ///< The largest coordinate.
   [[nodiscard]] static CaseLimits of_lessons();
 };
 

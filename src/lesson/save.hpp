@@ -23,7 +23,7 @@ namespace gjkscope {
 
 /// `original`, the text of a lesson file, changed so that it says `lesson`: comments, layout and
 /// spellings of what stays are kept. Nothing where `original` is no lesson file, or is laid out so
-/// that this cannot be done; lesson_toml(lesson) says it then. What neither can say is left out.
+/// that this cannot be done; lesson_toml(lesson) says it then. Both leave out the same.
 /// `file` is where the text stands, and `read` gives files that it names.
 [[nodiscard]] std::optional<std::string> lesson_toml_kept(std::string_view original,
                                                           const Lesson& lesson,

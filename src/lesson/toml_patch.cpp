@@ -136,7 +136,7 @@ struct Section {
         std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
     return found == entries.end() ? nullptr : &*found;
   }
-  /// Where another key goes.
+  /// The offset at which another key goes.
   [[nodiscard]] std::size_t end() const {
     return entries.empty() ? header.end : entries.back().lines.end;
   }
@@ -285,7 +285,7 @@ class Patch {
 
   /// The original with all edits, none of which overlap.
   std::string written() {
-    // What is put between two lines comes before what happens to the second one.
+    // Text put between two lines comes before edits of the second one.
     std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
       return std::pair(a.range.begin, a.range.end) < std::pair(b.range.begin, b.range.end);
     });

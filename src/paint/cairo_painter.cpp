@@ -152,8 +152,19 @@ class CairoMarks {
     if (medium_ == Medium::pixels && points.size() == 2) {
       align_to_pixels(points[0], points[1], style_, scale_);
     }
-    outline(points, line.closed);
-    stroke(line.closed ? style_.stroke : line_color());
+    const std::optional<Color> color = line.closed ? style_.stroke : line_color();
+    // Cairo looks for all crossings within a path, in a time that grows with their number.
+    constexpr std::size_t kMostAtOnce = 256;
+    if (medium_ != Medium::pixels || points.size() <= kMostAtOnce || !style_.dash.empty()) {
+      outline(points, line.closed);
+      return stroke(color);
+    }
+    constexpr std::size_t kPiece = 32;
+    if (line.closed) points.push_back(points.front());
+    for (std::size_t first = 0; first + 1 < points.size(); first += kPiece) {
+      outline(std::span(points).subspan(first, std::min(kPiece + 1, points.size() - first)), false);
+      stroke(color);
+    }
   }
   void operator()(const Arrow& arrow) const {
     const std::optional<ArrowParts> parts = arrow_parts(arrow, style_.width);

@@ -28,6 +28,7 @@ namespace {
 constexpr double kMargin = 32.0;
 constexpr double kCardGap = 12.0;
 constexpr double kCardCorner = 10.0;
+constexpr double kCardBorder = 2.0;  // at most: marks and words stay inside of it
 constexpr double kHaloCorner = 4.0;
 constexpr double kProseLine = 21.0;
 constexpr double kTimelineHeight = 52.0;
@@ -237,10 +238,11 @@ struct LessonPictures::View {
   std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
   StillLayers still_layers = {};
   bool has_fixed_labels = false;
+  std::set<std::string> left_out = {};  ///< Ids of fixed labels without room.
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
-  int clip = -1;  ///< Of the picture being drawn.
+  int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 
   /// Where no label may be.
@@ -251,8 +253,16 @@ struct LessonPictures::View {
   /// A camera may leave vertices outside of the view, and a close-up may stand on them; their
   /// labels stay away, too.
   [[nodiscard]] bool shows(const LabelRequest& label) const {
-    return contains(shown.card, label.anchor) &&
+    return contains(shown.card, label.anchor) && !left_out.contains(label.id) &&
            !(close_up && contains(close_up->shown.card, label.anchor));
+  }
+  void place_fixed(const Fonts& fonts, const LabelRequest& label) {
+    const Mark mark = placer.place(label, true);
+    const auto leader = leader_line(label, box_of(fonts, std::get<Text>(mark.shape)));
+    if (!leader) return;
+    if (!label.needs_room) return placer.avoid(*leader);
+    placer.take_back(label.id);
+    left_out.insert(label.id);
   }
   /// A ring around what is enlarged, and a line from there to where it is.
   void tell_close_up(Scene& scene) const {
@@ -411,12 +421,15 @@ void LessonPictures::place_fixed_labels(View& view, std::size_t shown) {
   for (const Scene* of_frame : scenes) view.placer.add(of_frame->obstacles);
   view.reserve();
   std::set<std::string> placed;
-  for (const Scene* of_frame : scenes) {
-    for (const LabelRequest& label : of_frame->fixed_labels) {
-      if (view.shows(label) && placed.insert(label.id).second) (void)view.placer.place(label, true);
+  for (const bool needs_room : {false, true}) {
+    for (const Scene* of_frame : scenes) {
+      for (const LabelRequest& label : of_frame->fixed_labels) {
+        if (label.needs_room == needs_room && view.shows(label) && placed.insert(label.id).second)
+          view.place_fixed(fonts_, label);
+      }
     }
   }
-  // Of an area that is another one in each frame no place could be kept.
+  // No place could be kept for an area that is another one in each frame.
   std::map<std::string, const AreaLabelRequest*> areas;
   std::set<std::string> change;
   for (const Scene* of_frame : scenes) {
@@ -529,7 +542,8 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
   place_fixed_labels(view, index);
   const Rect& card = view.shown.card;
   view.clip = static_cast<int>(picture.clips.size());
-  picture.clips.push_back({card.min + Point(1, 1), card.max - Point(1, 1)});
+  const Point border = Point::Constant(kCardBorder);
+  picture.clips.push_back({card.min + border, card.max - border});
   const Scene& of_frame = scene(view, index);
   for (const Mark& mark : of_frame.marks) {
     picture.marks.push_back(mark);
@@ -579,7 +593,9 @@ void LessonPictures::draw_pointed(Picture& picture, View& view, std::size_t inde
   }
   std::set<std::string> named;
   for (const auto* labels : {&of_frame.fixed_labels, &of_frame.moving_labels}) {
-    for (const LabelRequest& label : *labels) named.insert(label.id);
+    for (const LabelRequest& label : *labels) {
+      if (view.shows(label)) named.insert(label.id);
+    }
   }
   for (LabelRequest& label : more.out.moving_labels) {
     if (!view.shows(label) || !named.insert(label.id).second) continue;
@@ -605,7 +621,7 @@ Picture LessonPictures::picture(int index, const FrameText& text,
   Picture picture;
   picture.width = page_.width;
   picture.height = page_.height;
-  picture.clip_corner = kCardCorner;
+  picture.clip_corner = kCardCorner - kCardBorder;
   PageWriter page{picture};
 
   if (!page_.bare) {
@@ -644,17 +660,20 @@ Picture LessonPictures::picture(int index, const FrameText& text,
       std::vector<LegendRow> rows;
       for (const LegendEntry& entry : marks_to_explain(i, at))
         rows.push_back({mark_of(scene(view, at), entry.role), entry.text});
-      const std::vector<Mark> explained =
+      std::vector<Mark> explained =
           legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_);
-      if (!explained.empty()) view.placer.reserve(std::get<Box>(explained.front().shape).rect);
-      page.append(explained);
+      if (!explained.empty()) {
+        Mark& ground = explained.front();
+        ground.clip = view.clip;
+        view.placer.reserve(std::get<Box>(ground.shape).rect);
+      }
+      page.append(std::move(explained));
     }
     draw_pointed(picture, view, at, pointed);
     if (view.close_up) draw_close_up(picture, *view.close_up, at);
-    // Up to the border of the card, at most 2 wide: above the title, too, nothing shows.
-    page.add(
-        "view-title.box",
-        Box{{card.min + Point(2.0, 2.0), view.title_box.max - Point(6.0, 3.0)}, kCardCorner - 2.0});
+    page.add("view-title.box",
+             Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
+                 kCardCorner - kCardBorder});
     for (std::size_t line = 0; line < view.title.size(); ++line) {
       const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
       page.write("view-title", card.min + start, view.title[line], type::kViewTitle);

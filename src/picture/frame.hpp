@@ -25,7 +25,7 @@ struct FrameQuestion {
   std::string ask;                   ///< "support", ...
   std::vector<std::string> choices;  ///< As the frame lists them.
   std::string answer;                ///< The next frame that asks nothing tells it.
-  /// Where a choice is a pair, "K−A": the two to choose, in its order.
+  /// The two to choose, in their order, if a choice is a pair, "K−A".
   std::vector<VertexChoice> pair = {};
   std::string reason = {};  ///< The caption of the frame that tells, without the answer before it.
 };
@@ -42,7 +42,7 @@ struct FrameText {
   std::vector<std::pair<std::string, std::string>>
       values;  ///< Name and printed value, in reading order.
   std::optional<FrameQuestion> question;
-  std::optional<bool> is_right = {};  ///< Of an answer given, which the caption grades.
+  std::optional<bool> is_right = {};  ///< Set if an answer was given, which the caption grades.
 };
 
 /// What a frame says to who cannot see it: the alternative text of its figure.

@@ -12,10 +12,11 @@ namespace gjkscope {
 namespace {
 
 // Costs of a place, in arbitrary units that only compare: leaving the stage is worse than covering
-// a label, that worse than covering a mark, that worse than an unexpected side; moving must be
-// worth at least one covered line.
+// a label, that worse than standing close to one, that worse than covering a mark, that worse than
+// an unexpected side; moving must be worth at least one covered line.
 constexpr double kOutside = 1e6;
-constexpr double kOverLabel = 1e4;  // however many marks another place covers
+constexpr double kOverLabel = 1e5;
+constexpr double kByLabel = 1e4;  // however many marks another place covers
 constexpr double kOverCircle = 120.0;
 constexpr double kOverSegment = 100.0;
 constexpr double kOverPassing = 20.0;
@@ -133,6 +134,7 @@ void LabelPlacer::begin_frame(const Obstacles& obstacles) {
   passing_.clear();
   circles_.clear();
   taken_.clear();
+  leaders_.clear();
   grounds_ = obstacles.grounds;
   add(obstacles);
 }
@@ -150,8 +152,12 @@ Point LabelPlacer::size_of(const std::string& text, const TextStyle& style) cons
 LabelPlacer::Cover LabelPlacer::cover_of(const Rect& box, double least) const {
   const Rect clear = grown(box, kClearance);
   Cover cover{contains(bounds_, clear) ? 0.0 : kOutside};
-  for (const Rect& label : taken_)
-    cover.cost += overlap(grown(box, kLabelClearance), label) ? kOverLabel : 0.0;
+  const Rect apart = grown(box, kLabelClearance);
+  for (const Rect& label : taken_) {
+    if (overlap(apart, label)) cover.cost += overlap(box, label) ? kOverLabel : kByLabel;
+  }
+  for (const Obstacles::Segment& leader : leaders_)
+    cover.cost += hits(clear, leader) ? kByLabel : 0.0;
   int met = 0;
   const auto is_enough = [&](double each) {
     return [&, each](const auto& item) {
@@ -185,7 +191,7 @@ double LabelPlacer::cost_of_leader(const Rect& box, const LabelRequest& request)
   if (!leader) return 0.0;
   const bool crosses = std::any_of(taken_.begin(), taken_.end(),
                                    [&](const Rect& label) { return hits(label, *leader); });
-  return crosses ? kOverSegment : 0.0;
+  return crosses ? kByLabel : 0.0;
 }
 
 double LabelPlacer::cost_of_passing(const Rect& box, bool in_frame) const {
@@ -266,7 +272,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const auto consider_beside = [&](const Point& anchor, double extra) {
     // A label that lies on a mesh of lines would lie on it farther away, too.
     const auto goes_on = [&](int ring) {
-      return ring < kMostRings && best_cost >= kOverLabel && !is_buried;
+      return ring < kMostRings && best_cost >= kByLabel && !is_buried;
     };
     for (int ring = 0; ring < rings || goes_on(ring); ++ring) {
       for (int k = 0; k < kDirections; ++k) {
@@ -288,6 +294,11 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const Rect box = box_around(centre(best), size);
   taken_.push_back(box);
   return mark_of(request, box);
+}
+
+void LabelPlacer::take_back(const std::string& id) {
+  places_.erase(id);
+  taken_.pop_back();
 }
 
 bool LabelPlacer::is_crossed(const Rect& label) const {

@@ -26,6 +26,8 @@ struct LabelRequest {
   std::vector<Point> other_anchors = {};  ///< Beside these it may stand, too; rather the first.
   /// A fixed label may leave its place for a frame in which something else is there.
   bool steps_aside = false;
+  /// A fixed label that is left out where there is no room near the anchor.
+  bool needs_room = false;
   std::vector<Tone> tones = {};
 };
 
@@ -59,11 +61,13 @@ class LabelPlacer {
   void add(const Obstacles& obstacles);
   /// Reserves room that labels must not take.
   void reserve(const Rect& box) { taken_.push_back(box); }
-  /// A line that labels from here on keep off.
-  void avoid(const Obstacles::Segment& line) { segments_.add(line); }
+  /// A line that leads to a label, which labels from here on keep off.
+  void avoid(const Obstacles::Segment& leader) { leaders_.push_back(leader); }
 
   /// The text mark of a label. `fixed`: a place found once for the id is kept for good.
   [[nodiscard]] Mark place(const LabelRequest& request, bool fixed);
+  /// Takes back the label that was placed last.
+  void take_back(const std::string& id);
   /// Something is drawn where a label stands.
   [[nodiscard]] bool is_crossed(const Rect& label) const;
   /// No mark when the polygon has no room and there is no other place. `in_any_case`: rather on a
@@ -102,6 +106,7 @@ class LabelPlacer {
   Field<Obstacles::Circle> circles_;
   std::vector<Rect> grounds_;
   std::vector<Rect> taken_;
+  std::vector<Obstacles::Segment> leaders_;
   std::map<std::string, Kept> places_;  ///< Of each label, in the last frame that it was in.
 };
 

@@ -78,7 +78,10 @@ double room_of(const std::vector<Point>& points) {
   return std::sqrt(area_around(points) / static_cast<double>(points.size()));
 }
 
-double room_of_line(const std::vector<Point>& points, double length) {
+double room_of_outline(const std::vector<Point>& points) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    length += (points[(i + 1) % points.size()] - points[i]).norm();
   return area_around(points) / length;
 }
 

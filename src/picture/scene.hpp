@@ -67,10 +67,10 @@ struct Scene {
 /// from the one before.
 [[nodiscard]] std::vector<Point> told_apart(const std::vector<Point>& points);
 
-/// How far apart points are, in frame pixels, if they are spread evenly over the box around them;
-/// the same for a line of this length.
+/// How far apart points are, in frame pixels, if they are spread evenly over the box around them.
 [[nodiscard]] double room_of(const std::vector<Point>& points);
-[[nodiscard]] double room_of_line(const std::vector<Point>& points, double length);
+/// The same for the edges of an outline, which may cross each other.
+[[nodiscard]] double room_of_outline(const std::vector<Point>& points);
 
 /// Sizes of marks in frame pixels.
 namespace sizes {

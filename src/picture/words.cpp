@@ -151,7 +151,7 @@ std::string Numbers::point(const Eigen::Vector2d& value, int decimals) const {
   if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
     return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
   }
-  // What would be zeros alone, or digits without end, has a power of ten of its own.
+  // A point that would be zeros alone, or digits without end, has a power of ten of its own.
   const double size = value.cwiseAbs().maxCoeff();
   const bool is_ordinary = size == 0.0 || (size >= std::pow(0.1, decimals) && size < kLarge);
   const int exponent = is_ordinary ? 0 : static_cast<int>(std::floor(std::log10(size)));

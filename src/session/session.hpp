@@ -285,8 +285,8 @@ class Session {
   Lesson lesson_;
   std::filesystem::path file_;
   long version_ = 0;
-  long id_ = 0;       ///< Of the lesson, in the history;
-  long last_id_ = 0;  ///< of the newest one.
+  long id_ = 0;       ///< The lesson's, in the history;
+  long last_id_ = 0;  ///< the newest one's.
   std::shared_ptr<const Lesson> saved_;
   bool unsaved_ = false;
   std::string problem_;

@@ -189,7 +189,7 @@ class SiteWriter {
   std::vector<fs::path> files() && { return std::move(files_); }
 
  private:
-  /// What the run comes to, as the page's script writes it.
+  /// The outcome of the run, as the page's script writes it.
   [[nodiscard]] static std::string answer_table(const Json& outcome) {
     std::string rows;
     for (const Json& line : outcome)

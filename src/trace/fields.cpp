@@ -85,7 +85,7 @@ std::string line(std::string_view label, std::string_view text) {
 std::string scan_text(ScalarKind scalar, const std::string& shape,
                       const std::vector<std::string>& names,
                       const std::vector<gjk::ScanEntry<double>>& entries, int best) {
-  // A line that can be read; JSON has them all. Of many vertices those that lie farthest.
+  // A line that can be read; JSON has them all. Among many vertices, those that lie farthest.
   constexpr std::size_t kMost = 24;
   constexpr std::size_t kFarthest = 8;
   std::vector<gjk::ScanEntry<double>> listed = entries;

@@ -195,7 +195,7 @@ void Player::reset() {
   session_.fit();
 }
 
-/// What answers called `history`, with the lessons: after another player was given up.
+/// Takes the `history` of earlier answers, with its lessons, after another player was given up.
 void Player::restore(const Asked& asked) {
   const auto kept = [&](const Json& entry) {
     return Session::KeptLesson{

@@ -240,7 +240,7 @@ std::string Player::panel_svg(const Theme& theme) {
                 "Pseudocode and values: " + values);
 }
 
-/// What is shown, as paper wants it.
+/// The frame in the colours of paper.
 std::string Player::for_paper() {
   const Theme paper = theme("print");
   Json out = {{"stage", to_svg(stage_, fonts_, paper, alternative_text(session_.text()))},

@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kMoves = 30;
 
-/// Of the processor: what else the machine does counts little.
+/// Time of the processor, in which the machine's other work counts little.
 double milliseconds_of(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
   work();
@@ -51,8 +51,8 @@ std::string shape_of(const std::string& kind, int count, double x) {
   return vertices;
 }
 
-/// What there is time for, in milliseconds: in a window, and in a page, where the same takes about
-/// twice as long.
+/// Targets in milliseconds: for a window, and for a page, in which the same takes about twice as
+/// long.
 struct Target {
   const char* name;
   double window;

@@ -47,7 +47,7 @@ cap = 64
 [steps]
 granularity = "phase"
 
-# What one sees.
+# The views.
 [[views]]
 show = "world"
 # Labels are not needed here.

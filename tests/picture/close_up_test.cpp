@@ -81,7 +81,7 @@ TEST(CloseUp, ShowsTheGapThatTheViewCannot) {
   };
   EXPECT_LT(gap_in(0), 1e-4);
   const LessonView& view = run.lesson.views[0];
-  const double scale = (picture.clips[1].size().y() + 2.0) / view.close_up->camera.height;
+  const double scale = (picture.clips[1].size().y() + 4.0) / view.close_up->camera.height;
   EXPECT_NEAR(gap_in(1), run.runs[0].trace.result.distance * scale, 0.1);
   EXPECT_GT(gap_in(1), 25.0);
 }

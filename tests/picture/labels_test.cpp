@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "picture/text_box.hpp"
+
 namespace gjkscope {
 namespace labels_test {
 
@@ -34,6 +36,18 @@ TEST_F(Labels, AvoidLinesAndEachOther) {
   EXPECT_GT(std::abs(first.y() - 150.0), 4.0) << "not on the line";
   const Point second = center(placer.place(request("b", {200.0, 150.0}, {1.0, 0.0}), false));
   EXPECT_GT((first - second).norm(), 14.0);
+}
+
+TEST_F(Labels, RatherStandCloseToAnotherThanOnIt) {
+  const double height = fonts.cap_height(type::kVertex) + 0.22 * type::kVertex.size;
+  const Rect other{{0.0, height + 8.0}, {400.0, 2.0 * height + 16.0}};
+  LabelPlacer low(fonts, Rect{{0.0, 0.0}, other.max});
+  low.begin_frame({});
+  low.reserve(other);
+  LabelRequest label = request("a", {200.0, other.min.y()}, {0.0, 1.0});
+  label.gap = 3.0;
+  const Mark mark = low.place(label, false);
+  EXPECT_FALSE(overlap(box_of(fonts, std::get<Text>(mark.shape)), other));
 }
 
 TEST_F(Labels, StayInsideTheStage) {

@@ -8,10 +8,13 @@
 #include <filesystem>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <set>
+#include <utility>
 
 #include "lessons.hpp"
 #include "picture/frame.hpp"
+#include "picture/text_box.hpp"
 
 namespace gjkscope {
 namespace many_vertices_test {
@@ -107,7 +110,7 @@ TEST(ManyVertices, DisksFollowTheRoomAndNeverTouch) {
   EXPECT_LT(last, 3.0);
 }
 
-/// Where most vertices have room and some stand close together, disks of these are left out.
+/// Vertices that stand close together have no disks, while those with room have.
 TEST(ManyVertices, ACrowdHasFewerDisks) {
   Lesson lesson = lesson_of_many(40);
   for (int i = 1; i < 9; ++i)
@@ -119,6 +122,61 @@ TEST(ManyVertices, ACrowdHasFewerDisks) {
   const std::vector<Disk> disks = disks_of_x(pictures.picture(0));
   EXPECT_GE(disks.size(), 32u);
   EXPECT_LT(disks.size(), 38u);
+}
+
+/// A lesson of two shapes whose vertices lie in squares side by side, in no order.
+Lesson lesson_of_scribbles(int count) {
+  Lesson lesson = lesson_of_many(3);
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
+  for (const std::size_t body : {0u, 1u}) {
+    LessonShape& shape = lesson.bodies[body];
+    shape.vertices.clear();
+    shape.vertex_names.clear();
+    for (int i = 0; i < count; ++i) {
+      const double x = coordinate(random) + (body == 0 ? -4.0 : 4.0);
+      shape.vertices.emplace_back(x, coordinate(random));
+      shape.vertex_names.push_back(fmt::format("{}{}", body == 0 ? "x" : "y", i + 1));
+    }
+  }
+  return lesson;
+}
+
+TEST(ManyVertices, NoLineThatLeadsFromANameCrossesAnother) {
+  int leaders = 0;
+  for (const int count : {40, 150, 1000}) {
+    const LessonRun run = run_lesson(lesson_of_scribbles(count));
+    EffectGraph effects(run);
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+      for (const Mark& leader : frame.picture.marks) {
+        if (leader.role != "leader") continue;
+        ++leaders;
+        const std::vector<Point>& ends = std::get<Polyline>(leader.shape).points;
+        for (const Mark& mark : frame.picture.marks) {
+          if (mark.role != "shape.x.label" && mark.role != "shape.y.label") continue;
+          const auto& text = std::get<Text>(mark.shape);
+          const Rect box = box_of(fonts(), text);
+          for (double part = 0.0; part <= 1.0; part += 0.02) {
+            const Point at = ends[0] + part * (ends[1] - ends[0]);
+            EXPECT_FALSE(overlap(box, {at, at})) << count << ": " << text.text;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(leaders, 20);
+}
+
+TEST(ManyVertices, LinesWithoutRoomAreThinAndPale) {
+  for (const auto& [count, role] : {std::pair(12, "shape.x"), std::pair(1000, "shape.x.dense")}) {
+    const LessonRun run = run_lesson(lesson_of_scribbles(count));
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts());
+    const Picture picture = pictures.picture(0);
+    EXPECT_TRUE(std::any_of(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
+      return mark.role == role && std::holds_alternative<Polyline>(mark.shape);
+    })) << count;
+  }
 }
 
 TEST(ManyVertices, WhatIsPointedAtHasANameAndAllElseStays) {

@@ -239,6 +239,21 @@ TEST(Theme, TheTwoShapesDifferInDashWhereColourMayBeLost) {
   }
 }
 
+TEST(Theme, DenseLinesAreThinPaleAndSolid) {
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    const Color card = *theme.style("card").fill;
+    for (const std::string role : {"shape", "shape.x", "shape.y"}) {
+      const Style& dense = theme.style(role + ".dense");
+      EXPECT_LT(dense.width, theme.style(role).width) << name << ": " << role;
+      EXPECT_LT(contrast(*dense.stroke, card), contrast(*theme.style(role).stroke, card))
+          << name << ": " << role;
+      EXPECT_GT(contrast(*dense.stroke, card), 1.5) << name << ": " << role;
+      EXPECT_TRUE(dense.dash.empty()) << name << ": " << role;
+    }
+  }
+}
+
 TEST(Theme, PrintFillsNoAreas) {
   const Theme theme = Theme::load(kThemes, "print");
   for (const char* role : {"shape.x", "shape.y", "region.vertex", "region.edge", "region.interior",

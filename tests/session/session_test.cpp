@@ -877,7 +877,7 @@ TEST(ManyVertices, TheOneThatTheHandComesNearIsNamed) {
   EXPECT_TRUE(has(lesson.y().vertex_names[500] + "−" + lesson.x().vertex_names[313]));
 }
 
-/// What is enlarged has room for disks and for other names.
+/// An enlarged part has room for disks and for other names.
 TEST(ManyVertices, AViewThatComesNearNamesWhatIsInSight) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

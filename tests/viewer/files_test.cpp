@@ -193,7 +193,7 @@ TEST(Files, ALessonOfTheCourseIsNotOverwrittenUnasked) {
   EXPECT_EQ(text, read_file(kLessons / "simplex.toml"));
 }
 
-// What is wrong, while it is ---------------------------------------------------------------------
+// Problems, while they last ----------------------------------------------------------------------
 
 TEST(Files, ABrokenFileIsSaidWhileItIsBroken) {
   const TemporaryFolder folder;

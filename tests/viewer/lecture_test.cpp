@@ -29,7 +29,7 @@ void go_to_question(HeadlessApp& window, const std::string& ask) {
   ASSERT_TRUE(session.question() && session.question()->ask == ask) << ask;
 }
 
-/// What the window says of its state.
+/// The state that the window reports.
 json state(HeadlessApp& window) { return json::parse(window.app().state_json()); }
 
 gjk::VertexPair asked_pair(Session& session) {

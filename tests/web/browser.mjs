@@ -602,7 +602,7 @@ const paste = (page, shapes) => page.evaluate((json) => {
   document.getElementById("case").value = json;
   document.getElementById("paste").click();
 }, JSON.stringify(shapes));
-/** What takes the program seconds: outlines that go in and out. */
+/** Outlines that go in and out, which take the program seconds. */
 const star = (n, x) => Array.from({ length: n }, (_, i) => {
   const [turn, radius] = [2 * Math.PI * i / n, 1 + 0.4 * Math.sin(37 * i)];
   return [x + radius * Math.cos(turn), radius * Math.sin(turn)];

@@ -40,7 +40,7 @@ struct Table {
   long version = -1;
   std::vector<std::string> columns;  ///< Of that version of the lesson.
   int pointed = -1;                  ///< The row whose caption is told.
-  double width = 400.0;              ///< Of all columns, in pixels at scale 1.
+  double width = 400.0;              ///< All columns', in pixels at scale 1.
 };
 
 /// Which step it is, in few words.
@@ -59,7 +59,7 @@ std::string cell(const std::string& column, const std::string& value) {
   return out;
 }
 
-/// What all columns need, with a bar to scroll by.
+/// The width that all columns need, with a bar to scroll by.
 float width_of(const std::vector<FrameText>& texts, const std::vector<std::string>& columns) {
   const auto measured = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float first = measured("step");

@@ -25,8 +25,8 @@ bool hull_is_ghost(const SceneBuilder& scene) {
   return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
 }
 
-/// Disks of the differences: smaller where they stand close together. Of a dense cloud one in each
-/// cell of a grid is drawn, for the others would be hidden, and labels stand on them.
+/// Disks of the differences: smaller where they stand close together. A dense cloud has one disk in
+/// each cell of a grid, for the others would be hidden, and labels stand on them.
 class CloudDots {
  public:
   /// `row`: so many of the points, one after the other, are of one vertex of X.

@@ -32,6 +32,8 @@ constexpr std::size_t kMostDisks = 64;
 /// Radius of a vertex that has a name among others that have no disks.
 constexpr double kNamedRadius = 3.0;
 constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
+/// Lines with less room than this, in pixels, would be one mass of colour: they are thin and pale.
+constexpr double kDense = 10.0;
 
 /// A shape of several outlines: what is solid, then its holes.
 void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
@@ -79,11 +81,14 @@ std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& 
   return out;
 }
 
-/// The vertices of a shape that have names: all that are in sight where a view has room for that,
-/// else those that the run looks at, and then corners that are far from all that have one; within
-/// the hull only where there is room.
-std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
-                                 const std::vector<bool>& seen, bool has_room_inside) {
+/// Whether a vertex has a name: if there is room beside it, or in any case.
+enum class Named { no, with_room, yes };
+
+/// The names of a shape's vertices: all that are in sight where a view has room for that, else
+/// those that the run looks at, and then corners that are far from all that have one; within the
+/// hull only where there is room.
+std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body,
+                                     const std::vector<bool>& seen, bool has_room_inside) {
   const auto count_of = [](const std::vector<bool>& of) {
     return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
   };
@@ -93,11 +98,13 @@ std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
     if (i != body)
       others += count_of(in_sight(scene, scene.mapped(scene.positioned.bodies[i].world)));
   }
-  if (count_of(seen) + others <= kMostNames) return std::vector<bool>(world.size(), true);
+  if (count_of(seen) + others <= kMostNames) return std::vector<Named>(world.size(), Named::yes);
 
-  std::vector<bool> named = vertices_of_run(scene, body == 0, world.size());
+  const std::vector<bool> of_run = vertices_of_run(scene, body == 0, world.size());
+  std::vector<Named> named;
+  for (const bool is_of_run : of_run) named.push_back(is_of_run ? Named::yes : Named::no);
   const std::size_t wanted = kMostNames - std::min(others, kMostNames / 2);
-  std::size_t count = count_of(named);
+  std::size_t count = count_of(of_run);
   const auto name_far_ones = [&](const std::vector<int>& candidates) {
     std::vector<double> to_named(candidates.size(), std::numeric_limits<double>::infinity());
     const auto measure_from = [&](std::size_t from) {
@@ -107,14 +114,14 @@ std::vector<bool> named_vertices(const SceneBuilder& scene, std::size_t body,
       }
     };
     for (std::size_t i = 0; i < world.size(); ++i) {
-      if (named[i]) measure_from(i);
+      if (named[i] != Named::no) measure_from(i);
     }
     for (; count < wanted && !candidates.empty(); ++count) {
       const auto farthest = std::max_element(to_named.begin(), to_named.end());
       if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
       const auto next = static_cast<std::size_t>(
           candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
-      named[next] = true;
+      named[next] = Named::with_room;
       measure_from(next);
     }
   };
@@ -140,16 +147,12 @@ double disk_radius(const std::vector<Point>& points) {
   constexpr double kLeast = 1.5;
   if (points.size() < 2) return kVertexRadius;
   std::vector<double> edges;
-  double length = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i)
     edges.push_back((points[(i + 1) % points.size()] - points[i]).norm());
-    length += edges.back();
-  }
   const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
   std::nth_element(edges.begin(), middle, edges.end());
   // Edges that cross each other say little of the room: disks need some between lines, too.
-  const double radius =
-      kPartOfRoom * std::min({*middle, room_of(points), room_of_line(points, length)});
+  const double radius = kPartOfRoom * std::min({*middle, room_of(points), room_of_outline(points)});
   return radius < kLeast ? 0.0 : std::min(radius, kVertexRadius);
 }
 
@@ -176,26 +179,27 @@ void shape(SceneBuilder& scene, std::size_t body) {
         for (const auto& [a, b, c] : triangles(corners))
           scene.area(role + ".fill", {corners[a], corners[b], corners[c]}, whole);
       }
-      scene.add(role, Polyline{corners, true}, whole);
+      const bool is_dense = room_of_outline(corners) < kDense;
+      scene.add(is_dense ? role + ".dense" : role, Polyline{corners, true}, whole);
     }
     scene.outline(corners);
   }
   const bool has_gjk = scene.run.has_gjk();
   const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
   const std::vector<bool> seen = in_sight(scene, vertices);
-  std::vector<bool> named(world.size(), world.size() <= kMostLabels);
-  if (has_gjk) named = named_vertices(scene, body, seen, radius > 0.0);
+  std::vector<Named> named(world.size(), world.size() <= kMostLabels ? Named::yes : Named::no);
+  if (has_gjk) named = names_of_vertices(scene, body, seen, radius > 0.0);
   const Point* last = nullptr;  // that has a disk
   for (std::size_t i = 0; i < world.size(); ++i) {
     const bool touches = last != nullptr && (vertices[i] - *last).norm() < 2.0 * radius + 0.5;
-    if (!seen[i] || (!named[i] && (radius == 0.0 || touches))) continue;
+    if (!seen[i] || (named[i] == Named::no && (radius == 0.0 || touches))) continue;
     last = &vertices[i];
     const int index = static_cast<int>(i);
     scene.disk(role + ".vertex", vertices[i], radius > 0.0 ? radius : kNamedRadius,
                is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
   }
   for (std::size_t i = 0; i < world.size(); ++i) {
-    if (!named[i]) continue;
+    if (named[i] == Named::no) continue;
     const Point& at = vertices[i];
     const Point away = world.size() == 1 ? Point::Zero() : Point(at - middle);
     // Beside a vertex that moves, no place is free for good.
@@ -204,6 +208,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
     auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
     labels.push_back(scene.label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
                                  role + ".label", type::kVertex, at, kSimplexRadius, away));
+    labels.back().needs_room = named[i] == Named::with_room;
   }
 }
 

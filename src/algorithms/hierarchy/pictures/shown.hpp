@@ -93,7 +93,7 @@ void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::N
 // tree.cpp
 /// Levels below the root that are drawn node by node; what lies deeper is one mark each.
 inline constexpr int kMostDepth = 5;
-/// Of each node of a tree: levels from the root to there.
+/// The depth of each node of a tree: levels from the root.
 [[nodiscard]] std::vector<int> depths_of(const std::vector<TreeNode>& tree);
 /// A view of both trees.
 bool trees(SceneBuilder& scene, const Fonts& fonts);
