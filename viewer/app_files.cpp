@@ -75,6 +75,7 @@ bool is_in(const fs::path& file, const fs::path& folder) {
 }
 
 void App::open_path(const fs::path& path) {
+  will_show(path.string());
   try {
     if (path.extension() == ".json") {
       const std::string text = read_whole(path);
@@ -362,13 +363,25 @@ void App::export_frames(ExportOptions options, bool all) {
       step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
     options.first_step = options.last_step = std::max(step, 1);
   }
+  options.out_dir = fs::absolute(options.out_dir).lexically_normal();
+  export_folder_ = options.out_dir;
+  export_began_ = now_;
+  export_done_ = export_count_ = 0;
+  gives_export_up_ = false;
+  stop_export_ = {};
+  options.stop = stop_export_.get_token();
+  options.told = [this](int done, int count) {
+    export_done_ = done;
+    export_count_ = count;
+  };
   say(fmt::format("exporting into {}", options.out_dir.string()));
   // A thread of its own: there the off-screen renderer's context is current, and here the window's.
   exporting_ = std::async(std::launch::async, [lesson = std::move(lesson), options]() -> Exported {
     try {
       const ExportResult result = export_lessons({lesson}, options);
-      return {fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                          fs::absolute(options.out_dir).lexically_normal().string())};
+      return {fmt::format("{}{} {} in {}",
+                          result.is_complete ? "" : "the export was given up: ", result.frames,
+                          result.frames == 1 ? "frame" : "frames", options.out_dir.string())};
     } catch (const std::exception& error) {
       return {error.what(), true};
     }
@@ -384,8 +397,17 @@ void App::end_export() {
 // Between two starts -----------------------------------------------------------------------------
 
 Settings App::settings() const {
+  ExportSettings exported;
+  if (last_export)
+    exported = {last_export->out_dir.string(),
+                std::string(name_of(last_export->format)),
+                last_export->theme,
+                last_export->width,
+                last_export->height,
+                last_export->transparent,
+                last_export->stage_only};
   return {theme_name_, panel_size_, frames_per_second_, lessons_shown_, has_thumbnails,
-          moves_,      snaps_,      hexadecimal,        drawer_widths_};
+          moves_,      snaps_,      hexadecimal,        drawer_widths_, exported};
 }
 
 void App::apply(const Settings& settings) {
@@ -401,6 +423,19 @@ void App::apply(const Settings& settings) {
   snaps_ = settings.snaps;
   hexadecimal = settings.hexadecimal;
   drawer_widths_ = settings.drawers;
+  const ExportSettings& exported = settings.exported;
+  const std::optional<Format> format = format_of(exported.format);
+  const bool has_theme = std::find(themes.begin(), themes.end(), exported.theme) != themes.end();
+  if (exported.folder.empty() || !format || !has_theme) return;
+  ExportOptions options;
+  options.out_dir = exported.folder;
+  options.format = *format;
+  options.theme = exported.theme;
+  options.width = std::clamp(exported.width, 1, kMostPixels);
+  options.height = std::clamp(exported.height, 1, kMostPixels);
+  options.transparent = exported.transparent;
+  options.stage_only = exported.stage_only;
+  last_export = options;
 }
 
 void App::keep_settings() {
@@ -423,6 +458,7 @@ void App::read_recent() {
     // Conveniences.
   }
   if (recent_.size() > kMostRecent) recent_.resize(kMostRecent);
+  for (const std::string& recent : recent_) will_show(recent);
 }
 
 void App::remember_recent(const fs::path& file) {

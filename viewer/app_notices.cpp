@@ -62,6 +62,17 @@ std::vector<Notice> App::all_notices() const {
                    .answers = {"Cancel opening"},
                    .can_be_closed = false});
   }
+  if (is_exporting() && now_ >= export_began_ + kLongExport) {
+    const auto [done, count] = exported();
+    all.push_back(
+        {.cause = "exporting",
+         .text = count == 0 ? fmt::format("Frames are exported into {}…", export_folder_.string())
+                            : fmt::format("{} of {} frames are exported into {}…", done, count,
+                                          export_folder_.string()),
+         .is_error = false,
+         .answers = {"Cancel the export"},
+         .can_be_closed = false});
+  }
   if (!error_.empty()) all.push_back({.cause = "deed", .text = error_, .details = error_details_});
   const std::string& not_kept = not_kept_.empty() ? unsaved_.problem() : not_kept_;
   if (!not_kept.empty()) {
@@ -95,7 +106,10 @@ std::vector<Notice> App::all_notices() const {
 void App::find_missing_character() {
   if (missing_.first == session_.version() || session_.is_dragging()) return;
   missing_ = {session_.version(), ""};
-  for (const LessonText& each : texts_of(session_.lesson())) {
+  will_show(session_.file().string());
+  const std::vector<LessonText> texts = texts_of(session_.lesson());
+  for (const LessonText& each : texts) will_show(each.text);
+  for (const LessonText& each : texts) {
     const char32_t character = Fonts::first_missing(each.text);
     if (character == 0) continue;
     std::size_t begin = 0;

@@ -13,14 +13,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <thread>
 #include <tuple>
 
 #include "density.hpp"
 #include "file_watch.hpp"
 #include "imgui_keys.hpp"
+#include "lesson/file.hpp"
 #include "lesson/problem.hpp"
 #include "picture/tween.hpp"
+#include "system_fonts.hpp"
 
 namespace gjkscope {
 namespace {
@@ -203,11 +206,25 @@ const ImWchar* few_characters() {
 
 /// Those that panels need, names of lessons and files with them: Latin, Greek and Cyrillic.
 const ImWchar* panel_characters() {
-  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010,
-                                              0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
-                                              0x2200, 0x22FF, 0x2713, 0x2717, 0};
+  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010, 0x2044,
+                                              0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF,
+                                              0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
   return ranges.data();
 }
+
+bool is_among(const ImWchar* ranges, char32_t character) {
+  for (; ranges[0] != 0; ranges += 2) {
+    if (character >= ranges[0] && character <= ranges[1]) return true;
+  }
+  return false;
+}
+
+/// A font of the system for characters that the panels' own has not.
+struct MoreType {
+  int index = 0;  ///< Of the face in its file.
+  std::string file;
+  std::vector<ImWchar> ranges;
+};
 
 }  // namespace
 
@@ -304,9 +321,30 @@ struct Window::Impl {
     return copy;
   }
 
+  /// Finds fonts for names in other scripts. True where there are any that were not there before.
+  bool find_more_type() {
+    std::u32string wanted;
+    for (const char32_t c : app.characters()) {
+      const bool is_new = !is_among(panel_characters(), c) && looked_for.insert(c).second;
+      if (is_new && c <= IM_UNICODE_CODEPOINT_MAX) wanted += c;
+    }
+    const std::vector<SystemFont> found = system_fonts_for(wanted);
+    for (const SystemFont& font : found) {
+      MoreType& more = more_type.emplace_back();
+      more.index = font.index;
+      more.file = read_whole(font.file);
+      for (const char32_t c : font.characters)
+        more.ranges.insert(more.ranges.end(), 2, static_cast<ImWchar>(c));
+      more.ranges.push_back(0);
+    }
+    return !found.empty();
+  }
+
   /// Fonts for the picture at `zoom` and for the panels; nothing where they are there.
   void prepare_fonts(double zoom) {
-    if (atlas_fonts && zoom == atlas_fonts->scale() && ui_scale == app.ui_scale()) return;
+    const bool has_more = find_more_type();
+    if (atlas_fonts && zoom == atlas_fonts->scale() && ui_scale == app.ui_scale() && !has_more)
+      return;
     ui_scale = app.ui_scale();
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -323,6 +361,18 @@ struct Window::Impl {
       return io.Fonts->AddFont(&config);
     };
     add(Face::regular, panel_characters());
+    for (const MoreType& more : more_type) {
+      ImFontConfig merged;
+      merged.MergeMode = true;
+      merged.FontDataOwnedByAtlas = false;
+      merged.FontData = const_cast<char*>(more.file.data());  // read, not written
+      merged.FontDataSize = static_cast<int>(more.file.size());
+      merged.FontNo = more.index;
+      merged.GlyphRanges = more.ranges.data();
+      merged.SizePixels =
+          static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
+      io.Fonts->AddFont(&merged);
+    }
     panel_fonts = {add(Face::mono, few_characters()), add(Face::semibold, few_characters())};
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
@@ -519,6 +569,8 @@ struct Window::Impl {
   ImGuiContext* imgui = nullptr;
   std::unique_ptr<AtlasFonts> atlas_fonts;
   double ui_scale = 0.0;
+  std::set<char32_t> looked_for;
+  std::vector<MoreType> more_type;
   std::unique_ptr<FileWatch> watch;
   Uint32 file_event = 0;
   std::filesystem::path watched;
