@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
@@ -286,9 +287,10 @@ bool App::is_of_course(const fs::path& file) const {
 void App::save_as() {
   const std::string title = "Save as a lesson (.toml) or a case (.json)";
   const fs::path& file = session_.file();
-  const bool has_own_place = !file.empty() && !is_in(file, share() / "lessons");
-  const fs::path name = session_.lesson().id + ".toml";
-  show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.filename().string(),
+  const bool has_own_place = !file.empty() && !is_in(file, share() / "lessons") &&
+                             ::access(file.parent_path().c_str(), W_OK) == 0;
+  const fs::path name = fs::path(session_.lesson().id + ".toml").filename();
+  show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.string(),
                           is_of_course(file) ? fs::path() : file,
                           [this](const fs::path& to) { save_to(to); }));
 }

@@ -82,7 +82,7 @@ void App::ask_to_quit() {
 void App::offer_left_work() {
   try {
     for (UnsavedWork::Left& each : unsaved_.left()) {
-      will_show(each.file);
+      will_show(each.file.string());
       left_.push_back({std::move(each)});
     }
   } catch (const std::runtime_error& error) {

@@ -95,13 +95,27 @@ int covered(const Obstacles& obstacles, const Rect& box) {
   return count;
 }
 
-/// Where a box of this size hides least at the edges of a card, and no words; none where it would.
-std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect& card,
-                              const std::vector<Rect>& words) {
+/// What each row hides, from its upper left corner at `at`.
+std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const Fonts& fonts) {
+  std::vector<Rect> boxes;
+  at.y() += 0.5 * kLegendPad;
+  for (const LegendRow& row : rows) {
+    const double width = kGlyph + fonts.width(type::kText, row.text) + 2.0 * kLegendPad;
+    boxes.push_back({at, at + Point(width, kLegendRow)});
+    at.y() += kLegendRow;
+  }
+  return boxes;
+}
+
+/// Where rows hide least at the edges of a card, and no words; none where they would.
+std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& scene,
+                               const Rect& card, const std::vector<Rect>& words,
+                               const Fonts& fonts) {
   constexpr int kPlaces = 6;      // along each edge
   constexpr int kMostHidden = 3;  // less than a vertex: a little of a line
-  std::optional<Rect> best;
+  std::optional<Point> best;
   int least = kMostHidden + 1;
+  const Point size = legend_size(rows, fonts);
   const Point room = card.size() - size;
   if ((room.array() < 0.0).any()) return std::nullopt;
   for (const Point& edge : {Point(0.0, 1.0), Point(1.0, 0.0), Point(0.0, 0.0)}) {
@@ -114,9 +128,10 @@ std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect&
       if (std::any_of(words.begin(), words.end(),
                       [&](const Rect& word) { return overlap(box, word); }))
         continue;
-      const int cost = covered(scene.obstacles, box);
+      int cost = 0;
+      for (const Rect& row : boxes_of(rows, at, fonts)) cost += covered(scene.obstacles, row);
       if (cost >= least) continue;
-      best = box;
+      best = at;
       least = cost;
     }
   }
@@ -141,7 +156,8 @@ Point legend_size(const std::vector<LegendRow>& rows, const Fonts& fonts) {
 }
 
 std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, const Fonts& fonts) {
-  std::vector<Mark> marks = {{"legend.box", Box{{at, at + legend_size(rows, fonts)}, 9.0}}};
+  std::vector<Mark> marks;
+  for (const Rect& box : boxes_of(rows, at, fonts)) marks.push_back({"legend.box", Box{box, 4.0}});
   const double x = at.x() + kLegendPad;
   double y = at.y() + 0.5 * (kLegendRow + kLegendPad);
   for (const LegendRow& row : rows) {
@@ -163,9 +179,8 @@ std::vector<Mark> legend_on_stage(std::vector<LegendRow> rows, const Scene& scen
                                   const std::vector<Rect>& words, const Fonts& fonts) {
   const Point frame(1.0, 1.0);
   for (; !rows.empty(); rows.pop_back()) {
-    const auto box =
-        place_for(legend_size(rows, fonts), scene, {card.min + frame, card.max - frame}, words);
-    if (box) return legend(rows, box->min, fonts);
+    const auto at = place_for(rows, scene, {card.min + frame, card.max - frame}, words, fonts);
+    if (at) return legend(rows, *at, fonts);
   }
   return {};
 }

@@ -219,6 +219,19 @@ TEST(Theme, TextStandsOutFromPaperAndCards) {
   }
 }
 
+TEST(Theme, PartsOfTheTimelineStandOutFromPaper) {
+  constexpr double kSeen = 3.0;  // WCAG 2.1, success criterion 1.4.11
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    for (const char* role : {"timeline.done", "timeline.current"})
+      EXPECT_GE(contrast(*theme.style(role).fill, theme.background()), kSeen) << name << role;
+    for (const char* role : {"timeline.ahead", "timeline.hidden.frame"}) {
+      ASSERT_TRUE(theme.style(role).stroke) << name << role;
+      EXPECT_GE(contrast(*theme.style(role).stroke, theme.background()), kSeen) << name << role;
+    }
+  }
+}
+
 TEST(Theme, LabelsOfRegionsAreReadableOnTheirRegions) {
   for (const std::string& name : Theme::names(kThemes)) {
     const Theme theme = Theme::load(kThemes, name);
