@@ -173,23 +173,23 @@ std::string App::compared_with_case() const {
 
 void App::save_case_to(const fs::path& file) {
   const Case shapes = case_of(session_.run().run(session_.frame()));
-  std::error_code none;
   try {
     const bool is_own = file == session_.file();
     std::string text = case_json(shapes, session_.lesson().id);
     std::string note;
-    if (is_own && fs::exists(file, none)) {
-      const std::string there = read_whole(file);
-      const std::optional<std::string> kept = case_json_kept(there, shapes);
-      if (!kept) {
+    for (const std::string& there : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
+      if (parse_cases(there, file.string()).size() > 1) {
         return say(fmt::format("{} holds more than one case: save this one as a file of its own",
                                file.filename().string()),
                    true);
       }
+      const std::optional<std::string> kept = case_json_kept(there, shapes);
+      if (!kept) continue;
       if (there.find("\"expected_") != std::string::npos &&
           kept->find("\"expected_") == std::string::npos)
         note = "; what it expected was of other shapes, and is left out";
       text = *kept;
+      break;
     }
     note = keep_beside(file) + note;
     write_whole(file, std::string_view(text));

@@ -269,7 +269,11 @@ void App::keep_mine() {
       return say(fmt::format("{}: {}", other.file.string(), session_.problem()), true);
     if (!edit("keep what was here", std::move(mine))) return;
   }
-  files_.note_read(other.file, std::move(other.text));
+  if (other.lesson) {
+    files_.note_read(other.file, std::move(other.text));
+  } else {
+    files_.note_broken(other.file, std::move(other.text));
+  }
   say(fmt::format("kept what is here; Save writes it, and what the file holds goes to {}~",
                   other.file.filename().string()));
 }
@@ -293,6 +297,14 @@ void App::save_as() {
   show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.string(),
                           is_of_course(file) ? fs::path() : file,
                           [this](const fs::path& to) { save_to(to); }));
+}
+
+std::vector<std::string> App::texts_to_keep(const fs::path& file) const {
+  std::error_code none;
+  std::vector<std::string> texts;
+  if (fs::exists(file, none)) texts.push_back(read_whole(file));
+  if (const KnownFiles::Known* known = files_.find(file)) texts.push_back(known->good);
+  return texts;
 }
 
 std::string App::keep_beside(const fs::path& file) {
@@ -322,9 +334,12 @@ void App::save_to(const fs::path& file) {
   if (lesson.expect == Expectation() || !check_expectation(run).empty())
     lesson.expect = outcome_of(session_.run());
   try {
-    const bool is_own = file == session_.file() && fs::exists(file, none);
-    const std::optional<std::string> kept =
-        is_own ? lesson_toml_kept(read_whole(file), lesson, file, vocabulary()) : std::nullopt;
+    const bool is_own = file == session_.file();
+    std::optional<std::string> kept;
+    for (const std::string& before : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
+      kept = lesson_toml_kept(before, lesson, file, vocabulary());
+      if (kept) break;
+    }
     std::string text = kept.value_or(lesson_toml(lesson));
     LoadedLesson saved = parse_lesson(text, file, vocabulary());
     if (!saved.lesson) return say(saved.problems);
@@ -336,8 +351,9 @@ void App::save_to(const fs::path& file) {
     session_.mark_saved(file, *std::move(saved.lesson));
     thumbnails_.forget(file);
     remember_recent(file);
-    say(fmt::format("saved {}{}{}", file.string(), note,
-                    is_own && !kept ? ", with the comments that the new text has not" : ""));
+    say(fmt::format(
+        "saved {}{}{}", file.string(), note,
+        is_own && !kept && !note.empty() ? ", with the comments that the new text has not" : ""));
     keep_unsaved();
   } catch (const std::runtime_error& error) {
     say(error.what(), true);

@@ -35,7 +35,8 @@ std::vector<Notice> App::notices() const {
 std::vector<Notice> App::all_notices() const {
   std::vector<Notice> all;
   const std::string file = session_.file().filename().string();
-  if (outside_ && outside_->file == session_.file()) {
+  const bool is_gone = gone_since_ && now_ >= *gone_since_ + kGoneAfter;
+  if (outside_ && outside_->file == session_.file() && !(is_gone && !outside_->lesson)) {
     Notice asked{.cause = "outside", .text = {}, .answers = {"Keep mine"}, .can_be_closed = false};
     if (outside_->lesson) {
       asked.text = fmt::format("{} has changed outside, and here. Which one shall stay?", file);
@@ -49,7 +50,7 @@ std::vector<Notice> App::all_notices() const {
     }
     all.push_back(std::move(asked));
   }
-  if (gone_since_ && now_ >= *gone_since_ + kGoneAfter) {
+  if (is_gone) {
     all.push_back({.cause = "gone",
                    .text = fmt::format("{} is gone; Save writes it anew.", file),
                    .details = session_.file().string(),

@@ -206,9 +206,9 @@ const ImWchar* few_characters() {
 
 /// Those that panels need, names of lessons and files with them: Latin, Greek and Cyrillic.
 const ImWchar* panel_characters() {
-  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010, 0x2044,
-                                              0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF,
-                                              0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
+  static const std::vector<ImWchar> ranges = {0x20,   0x17F,  0x370,  0x45F,  0x2010,
+                                              0x2044, 0x2070, 0x209C, 0x2190, 0x21FF,
+                                              0x2200, 0x22FF, 0x2713, 0x2717, 0};
   return ranges.data();
 }
 
@@ -361,18 +361,23 @@ struct Window::Impl {
       return io.Fonts->AddFont(&config);
     };
     add(Face::regular, panel_characters());
-    for (const MoreType& more : more_type) {
+    const auto merge = [&](const void* file, std::size_t size, int index, const ImWchar* ranges) {
       ImFontConfig merged;
       merged.MergeMode = true;
       merged.FontDataOwnedByAtlas = false;
-      merged.FontData = const_cast<char*>(more.file.data());  // read, not written
-      merged.FontDataSize = static_cast<int>(more.file.size());
-      merged.FontNo = more.index;
-      merged.GlyphRanges = more.ranges.data();
+      merged.FontData = const_cast<void*>(file);  // read, not written
+      merged.FontDataSize = static_cast<int>(size);
+      merged.FontNo = index;
+      merged.GlyphRanges = ranges;
       merged.SizePixels =
           static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
       io.Fonts->AddFont(&merged);
-    }
+    };
+    static constexpr ImWchar kReplacement[] = {0xFFFD, 0xFFFD, 0};  // of what no font has
+    const std::vector<unsigned char>& fallback = fonts.fallback_file(Face::regular);
+    merge(fallback.data(), fallback.size(), 0, kReplacement);
+    for (const MoreType& more : more_type)
+      merge(more.file.data(), more.file.size(), more.index, more.ranges.data());
     panel_fonts = {add(Face::mono, few_characters()), add(Face::semibold, few_characters())};
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");

@@ -13,12 +13,12 @@
 #include <set>
 #include <sstream>
 
+#include "lesson/questions.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 #include "picture/scene.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
-#include "lesson/questions.hpp"
 #include "picture/timeline.hpp"
 #include "picture/words.hpp"
 #include "tables/study.hpp"

@@ -137,6 +137,7 @@ TEST(App, RunsUntilSomethingHappens) {
 
 TEST(App, TheTableOfStepsGoesWhereOneStands) {
   HeadlessApp window;
+  window.resize(1920.0, 1080.0);  // where all columns have room
   window.app().show_drawer("Steps");
   window.key("Home");
   const auto scrolled = [] {
@@ -148,7 +149,7 @@ TEST(App, TheTableOfStepsGoesWhereOneStands) {
     return 0.0f;
   };
   EXPECT_EQ(0.0f, scrolled());
-  window.resize(1440.0, 400.0);
+  window.resize(1920.0, 400.0);
   window.key("End");
   EXPECT_GT(scrolled(), 0.0f);
   window.key("Home");
@@ -157,6 +158,7 @@ TEST(App, TheTableOfStepsGoesWhereOneStands) {
 
 TEST(App, TheTableOfStepsLeadsToThem) {
   HeadlessApp window;
+  window.resize(1920.0, 1080.0);  // where all columns have room
   window.app().show_drawer("Steps");
   window.settle();
   window.key("Right");
@@ -758,7 +760,7 @@ TEST(App, ALongExportSaysHowFarItIsAndCanBeGivenUp) {
   constexpr int kMost = 6000;
   for (int i = 0; i < kMost && window.app().exported().first < 2; ++i) {
     usleep(10'000);
-    window.frame();
+    window.frame(0.1);
   }
   EXPECT_NE(std::string::npos, told().find(" of 22 frames")) << told();
   EXPECT_NE(std::string::npos, told().find(folder.path().string())) << told();

@@ -399,6 +399,8 @@ TEST(Room, FieldsShowAllDigitsOfACoordinate) {
   window.app().show_drawer("Shapes");
   window.settle();
   const auto height = [&] { return ImGui::FindWindowByName("##drawer")->ContentSize.y; };
+  const double edge = ImGui::FindWindowByName("##edge")->Pos.x + 2.0;
+  window.drag({edge, 400.0}, {edge + 150.0, 400.0});
   const float short_numbers = height();
   Lesson lesson = window.session().lesson();
   lesson.x().vertices[0] = {-59.852055103169033, -2.2734748438784972};
