@@ -78,14 +78,16 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
     lesson->source = first.notes.source;
     lesson->prose += as_prose(" Source: " + sentence(first.notes.source));
   }
+  std::string hulls;
   for (const LessonShape& shape : lesson->bodies) {
     if (!shows_another_outline(shape.vertices)) continue;
-    lesson->prose += fmt::format(" GJK sees the hull of {}.", shape.name);
+    hulls += (hulls.empty() ? "" : " and of ") + shape.name;
     for (LessonView& view : lesson->views) {
       if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
         view.effects.emplace_back(ShapeHull::kName);
     }
   }
+  if (!hulls.empty()) lesson->prose += fmt::format(" GJK sees the hull of {}.", hulls);
   const std::size_t pairs = first.value->a.size() * first.value->b.size();
   if (pairs > edit::kMostPairs) {
     lesson->prose +=

@@ -459,7 +459,18 @@ TEST(Case, OfAnOutlineThatIsNotConvexSaysThatGjkSeesTheHull) {
   HeadlessApp window;
   window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "hard-cases" /
                          "dolfinx_quad_0.json");
-  EXPECT_NE(std::string::npos, window.session().text().prose.find("GJK sees the hull of X"));
+  EXPECT_NE(std::string::npos,
+            window.session().text().prose.find("GJK sees the hull of X and of Y."));
+  const std::vector<Mark>& marks = window.session().picture().marks;
+  const LessonPictures::ShownView world = window.session().views()[0];
+  EXPECT_EQ(2, std::count_if(marks.begin(), marks.end(),
+                             [&](const Mark& mark) {
+                               const Polygon* hull = std::get_if<Polygon>(&mark.shape);
+                               return mark.role == "hull" && hull &&
+                                      hull->points[0].x() < world.card.max.x() &&
+                                      hull->points[0].y() < world.card.max.y();
+                             }))
+      << "and the world shows both";
 }
 
 TEST(Case, OfMoreCornersThanNamesHaveCharactersForCanBeMade) {
