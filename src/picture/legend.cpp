@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "picture/hatch.hpp"
@@ -74,25 +76,38 @@ std::vector<Polyline> hatched_sign(const Point& center) {
                kSpacing, box);
 }
 
-/// How much of what labels keep away from lies in a box.
-int covered(const Obstacles& obstacles, const Rect& box) {
-  const auto is_in = [&](const Point& point, double slack) {
-    return (point.array() > box.min.array() - slack).all() &&
-           (point.array() < box.max.array() + slack).all();
-  };
-  int count = 0;
-  for (const Obstacles::Circle& circle : obstacles.circles)
-    count += is_in(circle.center, circle.radius) ? 4 : 0;
-  constexpr int kPieces = 32;
-  for (const Obstacles::Segment& segment : obstacles.segments) {
-    const Rect around = segment.box();
-    if ((around.min.array() > box.max.array()).any() ||
-        (around.max.array() < box.min.array()).any())
-      continue;
-    for (int i = 0; i <= kPieces; ++i)
-      count += is_in(segment.a + i * (segment.b - segment.a) / kPieces, 0.0) ? 1 : 0;
+/// Of a segment, what lies in a box.
+double length_in(const Rect& box, const Obstacles::Segment& segment) {
+  const Point way = segment.b - segment.a;
+  double from = 0.0;
+  double to = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = box.min[axis] - segment.a[axis];
+    const double high = box.max[axis] - segment.a[axis];
+    if (way[axis] == 0.0 && (low > 0.0 || high < 0.0)) return 0.0;
+    if (way[axis] == 0.0) continue;
+    from = std::max(from, std::min(low / way[axis], high / way[axis]));
+    to = std::min(to, std::max(low / way[axis], high / way[axis]));
   }
-  return count;
+  return std::max(to - from, 0.0) * way.norm();
+}
+
+/// Pixels that a box hides, the worst first: of marks that labels keep away from, and of lines that
+/// pass.
+using Hidden = std::pair<double, double>;
+
+Hidden hidden_by(const Rect& box, const Obstacles& obstacles) {
+  Hidden hidden;
+  for (const Obstacles::Segment& segment : obstacles.segments)
+    hidden.first += length_in(box, segment);
+  for (const Obstacles::Segment& segment : obstacles.passing)
+    hidden.second += length_in(box, segment);
+  for (const Obstacles::Circle& circle : obstacles.circles) {
+    const bool is_in = (circle.center.array() > box.min.array() - circle.radius).all() &&
+                       (circle.center.array() < box.max.array() + circle.radius).all();
+    if (is_in) hidden.first += 2.0 * circle.radius;
+  }
+  return hidden;
 }
 
 /// What each row hides, from its upper left corner at `at`.
@@ -111,10 +126,10 @@ std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const F
 std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& scene,
                                const Rect& card, const std::vector<Rect>& words,
                                const Fonts& fonts) {
-  constexpr int kPlaces = 6;      // along each edge
-  constexpr int kMostHidden = 3;  // less than a vertex: a little of a line
+  constexpr int kPlaces = 6;           // along each edge
+  constexpr double kMostHidden = 5.0;  // pixels, less than a vertex: a little of a line
   std::optional<Point> best;
-  int least = kMostHidden + 1;
+  Hidden least(kMostHidden, HUGE_VAL);
   const Point size = legend_size(rows, fonts);
   const Point room = card.size() - size;
   if ((room.array() < 0.0).any()) return std::nullopt;
@@ -128,11 +143,15 @@ std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& 
       if (std::any_of(words.begin(), words.end(),
                       [&](const Rect& word) { return overlap(box, word); }))
         continue;
-      int cost = 0;
-      for (const Rect& row : boxes_of(rows, at, fonts)) cost += covered(scene.obstacles, row);
-      if (cost >= least) continue;
+      Hidden hidden;
+      for (const Rect& row : boxes_of(rows, at, fonts)) {
+        const auto [marks, passing] = hidden_by(row, scene.obstacles);
+        hidden.first += marks;
+        hidden.second += passing;
+      }
+      if (hidden >= least) continue;
       best = at;
-      least = cost;
+      least = hidden;
     }
   }
   return best;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command_line.hpp"
 #include "density.hpp"
@@ -15,6 +16,7 @@
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "settings.hpp"
+#include "system_fonts.hpp"
 
 namespace gjkscope {
 namespace room_test {
@@ -316,6 +318,23 @@ TEST(Room, AMenuTakesKeys) {
   EXPECT_EQ(index, window.session().index());
 }
 
+TEST(Room, AListOpenedByTheMouseTakesKeys) {
+  HeadlessApp window;
+  window.app().show_drawer("Numerics");
+  window.settle();
+  const ImGuiWindow* drawer = ImGui::FindWindowByName("##drawer");
+  const auto is_open = [] { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; };
+  // The first list of the drawer is that of scalars.
+  for (float y = drawer->Pos.y + 30.0f; !is_open() && y < drawer->Pos.y + 200.0f; y += 8.0f)
+    window.click({drawer->Pos.x + drawer->Size.x - 60.0, y});
+  ASSERT_TRUE(is_open());
+  const ScalarKind before = window.session().lesson().scalar;
+  window.key("Down");
+  window.key("Enter");
+  EXPECT_FALSE(is_open());
+  EXPECT_NE(before, window.session().lesson().scalar);
+}
+
 TEST(Room, AnotherMenuOpensUnderThePointer) {
   HeadlessApp window;
   const ImGuiWindow* bar = ImGui::FindWindowByName("##top");
@@ -450,6 +469,27 @@ TEST(Room, ARandomPairIsInSight) {
         EXPECT_TRUE(((vertex - view.camera.center).cwiseAbs().array() <= half.array()).all());
     }
   }
+}
+
+TEST(Room, NamesInOtherScriptsHaveFonts) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "Привет-日本.toml";
+  fs::copy_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "simplex.toml", file);
+  HeadlessApp window(file.string());
+  for (const char32_t c : U"Привет日本") {
+    if (c != U'\0') EXPECT_TRUE(window.app().characters().contains(c)) << static_cast<int>(c);
+  }
+  EXPECT_FALSE(window.app().characters().contains(U'x')) << "those of ASCII are always there";
+  // A private character is in no font.
+  const std::vector<SystemFont> fonts = system_fonts_for(U"\u0436\u05D0\uE123");
+  std::u32string found;
+  for (const SystemFont& font : fonts) {
+    EXPECT_TRUE(fs::exists(font.file)) << font.file;
+    found += font.characters;
+  }
+  EXPECT_NE(std::u32string::npos, found.find(U'\u0436'));
+  EXPECT_EQ(found.size(), std::set<char32_t>(found.begin(), found.end()).size()) << "each once";
+  EXPECT_TRUE(system_fonts_for(U"").empty());
 }
 
 TEST(Room, TheHandleThatTurnsCoversNoLabel) {
