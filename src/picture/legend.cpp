@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -92,6 +91,9 @@ double length_in(const Rect& box, const Obstacles::Segment& segment) {
   return std::max(to - from, 0.0) * way.norm();
 }
 
+/// Pixels of lines: rather some of one than no word of what it means.
+constexpr double kMostHidden = 40.0;
+
 /// Pixels that a box hides, the worst first: of marks that labels keep away from, and of lines that
 /// pass.
 using Hidden = std::pair<double, double>;
@@ -105,7 +107,7 @@ Hidden hidden_by(const Rect& box, const Obstacles& obstacles) {
   for (const Obstacles::Circle& circle : obstacles.circles) {
     const bool is_in = (circle.center.array() > box.min.array() - circle.radius).all() &&
                        (circle.center.array() < box.max.array() + circle.radius).all();
-    if (is_in) hidden.first += 2.0 * circle.radius;
+    if (is_in) hidden.first += kMostHidden;
   }
   return hidden;
 }
@@ -126,10 +128,9 @@ std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const F
 std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& scene,
                                const Rect& card, const std::vector<Rect>& words,
                                const Fonts& fonts) {
-  constexpr int kPlaces = 6;           // along each edge
-  constexpr double kMostHidden = 5.0;  // pixels, less than a vertex: a little of a line
+  constexpr int kPlaces = 6;  // along each edge
   std::optional<Point> best;
-  Hidden least(kMostHidden, HUGE_VAL);
+  Hidden least(kMostHidden, 0.0);
   const Point size = legend_size(rows, fonts);
   const Point room = card.size() - size;
   if ((room.array() < 0.0).any()) return std::nullopt;
@@ -197,9 +198,9 @@ std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, co
 std::vector<Mark> legend_on_stage(std::vector<LegendRow> rows, const Scene& scene, const Rect& card,
                                   const std::vector<Rect>& words, const Fonts& fonts) {
   const Point frame(1.0, 1.0);
+  const Rect room{card.min + frame, card.max - frame};
   for (; !rows.empty(); rows.pop_back()) {
-    const auto at = place_for(rows, scene, {card.min + frame, card.max - frame}, words, fonts);
-    if (at) return legend(rows, *at, fonts);
+    if (const auto at = place_for(rows, scene, room, words, fonts)) return legend(rows, *at, fonts);
   }
   return {};
 }
