@@ -494,6 +494,7 @@ class Exporter {
            step == last ? 2.0 * options_.seconds : options_.seconds);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
+    if (is_stopped()) return false;
     film->finish();
     return true;
   }
@@ -503,7 +504,7 @@ class Exporter {
       return gif_film(file, image.width, image.height, theme_, words);
     if (options_.format == Format::apng) return apng_film(file, words);
     return ffmpeg_film(file, std::string(name_of(options_.format)), image.width, image.height,
-                       options_.fps > 0 ? options_.fps : kFilmRate, words);
+                       options_.fps > 0 ? options_.fps : kFilmRate, words, options_.stop);
   }
 
   [[nodiscard]] std::unique_ptr<Canvas> canvas() const {

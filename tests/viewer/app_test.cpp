@@ -777,6 +777,24 @@ TEST(App, ALongExportSaysHowFarItIsAndCanBeGivenUp) {
   EXPECT_TRUE(window.app().wants_to_quit());
 }
 
+TEST(App, AFilmThatIsGivenUpLeavesNothing) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  ExportOptions options;
+  options.out_dir = folder.path();
+  options.format = Format::webm;
+  options.width = 1920;
+  options.height = 1080;
+  window.app().export_frames(options, true);
+  while (window.app().is_exporting() && fs::is_empty(folder.path())) {
+    usleep(10'000);
+    window.frame();
+  }
+  ASSERT_TRUE(window.app().run_command("Cancel the export"));
+  end_export(window);
+  EXPECT_TRUE(fs::is_empty(folder.path())) << window.app().message();
+}
+
 TEST(App, HowFramesWereExportedIsRemembered) {
   const TemporaryFolder folder;
   {
