@@ -67,7 +67,7 @@ bool App::would_lose_work() const {
 
 void App::ask_to_quit() {
   if (is_exporting() && !std::exchange(gives_export_up_, true))
-    return say("an export is going on: who quits again gives it up", true);
+    return say("an export is going on: quit again to give it up", true);
   if (unsaved_.keeps()) keep_unsaved();  // now, and with a disk that may have room again
   const bool is_asked = dialog_ && dialog_->title == kQuitTitle;
   if (is_asked || !would_lose_work()) {

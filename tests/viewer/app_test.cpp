@@ -818,9 +818,9 @@ TEST(App, HowFramesWereExportedIsRemembered) {
 TEST(App, AnEffectThatChangesNothingIsNotCalledFor) {
   HeadlessApp window;
   Session& session = window.session();
-  const LessonRun& run = session.run();
+  EffectTrial trial(session.run(), session.effects(), testing::fonts());
   const auto frames = [&](std::size_t view, const char* effect) {
-    const auto changed = frames_changed_by(run, testing::fonts(), view, effect);
+    const auto changed = trial.frames_changed_by(view, effect);
     EXPECT_TRUE(changed) << effect;
     return changed ? std::count(changed->begin(), changed->end(), true) : -1;
   };

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app.hpp"
+#include "effects/growth.hpp"
 #include "picture/frame.hpp"
 #include "picture/stage.hpp"
 #include "widgets.hpp"
@@ -31,63 +32,46 @@ bool look_alike(const Scene& a, const Scene& b) {
          std::ranges::equal(a.area_labels, b.area_labels, is_same_area);
 }
 
-/// A run of its own, whose views call for an effect, or do not.
-class Trial {
- public:
-  Trial(const LessonRun& run, const Fonts& fonts) : run_(run), effects_(run_), fonts_(fonts) {}
-
-  void call_for(std::size_t view, std::string_view effect, bool on) {
-    std::vector<std::string>& called = run_.lesson.views[view].effects;
-    std::erase(called, effect);
-    if (on) called.emplace_back(effect);
-  }
-  [[nodiscard]] std::vector<FrameText> texts() { return lesson_texts(run_, effects_); }
-  [[nodiscard]] Scene scene(std::size_t view, std::size_t frame) {
-    const LessonView& shown = run_.lesson.views[view];
-    if (!map_) map_.emplace(kCard, camera_of(run_, shown, kCard));
-    return stage_scene(run_, effects_, run_.frames[frame], shown, *map_, fonts_);
-  }
-
- private:
-  static inline const Rect kCard{{0.0, 0.0}, {600.0, 400.0}};
-
-  LessonRun run_;
-  EffectGraph effects_;
-  const Fonts& fonts_;
-  std::optional<StageMap> map_;  ///< The same for both.
-};
-
 /// For each view and effect of a lesson, the frames that it changes.
 using Changes = std::map<std::pair<std::size_t, std::string_view>, std::vector<bool>>;
 
 /// Found out beside the window, anew for each version of the lesson that comes to rest.
 class ChangesOfEffects {
  public:
+  ChangesOfEffects() = default;
+  ChangesOfEffects(const ChangesOfEffects&) = delete;
+  ChangesOfEffects& operator=(const ChangesOfEffects&) = delete;
   /// Null while that is not known.
   const Changes* of(App& app) {
     Session& session = app.session();
     if (finding_.valid() && is_ready(finding_)) known_ = finding_.get();
-    if (version_ != session.version()) {
+    if (!is_of(session)) {
       stop_.request_stop();
       known_.clear();
-      if (!finding_.valid() && !session.is_dragging())
-        find(session.run(), app.fonts(), session.version());
+      if (!finding_.valid() && !session.is_dragging()) find(session, app.fonts());
     }
-    return version_ == session.version() && !finding_.valid() ? &known_ : nullptr;
+    return is_of(session) && !finding_.valid() ? &known_ : nullptr;
   }
   [[nodiscard]] bool waits() const { return finding_.valid(); }
+  ~ChangesOfEffects() { stop_.request_stop(); }
 
  private:
-  void find(const LessonRun& run, const Fonts& fonts, long version) {
-    version_ = version;
+  /// Questions are frames, too, and no change of the lesson.
+  [[nodiscard]] bool is_of(const Session& session) const {
+    return version_ == session.version() && frames_ == session.frame_count();
+  }
+  void find(Session& session, const Fonts& fonts) {
+    version_ = session.version();
+    frames_ = session.frame_count();
     stop_ = {};
-    auto own = std::make_shared<const LessonRun>(run);
-    finding_ = std::async(std::launch::async, [own, &fonts, stop = stop_.get_token()] {
+    auto trial = std::make_shared<EffectTrial>(session.run(), session.effects(), fonts);
+    finding_ = std::async(std::launch::async, [trial, stop = stop_.get_token()] {
       Changes out;
-      for (std::size_t view = 0; view < own->lesson.views.size(); ++view) {
-        if (!shows_shapes(own->lesson.views[view].kind)) continue;
-        for (const EffectInfo* info : offered_effects(own->lesson)) {
-          if (auto frames = frames_changed_by(*own, fonts, view, info->name, stop))
+      const Lesson lesson = trial->lesson();
+      for (std::size_t view = 0; view < lesson.views.size(); ++view) {
+        if (!shows_shapes(lesson.views[view].kind)) continue;
+        for (const EffectInfo* info : offered_effects(lesson)) {
+          if (auto frames = trial->frames_changed_by(view, info->name, stop))
             out[{view, info->name}] = *std::move(frames);
         }
       }
@@ -99,6 +83,7 @@ class ChangesOfEffects {
   std::stop_source stop_;
   Changes known_;
   long version_ = -1;
+  int frames_ = 0;
 };
 
 void draw_effects(App& app, ChangesOfEffects& changes) {
@@ -148,32 +133,49 @@ void draw_effects(App& app, ChangesOfEffects& changes) {
 
 }  // namespace
 
-std::optional<std::vector<bool>> frames_changed_by(const LessonRun& run, const Fonts& fonts,
-                                                   std::size_t view, std::string_view effect,
-                                                   const std::stop_token& stop) {
+EffectTrial::EffectTrial(const LessonRun& run, const EffectGraph& known, const Fonts& fonts)
+    : run_(run), effects_(run_), fonts_(fonts) {
+  effects_.take_over<Growth>(known);
+}
+
+void EffectTrial::call_for(std::size_t view, std::string_view effect, bool on) {
+  std::vector<std::string>& called = run_.lesson.views[view].effects;
+  std::erase(called, effect);
+  if (on) called.emplace_back(effect);
+}
+
+Scene EffectTrial::scene(std::size_t view, std::size_t frame, const StageMap& map) {
+  return stage_scene(run_, effects_, run_.frames[frame], run_.lesson.views[view], map, fonts_);
+}
+
+std::optional<std::vector<bool>> EffectTrial::frames_changed_by(std::size_t view,
+                                                                std::string_view effect,
+                                                                const std::stop_token& stop) {
   constexpr std::size_t kMostDifferences = 2500;  // there are effects that show them all
   constexpr std::size_t kMostFrames = 400;
-  const Lesson& lesson = run.lesson;
+  const Lesson& lesson = run_.lesson;
   if (lesson.x().vertices.size() * lesson.y().vertices.size() > kMostDifferences ||
-      run.frames.size() > kMostFrames)
+      run_.frames.size() > kMostFrames)
     return std::nullopt;
-  Trial trial(run, fonts);
-  trial.call_for(view, effect, false);
-  const std::vector<FrameText> texts = trial.texts();
+  const std::vector<std::string> called = lesson.views[view].effects;
+  call_for(view, effect, false);
+  // Seen alike with the effect and without it.
+  const Rect card{{0.0, 0.0}, {600.0, 400.0}};
+  const StageMap map(card, camera_of(run_, lesson.views[view], card));
+  const std::vector<FrameText> texts = lesson_texts(run_, effects_);
   std::vector<Scene> scenes;
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    if (stop.stop_requested()) return std::nullopt;
-    scenes.push_back(trial.scene(view, i));
-  }
-  trial.call_for(view, effect, true);
-  const std::vector<FrameText> texts_with = trial.texts();
+  for (std::size_t i = 0; i < run_.frames.size() && !stop.stop_requested(); ++i)
+    scenes.push_back(scene(view, i, map));
+  call_for(view, effect, true);
+  const std::vector<FrameText> texts_with = lesson_texts(run_, effects_);
   std::vector<bool> out;
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    if (stop.stop_requested()) return std::nullopt;
+  for (std::size_t i = 0; i < run_.frames.size() && !stop.stop_requested(); ++i) {
     out.push_back(texts[i].caption != texts_with[i].caption ||
                   texts[i].detail != texts_with[i].detail ||
-                  !look_alike(scenes[i], trial.scene(view, i)));
+                  !look_alike(scenes[i], scene(view, i, map)));
   }
+  run_.lesson.views[view].effects = called;
+  if (stop.stop_requested()) return std::nullopt;
   return out;
 }
 
@@ -198,7 +200,8 @@ void toggle_effect(App& app, std::size_t view, std::string_view effect) {
   Lesson lesson = session.lesson();
   std::vector<std::string>& called = lesson.views[view].effects;
   if (std::erase(called, effect) == 0) {
-    const auto frames = frames_changed_by(session.run(), app.fonts(), view, effect);
+    const auto frames =
+        EffectTrial(session.run(), session.effects(), app.fonts()).frames_changed_by(view, effect);
     if (frames && std::ranges::find(*frames, true) == frames->end())
       return app.say(fmt::format("{} changes no step of this lesson here", effect));
     called.emplace_back(effect);
