@@ -13,6 +13,7 @@
 #include "command_line.hpp"
 #include "density.hpp"
 #include "headless_app.hpp"
+#include "lessons.hpp"
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "settings.hpp"
@@ -210,6 +211,15 @@ TEST(Room, AWayHomeIsThereWhenNothingIsInSight) {
   ASSERT_EQ(1u, window.app().picture().empty_cards().size());
   window.click(window.app().picture().empty_cards()[0].center() + Point(-40.0, 12.0));
   EXPECT_TRUE(window.app().picture().empty_cards().empty()) << "its button leads back";
+}
+
+TEST(Room, NoLessonIsAstrayAsItOpens) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    HeadlessApp window(lesson.id);
+    EXPECT_TRUE(window.app().picture().empty_cards().empty()) << lesson.id << ", at the start";
+    window.key("End");
+    EXPECT_TRUE(window.app().picture().empty_cards().empty()) << lesson.id << ", at the end";
+  }
 }
 
 TEST(Room, InsideOfAShapeIsNotNowhere) {

@@ -103,8 +103,8 @@ void draw_row(Session& session, Table& table, int i) {
 }
 
 constexpr ImGuiTableFlags kStepsTable = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                   ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
-                                   ImGuiTableFlags_ScrollY;
+                                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
+                                        ImGuiTableFlags_ScrollY;
 
 /// Steps beside each other, and their values below: all of these are in sight in any width.
 void draw_across(Session& session, Table& table) {
@@ -114,7 +114,9 @@ void draw_across(Session& session, Table& table) {
   const int last = std::min(first + kMost, count);
   if (!ImGui::BeginTable("##steps-across", last - first + 1, kStepsTable)) return;
   ImGui::TableSetupScrollFreeze(1, 1);
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  // No row of headers: those are not asked how wide they are.
+  ImGui::TableNextRow();
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
   ImGui::TableNextColumn();
   const bool has_moved = std::exchange(table.shown, session.index()) != session.index();
   for (int i = first; i < last; ++i) {
