@@ -65,6 +65,10 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
 #define DRAWER(name) drawers_.push_back(name##_drawer(*this));
 #include "drawers.def"
 #undef DRAWER
+  for (const ListedLesson& lesson : lessons_) {
+    will_show(lesson.title);
+    will_show(lesson.problem);
+  }
   make_commands();
   read_recent();
   if (!paths_.state.empty()) apply(read_settings(paths_.state / "settings"));
@@ -95,11 +99,19 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
 }
 
 App::~App() {
+  stop_export_.request_stop();
   keep_unsaved();
   for (const LeftWork& each : left_) {
     if (each.is_discarded) unsaved_.forget(each.work);
   }
   keep_settings();
+}
+
+void App::will_show(std::string_view name) {
+  const bool is_ascii =
+      std::all_of(name.begin(), name.end(), [](char c) { return (c & 0x80) == 0; });
+  if (is_ascii) return;
+  for (const char32_t c : code_points(name)) characters_.insert(c);
 }
 
 // Time -------------------------------------------------------------------------------------------
@@ -466,6 +478,9 @@ void App::make_commands() {
   add(
       "File", "Export frames", {"Ctrl+E"}, [&] { show_dialog(export_dialog(*this)); },
       [&] { return !is_exporting(); });
+  add(
+      "File", "Cancel the export", {}, [this] { stop_export_.request_stop(); },
+      [this] { return is_exporting() && !stop_export_.stop_requested(); });
   add("File", "Quit", {"Ctrl+Q"}, [&] { ask_to_quit(); });
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
@@ -635,6 +650,7 @@ std::string App::state_json() {
       {"welcome", welcomes_},
       {"pinned", pinned_text()},
       {"exporting", is_exporting()},
+      {"exported", {export_done_.load(), export_count_.load()}},
       {"recent", recent_},
       {"question", session_.question() != nullptr},
       {"asking", session_.is_asking()},

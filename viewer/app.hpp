@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -44,6 +45,9 @@ struct ListedLesson {
   int chapter = 0;
   std::string problem;  ///< The first, with its place; empty for a lesson that can be opened.
 };
+
+/// Seconds; an export that ends before is no matter for a notice.
+inline constexpr double kLongExport = 0.5;
 
 /// Seconds; between two writes of an editor there may be no file.
 inline constexpr double kGoneAfter = 0.5;
@@ -112,6 +116,10 @@ class App {
   [[nodiscard]] std::string title() const;
   /// The panels take the colours of the theme.
   void set_colors() const;
+  /// Characters of names that came up: of lessons, files and vertices.
+  [[nodiscard]] const std::set<char32_t>& characters() const { return characters_; }
+  /// Panels will show this name.
+  void will_show(std::string_view name);
   /// The file whose changes matter.
   [[nodiscard]] std::filesystem::path watched() const { return session_.file(); }
 
@@ -205,6 +213,8 @@ class App {
   /// This frame, or all: the lesson as it is seen. `options` says where, and how they look. Goes on
   /// beside the window, which says how it ended.
   void export_frames(ExportOptions options, bool all);
+  /// How many frames are exported by now, and of how many; 0 of 0 before that is known.
+  [[nodiscard]] std::pair<int, int> exported() const { return {export_done_, export_count_}; }
   [[nodiscard]] bool is_opening() const { return opening_.has_value(); }
   [[nodiscard]] bool is_exporting() const { return exporting_.valid(); }
   /// Whether small pictures of lessons that are in sight are yet to come.
@@ -276,6 +286,9 @@ class App {
   void save_case_to(const std::filesystem::path& file);
   /// Whether this is a lesson of the course, or still the same as one.
   [[nodiscard]] bool is_of_course(const std::filesystem::path& file) const;
+  /// Of the lesson's or the case's own file, what it holds, and what it held last that could be
+  /// shown: what stays of it when it is saved.
+  [[nodiscard]] std::vector<std::string> texts_to_keep(const std::filesystem::path& file) const;
   /// Keeps what a file holds beside it, unless this window wrote it; says where.
   std::string keep_beside(const std::filesystem::path& file);
   /// Whether the file of the lesson holds what it held when it was read or written last; where it
@@ -389,6 +402,7 @@ class App {
   std::optional<std::pair<long, int>> error_at_;  ///< Version and step when it was seen first.
   /// The first character of the lesson's words that the stage cannot draw, of this version.
   std::pair<long, std::string> missing_ = {-1, ""};
+  std::set<char32_t> characters_;
   std::string not_kept_;          ///< Why unsaved work is not; empty when it is.
   std::set<std::string> closed_;  ///< Notices that were, as cause and text.
   std::size_t notice_lines_ = 0;  ///< As they were laid out last.
@@ -399,6 +413,12 @@ class App {
     std::string outcome;
     bool failed = false;
   };
+  std::atomic<int> export_done_ = 0;
+  std::atomic<int> export_count_ = 0;
+  std::stop_source stop_export_;
+  std::filesystem::path export_folder_;
+  double export_began_ = 0.0;
+  bool gives_export_up_ = false;  ///< Who asks to quit again does.
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
   /// What follows from a drag of large shapes; uses `session_`.

@@ -78,14 +78,16 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
     lesson->source = first.notes.source;
     lesson->prose += as_prose(" Source: " + sentence(first.notes.source));
   }
+  std::string hulls;
   for (const LessonShape& shape : lesson->bodies) {
     if (!shows_another_outline(shape.vertices)) continue;
-    lesson->prose += fmt::format(" GJK sees the hull of {}.", shape.name);
+    hulls += (hulls.empty() ? "" : " and of ") + shape.name;
     for (LessonView& view : lesson->views) {
       if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
         view.effects.emplace_back(ShapeHull::kName);
     }
   }
+  if (!hulls.empty()) lesson->prose += fmt::format(" GJK sees the hull of {}.", hulls);
   const std::size_t pairs = first.value->a.size() * first.value->b.size();
   if (pairs > edit::kMostPairs) {
     lesson->prose +=
@@ -173,23 +175,23 @@ std::string App::compared_with_case() const {
 
 void App::save_case_to(const fs::path& file) {
   const Case shapes = case_of(session_.run().run(session_.frame()));
-  std::error_code none;
   try {
     const bool is_own = file == session_.file();
     std::string text = case_json(shapes, session_.lesson().id);
     std::string note;
-    if (is_own && fs::exists(file, none)) {
-      const std::string there = read_whole(file);
-      const std::optional<std::string> kept = case_json_kept(there, shapes);
-      if (!kept) {
+    for (const std::string& there : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
+      if (parse_cases(there, file.string()).size() > 1) {
         return say(fmt::format("{} holds more than one case: save this one as a file of its own",
                                file.filename().string()),
                    true);
       }
+      const std::optional<std::string> kept = case_json_kept(there, shapes);
+      if (!kept) continue;
       if (there.find("\"expected_") != std::string::npos &&
           kept->find("\"expected_") == std::string::npos)
         note = "; what it expected was of other shapes, and is left out";
       text = *kept;
+      break;
     }
     note = keep_beside(file) + note;
     write_whole(file, std::string_view(text));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
@@ -75,6 +76,7 @@ bool is_in(const fs::path& file, const fs::path& folder) {
 }
 
 void App::open_path(const fs::path& path) {
+  will_show(path.string());
   try {
     if (path.extension() == ".json") {
       const std::string text = read_whole(path);
@@ -282,7 +284,11 @@ void App::keep_mine() {
       return say(fmt::format("{}: {}", other.file.string(), session_.problem()), true);
     if (!edit("keep what was here", std::move(mine))) return;
   }
-  files_.note_read(other.file, std::move(other.text));
+  if (other.lesson) {
+    files_.note_read(other.file, std::move(other.text));
+  } else {
+    files_.note_broken(other.file, std::move(other.text));
+  }
   say(fmt::format("kept what is here; Save writes it, and what the file holds goes to {}~",
                   other.file.filename().string()));
 }
@@ -300,11 +306,20 @@ bool App::is_of_course(const fs::path& file) const {
 void App::save_as() {
   const std::string title = "Save as a lesson (.toml) or a case (.json)";
   const fs::path& file = session_.file();
-  const bool has_own_place = !file.empty() && !is_in(file, share() / "lessons");
-  const fs::path name = session_.lesson().id + ".toml";
-  show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.filename().string(),
+  const bool has_own_place = !file.empty() && !is_in(file, share() / "lessons") &&
+                             ::access(file.parent_path().c_str(), W_OK) == 0;
+  const fs::path name = fs::path(session_.lesson().id + ".toml").filename();
+  show_dialog(save_dialog(*this, title, has_own_place ? file.string() : name.string(),
                           is_of_course(file) ? fs::path() : file,
                           [this](const fs::path& to) { save_to(to); }));
+}
+
+std::vector<std::string> App::texts_to_keep(const fs::path& file) const {
+  std::error_code none;
+  std::vector<std::string> texts;
+  if (fs::exists(file, none)) texts.push_back(read_whole(file));
+  if (const KnownFiles::Known* known = files_.find(file)) texts.push_back(known->good);
+  return texts;
 }
 
 std::string App::keep_beside(const fs::path& file) {
@@ -334,9 +349,12 @@ void App::save_to(const fs::path& file) {
   if (lesson.expect == Expectation() || !check_expectation(run).empty())
     lesson.expect = outcome_of(session_.run());
   try {
-    const bool is_own = file == session_.file() && fs::exists(file, none);
-    const std::optional<std::string> kept =
-        is_own ? lesson_toml_kept(read_whole(file), lesson, file, vocabulary()) : std::nullopt;
+    const bool is_own = file == session_.file();
+    std::optional<std::string> kept;
+    for (const std::string& before : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
+      kept = lesson_toml_kept(before, lesson, file, vocabulary());
+      if (kept) break;
+    }
     std::string text = kept.value_or(lesson_toml(lesson));
     LoadedLesson saved = parse_lesson(text, file, vocabulary());
     if (!saved.lesson) return say(saved.problems);
@@ -348,8 +366,9 @@ void App::save_to(const fs::path& file) {
     session_.mark_saved(file, *std::move(saved.lesson));
     thumbnails_.forget(file);
     remember_recent(file);
-    say(fmt::format("saved {}{}{}", file.string(), note,
-                    is_own && !kept ? ", with the comments that the new text has not" : ""));
+    say(fmt::format(
+        "saved {}{}{}", file.string(), note,
+        is_own && !kept && !note.empty() ? ", with the comments that the new text has not" : ""));
     keep_unsaved();
   } catch (const std::runtime_error& error) {
     say(error.what(), true);
@@ -377,13 +396,25 @@ void App::export_frames(ExportOptions options, bool all) {
       step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
     options.first_step = options.last_step = std::max(step, 1);
   }
+  options.out_dir = fs::absolute(options.out_dir).lexically_normal();
+  export_folder_ = options.out_dir;
+  export_began_ = now_;
+  export_done_ = export_count_ = 0;
+  gives_export_up_ = false;
+  stop_export_ = {};
+  options.stop = stop_export_.get_token();
+  options.told = [this](int done, int count) {
+    export_done_ = done;
+    export_count_ = count;
+  };
   say(fmt::format("exporting into {}", options.out_dir.string()));
   // A thread of its own: there the off-screen renderer's context is current, and here the window's.
   exporting_ = std::async(std::launch::async, [lesson = std::move(lesson), options]() -> Exported {
     try {
       const ExportResult result = export_lessons({lesson}, options);
-      return {fmt::format("{} {} in {}", result.frames, result.frames == 1 ? "frame" : "frames",
-                          fs::absolute(options.out_dir).lexically_normal().string())};
+      return {fmt::format("{}{} {} in {}",
+                          result.is_complete ? "" : "the export was given up: ", result.frames,
+                          result.frames == 1 ? "frame" : "frames", options.out_dir.string())};
     } catch (const std::exception& error) {
       return {error.what(), true};
     }
@@ -399,8 +430,17 @@ void App::end_export() {
 // Between two starts -----------------------------------------------------------------------------
 
 Settings App::settings() const {
+  ExportSettings exported;
+  if (last_export)
+    exported = {last_export->out_dir.string(),
+                std::string(name_of(last_export->format)),
+                last_export->theme,
+                last_export->width,
+                last_export->height,
+                last_export->transparent,
+                last_export->stage_only};
   return {theme_name_, panel_size_, frames_per_second_, lessons_shown_, has_thumbnails,
-          moves_,      snaps_,      hexadecimal,        drawer_widths_};
+          moves_,      snaps_,      hexadecimal,        drawer_widths_, exported};
 }
 
 void App::apply(const Settings& settings) {
@@ -416,6 +456,19 @@ void App::apply(const Settings& settings) {
   snaps_ = settings.snaps;
   hexadecimal = settings.hexadecimal;
   drawer_widths_ = settings.drawers;
+  const ExportSettings& exported = settings.exported;
+  const std::optional<Format> format = format_of(exported.format);
+  const bool has_theme = std::find(themes.begin(), themes.end(), exported.theme) != themes.end();
+  if (exported.folder.empty() || !format || !has_theme) return;
+  ExportOptions options;
+  options.out_dir = exported.folder;
+  options.format = *format;
+  options.theme = exported.theme;
+  options.width = std::clamp(exported.width, 1, kMostPixels);
+  options.height = std::clamp(exported.height, 1, kMostPixels);
+  options.transparent = exported.transparent;
+  options.stage_only = exported.stage_only;
+  last_export = options;
 }
 
 void App::keep_settings() {
@@ -438,6 +491,7 @@ void App::read_recent() {
     // Conveniences.
   }
   if (recent_.size() > kMostRecent) recent_.resize(kMostRecent);
+  for (const std::string& recent : recent_) will_show(recent);
 }
 
 void App::remember_recent(const fs::path& file) {

@@ -35,7 +35,8 @@ std::vector<Notice> App::notices() const {
 std::vector<Notice> App::all_notices() const {
   std::vector<Notice> all;
   const std::string file = session_.file().filename().string();
-  if (outside_ && outside_->file == session_.file()) {
+  const bool is_gone = gone_since_ && now_ >= *gone_since_ + kGoneAfter;
+  if (outside_ && outside_->file == session_.file() && !(is_gone && !outside_->lesson)) {
     Notice asked{.cause = "outside", .text = {}, .answers = {"Keep mine"}, .can_be_closed = false};
     if (outside_->lesson) {
       asked.text = fmt::format("{} has changed outside, and here. Which one shall stay?", file);
@@ -49,7 +50,7 @@ std::vector<Notice> App::all_notices() const {
     }
     all.push_back(std::move(asked));
   }
-  if (gone_since_ && now_ >= *gone_since_ + kGoneAfter) {
+  if (is_gone) {
     all.push_back({.cause = "gone",
                    .text = fmt::format("{} is gone; Save writes it anew.", file),
                    .details = session_.file().string(),
@@ -68,6 +69,17 @@ std::vector<Notice> App::all_notices() const {
                    .is_error = false,
                    .answers = {"Cancel the change"},
                    .can_be_closed = false});
+    }
+  if (is_exporting() && now_ >= export_began_ + kLongExport) {
+    const auto [done, count] = exported();
+    all.push_back(
+        {.cause = "exporting",
+         .text = count == 0 ? fmt::format("Frames are exported into {}…", export_folder_.string())
+                            : fmt::format("{} of {} frames are exported into {}…", done, count,
+                                          export_folder_.string()),
+         .is_error = false,
+         .answers = {"Cancel the export"},
+         .can_be_closed = false});
   }
   if (!error_.empty()) all.push_back({.cause = "deed", .text = error_, .details = error_details_});
   const std::string& not_kept = not_kept_.empty() ? unsaved_.problem() : not_kept_;
@@ -102,7 +114,10 @@ std::vector<Notice> App::all_notices() const {
 void App::find_missing_character() {
   if (missing_.first == session_.version() || session_.is_dragging()) return;
   missing_ = {session_.version(), ""};
-  for (const LessonText& each : texts_of(session_.lesson())) {
+  will_show(session_.file().string());
+  const std::vector<LessonText> texts = texts_of(session_.lesson());
+  for (const LessonText& each : texts) will_show(each.text);
+  for (const LessonText& each : texts) {
     const char32_t character = Fonts::first_missing(each.text);
     if (character == 0) continue;
     std::size_t begin = 0;

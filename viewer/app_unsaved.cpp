@@ -66,6 +66,8 @@ bool App::would_lose_work() const {
 }
 
 void App::ask_to_quit() {
+  if (is_exporting() && !std::exchange(gives_export_up_, true))
+    return say("an export is going on: quit again to give it up", true);
   if (unsaved_.keeps()) keep_unsaved();  // now, and with a disk that may have room again
   const bool is_asked = dialog_ && dialog_->title == kQuitTitle;
   if (is_asked || !would_lose_work()) {
@@ -79,7 +81,10 @@ void App::ask_to_quit() {
 
 void App::offer_left_work() {
   try {
-    for (UnsavedWork::Left& each : unsaved_.left()) left_.push_back({std::move(each)});
+    for (UnsavedWork::Left& each : unsaved_.left()) {
+      will_show(each.file.string());
+      left_.push_back({std::move(each)});
+    }
   } catch (const std::runtime_error& error) {
     say(fmt::format("unsaved work cannot be read: {}", error.what()), true);
   }

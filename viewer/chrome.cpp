@@ -491,7 +491,10 @@ double App::drawer_width() const {
   const Drawer& drawer = drawers_[*drawer_];
   const auto chosen = drawer_widths_.find(drawer.name);
   if (chosen != drawer_widths_.end()) return chosen->second;
-  return drawer.width ? std::max(drawer.width(), kDrawerWidth) : kDrawerWidth;
+  // What is wider than there is room for makes do with the usual width.
+  const double wanted = drawer.width ? drawer.width() : kDrawerWidth;
+  const double room = (width_ - kStageWidth * density_) / ui_scale_;
+  return wanted > room ? kDrawerWidth : std::max(wanted, kDrawerWidth);
 }
 
 /// The left edge of the drawer follows the hand, and is where it was left at the next start.

@@ -88,6 +88,7 @@ struct Open {
     std::vector<fs::path> entries;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
       const fs::path& each = entry.path();
+      app.will_show(each.string());
       const bool wanted = each.extension() == ".toml" || each.extension() == ".json";
       if (entry.is_directory(none) || wanted) entries.push_back(each);
     }
@@ -137,6 +138,8 @@ struct Export {
 
   void draw() {
     const bool entered = field(folder, "a folder");
+    if (!folder.empty() && fs::path(folder).is_relative())
+      ImGui::TextDisabled("%s", fs::absolute(folder).lexically_normal().c_str());
     field_label("format");
     if (ImGui::BeginCombo("##format", std::string(name_of(options.format)).c_str())) {
       for (const Format format : all_formats()) {
@@ -166,6 +169,12 @@ struct Export {
       ImGui::SameLine();
     }
     ImGui::NewLine();
+    ImGui::BeginDisabled(is_film(options.format));
+    ImGui::Checkbox("transparent", &options.transparent);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::Checkbox("the stages alone", &options.stage_only);
+    ImGui::TextDisabled("`gjkscope export` makes handouts, films that move, and ranges of steps.");
     ImGui::Separator();
     ImGui::BeginDisabled(is_film(options.format));  // one frame does not move
     const bool frame = ImGui::Button("This frame");
@@ -174,8 +183,9 @@ struct Export {
     const bool all = ImGui::Button("All frames");
     draw_cancel(app);
     if (folder.empty() || (!entered && !frame && !all)) return;
-    options.out_dir = folder;
+    options.out_dir = fs::absolute(folder).lexically_normal();
     app.last_export = options;
+    options.transparent = options.transparent && !is_film(options.format);
     app.close_dialog();
     app.export_frames(options, all || is_film(options.format));
   }
@@ -190,7 +200,6 @@ struct Export {
                                     {"1920x1080", 1920, 1080},
                                     {"3840x2160", 3840, 2160},
                                     {"1080x1080", 1080, 1080}};
-  static constexpr int kMostPixels = 16384;
 };
 
 void draw_keys(App& app) {

@@ -24,6 +24,8 @@ struct Dialog {
 /// Before work goes that is kept nowhere.
 [[nodiscard]] Dialog quit_dialog(App& app, std::function<void()> quit);
 inline constexpr const char* kQuitTitle = "Work would be lost";
+/// Of an exported image, along each side.
+inline constexpr int kMostPixels = 16384;
 [[nodiscard]] Dialog export_dialog(App& app);
 [[nodiscard]] Dialog keys_dialog(App& app);
 /// Any command, lesson, effect or scalar by a part of its name.

@@ -36,7 +36,8 @@ double Presenter::pointer_opacity(double now) const {
 }
 
 std::optional<double> Presenter::wakes_at(double now) const {
-  if (!on_ || !moved_ || pointer_opacity(now) == 0.0) return std::nullopt;
+  // One image more than it fades for: what it pointed at is marked no longer.
+  if (!on_ || !moved_ || now > *moved_ + kRests + kFades + kImage) return std::nullopt;
   return std::max(*moved_ + kRests, now + kImage);
 }
 

@@ -42,6 +42,15 @@ Settings read_settings(const std::filesystem::path& file) {
   read(json, "snaps", out.snaps);
   read(json, "hexadecimal", out.hexadecimal);
   read(json, "drawers", out.drawers);
+  if (const auto exported = json.find("export"); exported != json.end() && exported->is_object()) {
+    read(*exported, "folder", out.exported.folder);
+    read(*exported, "format", out.exported.format);
+    read(*exported, "theme", out.exported.theme);
+    read(*exported, "width", out.exported.width);
+    read(*exported, "height", out.exported.height);
+    read(*exported, "transparent", out.exported.transparent);
+    read(*exported, "stage_only", out.exported.stage_only);
+  }
   return out;
 }
 
@@ -54,7 +63,15 @@ std::string settings_text(const Settings& settings) {
                                        {"motion", settings.motion},
                                        {"snaps", settings.snaps},
                                        {"hexadecimal", settings.hexadecimal},
-                                       {"drawers", settings.drawers}};
+                                       {"drawers", settings.drawers},
+                                       {"export",
+                                        {{"folder", settings.exported.folder},
+                                         {"format", settings.exported.format},
+                                         {"theme", settings.exported.theme},
+                                         {"width", settings.exported.width},
+                                         {"height", settings.exported.height},
+                                         {"transparent", settings.exported.transparent},
+                                         {"stage_only", settings.exported.stage_only}}}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

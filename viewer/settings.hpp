@@ -12,6 +12,18 @@ inline constexpr double kFastest = 32.0;
 inline constexpr double kSmallestPanels = 0.875;  // their type has 13 pixels then
 inline constexpr double kLargestPanels = 3.0;
 
+/// How frames were exported last.
+struct ExportSettings {
+  std::string folder;  ///< Empty: none were.
+  std::string format = "png";
+  std::string theme = "light";
+  int width = 1280;
+  int height = 720;
+  bool transparent = false;
+  bool stage_only = false;
+  friend bool operator==(const ExportSettings&, const ExportSettings&) = default;
+};
+
 struct Settings {
   std::string theme = "light";
   double panel_size = 1.0;  ///< The scale of the panels' type.
@@ -22,6 +34,7 @@ struct Settings {
   bool snaps = false;
   bool hexadecimal = false;
   std::map<std::string, double> drawers;  ///< Widths that were chosen, in pixels at scale 1.
+  ExportSettings exported;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

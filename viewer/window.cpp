@@ -13,14 +13,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <thread>
 #include <tuple>
 
 #include "density.hpp"
 #include "file_watch.hpp"
 #include "imgui_keys.hpp"
+#include "lesson/file.hpp"
 #include "lesson/problem.hpp"
 #include "picture/tween.hpp"
+#include "system_fonts.hpp"
 
 namespace gjkscope {
 namespace {
@@ -209,6 +212,20 @@ const ImWchar* panel_characters() {
   return ranges.data();
 }
 
+bool is_among(const ImWchar* ranges, char32_t character) {
+  for (; ranges[0] != 0; ranges += 2) {
+    if (character >= ranges[0] && character <= ranges[1]) return true;
+  }
+  return false;
+}
+
+/// A font of the system for characters that the panels' own has not.
+struct MoreType {
+  int index = 0;  ///< Of the face in its file.
+  std::string file;
+  std::vector<ImWchar> ranges;
+};
+
 }  // namespace
 
 struct Window::Impl {
@@ -304,9 +321,30 @@ struct Window::Impl {
     return copy;
   }
 
+  /// Finds fonts for names in other scripts. True where there are any that were not there before.
+  bool find_more_type() {
+    std::u32string wanted;
+    for (const char32_t c : app.characters()) {
+      const bool is_new = !is_among(panel_characters(), c) && looked_for.insert(c).second;
+      if (is_new && c <= IM_UNICODE_CODEPOINT_MAX) wanted += c;
+    }
+    const std::vector<SystemFont> found = system_fonts_for(wanted);
+    for (const SystemFont& font : found) {
+      MoreType& more = more_type.emplace_back();
+      more.index = font.index;
+      more.file = read_whole(font.file);
+      for (const char32_t c : font.characters)
+        more.ranges.insert(more.ranges.end(), 2, static_cast<ImWchar>(c));
+      more.ranges.push_back(0);
+    }
+    return !found.empty();
+  }
+
   /// Fonts for the picture at `zoom` and for the panels; nothing where they are there.
   void prepare_fonts(double zoom) {
-    if (atlas_fonts && zoom == atlas_fonts->scale() && ui_scale == app.ui_scale()) return;
+    const bool has_more = find_more_type();
+    if (atlas_fonts && zoom == atlas_fonts->scale() && ui_scale == app.ui_scale() && !has_more)
+      return;
     ui_scale = app.ui_scale();
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -323,6 +361,23 @@ struct Window::Impl {
       return io.Fonts->AddFont(&config);
     };
     add(Face::regular, panel_characters());
+    const auto merge = [&](const void* file, std::size_t size, int index, const ImWchar* ranges) {
+      ImFontConfig merged;
+      merged.MergeMode = true;
+      merged.FontDataOwnedByAtlas = false;
+      merged.FontData = const_cast<void*>(file);  // read, not written
+      merged.FontDataSize = static_cast<int>(size);
+      merged.FontNo = index;
+      merged.GlyphRanges = ranges;
+      merged.SizePixels =
+          static_cast<float>(kUiType * ui_scale * fonts.height_in_em(Face::regular));
+      io.Fonts->AddFont(&merged);
+    };
+    static constexpr ImWchar kReplacement[] = {0xFFFD, 0xFFFD, 0};  // of what no font has
+    const std::vector<unsigned char>& fallback = fonts.fallback_file(Face::regular);
+    merge(fallback.data(), fallback.size(), 0, kReplacement);
+    for (const MoreType& more : more_type)
+      merge(more.file.data(), more.file.size(), more.index, more.ranges.data());
     panel_fonts = {add(Face::mono, few_characters()), add(Face::semibold, few_characters())};
     atlas_fonts = std::make_unique<AtlasFonts>(*io.Fonts, fonts, zoom);
     if (!io.Fonts->Build()) throw std::runtime_error("the font atlas cannot be built");
@@ -519,6 +574,8 @@ struct Window::Impl {
   ImGuiContext* imgui = nullptr;
   std::unique_ptr<AtlasFonts> atlas_fonts;
   double ui_scale = 0.0;
+  std::set<char32_t> looked_for;
+  std::vector<MoreType> more_type;
   std::unique_ptr<FileWatch> watch;
   Uint32 file_event = 0;
   std::filesystem::path watched;

@@ -45,10 +45,14 @@ constexpr int kFilmRate = 25;  // images a second of a film in which nothing mov
 /// Says on stderr how far the export is: a line a lesson, or on a terminal one line that changes.
 class Progress {
  public:
-  Progress(bool wanted, std::size_t lesson_count)
-      : wanted_(wanted), terminal_(::isatty(STDERR_FILENO) == 1), lesson_count_(lesson_count) {}
+  Progress(const ExportOptions& options, std::size_t lesson_count)
+      : wanted_(options.progress),
+        told_(options.told),
+        terminal_(::isatty(STDERR_FILENO) == 1),
+        lesson_count_(lesson_count) {}
 
   void frame(std::size_t lesson, const std::string& id, int done, int count) {
+    if (told_) told_(done, count);
     if (!wanted_ || !terminal_) return;
     const auto now = std::chrono::steady_clock::now();
     if (done != count && now - last_ < std::chrono::milliseconds(100)) return;
@@ -65,6 +69,7 @@ class Progress {
 
  private:
   bool wanted_;
+  std::function<void(int done, int count)> told_;
   bool terminal_;
   std::size_t lesson_count_;
   std::chrono::steady_clock::time_point last_;
@@ -357,7 +362,7 @@ class Exporter {
   bool add_frames(LessonOnItsWay& way) {
     const auto [first, last] = way.steps;
     for (int step = first; step <= last; ++step) {
-      if (SignalWatch::signal() != 0) return false;
+      if (is_stopped()) return false;
       const auto at = static_cast<std::size_t>(step - 1);
       const std::filesystem::path file = file_of(way, step);
       if (way.is_up_to_date()) {
@@ -374,6 +379,11 @@ class Exporter {
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     return true;
+  }
+
+  [[nodiscard]] bool is_stopped() const {
+    return options_.stop.stop_possible() ? options_.stop.stop_requested()
+                                         : SignalWatch::signal() != 0;
   }
 
   void add_image(const LessonOnItsWay& way, int step, const Picture& picture, int between = 0) {
@@ -478,12 +488,13 @@ class Exporter {
       film->add(image, seconds);
     };
     for (int step = first; step <= last; ++step) {
-      if (SignalWatch::signal() != 0) return false;
+      if (is_stopped()) return false;
       for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
       show(way.pictures[static_cast<std::size_t>(step - 1)],
            step == last ? 2.0 * options_.seconds : options_.seconds);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
+    if (is_stopped()) return false;
     film->finish();
     return true;
   }
@@ -493,7 +504,7 @@ class Exporter {
       return gif_film(file, image.width, image.height, theme_, words);
     if (options_.format == Format::apng) return apng_film(file, words);
     return ffmpeg_film(file, std::string(name_of(options_.format)), image.width, image.height,
-                       options_.fps > 0 ? options_.fps : kFilmRate, words);
+                       options_.fps > 0 ? options_.fps : kFilmRate, words, options_.stop);
   }
 
   [[nodiscard]] std::unique_ptr<Canvas> canvas() const {
@@ -563,16 +574,18 @@ ExportResult export_lessons(const std::vector<Lesson>& lessons, const ExportOpti
   check(options);
   remove_leftovers(options.out_dir);
 
-  const SignalWatch watch;
+  std::optional<SignalWatch> watch;
+  if (!options.stop.stop_possible()) watch.emplace();
   Exporter exporter(options);
-  Progress progress(options.progress, lessons.size());
+  Progress progress(options, lessons.size());
   bool complete = true;
   for (std::size_t i = 0; i < lessons.size() && complete; ++i) {
     complete = exporter.add(lessons[i], i, progress);
   }
   ExportResult result;
   exporter.finish(result, complete);
-  result.signal = complete ? 0 : SignalWatch::signal();
+  result.is_complete = complete;
+  result.signal = complete || !watch ? 0 : SignalWatch::signal();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

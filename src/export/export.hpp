@@ -2,7 +2,9 @@
 // Lessons to frames on disk: `gjkscope export`.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -38,7 +40,11 @@ struct ExportOptions {
   bool questions = true;                ///< Frames that ask are among them.
   bool index = false;     ///< png: also write index.html, the contact sheet of these lessons.
   bool progress = false;  ///< Say on stderr what is being done.
-  bool force = false;     ///< Replace files that were not exported; make again what is up to date.
+  /// Called for each frame of a lesson, in the thread that exports.
+  std::function<void(int done, int count)> told = {};
+  /// Ends the export as a signal does. With one that can be asked, signals are left to the caller.
+  std::stop_token stop = {};
+  bool force = false;  ///< Replace files that were not exported; make again what is up to date.
 };
 
 struct ExportResult {
@@ -47,6 +53,7 @@ struct ExportResult {
   int kept = 0;                              ///< and those in files that were up to date.
   double seconds = 0.0;                      ///< Wall clock, everything included.
   int signal = 0;  ///< SIGINT or SIGTERM when one ended the export; what was complete stays.
+  bool is_complete = true;  ///< False where a signal, or ExportOptions::stop, ended it before.
   [[nodiscard]] double frames_per_second() const { return seconds > 0.0 ? frames / seconds : 0.0; }
 };
 

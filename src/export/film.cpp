@@ -286,8 +286,8 @@ class ApngFilm : public Film {
 class FfmpegFilm : public Film {
  public:
   FfmpegFilm(std::filesystem::path file, const std::string& format, int width, int height, int fps,
-             const FilmWords& words)
-      : file_(std::move(file)), fps_(fps), part_(temporary_name(file_)) {
+             const FilmWords& words, std::stop_token stop)
+      : file_(std::move(file)), fps_(fps), part_(temporary_name(file_)), stop_(std::move(stop)) {
     std::vector<std::string> arguments = {
         "ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo",
         "-pix_fmt", "rgba", "-s", fmt::format("{}x{}", width, height), "-r",
@@ -314,7 +314,10 @@ class FfmpegFilm : public Film {
   ~FfmpegFilm() override {
     if (pipe_ >= 0) ::close(pipe_);
     if (words_ >= 0) ::close(words_);
-    if (process_ > 0) ::waitpid(process_, nullptr, 0);
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);  // nobody wants what it has
+      ::waitpid(process_, nullptr, 0);
+    }
     std::error_code ignored;
     if (!kept_) std::filesystem::remove(part_, ignored);
   }
@@ -323,7 +326,7 @@ class FfmpegFilm : public Film {
 
   void add(const Image& image, double seconds) override {
     const int count = std::max(1, static_cast<int>(std::lround(fps_ * seconds)));
-    for (int i = 0; i < count; ++i) write(image.pixels);
+    for (int i = 0; i < count && !stop_.stop_requested(); ++i) write(image.pixels);
   }
 
   void finish() override {
@@ -393,6 +396,7 @@ class FfmpegFilm : public Film {
   std::filesystem::path file_;
   int fps_;
   std::filesystem::path part_;
+  std::stop_token stop_;
   pid_t process_ = 0;
   int pipe_ = -1;
   int words_ = -1;  ///< Where it says what went wrong.
@@ -411,8 +415,9 @@ std::unique_ptr<Film> apng_film(const std::filesystem::path& file, const FilmWor
 }
 
 std::unique_ptr<Film> ffmpeg_film(const std::filesystem::path& file, const std::string& format,
-                                  int width, int height, int fps, const FilmWords& words) {
-  return std::make_unique<FfmpegFilm>(file, format, width, height, fps, words);
+                                  int width, int height, int fps, const FilmWords& words,
+                                  std::stop_token stop) {
+  return std::make_unique<FfmpegFilm>(file, format, width, height, fps, words, std::move(stop));
 }
 
 }  // namespace gjkscope

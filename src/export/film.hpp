@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "paint/image.hpp"
@@ -33,9 +34,11 @@ class Film {
 [[nodiscard]] std::unique_ptr<Film> apng_film(const std::filesystem::path& file,
                                               const FilmWords& words);
 /// `format` "mp4" (H.264) or "webm" (VP9), by the program ffmpeg. Throws std::runtime_error saying
-/// what to install where it is not.
+/// what to install where it is not. After `stop` it takes no more images, and is not to be
+/// finished.
 [[nodiscard]] std::unique_ptr<Film> ffmpeg_film(const std::filesystem::path& file,
                                                 const std::string& format, int width, int height,
-                                                int fps, const FilmWords& words);
+                                                int fps, const FilmWords& words,
+                                                std::stop_token stop = {});
 
 }  // namespace gjkscope

@@ -500,21 +500,25 @@ std::optional<std::string> case_json_kept(std::string_view original, const Case&
   using Ordered = nlohmann::ordered_json;
   Ordered all = Ordered::parse(original.substr(original.starts_with("\xEF\xBB\xBF") ? 3 : 0));
   Ordered& it = all.is_array() ? all[0] : all;
-  const auto set = [&](const char* key, const std::vector<Vector2d>& points) {
-    Ordered list = Ordered::array();
-    for (const Vector2d& point : points) list.push_back({point.x(), point.y()});
-    it[key] = std::move(list);
-  };
   const bool moved = there.front().value->a != value.a || there.front().value->b != value.b;
   if (!moved) return std::string(original);
-  set("a", value.a);
-  set("b", value.b);
   std::vector<std::string> untrue;
   for (const auto& [key, each] : it.items()) {
     if (key.starts_with("expected_") || key.starts_with("witness_")) untrue.push_back(key);
   }
   for (const std::string& key : untrue) it.erase(key);
-  return all.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+  // A key on each line.
+  std::string out;
+  for (const auto& [key, each] : it.items()) {
+    const auto text = [](const Ordered& json) {
+      return json.dump(-1, ' ', false, Ordered::error_handler_t::replace);
+    };
+    out += fmt::format("{}  {}: {}", out.empty() ? "" : ",\n", text(key),
+                       key == "a"   ? points_json(value.a)
+                       : key == "b" ? points_json(value.b)
+                                    : text(each));
+  }
+  return fmt::format("{}{{\n{}\n}}{}\n", all.is_array() ? "[" : "", out, all.is_array() ? "]" : "");
 }
 
 std::vector<std::string> numbered_names(char letter, std::size_t vertices) {

@@ -36,6 +36,7 @@ constexpr double kCaptionLine = 27.0;
 constexpr int kCaptionLines = 3;
 constexpr double kPanelHeight = 440.0;    // below them
 constexpr double kTall = 1.2;             // height over width
+constexpr double kTallest = 1300.0;       // views above a panel need as much
 constexpr double kSquarish = 0.65;        // more than that of screens, 16 to 10
 constexpr double kNarrowestCard = 250.0;  // titles and legends of plots need so much
 
@@ -63,9 +64,14 @@ struct Layout {
   Rect timeline;
 };
 
+/// Views stand one below the other, and above the panel.
+bool is_tall(const Page& page) {
+  return page.height > kTall * page.width && (page.bare || page.height >= kTallest);
+}
+
 /// Narrower than a screen: words take more lines. Only a window has such pages.
 bool is_narrow(const Page& page) {
-  return !page.bare && page.width < Page{}.width && page.height <= kTall * page.width;
+  return !page.bare && page.width < Page{}.width && !is_tall(page);
 }
 
 /// A stage as narrow as on a phone.
@@ -95,7 +101,7 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
   const Rect cards =
       bare ? Rect{{0.0, 0.0}, {width, bottom}} : Rect{{kMargin, top}, {width - kMargin, bottom}};
   const bool has_panel = !bare && !run.lesson.panel.empty();
-  if (height > kTall * width) {
+  if (is_tall(page)) {
     const double panel = has_panel ? kPanelHeight + kCardGap : 0.0;
     const double card = (cards.size().y() - kCardGap * (views - 1) - panel) / views;
     Rect next = cards;
@@ -662,10 +668,10 @@ Picture LessonPictures::picture(int index, const FrameText& text,
         rows.push_back({mark_of(scene(view, at), entry.role), entry.text});
       std::vector<Mark> explained =
           legend_on_stage(std::move(rows), scene(view, at), card, words, fonts_);
-      if (!explained.empty()) {
-        Mark& ground = explained.front();
-        ground.clip = view.clip;
-        view.placer.reserve(std::get<Box>(ground.shape).rect);
+      for (Mark& mark : explained) {
+        if (mark.role != "legend.box") continue;
+        mark.clip = view.clip;
+        view.placer.reserve(std::get<Box>(mark.shape).rect);
       }
       page.append(std::move(explained));
     }

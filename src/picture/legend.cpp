@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "picture/hatch.hpp"
@@ -74,34 +75,63 @@ std::vector<Polyline> hatched_sign(const Point& center) {
                kSpacing, box);
 }
 
-/// How much of what labels keep away from lies in a box.
-int covered(const Obstacles& obstacles, const Rect& box) {
-  const auto is_in = [&](const Point& point, double slack) {
-    return (point.array() > box.min.array() - slack).all() &&
-           (point.array() < box.max.array() + slack).all();
-  };
-  int count = 0;
-  for (const Obstacles::Circle& circle : obstacles.circles)
-    count += is_in(circle.center, circle.radius) ? 4 : 0;
-  constexpr int kPieces = 32;
-  for (const Obstacles::Segment& segment : obstacles.segments) {
-    const Rect around = segment.box();
-    if ((around.min.array() > box.max.array()).any() ||
-        (around.max.array() < box.min.array()).any())
-      continue;
-    for (int i = 0; i <= kPieces; ++i)
-      count += is_in(segment.a + i * (segment.b - segment.a) / kPieces, 0.0) ? 1 : 0;
+/// Of a segment, what lies in a box.
+double length_in(const Rect& box, const Obstacles::Segment& segment) {
+  const Point way = segment.b - segment.a;
+  double from = 0.0;
+  double to = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = box.min[axis] - segment.a[axis];
+    const double high = box.max[axis] - segment.a[axis];
+    if (way[axis] == 0.0 && (low > 0.0 || high < 0.0)) return 0.0;
+    if (way[axis] == 0.0) continue;
+    from = std::max(from, std::min(low / way[axis], high / way[axis]));
+    to = std::min(to, std::max(low / way[axis], high / way[axis]));
   }
-  return count;
+  return std::max(to - from, 0.0) * way.norm();
 }
 
-/// Where a box of this size hides least at the edges of a card, and no words; none where it would.
-std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect& card,
-                              const std::vector<Rect>& words) {
-  constexpr int kPlaces = 6;      // along each edge
-  constexpr int kMostHidden = 3;  // less than a vertex: a little of a line
-  std::optional<Rect> best;
-  int least = kMostHidden + 1;
+/// Pixels of lines: rather some of one than no word of what it means.
+constexpr double kMostHidden = 40.0;
+
+/// Pixels that a box hides, the worst first: of marks that labels keep away from, and of lines that
+/// pass.
+using Hidden = std::pair<double, double>;
+
+Hidden hidden_by(const Rect& box, const Obstacles& obstacles) {
+  Hidden hidden;
+  for (const Obstacles::Segment& segment : obstacles.segments)
+    hidden.first += length_in(box, segment);
+  for (const Obstacles::Segment& segment : obstacles.passing)
+    hidden.second += length_in(box, segment);
+  for (const Obstacles::Circle& circle : obstacles.circles) {
+    const bool is_in = (circle.center.array() > box.min.array() - circle.radius).all() &&
+                       (circle.center.array() < box.max.array() + circle.radius).all();
+    if (is_in) hidden.first += kMostHidden;
+  }
+  return hidden;
+}
+
+/// What each row hides, from its upper left corner at `at`.
+std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const Fonts& fonts) {
+  std::vector<Rect> boxes;
+  at.y() += 0.5 * kLegendPad;
+  for (const LegendRow& row : rows) {
+    const double width = kGlyph + fonts.width(type::kText, row.text) + 2.0 * kLegendPad;
+    boxes.push_back({at, at + Point(width, kLegendRow)});
+    at.y() += kLegendRow;
+  }
+  return boxes;
+}
+
+/// Where rows hide least at the edges of a card, and no words; none where they would.
+std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& scene,
+                               const Rect& card, const std::vector<Rect>& words,
+                               const Fonts& fonts) {
+  constexpr int kPlaces = 6;  // along each edge
+  std::optional<Point> best;
+  Hidden least(kMostHidden, 0.0);
+  const Point size = legend_size(rows, fonts);
   const Point room = card.size() - size;
   if ((room.array() < 0.0).any()) return std::nullopt;
   for (const Point& edge : {Point(0.0, 1.0), Point(1.0, 0.0), Point(0.0, 0.0)}) {
@@ -114,10 +144,15 @@ std::optional<Rect> place_for(const Point& size, const Scene& scene, const Rect&
       if (std::any_of(words.begin(), words.end(),
                       [&](const Rect& word) { return overlap(box, word); }))
         continue;
-      const int cost = covered(scene.obstacles, box);
-      if (cost >= least) continue;
-      best = box;
-      least = cost;
+      Hidden hidden;
+      for (const Rect& row : boxes_of(rows, at, fonts)) {
+        const auto [marks, passing] = hidden_by(row, scene.obstacles);
+        hidden.first += marks;
+        hidden.second += passing;
+      }
+      if (hidden >= least) continue;
+      best = at;
+      least = hidden;
     }
   }
   return best;
@@ -141,7 +176,8 @@ Point legend_size(const std::vector<LegendRow>& rows, const Fonts& fonts) {
 }
 
 std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, const Fonts& fonts) {
-  std::vector<Mark> marks = {{"legend.box", Box{{at, at + legend_size(rows, fonts)}, 9.0}}};
+  std::vector<Mark> marks;
+  for (const Rect& box : boxes_of(rows, at, fonts)) marks.push_back({"legend.box", Box{box, 4.0}});
   const double x = at.x() + kLegendPad;
   double y = at.y() + 0.5 * (kLegendRow + kLegendPad);
   for (const LegendRow& row : rows) {
@@ -162,10 +198,9 @@ std::vector<Mark> legend(const std::vector<LegendRow>& rows, const Point& at, co
 std::vector<Mark> legend_on_stage(std::vector<LegendRow> rows, const Scene& scene, const Rect& card,
                                   const std::vector<Rect>& words, const Fonts& fonts) {
   const Point frame(1.0, 1.0);
+  const Rect room{card.min + frame, card.max - frame};
   for (; !rows.empty(); rows.pop_back()) {
-    const auto box =
-        place_for(legend_size(rows, fonts), scene, {card.min + frame, card.max - frame}, words);
-    if (box) return legend(rows, box->min, fonts);
+    if (const auto at = place_for(rows, scene, room, words, fonts)) return legend(rows, *at, fonts);
   }
   return {};
 }

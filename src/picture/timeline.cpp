@@ -120,8 +120,20 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
                                      [](const Frame& frame) { return frame.question >= 0; }));
   // Where a question is asked last, an end of the bar at the end would tell the answer.
   const double rest = questions > 0 ? kHiddenRest : 0.0;
-  const double width = std::min(
-      kWidest, (area.size().x() - rest - gaps - kQuestionWidth * questions) / (count - questions));
+  const auto width_beside = [&](double first, int others) {
+    return std::min(kWidest,
+                    (area.size().x() - rest - gaps - kQuestionWidth * questions - first) / others);
+  };
+  double width = width_beside(0.0, count - questions);
+  // The first group has no shorter name: where its only tick is too narrow for it, it gets the
+  // room.
+  double first_width = width;
+  const double first_label = fonts.width(type::kTickBold, groups.front().label);
+  if (groups.front().ticks.size() == 1 && brief(groups.front().label).empty() &&
+      count - questions > 1 && first_label > width + kGroupGap - kBetween) {
+    first_width = first_label - kGroupGap + kBetween;
+    width = width_beside(first_width, count - questions - 1);
+  }
   // What comes after the next question would answer it: a bar without ticks.
   const auto question = std::find_if(run.frames.begin() + current, run.frames.end(),
                                      [](const Frame& frame) { return frame.question >= 0; });
@@ -142,7 +154,12 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     for (const Tick& tick : group.ticks) {
       const bool now = index == current;
       const Subject subject{Subject::Kind::frame, index};
-      const double tick_width = tick.question ? kQuestionWidth : width;
+      // The room that hid the end belongs to the last one.
+      const bool fills = questions > 0 && width < kWidest && index + 1 == count;
+      const double tick_width = fills           ? area.max.x() - x
+                                : tick.question ? kQuestionWidth
+                                : index == 0    ? first_width
+                                                : width;
       if (index > last) {
         const double gap = &tick == &group.ticks.back() ? kGroupGap : kTickGap;
         const double end = index + 1 == count ? area.max.x() : x + tick_width + gap;
@@ -182,6 +199,9 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
       break;
     }
   }
+  if (hidden_from < area.max.x())
+    marks.push_back(
+        {"timeline.hidden.frame", Box{{{hidden_from, bar_y}, {area.max.x(), bar_y + 10.0}}, 0.0}});
   const std::string hidden = "after the question";
   constexpr double kApart = 12.0;  // it is no part of the label before it
   const double hidden_x = std::max(hidden_from, label_end + kApart);

@@ -134,19 +134,26 @@ bool is_of_shapes(const Subject& subject) {
 }  // namespace
 
 bool is_in_sight(const Picture& picture, const Rect& card) {
-  return std::any_of(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
-    // Marks of this card, not what the panel says of the same subjects.
-    if (!is_of_shapes(mark.subject) || mark.clip < 0) return false;
-    const Rect& clip = picture.clips[static_cast<std::size_t>(mark.clip)];
-    if (!overlap(clip, card) || std::holds_alternative<Text>(mark.shape)) return false;
-    if (const Disk* disk = std::get_if<Disk>(&mark.shape)) return is_in(card, disk->center);
-    if (const Cross* cross = std::get_if<Cross>(&mark.shape)) return is_in(card, cross->center);
-    if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape))
-      return overlaps(card, polygon->points, true);
-    if (const Polyline* line = std::get_if<Polyline>(&mark.shape))
-      return overlaps(card, line->points, line->closed);
-    return false;
-  });
+  // Marks of this card, not what the panel says of the same subjects.
+  const auto is_of_card = [&](const Mark& mark) {
+    return is_of_shapes(mark.subject) && mark.clip >= 0 &&
+           !std::holds_alternative<Text>(mark.shape) &&
+           overlap(picture.clips[static_cast<std::size_t>(mark.clip)], card);
+  };
+  bool has_any = false;
+  for (const Mark& mark : picture.marks) {
+    if (!is_of_card(mark)) continue;
+    has_any = true;
+    const Disk* const disk = std::get_if<Disk>(&mark.shape);
+    const Cross* const cross = std::get_if<Cross>(&mark.shape);
+    const Polygon* const polygon = std::get_if<Polygon>(&mark.shape);
+    const Polyline* const line = std::get_if<Polyline>(&mark.shape);
+    if ((disk && is_in(card, disk->center)) || (cross && is_in(card, cross->center)) ||
+        (polygon && overlaps(card, polygon->points, true)) ||
+        (line && overlaps(card, line->points, line->closed)))
+      return true;
+  }
+  return !has_any;
 }
 
 Subject held(const Subject& subject) {

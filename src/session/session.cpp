@@ -11,6 +11,7 @@
 #include "effects/growth.hpp"
 #include "effects/minkowski.hpp"
 #include "lesson/load.hpp"
+#include "lesson/questions.hpp"
 #include "lesson/save.hpp"
 #include "lesson/schema.hpp"
 #include "picture/registry.hpp"
@@ -35,6 +36,21 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
 
 Sight sight(const Camera& camera, const Rect& card) {
   return {camera, card.size().x() / card.size().y()};
+}
+
+/// What the run says of an answer; null where none was given.
+std::string verdict(const FrameQuestion& asked, const Answer* answer) {
+  const std::string& right = asked.answer;
+  if (asked.ask == asks::kStop.name) {
+    const std::string clause = right == "no" ? "GJK goes on" : "GJK stops, " + right;
+    if (answer && answer->is_right()) return fmt::format("Right: {}.", clause);
+    if (right == "no") return fmt::format("{}: {}.", answer ? "No" : "Answer", clause);
+    if (answer && answer->chosen == "no") return fmt::format("Yes: {}.", clause);
+  }
+  if (!answer) return fmt::format("Answer: {}.", right);
+  if (answer->is_right()) return fmt::format("Right: {}.", right);
+  if (right == "no" || right == "yes") return fmt::format("Not so: the answer is {}.", right);
+  return fmt::format("Not so: {}, not {}.", right, answer->chosen);
 }
 
 }  // namespace
@@ -627,13 +643,10 @@ FrameText Session::told() const {
   int count = 0;
   bool all_right = true;
   for (int i = first; i < index_ + (asks ? 1 : 0); ++i) {
-    const std::string& right = texts()[static_cast<std::size_t>(i)].question->answer;
     const Answer* answer = given(i);
     if (answer) ++count;
     if (answer && !answer->is_right()) all_right = false;
-    verdicts += !answer              ? fmt::format("Answer: {}. ", right)
-                : answer->is_right() ? fmt::format("Right: {}. ", right)
-                                     : fmt::format("Not so: {}, not {}. ", right, answer->chosen);
+    verdicts += verdict(*texts()[static_cast<std::size_t>(i)].question, answer) + " ";
   }
   if (count == 0) return text;
   const std::string& reason = texts()[static_cast<std::size_t>(first)].question->reason;

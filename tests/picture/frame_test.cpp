@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "lesson/questions.hpp"
 #include "lessons.hpp"
 #include "picture/registry.hpp"
 #include "picture/scene.hpp"
@@ -285,6 +286,26 @@ TEST(Timeline, SaysInWordsWhatHappenedAndWhereQuestionsAre) {
   EXPECT_EQ(count("after the question"), 0);
   const auto at_start = timeline_words(run, 0);
   EXPECT_EQ(std::count(at_start.begin(), at_start.end(), "after the question"), 1);
+}
+
+TEST(Timeline, WithAllQuestionsFillsItsWidthAndKeepsItsStart) {
+  Lesson lesson = testing::shipped_lesson("polygons-gjk");
+  lesson.questions.clear();
+  for (const AskInfo& ask : asks::kOfSteps) lesson.questions.push_back({std::string(ask.name), {}});
+  const LessonRun run = run_lesson(lesson);
+  const int count = static_cast<int>(run.frames.size());
+  const Rect area{{32.0, 644.0}, {1248.0, 696.0}};
+  for (int current = 0; current < count; ++current) {
+    double end = 0.0;
+    bool has_start = false;
+    for (const Mark& mark : timeline_marks(run, current, fonts(), area)) {
+      if (const Box* box = std::get_if<Box>(&mark.shape)) end = std::max(end, box->rect.max.x());
+      const Text* text = std::get_if<Text>(&mark.shape);
+      has_start = has_start || (text && text->text == "start");
+    }
+    EXPECT_NEAR(end, area.max.x(), 1e-6) << current;
+    EXPECT_TRUE(has_start) << current;
+  }
 }
 
 TEST(Timeline, ManyGroupsAreNumbered) {

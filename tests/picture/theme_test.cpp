@@ -127,6 +127,7 @@ constexpr const char* kOtherRoles[] = {"background",
                                        "bounds.bar",
                                        "timeline.done",
                                        "timeline.ahead",
+                                       "timeline.hidden.frame",
                                        "timeline.current",
                                        "slab",
                                        "chart.grid",
@@ -214,6 +215,19 @@ TEST(Theme, TextStandsOutFromPaperAndCards) {
     }
     if (const auto marked = theme.style("highlight").fill) {
       EXPECT_GE(contrast(*theme.style("code.current").fill, *marked), kReadable) << name;
+    }
+  }
+}
+
+TEST(Theme, PartsOfTheTimelineStandOutFromPaper) {
+  constexpr double kSeen = 3.0;  // WCAG 2.1, success criterion 1.4.11
+  for (const std::string& name : Theme::names(kThemes)) {
+    const Theme theme = Theme::load(kThemes, name);
+    for (const char* role : {"timeline.done", "timeline.current"})
+      EXPECT_GE(contrast(*theme.style(role).fill, theme.background()), kSeen) << name << role;
+    for (const char* role : {"timeline.ahead", "timeline.hidden.frame"}) {
+      ASSERT_TRUE(theme.style(role).stroke) << name << role;
+      EXPECT_GE(contrast(*theme.style(role).stroke, theme.background()), kSeen) << name << role;
     }
   }
 }

@@ -468,6 +468,34 @@ TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
   for (const Frame& frame : session.run().frames) EXPECT_LT(frame.question, 0);
 }
 
+TEST(Session, AVerdictOnTheStopReadsAsASentence) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
+  session.set_predicting(true);
+  int goes_on = 0;
+  int stops = 0;
+  for (int i = 0; i < session.frame_count(); ++i) {
+    session.go_to(i);
+    const FrameQuestion* question = session.question();
+    if (!question || question->ask != "stop") continue;
+    const bool is_no = question->answer == "no";
+    (is_no ? goes_on : stops) += 1;
+    const std::string stop = "GJK stops, " + question->answer + ".";
+    session.grade(is_no ? "d = 0" : "no");
+    const std::string told = session.told().caption;
+    EXPECT_NE(std::string::npos, told.find(is_no ? "No: GJK goes on." : "Yes: " + stop)) << told;
+    session.forget_answers();
+    session.go_to(i);
+    session.grade(is_no ? "no" : question->answer);
+    const std::string right = session.told().caption;
+    EXPECT_NE(std::string::npos, right.find(is_no ? "Right: GJK goes on." : "Right: " + stop))
+        << right;
+    session.forget_answers();
+  }
+  EXPECT_GT(goes_on, 0);
+  EXPECT_GT(stops, 0);
+}
+
 TEST(Session, WhoAsksToBeAskedInTheMiddleIsToldNothing) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     Session session(fonts());

@@ -16,6 +16,8 @@
 #include <thread>
 
 #include "command_line.hpp"
+#include "drawers/effects.hpp"
+#include "fonts.hpp"
 #include "golden/pixels.hpp"
 #include "headless_app.hpp"
 #include "lesson/case.hpp"
@@ -135,6 +137,7 @@ TEST(App, RunsUntilSomethingHappens) {
 
 TEST(App, TheTableOfStepsGoesWhereOneStands) {
   HeadlessApp window;
+  window.resize(1920.0, 1080.0);  // where all columns have room
   window.app().show_drawer("Steps");
   window.key("Home");
   const auto scrolled = [] {
@@ -146,7 +149,7 @@ TEST(App, TheTableOfStepsGoesWhereOneStands) {
     return 0.0f;
   };
   EXPECT_EQ(0.0f, scrolled());
-  window.resize(1440.0, 400.0);
+  window.resize(1920.0, 400.0);
   window.key("End");
   EXPECT_GT(scrolled(), 0.0f);
   window.key("Home");
@@ -155,6 +158,7 @@ TEST(App, TheTableOfStepsGoesWhereOneStands) {
 
 TEST(App, TheTableOfStepsLeadsToThem) {
   HeadlessApp window;
+  window.resize(1920.0, 1080.0);  // where all columns have room
   window.app().show_drawer("Steps");
   window.settle();
   window.key("Right");
@@ -738,6 +742,114 @@ TEST(App, ExportsBesideTheWindowInTheSizeThemeAndFormatAsked) {
   EXPECT_FALSE(fs::exists(folder.path() / "index.html")) << "that is for images";
 }
 
+TEST(App, ALongExportSaysHowFarItIsAndCanBeGivenUp) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  ExportOptions options;
+  options.out_dir = folder.path();
+  options.width = 3840;
+  options.height = 2160;
+  options.jobs = 1;
+  window.app().export_frames(options, true);
+  const auto told = [&] {
+    for (const Notice& each : window.app().notices()) {
+      if (each.cause == "exporting") return each.text;
+    }
+    return std::string();
+  };
+  constexpr int kMost = 6000;
+  for (int i = 0; i < kMost && window.app().exported().first < 2; ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  window.frame(1.0);
+  EXPECT_NE(std::string::npos, told().find(" of 22 frames")) << told();
+  EXPECT_NE(std::string::npos, told().find(folder.path().string())) << told();
+  window.app().ask_to_quit();
+  EXPECT_FALSE(window.app().wants_to_quit()) << "it is said that an export is going on";
+  ASSERT_TRUE(window.app().run_command("Cancel the export"));
+  end_export(window);
+  EXPECT_TRUE(told().empty());
+  EXPECT_LT(window.app().exported().first, 22);
+  EXPECT_TRUE(fs::exists(folder.path() / "polygons-gjk-0001.png")) << "what was done stays";
+  EXPECT_FALSE(fs::exists(folder.path() / "polygons-gjk-0022.png"));
+  window.app().ask_to_quit();
+  EXPECT_TRUE(window.app().wants_to_quit());
+}
+
+TEST(App, AFilmThatIsGivenUpLeavesNothing) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  ExportOptions options;
+  options.out_dir = folder.path();
+  options.format = Format::webm;
+  options.width = 1920;
+  options.height = 1080;
+  window.app().export_frames(options, true);
+  while (window.app().is_exporting() && fs::is_empty(folder.path())) {
+    usleep(10'000);
+    window.frame();
+  }
+  ASSERT_TRUE(window.app().run_command("Cancel the export"));
+  end_export(window);
+  EXPECT_TRUE(fs::is_empty(folder.path())) << window.app().message();
+}
+
+TEST(App, HowFramesWereExportedIsRemembered) {
+  const TemporaryFolder folder;
+  {
+    HeadlessApp window("polygons-gjk", folder.path());
+    ExportOptions options;
+    options.out_dir = folder.path() / "talk";
+    options.theme = "print";
+    options.format = Format::svg;
+    options.width = 1920;
+    options.height = 1080;
+    window.app().last_export = options;
+  }
+  HeadlessApp again("polygons-gjk", folder.path());
+  ASSERT_TRUE(again.app().last_export);
+  EXPECT_EQ(folder.path() / "talk", again.app().last_export->out_dir);
+  EXPECT_EQ("print", again.app().last_export->theme);
+  EXPECT_EQ(Format::svg, again.app().last_export->format);
+  EXPECT_EQ(1920, again.app().last_export->width);
+}
+
+TEST(App, AnEffectThatChangesNothingIsNotCalledFor) {
+  HeadlessApp window;
+  Session& session = window.session();
+  EffectTrial trial(session.run(), session.effects(), testing::fonts());
+  const auto frames = [&](std::size_t view, const char* effect) {
+    const auto changed = trial.frames_changed_by(view, effect);
+    EXPECT_TRUE(changed) << effect;
+    return changed ? std::count(changed->begin(), changed->end(), true) : -1;
+  };
+  EXPECT_EQ(0, frames(0, "minkowski-cloud")) << "the world has none";
+  EXPECT_EQ(session.frame_count(), frames(1, "minkowski-cloud"));
+  EXPECT_GT(frames(1, "history"), 0);
+  EXPECT_LT(frames(1, "history"), session.frame_count()) << "at the start there is none";
+  toggle_effect(window.app(), 0, "minkowski-cloud");
+  EXPECT_FALSE(session.is_unsaved());
+  EXPECT_NE(std::string::npos, window.app().message().find("minkowski-cloud"));
+  // Off and on again is as before, whatever the order in the file.
+  const std::string first = session.lesson().views[1].effects.front();
+  toggle_effect(window.app(), 1, first);
+  EXPECT_TRUE(session.is_unsaved());
+  toggle_effect(window.app(), 1, first);
+  EXPECT_FALSE(session.is_unsaved());
+}
+
+TEST(App, EffectsSayWhichChangeNothing) {
+  HeadlessApp window;
+  window.app().show_drawer("Effects");
+  constexpr int kMost = 3000;
+  for (int i = 0; i < kMost && window.app().wakes_at(); ++i) {
+    usleep(10'000);
+    window.frame();
+  }
+  EXPECT_FALSE(window.app().wakes_at()) << "known, and at rest";
+}
+
 TEST(App, AnExportThatFailsSaysWhy) {
   const TemporaryFolder folder;
   HeadlessApp window;
@@ -977,6 +1089,13 @@ TEST(App, AFileIsKeptBesideTheSavedOne) {
 
 TEST(App, ANameThatIsNothingIsSaid) {
   EXPECT_THROW(HeadlessApp("no-such-lesson"), std::runtime_error);
+  try {
+    const HeadlessApp window("polygns-gjk");
+    FAIL() << "there is no such lesson";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("did you mean 'polygons-gjk'?"))
+        << error.what();
+  }
   EXPECT_THROW(HeadlessApp("/no/such/file.toml"), std::runtime_error);
 }
 

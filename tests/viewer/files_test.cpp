@@ -252,8 +252,8 @@ TEST(Files, AFileThatIsGoneIsSaidAndSaveWritesItAnew) {
   window.frame(1.0);
   ASSERT_NE("", said(window, "gone"));
   window.key("S", true);
-  EXPECT_TRUE(fs::exists(file));
   EXPECT_EQ("", said(window, "gone"));
+  EXPECT_TRUE(read_file(file).starts_with("# A note of mine.")) << "its comments, too";
 }
 
 TEST(Files, AnErrorIsOneLineThatGoesWithTheNextDeedOrIsClosed) {
@@ -328,6 +328,65 @@ TEST(Case, KeepsItsFileIsWatchedAndSavesToIt) {
   EXPECT_NE(std::string::npos, read_file(file.string() + "~").find("expected_distance"));
 }
 
+TEST(Case, ThatIsBrokenOrGoneOutsideKeepsItsNotesWhenItIsSaved) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.file("squares.json", kCase);
+  HeadlessApp window(file.string());
+  (void)folder.file("squares.json", R"({"a": [[0, 0], [1)");
+  window.app().file_changed(file);
+  window.settle();
+  ASSERT_NE("", said(window, "outside"));
+  window.key("S", true);
+  EXPECT_EQ(R"({"a": [[0, 0], [1)", read_file(file)) << "not unasked";
+  ASSERT_TRUE(window.app().run_command("Keep mine"));
+  move(window);
+  window.key("S", true);
+  EXPECT_EQ("my notes", nlohmann::json::parse(read_file(file))["source"]);
+  EXPECT_EQ(R"({"a": [[0, 0], [1)", read_file(file.string() + "~"));
+  (void)folder.file("squares.json", "{");
+  window.app().file_changed(file);
+  window.settle();
+  fs::remove(file);
+  window.app().file_changed(file);
+  window.frame(1.0);
+  window.frame(1.0);
+  EXPECT_NE("", said(window, "gone"));
+  EXPECT_EQ("", said(window, "outside")) << "one thing is wrong at a time";
+  window.key("S", true);
+  const std::string saved = read_file(file);
+  EXPECT_EQ("my notes", nlohmann::json::parse(saved)["source"]);
+  EXPECT_LT(std::count(saved.begin(), saved.end(), '\n'), 15) << "a key on each line";
+}
+
+TEST(Case, TheLegendHidesNothingOfTheShapes) {
+  HeadlessApp window(
+      (fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "hard-cases" / "box2d_115_t0.json").string());
+  window.resize(1280.0, 800.0);
+  window.app().show_drawer("Numerics");
+  window.settle();
+  int rows = 0;
+  for (const Mark& box : window.session().picture().marks) {
+    if (box.role != "legend.box") continue;
+    ++rows;
+    const Rect& rect = std::get<Box>(box.shape).rect;
+    for (const Mark& mark : window.session().picture().marks) {
+      const Polygon* polygon = std::get_if<Polygon>(&mark.shape);
+      if (!polygon || !mark.role.starts_with("shape.")) continue;
+      for (std::size_t i = 0; i < polygon->points.size(); ++i) {
+        const Point& from = polygon->points[i];
+        const Point& to = polygon->points[(i + 1) % polygon->points.size()];
+        for (double share = 0.0; share <= 1.0; share += 1.0 / 512.0) {
+          const Point at = from + share * (to - from);
+          EXPECT_FALSE((at.array() > rect.min.array()).all() &&
+                       (at.array() < rect.max.array()).all())
+              << mark.role << " " << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(rows, 1);
+}
+
 TEST(Case, SavedUnderAnotherNameIsSaved) {
   const TemporaryFolder folder;
   HeadlessApp window(folder.file("squares.json", kCase));
@@ -400,7 +459,18 @@ TEST(Case, OfAnOutlineThatIsNotConvexSaysThatGjkSeesTheHull) {
   HeadlessApp window;
   window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "hard-cases" /
                          "dolfinx_quad_0.json");
-  EXPECT_NE(std::string::npos, window.session().text().prose.find("GJK sees the hull of X"));
+  EXPECT_NE(std::string::npos,
+            window.session().text().prose.find("GJK sees the hull of X and of Y."));
+  const std::vector<Mark>& marks = window.session().picture().marks;
+  const LessonPictures::ShownView world = window.session().views()[0];
+  EXPECT_EQ(2, std::count_if(marks.begin(), marks.end(),
+                             [&](const Mark& mark) {
+                               const Polygon* hull = std::get_if<Polygon>(&mark.shape);
+                               return mark.role == "hull" && hull &&
+                                      hull->points[0].x() < world.card.max.x() &&
+                                      hull->points[0].y() < world.card.max.y();
+                             }))
+      << "and the world shows both";
 }
 
 TEST(Case, OfMoreCornersThanNamesHaveCharactersForCanBeMade) {

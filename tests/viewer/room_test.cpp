@@ -8,13 +8,16 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command_line.hpp"
 #include "density.hpp"
 #include "headless_app.hpp"
+#include "lessons.hpp"
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "settings.hpp"
+#include "system_fonts.hpp"
 
 namespace gjkscope {
 namespace room_test {
@@ -117,6 +120,43 @@ TEST(Room, StepsShowAllTheirColumns) {
   FAIL() << "there is no table";
 }
 
+TEST(Room, StepsShowAllTheirValuesWhereTheyHaveNoRoomForAllColumns) {
+  for (const auto& [width, height] : {std::pair(1024.0, 768.0), {1280.0, 800.0}}) {
+    HeadlessApp window;
+    window.resize(width, height);
+    window.app().show_drawer("Steps");
+    window.settle();
+    EXPECT_FALSE(window.app().room().drawer_is_over);
+    EXPECT_GE(window.app().picture().area().size().x(), kStageWidth);
+    const auto table = [&]() -> const ImGuiWindow* {
+      for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+        if (each->WasActive && std::string(each->Name).find("##steps") != std::string::npos)
+          return each;
+      }
+      return nullptr;
+    };
+    ASSERT_TRUE(table());
+    EXPECT_EQ(0.0f, table()->ScrollMax.y) << "all values";
+    EXPECT_GT(table()->ScrollMax.x, 0.0f) << "of many steps";
+    window.key("End");
+    EXPECT_GT(table()->Scroll.x, 0.0f) << "this one in sight";
+  }
+}
+
+TEST(Room, CardsAreNoStripsBesideAWideDrawer) {
+  HeadlessApp window;
+  for (double width = 900.0; width <= 1500.0; width += 50.0) {
+    for (const char* drawer : {"", "Steps", "Values"}) {
+      window.resize(width, 800.0);
+      if (*drawer != '\0') window.app().show_drawer(drawer);
+      window.settle();
+      for (const auto& view : window.session().views())
+        EXPECT_GT(view.card.size().y(), 0.35 * view.card.size().x()) << width << drawer;
+      window.app().show_drawer(drawer, false);
+    }
+  }
+}
+
 TEST(Room, ADrawerWithoutRoomLiesOverTheStage) {
   HeadlessApp window;
   window.resize(800.0, 600.0);
@@ -173,6 +213,15 @@ TEST(Room, AWayHomeIsThereWhenNothingIsInSight) {
   EXPECT_TRUE(window.app().picture().empty_cards().empty()) << "its button leads back";
 }
 
+TEST(Room, NoLessonIsAstrayAsItOpens) {
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    HeadlessApp window(lesson.id);
+    EXPECT_TRUE(window.app().picture().empty_cards().empty()) << lesson.id << ", at the start";
+    window.key("End");
+    EXPECT_TRUE(window.app().picture().empty_cards().empty()) << lesson.id << ", at the end";
+  }
+}
+
 TEST(Room, InsideOfAShapeIsNotNowhere) {
   HeadlessApp window;
   const auto& world = window.session().run().runs[0].bodies[1].world;
@@ -216,6 +265,7 @@ TEST(Room, SettingsAreRemembered) {
   HeadlessApp again("polygons-gjk", folder.path());
   EXPECT_NE("light", again.app().theme_name());
   EXPECT_EQ(false, state(again)["lessons"]);
+  EXPECT_FALSE(again.app().last_export) << "nothing was exported";
   EXPECT_EQ(1.125, again.app().ui_scale());
   EXPECT_TRUE(again.app().snaps());
 }
@@ -234,6 +284,7 @@ TEST(Room, SettingsThatCannotBeReadAreAsAtFirst) {
   Settings settings;
   settings.drawers["Steps"] = 612.5;
   settings.theme = "dark";
+  settings.exported = {"/tmp/talk", "pdf", "print", 1920, 1080, true, true};
   EXPECT_EQ(settings, read_settings(folder.file("settings", settings_text(settings))));
 }
 
@@ -277,6 +328,23 @@ TEST(Room, AMenuTakesKeys) {
   EXPECT_EQ(index, window.session().index());
 }
 
+TEST(Room, AListOpenedByTheMouseTakesKeys) {
+  HeadlessApp window;
+  window.app().show_drawer("Numerics");
+  window.settle();
+  const ImGuiWindow* drawer = ImGui::FindWindowByName("##drawer");
+  const auto is_open = [] { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; };
+  // The first list of the drawer is that of scalars.
+  for (float y = drawer->Pos.y + 30.0f; !is_open() && y < drawer->Pos.y + 200.0f; y += 8.0f)
+    window.click({drawer->Pos.x + drawer->Size.x - 60.0, y});
+  ASSERT_TRUE(is_open());
+  const ScalarKind before = window.session().lesson().scalar;
+  window.key("Down");
+  window.key("Enter");
+  EXPECT_FALSE(is_open());
+  EXPECT_NE(before, window.session().lesson().scalar);
+}
+
 TEST(Room, AnotherMenuOpensUnderThePointer) {
   HeadlessApp window;
   const ImGuiWindow* bar = ImGui::FindWindowByName("##top");
@@ -301,6 +369,76 @@ TEST(Room, AClickTakesTheKeyboardBackFromThePanels) {
   ASSERT_TRUE(list);
   window.click({list->Pos.x + 120.0, list->Pos.y + 100.0});
   EXPECT_FALSE(window.app().panels_have_keys());
+}
+
+/// The window of this name, or part of one, that is seen now.
+const ImGuiWindow* seen(const std::string& part) {
+  for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+    if (each->Active && !each->Hidden && std::string(each->Name).find(part) != std::string::npos)
+      return each;
+  }
+  return nullptr;
+}
+
+TEST(Room, WordsAboutAThingLieBesideIt) {
+  HeadlessApp window;
+  const auto words_cover = [&](const char* panel) {
+    const ImGuiWindow* bar = ImGui::FindWindowByName(panel);
+    int count = 0;
+    const float middle = bar->Pos.y + 0.5f * ImGui::GetFrameHeight() + 8.0f;
+    for (float x = bar->Pos.x + 4.0f; x < bar->Pos.x + bar->Size.x; x += 9.0f) {
+      window.move({x, middle});
+      const ImGuiWindow* words = seen("##Tooltip");
+      if (!words) continue;
+      ++count;
+      const bool is_beside = words->Pos.y >= middle || words->Pos.y + words->Size.y <= middle;
+      EXPECT_TRUE(is_beside) << panel << " " << x;
+    }
+    return count;
+  };
+  EXPECT_GT(words_cover("##top"), 20);
+  EXPECT_GT(words_cover("##transport"), 20);
+  window.app().show_drawer("Effects");
+  window.settle();
+  const ImGuiWindow* drawer = ImGui::FindWindowByName("##drawer");
+  int count = 0;
+  for (float y = drawer->Pos.y + 60.0f; y < drawer->Pos.y + 400.0f; y += 9.0f) {
+    window.move({drawer->Pos.x + 20.0f, y});
+    const ImGuiWindow* words = seen("##Tooltip");
+    if (!words) continue;
+    ++count;
+    EXPECT_LE(words->Pos.x + words->Size.x, drawer->Pos.x + 8.0f) << y;
+  }
+  EXPECT_GT(count, 10);
+}
+
+TEST(Room, ASearchThatFindsNothingSaysSo) {
+  HeadlessApp window;
+  window.key("/");
+  window.type("zzzz");
+  const ImGuiWindow* list = seen("##list");
+  ASSERT_TRUE(list);
+  EXPECT_GT(list->ContentSize.y, 0.0f) << "there is a line in it";
+  EXPECT_LT(list->ContentSize.y, 2.0f * ImGui::GetTextLineHeightWithSpacing());
+}
+
+TEST(Room, FieldsShowAllDigitsOfACoordinate) {
+  HeadlessApp window;
+  window.resize(1280.0, 800.0);
+  window.app().show_drawer("Shapes");
+  window.settle();
+  const auto height = [&] { return ImGui::FindWindowByName("##drawer")->ContentSize.y; };
+  const double edge = ImGui::FindWindowByName("##edge")->Pos.x + 2.0;
+  window.drag({edge, 400.0}, {edge + 150.0, 400.0});
+  const float short_numbers = height();
+  Lesson lesson = window.session().lesson();
+  lesson.x().vertices[0] = {-59.852055103169033, -2.2734748438784972};
+  ASSERT_TRUE(window.app().edit("long", lesson));
+  window.settle();
+  EXPECT_GT(height(), short_numbers) << "x and y stand below each other where they are long";
+  window.app().hexadecimal = true;
+  window.settle();
+  EXPECT_GT(height(), short_numbers);
 }
 
 TEST(Room, WordsOfPanelsHaveContrast) {
@@ -341,6 +479,25 @@ TEST(Room, ARandomPairIsInSight) {
         EXPECT_TRUE(((vertex - view.camera.center).cwiseAbs().array() <= half.array()).all());
     }
   }
+}
+
+TEST(Room, NamesInOtherScriptsHaveFonts) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "Привет-日本.toml";
+  fs::copy_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "simplex.toml", file);
+  HeadlessApp window(file.string());
+  for (const char32_t c : code_points("Привет日本"))
+    EXPECT_TRUE(window.app().characters().contains(c)) << static_cast<int>(c);
+  EXPECT_FALSE(window.app().characters().contains(U'x')) << "those of ASCII are always there";
+  const std::vector<SystemFont> fonts = system_fonts_for(U"\u0436\u05D0");
+  std::u32string found;
+  for (const SystemFont& font : fonts) {
+    EXPECT_TRUE(fs::exists(font.file)) << font.file;
+    found += font.characters;
+  }
+  EXPECT_NE(std::u32string::npos, found.find(U'\u0436'));
+  EXPECT_EQ(found.size(), std::set<char32_t>(found.begin(), found.end()).size()) << "each once";
+  EXPECT_TRUE(system_fonts_for(U"").empty());
 }
 
 TEST(Room, TheHandleThatTurnsCoversNoLabel) {

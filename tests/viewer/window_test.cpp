@@ -1,5 +1,6 @@
 // The program in a real window, on a display of its own (Xvfb), driven by SDL events.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -134,6 +135,11 @@ TEST(RealWindow, WithoutADisplayItNamesTheCommandThatNeedsNone) {
   const Ran ran = run_viewer(folder, "", false);
   EXPECT_EQ(2, ran.exit_code);
   EXPECT_NE(std::string::npos, ran.err.find("gjkscope export")) << ran.err;
+  EXPECT_NE(std::string::npos, ran.err.find("DISPLAY is not set")) << ran.err;
+  const Ran other = run_viewer(folder, "", false, "DISPLAY=:1234");
+  EXPECT_EQ(2, other.exit_code);
+  EXPECT_NE(std::string::npos, other.err.find("DISPLAY is ':1234', which does not answer"))
+      << other.err;
 }
 
 TEST(RealWindow, WithoutOpenGlItSaysSoInOneSentence) {
@@ -163,7 +169,12 @@ TEST(RealWindow, ASizeIsWrittenAsItIsSaid) {
   EXPECT_EQ(
       0, run_viewer(folder, "--size 800x600 --screenshot " + (folder.path() / "shot.png").string())
              .exit_code);
-  EXPECT_EQ(2, run_viewer(folder, "--size 800x").exit_code);
+  for (const char* wrong : {"800x", "1024,768", "800"}) {
+    const Ran refused = run_viewer(folder, fmt::format("--size {}", wrong));
+    EXPECT_EQ(2, refused.exit_code) << wrong;
+    EXPECT_NE(std::string::npos, refused.err.find(wrong)) << refused.err;
+    EXPECT_NE(std::string::npos, refused.err.find("1440x900")) << refused.err;
+  }
 }
 
 TEST(RealWindow, IsAsReadmeShowsIt) {

@@ -102,6 +102,48 @@ void draw_row(Session& session, Table& table, int i) {
   }
 }
 
+constexpr ImGuiTableFlags kStepsTable = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
+                                        ImGuiTableFlags_ScrollY;
+
+/// Steps beside each other, and their values below: all of these are in sight in any width.
+void draw_across(Session& session, Table& table) {
+  constexpr int kMost = 60;  // steps; a table has at most 64 columns
+  const int count = session.last_told() + 1;
+  const int first = std::clamp(session.index() - kMost / 2, 0, std::max(count - kMost, 0));
+  const int last = std::min(first + kMost, count);
+  if (!ImGui::BeginTable("##steps-across", last - first + 1, kStepsTable)) return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  // No row of headers: those are not asked how wide they are.
+  ImGui::TableNextRow();
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
+  ImGui::TableNextColumn();
+  const bool has_moved = std::exchange(table.shown, session.index()) != session.index();
+  for (int i = first; i < last; ++i) {
+    const FrameText& text = session.texts()[static_cast<std::size_t>(i)];
+    ImGui::TableNextColumn();
+    ImGui::PushID(i);
+    if (ImGui::Selectable(step_name(text).c_str(), i == session.index())) session.go_to(i);
+    tip(text.caption, tips::kBelow, ImGui::IsItemHovered());
+    if (has_moved && i == session.index()) ImGui::SetScrollHereX();
+    ImGui::PopID();
+  }
+  for (const std::string& name : table.columns) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name.c_str());
+    for (int i = first; i < last; ++i) {
+      ImGui::TableNextColumn();
+      if (i == session.index())
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, ImGui::GetColorU32(ImGuiCol_Header));
+      for (const auto& [known, value] : session.texts()[static_cast<std::size_t>(i)].values) {
+        if (known == name) ImGui::TextUnformatted(cell(name, value).c_str());
+      }
+    }
+  }
+  ImGui::EndTable();
+}
+
 void draw_steps(App& app, Table& table) {
   Session& session = app.session();
   for (const RunUntil& each : kRunUntil) app.draw_button(each.name, -1.0f);
@@ -110,13 +152,14 @@ void draw_steps(App& app, Table& table) {
     table.version = session.version();
     table.width = width_of(session.texts(), table.columns) / app.ui_scale();
   }
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                     ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
-                                     ImGuiTableFlags_ScrollY;
-  const ImVec2 padding = ImGui::GetStyle().CellPadding;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  if (ImGui::GetContentRegionAvail().x + 2.0f * style.WindowPadding.x + ImGui::GetFontSize() <
+      table.width * app.ui_scale())
+    return draw_across(session, table);
+  const ImVec2 padding = style.CellPadding;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.6f * padding.x, padding.y));
   const bool is_open =
-      ImGui::BeginTable("##steps", static_cast<int>(table.columns.size()) + 1, kFlags);
+      ImGui::BeginTable("##steps", static_cast<int>(table.columns.size()) + 1, kStepsTable);
   ImGui::PopStyleVar();
   if (!is_open) return;
   ImGui::TableSetupScrollFreeze(1, 1);

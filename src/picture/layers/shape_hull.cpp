@@ -6,10 +6,18 @@ namespace gjkscope::layers {
 
 namespace {
 
+/// Whether the vertices, in their own order, go once around their hull.
+bool goes_around(const std::vector<int>& corners) {
+  std::size_t back = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    back += corners[(i + 1) % corners.size()] < corners[i] ? 1 : 0;
+  return back <= 1 || back + 1 >= corners.size();
+}
+
 void shape_hull(SceneBuilder& scene) {
   const ShapeHull::Value& hulls = scene.effects.get<ShapeHull>(scene.frame);
   const auto draw = [&](const ShapeHull::Hull& hull, const std::vector<Eigen::Vector2d>& world) {
-    if (hull.inside.empty()) return;  // the shape is its own hull
+    if (hull.inside.empty() && goes_around(hull.corners)) return;  // the shape is its own hull
     std::vector<Point> points;
     for (const int corner : hull.corners) points.push_back(scene.at(world[corner]));
     scene.area("hull", points);
