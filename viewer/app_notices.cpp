@@ -69,7 +69,7 @@ std::vector<Notice> App::all_notices() const {
                    .is_error = false,
                    .answers = {"Cancel the change"},
                    .can_be_closed = false});
-    }
+  }
   if (is_exporting() && now_ >= export_began_ + kLongExport) {
     const auto [done, count] = exported();
     all.push_back(

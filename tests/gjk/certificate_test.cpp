@@ -196,6 +196,26 @@ TEST(near_plane, "close to O a plane through the simplex proves more than that o
   CHECK_NEAR(height, third.bounds().upper, 7 * kDoubleU * height);
 }
 
+TEST(short_edge,
+     "far from a short edge the bounds along a trace hold, though |P|^2 rounds by more") {
+  families::Source random(kSeed);
+  for (int i = 0; i < check::cases(20000); ++i) {
+    const check::Context context("seed", kSeed, "edge", i);
+    const double angle = random.between(0, 6.3);
+    const Vec<double, 2> away(1000 * std::cos(angle), 1000 * std::sin(angle));
+    const Vec<double, 2> along(-std::sin(angle), std::cos(angle));
+    const std::vector<Vec<double, 2>> edge = {away - 0.3 * along, away + 0.4 * along};
+    const std::vector<Vec<double, 2>> origin = {{0, 0}};
+    const auto a = edge[0].cast<long double>().eval();
+    const auto b = edge[1].cast<long double>().eval();
+    const long double exact = std::abs(a[0] * b[1] - a[1] * b[0]) / (b - a).norm();
+    for (const auto& step : gjk::trace(gjk::Query<double, 2>{{origin}, {edge}}).steps) {
+      CHECK(static_cast<long double>(step.bounds.lower) <= exact);
+      CHECK(exact <= static_cast<long double>(step.bounds.upper));
+    }
+  }
+}
+
 TEST(far_plane, "farther off the plane of the run is what proves the lower bound") {
   // Rounding cannot tell on which side of the edge the third vertex lies, so that the edge proves
   // nothing.
