@@ -157,13 +157,18 @@ void App::close_notice(const std::string& cause) {
 
 void App::draw_notices() {
   std::vector<Notice> all = notices();
-  all.resize(std::min({all.size(), kMostLines, notice_lines_}));
+  // What goes on with what the hand has let go is told on the stage, which stands still.
+  const bool on_stage = session_.is_settling();
+  const std::size_t lines = notice_lines_ + (on_stage ? 1 : 0);
+  all.resize(std::min({all.size(), kMostLines, lines}));
   if (all.empty()) return;
   const Rect& area = picture_.area();
   const auto row = static_cast<float>(kNoticeRow * ui_scale_);
   const auto top = static_cast<float>(area.min.y()) - row * static_cast<float>(notice_lines_);
-  ImGui::SetNextWindowPos({0.0f, top});
-  ImGui::SetNextWindowSize({static_cast<float>(width_), row * static_cast<float>(notice_lines_)});
+  const double left = on_stage ? area.min.x() : 0.0;
+  const double width = on_stage ? area.size().x() : width_;
+  ImGui::SetNextWindowPos({static_cast<float>(left), top});
+  ImGui::SetNextWindowSize({static_cast<float>(width), row * static_cast<float>(lines)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(10.0f * static_cast<float>(ui_scale_), 0.0f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_TableHeaderBg));

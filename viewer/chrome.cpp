@@ -60,8 +60,9 @@ double App::layout(double width, double height, double density) {
   width_ = width;
   height_ = height;
   density_ = density;
-  // Under a hand nothing moves.
-  if (!session_.is_dragging()) notice_lines_ = is_presenting() ? 0 : notice_count();
+  // Under a hand nothing moves, nor before what it has let go is shown.
+  if (!session_.is_dragging() && !session_.is_settling())
+    notice_lines_ = is_presenting() ? 0 : notice_count();
   room_ =
       room_of({.width = width,
                .height = height,
