@@ -19,7 +19,8 @@ namespace gjkscope {
                                 const VoronoiRegions::Value& regions, const Eigen::Vector2d& p,
                                 double reach);
 
-/// Whether any part of a shape, or of the difference, is inside of `card`.
+/// Whether any part of a shape, or of the difference, is inside of `card`; also where no mark
+/// stands for one, and nobody can tell.
 [[nodiscard]] bool is_in_sight(const Picture& picture, const Rect& card);
 
 /// What a hand takes there: with a volume of a tree the shape that it bounds a part of.
