@@ -145,7 +145,9 @@ void EffectTrial::call_for(std::size_t view, std::string_view effect, bool on) {
 }
 
 Scene EffectTrial::scene(std::size_t view, std::size_t frame, const StageMap& map) {
-  return stage_scene(run_, effects_, run_.frames[frame], run_.lesson.views[view], map, fonts_);
+  StillLayers drawn;  // none is kept: what is called for changes from scene to scene
+  return stage_scene(run_, effects_, run_.frames[frame], run_.lesson.views[view], map, fonts_,
+                     drawn);
 }
 
 std::optional<std::vector<bool>> EffectTrial::frames_changed_by(std::size_t view,
