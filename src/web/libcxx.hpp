@@ -1,5 +1,5 @@
 #pragma once
-// What libc++ 14, which Debian's Emscripten has, lacks of C++20.
+// Parts of C++20 that the libc++ of Debian's Emscripten lacks: versions 15 and 20 have them.
 
 #include <bit>
 #include <cerrno>
@@ -15,6 +15,12 @@ template <class To, class From>
 constexpr To bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
+
+}  // namespace std
+#endif
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
+namespace std {
 
 /// Without a sign of its own: who calls it reads that.
 inline from_chars_result from_chars(const char* first, const char* last, double& value,
