@@ -196,8 +196,7 @@ TEST(near_plane, "close to O a plane through the simplex proves more than that o
   CHECK_NEAR(height, third.bounds().upper, 7 * kDoubleU * height);
 }
 
-TEST(short_edge,
-     "far from a short edge the bounds along a trace hold, though |P|^2 rounds by more") {
+TEST(far_edge, "far from a short edge the bounds along a trace hold, though |P|^2 rounds by more") {
   families::Source random(kSeed);
   for (int i = 0; i < check::cases(20000); ++i) {
     const check::Context context("seed", kSeed, "edge", i);
