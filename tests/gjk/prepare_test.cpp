@@ -223,6 +223,8 @@ struct Ratios {
   long double reach_low = 1e9L;
   long double reach_high = 0;
   long double least_high = 0;
+  long double corner_low = 1;
+  long double corner_high = 0;
   long double vertex = 0;
   int pairs = 0;
 };
@@ -256,12 +258,24 @@ Ratios measure(Family family, int pairs) {
     found.reach_high = std::max(found.reach_high, reach);
     found.least_high =
         std::max(found.least_high, static_cast<long double>(ready.least_reach) / largest);
+    long double corner = 0;
+    for (const int a : ready.x.far_apart) {
+      for (const int b : ready.y.far_apart) {
+        const Vec<R, 2> w = gjk::support_point(narrow.query(), ready, {a, b}).w;
+        corner = std::max(corner, w.template cast<long double>().norm());
+      }
+    }
+    found.corner_low = std::min(found.corner_low, corner / largest);
+    found.corner_high = std::max(found.corner_high, corner / largest);
     ++found.pairs;
   }
   return found;
 }
 
-TEST(reach, "some vertex of Z is as far as least_reach, none lies beyond reach") {
+TEST(reach,
+     "some vertex of Z is as far as least_reach, none lies beyond reach; of four corners one lies "
+     "at "
+     "least a fifth as far as any") {
   for (int i = 0; i < kFamilyCount; ++i) {
     const auto family = static_cast<Family>(i);
     const check::Context context("seed", kSeed, kFamilyNames[i]);
@@ -269,6 +283,8 @@ TEST(reach, "some vertex of Z is as far as least_reach, none lies beyond reach")
     CHECK(found.reach_low >= 1 - 0x1p-50L);
     CHECK(found.reach_high <= 3);
     CHECK(found.least_high <= 1 + 0x1p-50L);
+    CHECK(found.corner_low >= 0.2L);
+    CHECK(found.corner_high <= 1 + 0x1p-50L);
     CHECK(found.pairs > 400);
   }
 }

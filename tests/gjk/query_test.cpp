@@ -156,6 +156,19 @@ TEST(measured, "points know their box, their centre and their radius") {
   CHECK(!points(around).is_centred && !points(edge).is_centred);
 }
 
+TEST(far_apart, "two points stand for the longest side of the box, wherever it lies") {
+  for (const int axis : {0, 1}) {
+    for (const double at : {-1000.0, 0.0, 1000.0}) {
+      const check::Context context("axis", axis, "at", at);
+      List<double> list = {{0, 1}, {0, 5}, {1, 3}, {0.5, 0}};
+      for (Vec<double, 2>& p : list)
+        p = axis == 1 ? Vec<double, 2>(p[0] + at, p[1]) : Vec<double, 2>(p[1], p[0] + at);
+      CHECK((points(list).far_apart == std::array{3, 1}));
+    }
+  }
+  CHECK((points<double>({{7, 7}}).far_apart == std::array{0, 0}));
+}
+
 TEST(means, "points know how far their mean lies from their centre") {
   CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean);
   CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean);

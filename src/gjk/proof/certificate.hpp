@@ -244,26 +244,22 @@ class OutsideBounds {
   [[nodiscard]] R vertex_error() const { return prepared_.vertex_error + u_ * size_; }
   [[nodiscard]] R careful_error() const { return prepared_.careful_error() + least(); }
   [[nodiscard]] static R no_bound() { return std::numeric_limits<R>::infinity(); }
-  /// True when a vertex of Z at least as far from O as `least` is found beyond the face or along an
-  /// axis.
-  [[nodiscard, gnu::noinline]] bool reaches(const R& least) const {
-    const auto reaches_along = [&](const Vec<R, D>& d) {
-      const VertexPair pair = farthest_pair<R, S, D>(query_, prepared_, d);
-      return least <= length(support_point<R, S, D>(query_, prepared_, pair).w);
-    };
-    if (reaches_along(-foot_.d)) return true;
-    for (int axis = 0; axis < D; ++axis) {
-      const Vec<R, D> along = Vec<R, D>::Unit(axis);
-      if (reaches_along(along) || reaches_along(-along)) return true;
+  /// The distance from O to the farthest of the four vertices of Z that `far_apart` points make.
+  [[nodiscard, gnu::noinline]] R corner_reach() const {
+    R most(0);
+    for (const int x : prepared_.x.far_apart) {
+      for (const int y : prepared_.y.far_apart) {
+        most = larger(most, length(support_point<R, S, D>(query_, prepared_, {x, y}).w));
+      }
     }
-    return false;
+    return most;
   }
   [[nodiscard]] bool is_allowed() const {
     const bool is_close = D == 3 && R(kCloseInSpace) * foot_.distance < prepared_.reach;
     const R allowed = ScalarTraits<R>::from(is_close ? kAllowedWidth / 2 : kAllowedWidth) * u_;
     const R width = upper_ - lower_;
     return width <= allowed * larger(prepared_.least_reach, size_) ||
-           (upper_ < no_bound() && reaches(R(width / allowed)));
+           (upper_ < no_bound() && width <= allowed * corner_reach());
   }
   [[nodiscard]] bool is_too_rounded() const {
     const bool gains = prepared_.same_frame || D == 3;

@@ -17,6 +17,7 @@ struct Body {
   // As in Measures:
   Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame and unit.
   bool is_ring = false;
+  std::array<int, 2> far_apart = {};
   R radius = R(0);  ///< In the run's unit.
 
   int placed_count = 0;  ///< 0 for a large shape, and for exact scalars.
@@ -140,6 +141,7 @@ template <class R, class S, int D>
 void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Frames<R, D>& frames,
            Body<R, D>& body) {
   body.is_ring = measures.is_ring;
+  body.far_apart = measures.far_apart;
   body.radius = ScalarTraits<R>::from(measures.radius) * frames.unit;
   const int count = static_cast<int>(shape.vertices().size());
   if (count > kMaxPlaced) return;

@@ -49,6 +49,8 @@ struct Measures {
   S largest = S(0);  ///< The largest magnitude of a coordinate.
   S radius = S(0);   ///< Distance from `centre` to the farthest point, up to a rounding or two.
   S to_mean = S(0);  ///< Distance from `centre` to the mean of the points, equally exact.
+  /// Indices of two points that lie at least as far apart as the longest side of the box.
+  std::array<int, 2> far_apart = {};
 };
 
 /// The length of a vector whose squares may overflow or underflow.
@@ -126,6 +128,14 @@ template <class S, int D>
       high = high.cwiseMax(point);
     }
     out.is_finite = is_zero(nothing);
+    const Vec<S, D> half_box = high / S(2) - low / S(2);
+    int longest = 0;
+    for (int i = 1; i < D; ++i) longest = half_box[longest] < half_box[i] ? i : longest;
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+      const S at = points[i][longest];
+      out.far_apart[0] = at == low[longest] ? i : out.far_apart[0];
+      out.far_apart[1] = at == high[longest] ? i : out.far_apart[1];
+    }
     out.largest = larger(norm_max(low), norm_max(high));
     const Vec<S, D> middle = low / S(2) + high / S(2);
     out.is_centred = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
