@@ -49,17 +49,15 @@ struct Share {
 /// One row for each bound, in the order of the table.
 template <int D>
 struct Shares {
-  Share vertex{"vertex_error + u abs(w)",
-               "broken: the last sum of a vertex uses all of it"};
+  Share vertex{"vertex_error + u abs(w)", "broken: the last sum of a vertex uses all of it"};
   Share scan{"scan_error_within",
              "two vertices must lie equally far, and both dot products err the other way"};
   Share plane{"plane_error", "a sum of vertex, scan and length, which are not worst together"};
   Share volume{"volume_error", "all vertices as long as the longest, and their roundings agree"};
-  Share foot{"error of foot_of, own digits",
-             "the size stands for the nearest vertex, and all roundings agree"};
-  Share careful{"error of foot_of, double words",
-                "the result rounds up to six times, not all with one sign"};
-  Share inside{"error of weights times height", "foot at a corner, and all roundings agree"};
+  Share foot{"error of foot_of, own digits", "broken in both"};
+  Share careful{"error of foot_of, double words", "broken in both"};
+  Share inside{"error of weights times height",
+               "broken in the plane; in space a triangle must be slanted, and all roundings agree"};
   Share weights{"weights_bound", "weights and vertices have errors of one sign"};
   Share root{"root_above, root_below", "2 of 8 roundings are those of IEEE types"};
   Share turn{"turn of a ring", "4 of 8 roundings are derived, and they do not all agree"};
