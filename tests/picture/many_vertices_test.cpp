@@ -173,9 +173,12 @@ TEST(ManyVertices, LinesWithoutRoomAreThinAndPale) {
     EffectGraph effects(run);
     LessonPictures pictures(run, effects, fonts());
     const Picture picture = pictures.picture(0);
-    EXPECT_TRUE(std::any_of(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
-      return mark.role == role && std::holds_alternative<Polyline>(mark.shape);
-    })) << count;
+    EXPECT_TRUE(std::any_of(picture.marks.begin(), picture.marks.end(),
+                            [wanted = role](const Mark& mark) {
+                              return mark.role == wanted &&
+                                     std::holds_alternative<Polyline>(mark.shape);
+                            }))
+        << count;
   }
 }
 
