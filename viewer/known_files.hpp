@@ -17,14 +17,14 @@ class KnownFiles {
     std::string good;      ///< The last text that could be shown.
   };
 
-  void note_read(const std::filesystem::path& file, std::string text) {
+  void note_read(const std::filesystem::path& file, const std::string& text) {
     known_[file] = {text, false, text};
   }
   /// What cannot be shown.
   void note_broken(const std::filesystem::path& file, std::string text) {
     known_[file] = {std::move(text), false, std::move(known_[file].good)};
   }
-  void note_written(const std::filesystem::path& file, std::string text) {
+  void note_written(const std::filesystem::path& file, const std::string& text) {
     known_[file] = {text, true, text};
   }
   /// Null for a file that was neither read nor written.

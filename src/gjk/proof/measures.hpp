@@ -123,7 +123,7 @@ template <class S, int D>
     Vec<S, D> high = points[0];
     Vec<S, D> nothing = Vec<S, D>::Zero();  // a NaN once a coordinate is not finite
     for (const Vec<S, D>& point : points) {
-      nothing = nothing + (point - point);
+      nothing = nothing + (point - point);  // NOLINT(misc-redundant-expression): 0, or NaN
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
