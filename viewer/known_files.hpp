@@ -17,15 +17,19 @@ class KnownFiles {
     std::string good;      ///< The last text that could be shown.
   };
 
-  void note_read(const std::filesystem::path& file, const std::string& text) {
-    known_[file] = {text, false, text};
+  void note_read(const std::filesystem::path& file, std::string text) {
+    Known& known = known_[file];
+    known.good = text;
+    known.text = std::move(text);
+    known.is_ours = false;
   }
   /// What cannot be shown.
   void note_broken(const std::filesystem::path& file, std::string text) {
     known_[file] = {std::move(text), false, std::move(known_[file].good)};
   }
-  void note_written(const std::filesystem::path& file, const std::string& text) {
-    known_[file] = {text, true, text};
+  void note_written(const std::filesystem::path& file, std::string text) {
+    note_read(file, std::move(text));
+    known_[file].is_ours = true;
   }
   /// Null for a file that was neither read nor written.
   [[nodiscard]] const Known* find(const std::filesystem::path& file) const {
