@@ -421,7 +421,7 @@ class App {
   bool gives_export_up_ = false;  ///< Who asks to quit again does.
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
-  /// What follows from a drag of large shapes; uses `session_`.
+  /// Consequences of a drag of large shapes; uses `session_`.
   std::future<std::shared_ptr<Session::Made>> working_;
   /// A large file that is read, run and drawn beside the window.
   struct Opening {

@@ -492,7 +492,7 @@ double App::drawer_width() const {
   const Drawer& drawer = drawers_[*drawer_];
   const auto chosen = drawer_widths_.find(drawer.name);
   if (chosen != drawer_widths_.end()) return chosen->second;
-  // What is wider than there is room for makes do with the usual width.
+  // A drawer wider than there is room for makes do with the usual width.
   const double wanted = drawer.width ? drawer.width() : kDrawerWidth;
   const double room = (width_ - kStageWidth * density_) / ui_scale_;
   return wanted > room ? kDrawerWidth : std::max(wanted, kDrawerWidth);

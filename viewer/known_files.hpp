@@ -23,7 +23,7 @@ class KnownFiles {
     known.text = std::move(text);
     known.is_ours = false;
   }
-  /// What cannot be shown.
+  /// A text that cannot be shown.
   void note_broken(const std::filesystem::path& file, std::string text) {
     known_[file] = {std::move(text), false, std::move(known_[file].good)};
   }

@@ -75,7 +75,7 @@ std::vector<Polyline> hatched_sign(const Point& center) {
                kSpacing, box);
 }
 
-/// Of a segment, what lies in a box.
+/// The part of a segment that lies in a box.
 double length_in(const Rect& box, const Obstacles::Segment& segment) {
   const Point way = segment.b - segment.a;
   double from = 0.0;
@@ -112,7 +112,7 @@ Hidden hidden_by(const Rect& box, const Obstacles& obstacles) {
   return hidden;
 }
 
-/// What each row hides, from its upper left corner at `at`.
+/// The area that each row hides, from its upper left corner at `at`.
 std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const Fonts& fonts) {
   std::vector<Rect> boxes;
   at.y() += 0.5 * kLegendPad;

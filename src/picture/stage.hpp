@@ -18,7 +18,7 @@ namespace gjkscope {
 [[nodiscard]] Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area);
 
 struct Layer;
-/// What layers of a view have drawn that is the same in many of its frames.
+/// Scenes that layers of a view have drawn and that are the same in many of its frames.
 using StillLayers = std::map<std::pair<const Layer*, EffectKey>, Scene>;
 
 /// `drawn` is that of the view, seen by this `map`.

@@ -38,7 +38,7 @@ Sight sight(const Camera& camera, const Rect& card) {
   return {camera, card.size().x() / card.size().y()};
 }
 
-/// What the run says of an answer; null where none was given.
+/// The verdict of the run on an answer; null where none was given.
 std::string verdict(const FrameQuestion& asked, const Answer* answer) {
   const std::string& right = asked.answer;
   if (asked.ask == asks::kStop.name) {

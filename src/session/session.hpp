@@ -298,7 +298,7 @@ class Session {
   long drags_ = 0;                    ///< So far.
   std::optional<LabelScope> wanted_;  ///< Of pictures that are to be made beside.
   bool making_ = false;
-  /// What was shown before.
+  /// The picture that was shown before.
   struct BeforeDrag {
     std::shared_ptr<Shown> shown;
     int index = 0;

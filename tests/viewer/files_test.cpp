@@ -575,7 +575,7 @@ TEST_F(LargeDrag, IsCancelledAsIfItHadNotBeen) {
   EXPECT_EQ(earlier, session.undo_name());
   EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
   EXPECT_EQ(shown, unpointed());
-  // What was being made for it is not shown.
+  // The run that was being made for it is not shown.
   for (int i = 0; i < 50; ++i) {
     usleep(10'000);
     window.frame();
