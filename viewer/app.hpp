@@ -286,7 +286,7 @@ class App {
   void save_case_to(const std::filesystem::path& file);
   /// Whether this is a lesson of the course, or still the same as one.
   [[nodiscard]] bool is_of_course(const std::filesystem::path& file) const;
-  /// Of the lesson's or the case's own file, what it holds, and what it held last that could be
+  /// The text that the own file of the lesson or case holds, and the last one that could be
   /// shown: what stays of it when it is saved.
   [[nodiscard]] std::vector<std::string> texts_to_keep(const std::filesystem::path& file) const;
   /// Keeps what a file holds beside it, unless this window wrote it; says where.

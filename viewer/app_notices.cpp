@@ -157,7 +157,7 @@ void App::close_notice(const std::string& cause) {
 
 void App::draw_notices() {
   std::vector<Notice> all = notices();
-  // What goes on with what the hand has let go is told on the stage, which stands still.
+  // The stage, which stands still, says what goes on with a shape that was let go.
   const bool on_stage = session_.is_settling();
   const std::size_t lines = notice_lines_ + (on_stage ? 1 : 0);
   all.resize(std::min({all.size(), kMostLines, lines}));

@@ -24,7 +24,7 @@ struct Dialog {
 /// Before work goes that is kept nowhere.
 [[nodiscard]] Dialog quit_dialog(App& app, std::function<void()> quit);
 inline constexpr const char* kQuitTitle = "Work would be lost";
-/// Of an exported image, along each side.
+/// The most pixels of an exported image along each side.
 inline constexpr int kMostPixels = 16384;
 [[nodiscard]] Dialog export_dialog(App& app);
 [[nodiscard]] Dialog keys_dialog(App& app);

@@ -124,7 +124,7 @@ std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const F
   return boxes;
 }
 
-/// Where rows hide least at the edges of a card, and no words; none where they would.
+/// The place at the edges of a card at which rows hide least, and no words; none if they would.
 std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& scene,
                                const Rect& card, const std::vector<Rect>& words,
                                const Fonts& fonts) {

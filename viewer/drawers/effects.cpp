@@ -218,7 +218,7 @@ void toggle_effect(App& app, std::size_t view, std::string_view effect) {
 
 Drawer effects_drawer(App& app) {
   const auto changes = std::make_shared<ChangesOfEffects>();
-  Drawer drawer{"Effects", "E", "What the views show beyond the run",
+  Drawer drawer{"Effects", "E", "Marks of the views beyond the run",
                 [&app, changes] { draw_effects(app, *changes); }};
   drawer.waits = [changes] { return changes->waits(); };
   return drawer;
