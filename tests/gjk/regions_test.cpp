@@ -369,18 +369,18 @@ TEST(thin, "a thin triangle around O is taken or not, but no answer lies farther
   CHECK(edges > 1000);
 }
 
-TEST(triangles_in_space, "a triangle in space has the same seven regions") {
-  constexpr std::uint64_t kSeed = 7;
-  families::Source random(kSeed);
+/// The regions that O lies in of `rounds` random simplices. A vertex is drawn from its
+/// simplex's centre. P is the
+/// closest point of the hull exactly when no vertex lies nearer to O along P.
+template <class Centre, class Vertex>
+std::set<int> regions_in_space(int rounds, int count, const Centre& any_centre,
+                               const Vertex& any_vertex) {
   std::set<int> regions;
-  for (int i = 0; i < 5000; ++i) {
-    const check::Context context("seed", kSeed, "triangle", i);
-    const Vec<double, 3> centre(random.between(-1, 1), random.between(-1, 1), 0.5);
+  for (int i = 0; i < rounds; ++i) {
+    const check::Context context("simplex", i);
+    const Vec<double, 3> centre = any_centre();
     std::vector<Vec<double, 3>> points;
-    for (int k = 0; k < 3; ++k) {
-      points.push_back(centre + Vec<double, 3>(random.between(-1, 1), random.between(-1, 1),
-                                               random.between(-0.3, 0.3)));
-    }
+    for (int k = 0; k < count; ++k) points.push_back(centre + any_vertex());
     gjk::State<double, 3> state = state_of<double, 3>(points);
     gjk::NoRecord none;
     gjk::find_closest_point(state, {}, none);
@@ -389,31 +389,27 @@ TEST(triangles_in_space, "a triangle in space has the same seven regions") {
       CHECK(state.p.dot(point) >= state.p.squaredNorm() - 1e-9);
     }
   }
+  return regions;
+}
+
+TEST(triangles_in_space, "a triangle in space has the same seven regions") {
+  constexpr std::uint64_t kSeed = 7;
+  const check::Context context("seed", kSeed);
+  families::Source random(kSeed);
+  const auto coordinate = [&] { return random.between(-1, 1); };
+  const std::set<int> regions = regions_in_space(
+      5000, 3, [&] { return Vec<double, 3>(coordinate(), coordinate(), 0.5); },
+      [&] { return Vec<double, 3>(coordinate(), coordinate(), random.between(-0.3, 0.3)); });
   CHECK_EQ(std::size_t{7}, regions.size());
 }
 
 TEST(tetrahedra, "all fifteen regions of a tetrahedron occur; the closest point is the least") {
   constexpr std::uint64_t kSeed = 4;
+  const check::Context context("seed", kSeed);
   families::Source random(kSeed);
-  std::set<int> regions;
-  for (int i = 0; i < 20000; ++i) {
-    const check::Context context("seed", kSeed, "tetrahedron", i);
-    const Vec<double, 3> centre(random.between(-1, 1), random.between(-1, 1),
-                                random.between(-1, 1));
-    std::vector<Vec<double, 3>> points;
-    for (int k = 0; k < 4; ++k) {
-      points.push_back(centre + Vec<double, 3>(random.between(-1, 1), random.between(-1, 1),
-                                               random.between(-1, 1)));
-    }
-    gjk::State<double, 3> state = state_of<double, 3>(points);
-    gjk::NoRecord none;
-    gjk::find_closest_point(state, {}, none);
-    regions.insert(state.region);
-    // P is the closest point of the hull exactly when no vertex lies nearer to O along P.
-    for (const Vec<double, 3>& point : points) {
-      CHECK(state.p.dot(point) >= state.p.squaredNorm() - 1e-9);
-    }
-  }
+  const auto coordinate = [&] { return random.between(-1, 1); };
+  const auto anywhere = [&] { return Vec<double, 3>(coordinate(), coordinate(), coordinate()); };
+  const std::set<int> regions = regions_in_space(20000, 4, anywhere, anywhere);
   CHECK_EQ(std::size_t{15}, regions.size());
 }
 

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 
 #include "bench/document.hpp"
 #include "exact_run.hpp"
@@ -142,14 +143,11 @@ void measure_simplices(const Run<D>& run, Shares<D>& shares) {
       point += truth.vertices[i].w * truth.weights[i];
       sum += truth.weights[i];
     }
-    gjk::Rounding<double, D> nothing;  // with it weights_bound is |P| and its own roundings
-    const double own = gjk::weights_bound<double, D>(simplex, nothing);
-    const double whole = gjk::weights_bound<double, D>(simplex, prepared);
-    double farthest = 0.0;
-    for (int i = 0; i < simplex.count; ++i)
-      farthest = std::max(farthest, gjk::length(simplex.vertices[i].w));
-    const double p = own - (4 * D + 4) * kU * farthest;
-    shares.weights.add(beyond_root(p, Rational(gjk::dot(point, point) / (sum * sum))), whole - p);
+    const double p =
+        gjk::length(gjk::weighted_point(simplex, simplex.all(), simplex.weights)) /
+        std::accumulate(simplex.weights.begin(), simplex.weights.begin() + simplex.count, 0.0);
+    shares.weights.add(beyond_root(p, Rational(gjk::dot(point, point) / (sum * sum))),
+                       gjk::weights_bound<double, D>(simplex, prepared) - p);
     if (simplex.count != D + 1) continue;
     const gjk::Barycentric<double, D> found = gjk::volume_coordinates(simplex);
     const gjk::Barycentric<Rational, D> expected = gjk::volume_coordinates(truth);
@@ -189,8 +187,10 @@ void measure_feet(const Run<D>& run, Shares<D>& shares) {
   bounds.measure_anew();
   if (bounds.foot().height > 0.0)
     shares.careful.add(beyond_root(bounds.foot().distance, exact_sq), bounds.error());
-  shares.root.add(beyond_root(std::sqrt(end.evidence.best_sq), Rational(end.evidence.best_sq)),
-                  8 * kU * std::sqrt(end.evidence.best_sq));
+  using Traits = gjk::ScalarTraits<double>;
+  const double p_sq = end.evidence.best_sq;
+  shares.root.add(beyond_root(Traits::root(p_sq), Rational(p_sq)),
+                  Traits::root_above(p_sq) - Traits::root(p_sq));
 }
 
 /// Turns of the polygons, as is_strictly_convex_ring asks for them.
