@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "effects/registry.hpp"
 #include "lesson/load.hpp"
-#include "lesson/run.hpp"
-#include "picture/registry.hpp"
+#include "run/effect_info.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope::testing {
 

@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/file.hpp"
 #include "drawers/study.hpp"
-#include "effects/grid.hpp"
 #include "files.hpp"
 #include "lesson/chapters.hpp"
-#include "lesson/file.hpp"
 #include "lesson/load.hpp"
 #include "paint/svg.hpp"
-#include "picture/registry.hpp"
+#include "subjects/grid/grid.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

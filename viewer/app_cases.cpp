@@ -7,14 +7,14 @@
 #include <stdexcept>
 
 #include "app.hpp"
-#include "effects/shape_hull.hpp"
+#include "base/file.hpp"
 #include "files.hpp"
-#include "geometry/polygon.hpp"
-#include "lesson/file.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
 #include "picture/words.hpp"
 #include "session/edit.hpp"
+#include "subjects/shape_hull/shape_hull.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

@@ -9,16 +9,16 @@
 #include <stdexcept>
 
 #include "app.hpp"
+#include "base/file.hpp"
 #include "drawers/study.hpp"
 #include "export/export.hpp"
 #include "export/record.hpp"
 #include "files.hpp"
-#include "lesson/file.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
-#include "picture/registry.hpp"
 #include "session/edit.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

@@ -8,7 +8,7 @@
 
 #include "app.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

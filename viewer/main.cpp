@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "paint/png.hpp"
 #include "script.hpp"
 

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "app.hpp"
-#include "geometry/polygon.hpp"
 #include "imgui_vec.hpp"
+#include "outlines/polygon.hpp"
 #include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "picture/tween.hpp"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {

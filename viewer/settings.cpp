@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 
 namespace gjkscope {
 namespace {

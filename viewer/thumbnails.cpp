@@ -1,9 +1,9 @@
 #include "thumbnails.hpp"
 
+#include "frames/frame.hpp"
+#include "frames/stage.hpp"
 #include "lesson/load.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
-#include "picture/stage.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "lesson/save.hpp"
 
 namespace gjkscope {

@@ -10,7 +10,7 @@
 #include "app.hpp"
 #include "dialog.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app.hpp"
-#include "lesson/hexadecimal.hpp"
+#include "base/hexadecimal.hpp"
 
 namespace gjkscope {
 

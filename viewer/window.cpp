@@ -17,10 +17,10 @@
 #include <thread>
 #include <tuple>
 
+#include "base/file.hpp"
 #include "density.hpp"
 #include "file_watch.hpp"
 #include "imgui_keys.hpp"
-#include "lesson/file.hpp"
 #include "lesson/problem.hpp"
 #include "picture/tween.hpp"
 #include "system_fonts.hpp"

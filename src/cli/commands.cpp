@@ -15,18 +15,18 @@
 
 #include "cli/input.hpp"
 #include "cli/transcript.hpp"
-#include "effects/registry.hpp"
 #include "export/record.hpp"
+#include "frames/frame.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
-#include "lesson/run.hpp"
-#include "models/search.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "outlines/search.hpp"
 #include "picture/theme.hpp"
-#include "tables/trees.hpp"
-#include "trace/trace_json.hpp"
-#include "trace/trace_text.hpp"
+#include "run/effect_info.hpp"
+#include "run/run.hpp"
+#include "run/trace_json.hpp"
+#include "run/trace_text.hpp"
+#include "subjects/hierarchy/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {
@@ -360,16 +360,16 @@ int explain_command(const Environment& env, const std::string& name, bool json) 
   const std::size_t frames = lesson_pictures(run, effects, fonts).size();
 
   Json list = Json::array();
-  for (const EffectInfo& info : registered_effects()) {
-    const EffectCount count = effects.count(info.name);
+  for (const EffectInfo* info : registered_effects()) {
+    const EffectCount count = effects.count(info->name);
     Json one;
-    one["effect"] = info.name;
+    one["effect"] = info->name;
     one["called"] = count.pulls > 0;
     one["pulls"] = count.pulls;
     one["runs"] = count.runs;
     one["seconds"] = count.seconds;
-    one["needs"] = info.needs;
-    one["summary"] = info.summary;
+    one["needs"] = info->needs;
+    one["summary"] = info->summary;
     list.push_back(std::move(one));
   }
   if (json) {

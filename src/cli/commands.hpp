@@ -15,7 +15,7 @@
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
-#include "models/outline.hpp"
+#include "outlines/outline.hpp"
 #include "site/site.hpp"
 
 namespace gjkscope {

@@ -8,8 +8,8 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "lesson/file.hpp"
-#include "picture/registry.hpp"
+#include "base/file.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

@@ -13,8 +13,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/file.hpp"
 #include "cli/commands.hpp"
-#include "lesson/file.hpp"
 #include "lesson/names.hpp"
 #include "lesson/problem.hpp"
 #include "paint/pdf.hpp"

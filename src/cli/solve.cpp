@@ -5,18 +5,18 @@
 #include <ostream>
 #include <type_traits>
 
-#include "algorithms/depth/lesson_trace.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
-#include "instances/instances.hpp"
+#include "exact/instances.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
-#include "lesson/scalar.hpp"
-#include "lesson/widen.hpp"
-#include "models/brute.hpp"
-#include "models/lin_canny.hpp"
-#include "models/pieces.hpp"
-#include "models/search.hpp"
+#include "outlines/brute.hpp"
+#include "outlines/lin_canny.hpp"
+#include "outlines/pieces.hpp"
+#include "outlines/search.hpp"
+#include "run/scalar.hpp"
+#include "run/widen.hpp"
+#include "subjects/depth/lesson_trace.hpp"
 
 namespace gjkscope {
 namespace {

@@ -10,16 +10,16 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "base/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "export/signal_watch.hpp"
 #include "lesson/case.hpp"
-#include "lesson/file.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
-#include "picture/registry.hpp"
 #include "study/report.hpp"
+#include "subjects/subjects.hpp"
 #include "survey/accuracy_figures.hpp"
 #include "survey/effects_cost.hpp"
 #include "survey/model_times.hpp"

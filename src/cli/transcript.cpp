@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "picture/frame.hpp"
+#include "frames/frame.hpp"
 
 namespace gjkscope {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lesson/run.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lesson/file.hpp"
-#include "lesson/html.hpp"
+#include "base/file.hpp"
+#include "base/html.hpp"
 
 namespace gjkscope {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "picture/frame.hpp"
+#include "frames/frame.hpp"
 
 namespace gjkscope {
 

@@ -15,23 +15,23 @@
 #include <stdexcept>
 #include <thread>
 
-#include "effects/graph.hpp"
+#include "base/file.hpp"
 #include "export/contact_sheet.hpp"
 #include "export/film.hpp"
 #include "export/frame_writer.hpp"
 #include "export/record.hpp"
 #include "export/signal_watch.hpp"
-#include "lesson/file.hpp"
+#include "frames/frame.hpp"
 #include "lesson/names.hpp"
-#include "lesson/run.hpp"
 #include "lesson/save.hpp"
 #include "paint/canvas.hpp"
 #include "paint/pdf.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
 #include "picture/tween.hpp"
+#include "run/graph.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

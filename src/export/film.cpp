@@ -19,8 +19,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/file.hpp"
 #include "export/record.hpp"
-#include "lesson/file.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lesson/file.hpp"
-#include "lesson/hexadecimal.hpp"
+#include "base/file.hpp"
+#include "base/hexadecimal.hpp"
 #include "paint/png.hpp"
 
 namespace gjkscope {

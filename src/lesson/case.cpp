@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "lesson/schema.hpp"
 
 namespace gjkscope {

@@ -23,7 +23,7 @@
 
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
-#include "models/outline.hpp"
+#include "outlines/outline.hpp"
 
 namespace gjkscope {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
 #include "lesson/vocabulary.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/table_kind.hpp"

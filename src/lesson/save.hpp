@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/vocabulary.hpp"
 

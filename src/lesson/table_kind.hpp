@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/schema.hpp"
 #include "lesson/toml_reader.hpp"

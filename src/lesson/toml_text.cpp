@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "lesson/problem.hpp"
 
 namespace gjkscope {

@@ -3,15 +3,24 @@
 // blocks, listings and effects. The loader is handed all of them, and looks up names and needs;
 // lesson/ names none.
 
+#include <Eigen/Geometry>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "lesson/run.hpp"
+#include "lesson/algorithm.hpp"
+#include "lesson/lesson.hpp"
 #include "lesson/schema.hpp"
 
 namespace gjkscope {
+
+struct LessonRun;
+struct Tick;
+struct Story;
+struct FrameText;
+class SceneBuilder;
+class Fonts;
 
 /// Whether a table [path] goes with an act.
 enum class PathUse { refused, possible, needed };
@@ -38,7 +47,8 @@ struct AskInfo {
   std::string_view counted = "in iteration";  ///< How LessonQuestion::at counts.
 };
 
-/// How runs become frames. Files, and messages about them, call an act the `granularity` of steps.
+/// How runs become frames, which place, words and marks they have. Files, and messages about them,
+/// call an act the `granularity` of steps.
 struct Act {
   std::string_view name;     ///< "phase"
   std::string_view meaning;  ///< What one frame is for, after "one frame for each".
@@ -56,6 +66,28 @@ struct Act {
                         const LessonQuestion& question) = nullptr;
   /// What is shown; none: GJK.
   const Algorithm* algorithm = nullptr;
+
+  /// Where in the lesson a frame that asks nothing is: "iteration 2 of 4 · support".
+  std::string (*position)(const LessonRun& run, int index) = nullptr;
+  Tick (*tick)(const LessonRun& run, const Frame& frame) = nullptr;
+  /// The words of a frame that shows the start of a run of GJK; nullptr: as all say them.
+  void (*start)(const Story& story, FrameText& text) = nullptr;
+  /// The words of a frame that shows a step.
+  void (*words)(const Story& story, FrameText& text) = nullptr;
+  /// Draws what the step adds to a view; layers below and above it do the rest.
+  void (*stage)(SceneBuilder& scene) = nullptr;
+  /// Extends `seen` by what a view of run `index` shows beyond the shapes; a view without a camera
+  /// fits that, too.
+  void (*reach)(const LessonRun& run, int index, ViewKind view,
+                Eigen::AlignedBox2d& seen) = nullptr;
+  /// The question of a frame that asks one; nullptr: one about a run of GJK.
+  void (*question)(const Story& story, FrameText& text) = nullptr;
+  /// The values that prose can name and the sidecar file lists; nullptr: those of a run of GJK.
+  void (*values)(const Story& story, FrameText& text) = nullptr;
+  /// Draws a view all by itself; false where layers do. Only of an act with a plot.
+  bool (*fill)(SceneBuilder& scene, const Fonts& fonts) = nullptr;
+  /// What a plot is called where the lesson does not say.
+  std::string (*plot_title)(const LessonRun& run) = nullptr;
 
   /// nullptr when its frames cannot ask it.
   [[nodiscard]] const AskInfo* ask(std::string_view asked) const;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "lesson/html.hpp"
+#include "base/html.hpp"
 #include "paint/arrow.hpp"
 #include "picture/text_box.hpp"
 

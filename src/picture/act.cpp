@@ -4,12 +4,8 @@
 
 #include <algorithm>
 
-#include "effects/history.hpp"
-#include "effects/second_run.hpp"
-#include "effects/slab.hpp"
 #include "lesson/names.hpp"
-#include "lesson/questions.hpp"
-#include "picture/layers/layers.hpp"
+#include "run/questions.hpp"
 
 namespace gjkscope {
 
@@ -128,22 +124,6 @@ int answering_step_of_run(const LessonRun& run, const Frame& before, const Frame
     if (is_asked && is_open(run, trace, question.ask, i)) return i;
   }
   return -1;
-}
-
-void stage_step(SceneBuilder& scene) {
-  if (scene.shows_difference && !scene.shows(Slab::kName)) layers::best_support_line(scene);
-  if (scene.shows(History::kName)) layers::history(scene);
-  layers::simplex(scene);
-  if (scene.shows(History::kName)) layers::history_points(scene);
-  if (scene.shows_difference) {
-    layers::closest_line(scene);
-    if (scene.shows(SecondRun::kName)) layers::second_run(scene);
-    layers::search(scene);
-    layers::closest_point(scene);
-  } else {
-    layers::witness_points(scene);
-    layers::search_between_shapes(scene);
-  }
 }
 
 }  // namespace gjkscope

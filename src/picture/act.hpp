@@ -1,6 +1,6 @@
 #pragma once
-// An act as pictures know it: how its frames are placed in the lesson, told and drawn. Each is a
-// value in a file of acts/, listed in acts/list.def.
+// What acts (lesson/vocabulary.hpp) are made of: frames, their place in a lesson, their ticks on
+// the timeline.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "lesson/vocabulary.hpp"
-#include "picture/captions/story.hpp"
 #include "picture/scene.hpp"
+#include "picture/story.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope {
 
@@ -21,33 +22,6 @@ struct Tick {
   bool event = false;            ///< A vertex dropped, containment, the end.
   bool question = false;
 };
-
-struct StagedAct {
-  Act act;
-  /// Where in the lesson a frame that asks nothing is: "iteration 2 of 4 · support".
-  std::string (*position)(const LessonRun& run, int index) = nullptr;
-  Tick (*tick)(const LessonRun& run, const Frame& frame) = nullptr;
-  /// The words of a frame that shows the start of a run of GJK.
-  void (*start)(const Story& story, FrameText& text) = captions::start;
-  /// The words of a frame that shows a step.
-  void (*words)(const Story& story, FrameText& text) = nullptr;
-  /// Draws what the step adds to a view; layers below and above it do the rest (layers/).
-  void (*stage)(SceneBuilder& scene) = nullptr;
-  /// Extends `seen` by what a view of run `index` shows beyond the shapes; a view without a camera
-  /// fits that, too.
-  void (*reach)(const LessonRun& run, int index, ViewKind view,
-                Eigen::AlignedBox2d& seen) = nullptr;
-  /// The question of a frame that asks one.
-  void (*question)(const Story& story, FrameText& text) = captions::question;
-  /// The values that prose can name and the sidecar file lists.
-  void (*values)(const Story& story, FrameText& text) = captions::run_values;
-  /// Draws a view all by itself; false where layers do. Only of an act with a plot.
-  bool (*fill)(SceneBuilder& scene, const Fonts& fonts) = nullptr;
-  /// What a plot is called where the lesson does not say.
-  std::string (*plot_title)(const LessonRun& run) = nullptr;
-};
-
-// What several acts are made of.
 
 /// True when a frame from `index` on asks a question: how many steps there are would answer it.
 [[nodiscard]] bool asks_later(const LessonRun& run, int index);
@@ -83,8 +57,5 @@ template <class Step>
 /// The first step up to that of `frame` that tells what is asked for.
 [[nodiscard]] int answering_step_of_run(const LessonRun& run, const Frame& before,
                                         const Frame& frame, const LessonQuestion& question);
-
-/// Simplex, closest point, search direction and support point of a step.
-void stage_step(SceneBuilder& scene);
 
 }  // namespace gjkscope

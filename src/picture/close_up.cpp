@@ -1,6 +1,6 @@
 #include "picture/close_up.hpp"
 
-#include "geometry/polygon.hpp"
+#include "outlines/polygon.hpp"
 
 namespace gjkscope {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "geometry/polygon.hpp"
+#include "outlines/polygon.hpp"
 
 namespace gjkscope {
 namespace {

@@ -1,7 +1,6 @@
 #include "picture/legend.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -10,28 +9,6 @@
 
 namespace gjkscope {
 namespace {
-
-constexpr std::array<LegendEntry, 20> kEntries = {
-    {{"simplex.vertex", "vertex of the simplex S"},
-     {"support.vertex", "support point"},
-     {"closest", "closest point"},
-     {"dropped", "dropped vertex"},
-     {"support.plane", "support line, normal to d"},
-     {"query.earlier", "an earlier place of Q"},
-     {"support.best", "best support line so far"},
-     {"support.axis.foot", "foot: how far along"},
-     {"projection.point", "foot of the perpendicular from Q"},
-     {"closest.circle", "as far away as P"},
-     {"condition", "a condition holds on the side of the ticks"},
-     {"region.rejected", "ruled out"},
-     {"hull.ghost", "outline of Z, not known to GJK"},
-     {"cloud.point", "a difference y − x"},
-     {"cloud.touched", "a difference that was computed"},
-     {"pair.link", "joins the two vertices of a difference"},
-     {"history.closest", "P of an earlier iteration"},
-     {"skin.origin", "as far from O as both radii"},
-     {"skin.gap", "from one round shape to the other"},
-     {"path.now", "middle of a shape, on its way"}}};
 
 constexpr double kGlyph = 28.0;
 constexpr double kLegendPad = 12.0;
@@ -159,8 +136,6 @@ std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& 
 }
 
 }  // namespace
-
-std::span<const LegendEntry> own_legend_entries() { return kEntries; }
 
 const Mark* mark_of(const Scene& scene, std::string_view role) {
   const auto found = std::find_if(scene.marks.begin(), scene.marks.end(),

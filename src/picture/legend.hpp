@@ -2,7 +2,6 @@
 // What marks mean, said in the frame that shows them first, and while they are there where the
 // panel has room.
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,9 +13,6 @@ struct LegendEntry {
   std::string_view role;
   std::string_view text;
 };
-
-/// Those of marks that are drawn for GJK, in the order in which they are said.
-[[nodiscard]] std::span<const LegendEntry> own_legend_entries();
 
 /// The first mark with this role; null where there is none.
 [[nodiscard]] const Mark* mark_of(const Scene& scene, std::string_view role);

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "effects/facts.hpp"
-#include "effects/graph.hpp"
 #include "picture/picture.hpp"
 #include "picture/words.hpp"
+#include "run/facts.hpp"
+#include "run/graph.hpp"
 
 namespace gjkscope {
 

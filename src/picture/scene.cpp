@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects/barycentric.hpp"
 #include "lesson/vocabulary.hpp"
 #include "picture/hatch.hpp"
 
@@ -224,12 +223,6 @@ double SceneBuilder::arrow_length(const Vector2d& p) const {
   if (way < kPointRadius) return kArrowLength;
   // An arrow as long as the way to O would hide O under its head.
   return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
-}
-
-bool SceneBuilder::shows_closest_point() const {
-  // Frames that measure weights along a path leave P out: it would lie on what they measure.
-  const bool measures = run.act->sweeps && shows(BarycentricParts::kName);
-  return knows.closest_point && !measures;
 }
 
 }  // namespace gjkscope

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "effects/facts.hpp"
-#include "effects/graph.hpp"
 #include "lesson/vocabulary.hpp"
 #include "picture/labels.hpp"
+#include "run/facts.hpp"
+#include "run/graph.hpp"
 
 namespace gjkscope {
 
@@ -152,9 +152,6 @@ struct SceneBuilder {
   [[nodiscard]] double arrow_length(const Eigen::Vector2d& p) const;
 
   [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }
-  /// True when P is known, and does not lie on what frames measure.
-  [[nodiscard]] bool shows_closest_point() const;
-  [[nodiscard]] bool reaches_query() const { return shows_closest_point() && knows.is_at_query; }
   /// Elsewhere frames are about the vertices that P needs.
   [[nodiscard]] bool shows_whole_simplex() const { return run.act->follows_run; }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 
 namespace gjkscope {
 namespace {

@@ -13,7 +13,7 @@
 #define STBTT_STATIC
 #include <stb/stb_truetype.h>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 
 namespace gjkscope {
 namespace {

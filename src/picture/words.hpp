@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/run.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope {
 

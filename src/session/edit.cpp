@@ -8,11 +8,13 @@
 #include <numbers>
 #include <random>
 
-#include "effects/second_run.hpp"
-#include "geometry/polygon.hpp"
 #include "lesson/names.hpp"
 #include "lesson/schema.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/scalars/second_run.hpp"
+#include "subjects/scalars/subject.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope::edit {
 namespace {
@@ -247,11 +249,10 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
 }
 
 Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
-  const std::span<const StagedAct* const> acts = registered_acts();
-  const StagedAct& staged = **std::find_if(acts.begin(), acts.end(), [&](const StagedAct* each) {
-    return each->act.algorithm == &algorithm;
-  });
-  lesson.act = staged.act.name;
+  const std::span<const Act* const> acts = registered_acts();
+  const Act& act = **std::find_if(acts.begin(), acts.end(),
+                                  [&](const Act* each) { return each->algorithm == &algorithm; });
+  lesson.act = act.name;
   lesson.panel = {std::string(blocks::kPseudocode.name)};
   for (const Block* block : registered_blocks()) {
     if (block->act == lesson.act) lesson.panel.emplace_back(block->name);
@@ -265,7 +266,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.table = {};
   lesson.beside.reset();
   for (LessonShape& shape : lesson.bodies) {
-    if (!staged.act.needs.takes_radius) shape.radius = 0.0;
+    if (!act.needs.takes_radius) shape.radius = 0.0;
   }
   std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
   if (lesson.views.empty())

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lesson/case.hpp"
-#include "lesson/run.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope::edit {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/polygon.hpp"
+#include "outlines/polygon.hpp"
 #include "picture/text_box.hpp"
 
 namespace gjkscope {

@@ -1,8 +1,8 @@
 #pragma once
 // What of a picture is under the pointer.
 
-#include "effects/voronoi.hpp"
 #include "picture/picture.hpp"
+#include "subjects/regions/voronoi.hpp"
 
 namespace gjkscope {
 

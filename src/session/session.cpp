@@ -8,14 +8,14 @@
 #include <tuple>
 #include <utility>
 
-#include "effects/growth.hpp"
-#include "effects/minkowski.hpp"
+#include "frames/stage.hpp"
 #include "lesson/load.hpp"
-#include "lesson/questions.hpp"
 #include "lesson/save.hpp"
 #include "lesson/schema.hpp"
-#include "picture/registry.hpp"
-#include "picture/stage.hpp"
+#include "run/questions.hpp"
+#include "subjects/difference/minkowski.hpp"
+#include "subjects/growth/growth.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "frames/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/load.hpp"
-#include "picture/frame.hpp"
 
 namespace gjkscope {
 

@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "base/file.hpp"
+#include "base/html.hpp"
+#include "frames/frame.hpp"
 #include "lesson/chapters.hpp"
-#include "lesson/file.hpp"
-#include "lesson/html.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "web/player.hpp"
 
 namespace gjkscope {

@@ -10,7 +10,7 @@
 #include "study/counter.hpp"
 #include "study/less_work.hpp"
 #include "study/truth.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope::study {
 namespace {

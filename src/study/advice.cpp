@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "study/less_work.hpp"
 #include "study/report.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope::study {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // The exact run, compiled once: it takes the compiler its time.
 
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 #include "gjk/proof/result.hpp"
 
 namespace gjkscope::study {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/decimal.hpp"
-#include "lesson/html.hpp"
+#include "base/decimal.hpp"
+#include "base/html.hpp"
 #include "study/less_work.hpp"
 #include "study/report.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope::study {
 namespace {

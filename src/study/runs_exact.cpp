@@ -1,4 +1,4 @@
-#include "lesson/widen.hpp"
+#include "run/widen.hpp"
 #include "study/exact.hpp"
 #include "study/runs.hpp"
 

@@ -1,4 +1,4 @@
-#include "instances/instances.hpp"
+#include "exact/instances.hpp"
 #include "study/runs.hpp"
 
 namespace gjkscope::study {

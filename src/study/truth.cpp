@@ -7,7 +7,7 @@
 #include <numeric>
 #include <optional>
 
-#include "geometry/integer.hpp"
+#include "exact/integer.hpp"
 
 // Floating-point numbers are integers times a power of two, and so are vertices moved by poses.
 // Where X and Y stand on such a common grid nothing divides and nothing rounds. The simplex that

@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "lesson/decimal.hpp"
-#include "picture/study_plot.hpp"
+#include "base/decimal.hpp"
 #include "study/report.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/plot.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope {
 namespace {

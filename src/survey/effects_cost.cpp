@@ -6,9 +6,9 @@
 #include <chrono>
 #include <memory>
 
-#include "effects/registry.hpp"
-#include "lesson/decimal.hpp"
-#include "picture/frame.hpp"
+#include "base/decimal.hpp"
+#include "frames/frame.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {
@@ -105,12 +105,12 @@ std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, d
     rows.push_back(std::move(row));
     contestants.push_back(contestant(std::move(off), fonts));
   };
-  for (const EffectInfo& info : registered_effects()) {
-    const EffectCount count = effects.count(info.name);
+  for (const EffectInfo* info : registered_effects()) {
+    const EffectCount count = effects.count(info->name);
     if (count.pulls == 0) continue;
     if (!go_on()) return {};
     EffectCost row;
-    row.effect = info.name;
+    row.effect = info->name;
     row.pulls = count.pulls;
     row.runs = count.runs;
     row.share = count.seconds / once.count();

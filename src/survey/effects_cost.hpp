@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lesson/run.hpp"
 #include "picture/type.hpp"
+#include "run/run.hpp"
 #include "study/interleave.hpp"
 
 namespace gjkscope {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <ctime>
 
-#include "algorithms/general_growth/measure.hpp"
-#include "lesson/decimal.hpp"
-#include "models/brute.hpp"
+#include "base/decimal.hpp"
+#include "outlines/brute.hpp"
 #include "study/accuracy.hpp"
 #include "study/interleave.hpp"
+#include "subjects/general_growth/measure.hpp"
 
 namespace gjkscope {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lesson/lesson.hpp"
-#include "tables/growth.hpp"
+#include "subjects/growth/table.hpp"
 
 namespace gjkscope {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "lesson/decimal.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "base/decimal.hpp"
+#include "frames/frame.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lesson/run.hpp"
 #include "paint/canvas.hpp"
+#include "run/run.hpp"
 #include "study/interleave.hpp"
 
 namespace gjkscope {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects/balance.hpp"
-#include "lesson/decimal.hpp"
-#include "picture/registry.hpp"
-#include "tables/study_results.hpp"
-#include "tables/time.hpp"
+#include "base/decimal.hpp"
+#include "subjects/balance/balance.hpp"
+#include "subjects/balance/table.hpp"
+#include "subjects/study/results.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

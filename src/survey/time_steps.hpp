@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lesson/run.hpp"
+#include "run/run.hpp"
 #include "study/interleave.hpp"
 
 namespace gjkscope {

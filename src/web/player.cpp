@@ -11,11 +11,11 @@
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
-#include "picture/registry.hpp"
 #include "picture/tween.hpp"
+#include "run/trace_json.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
-#include "trace/trace_json.hpp"
+#include "subjects/subjects.hpp"
 #include "web/json.hpp"
 
 namespace gjkscope {

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects/penetration.hpp"
-#include "geometry/polygon.hpp"
-#include "lesson/hexadecimal.hpp"
+#include "base/hexadecimal.hpp"
+#include "frames/panel.hpp"
+#include "frames/timeline.hpp"
 #include "lesson/names.hpp"
+#include "outlines/polygon.hpp"
 #include "paint/svg.hpp"
-#include "picture/panel.hpp"
 #include "picture/text_box.hpp"
-#include "picture/timeline.hpp"
 #include "session/edit.hpp"
+#include "subjects/depth/penetration.hpp"
 #include "web/json.hpp"
 #include "web/player.hpp"
 

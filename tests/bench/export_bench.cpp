@@ -7,15 +7,15 @@
 #include <filesystem>
 #include <vector>
 
-#include "effects/graph.hpp"
 #include "export/export.hpp"
-#include "lesson/run.hpp"
+#include "frames/frame.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "run/graph.hpp"
+#include "run/run.hpp"
 #include "sample_picture.hpp"
 #include "shipped_lessons.hpp"
+#include "subjects/subjects.hpp"
 
 namespace {
 

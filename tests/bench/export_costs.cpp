@@ -20,17 +20,17 @@
 #include <string>
 #include <vector>
 
+#include "base/file.hpp"
 #include "document.hpp"
 #include "export/export.hpp"
-#include "lesson/file.hpp"
-#include "lesson/run.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
-#include "picture/registry.hpp"
+#include "run/run.hpp"
 #include "sample_picture.hpp"
 #include "shipped_lessons.hpp"
 #include "study/interleave.hpp"
+#include "subjects/subjects.hpp"
 
 namespace {
 

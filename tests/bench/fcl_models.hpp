@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "models/outline.hpp"
+#include "outlines/outline.hpp"
 
 namespace bench {
 

@@ -11,9 +11,9 @@
 #include <functional>
 #include <numbers>
 
-#include "algorithms/general_growth/measure.hpp"
-#include "models/brute.hpp"
-#include "models/lin_canny.hpp"
+#include "outlines/brute.hpp"
+#include "outlines/lin_canny.hpp"
+#include "subjects/general_growth/measure.hpp"
 #ifdef GJKSCOPE_FCL
 #include "fcl_models.hpp"
 #endif

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace bench {
 

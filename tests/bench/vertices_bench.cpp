@@ -20,9 +20,9 @@
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lesson/schema.hpp"
-#include "picture/registry.hpp"
 #include "session/edit.hpp"
 #include "session/session.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {

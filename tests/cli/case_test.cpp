@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "lesson/run.hpp"
-#include "picture/registry.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace case_test {

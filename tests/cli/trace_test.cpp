@@ -74,9 +74,9 @@ TEST(TraceJson, EveryKeyIsDocumented) {
   for (const std::string& text : {kPentagon, kOverlap, kInSpace, kOutlines}) {
     collect_keys(json::parse(trace(text, true).out), keys);
   }
-  for (const StagedAct* staged : registered_acts()) {
-    if (staged->act.algorithm == nullptr) continue;
-    collect_keys(json::parse(trace_of_lesson_with(staged->act.name)), keys);
+  for (const Act* staged : registered_acts()) {
+    if (staged->algorithm == nullptr) continue;
+    collect_keys(json::parse(trace_of_lesson_with(staged->name)), keys);
   }
   EXPECT_GT(keys.size(), 50u);
   const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/trace-format.md");

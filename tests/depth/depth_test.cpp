@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 #include "pairs.hpp"
 
 namespace test {

@@ -1,7 +1,7 @@
 #pragma once
 // Pairs that meet, of every family, and what is asked of their depths.
 
-#include "algorithms/depth/depth.hpp"
+#include "subjects/depth/depth.hpp"
 #include "truth.hpp"
 
 namespace test {

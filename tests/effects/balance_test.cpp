@@ -1,13 +1,13 @@
-#include "effects/balance.hpp"
+#include "subjects/balance/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "effects/projection.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
-#include "tables/time.hpp"
+#include "subjects/balance/table.hpp"
+#include "subjects/subjects.hpp"
+#include "subjects/weights/projection.hpp"
 
 namespace gjkscope {
 namespace balance_test {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <set>
 
-#include "effects/cold_start.hpp"
-#include "effects/motion.hpp"
-#include "effects/slab.hpp"
-#include "effects/touched_points.hpp"
-#include "geometry/polygon.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
+#include "subjects/answer/cold_start.hpp"
+#include "subjects/motion/motion.hpp"
+#include "subjects/subjects.hpp"
+#include "subjects/support/slab.hpp"
+#include "subjects/support/touched_points.hpp"
 
 namespace gjkscope {
 namespace difference_test {

@@ -5,20 +5,20 @@
 #include <set>
 #include <sstream>
 
-#include "effects/barycentric.hpp"
-#include "effects/direction_rules.hpp"
-#include "effects/every_scalar.hpp"
-#include "effects/facts.hpp"
-#include "effects/history.hpp"
-#include "effects/minkowski.hpp"
-#include "effects/motion.hpp"
-#include "effects/other_normal.hpp"
-#include "effects/registry.hpp"
-#include "effects/second_run.hpp"
-#include "effects/shape_hull.hpp"
-#include "effects/voronoi.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "run/effect_info.hpp"
+#include "run/facts.hpp"
+#include "subjects/difference/minkowski.hpp"
+#include "subjects/motion/motion.hpp"
+#include "subjects/regions/voronoi.hpp"
+#include "subjects/run/direction_rules.hpp"
+#include "subjects/run/history.hpp"
+#include "subjects/run/other_normal.hpp"
+#include "subjects/scalars/every_scalar.hpp"
+#include "subjects/scalars/second_run.hpp"
+#include "subjects/shape_hull/shape_hull.hpp"
+#include "subjects/subjects.hpp"
+#include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope {
 namespace effects_test {
@@ -39,8 +39,8 @@ Lesson point_and_triangle(const Vector2d& q) {
 TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
   const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
   EffectGraph graph(run);
-  for (const EffectInfo& effect : registered_effects())
-    EXPECT_EQ(graph.count(effect.name).runs, 0) << effect.name;
+  for (const EffectInfo* effect : registered_effects())
+    EXPECT_EQ(graph.count(effect->name).runs, 0) << effect->name;
   for (const Frame& frame : run.frames) (void)graph.get<MinkowskiHull>(frame);
   EXPECT_EQ(graph.count("minkowski-hull").pulls, static_cast<long>(run.frames.size()));
   EXPECT_EQ(graph.count("minkowski-hull").runs, 1) << "the hull does not depend on the step";
@@ -87,12 +87,12 @@ TEST(FramePart, AnActTakesStepsApartByATypeOfItsOwn) {
 
 TEST(EffectRegistry, EffectsNeedOnlyWhatIsRegisteredBeforeThem) {
   std::set<std::string_view> known;
-  for (const EffectInfo& effect : registered_effects()) {
-    EXPECT_TRUE(known.insert(effect.name).second) << effect.name;
-    std::istringstream needs{std::string(effect.needs)};
+  for (const EffectInfo* effect : registered_effects()) {
+    EXPECT_TRUE(known.insert(effect->name).second) << effect->name;
+    std::istringstream needs{std::string(effect->needs)};
     for (std::string name; std::getline(needs, name, ',');)
-      EXPECT_TRUE(known.contains(name)) << effect.name << " needs " << name;
-    EXPECT_FALSE(effect.summary.empty());
+      EXPECT_TRUE(known.contains(name)) << effect->name << " needs " << name;
+    EXPECT_FALSE(effect->summary.empty());
   }
 }
 

@@ -1,4 +1,4 @@
-#include "effects/growth.hpp"
+#include "subjects/growth/growth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lessons.hpp"
-#include "picture/registry.hpp"
-#include "tables/growth.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace growth_test {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "effects/numerical_issue.hpp"
 #include "lessons.hpp"
+#include "subjects/issues/numerical_issue.hpp"
 
 namespace gjkscope {
 namespace issues_test {

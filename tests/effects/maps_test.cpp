@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <random>
 
-#include "effects/barycentric.hpp"
-#include "effects/region_orders.hpp"
-#include "effects/sign_map.hpp"
-#include "picture/registry.hpp"
+#include "subjects/maps/region_orders.hpp"
+#include "subjects/maps/sign_map.hpp"
+#include "subjects/subjects.hpp"
+#include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope {
 namespace maps_test {

@@ -13,11 +13,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include "base/html.hpp"
 #include "export/contact_sheet.hpp"
 #include "export/record.hpp"
-#include "lesson/html.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {

@@ -10,7 +10,7 @@
 
 #include "export/export.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {

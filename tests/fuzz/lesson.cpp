@@ -13,14 +13,14 @@
 #include <numeric>
 
 #include "claims.hpp"
-#include "effects/graph.hpp"
+#include "frames/frame.hpp"
 #include "lesson/load.hpp"
-#include "lesson/run.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
-#include "tables/growth.hpp"
-#include "trace/trace_json.hpp"
-#include "trace/trace_text.hpp"
+#include "run/graph.hpp"
+#include "run/run.hpp"
+#include "run/trace_json.hpp"
+#include "run/trace_text.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope::fuzz {
 namespace {

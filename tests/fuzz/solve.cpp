@@ -11,10 +11,10 @@
 
 #include "claims.hpp"
 #include "cli/commands.hpp"
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
-#include "lesson/scalar.hpp"
+#include "run/scalar.hpp"
 #include "truth/bars.hpp"
 
 namespace gjkscope::fuzz {

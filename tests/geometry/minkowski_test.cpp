@@ -1,4 +1,4 @@
-#include "geometry/minkowski.hpp"
+#include "outlines/minkowski.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/polygon.hpp"
+#include "outlines/polygon.hpp"
 
 namespace gjkscope {
 namespace minkowski_test {

@@ -1,4 +1,4 @@
-#include "geometry/polygon.hpp"
+#include "outlines/polygon.hpp"
 
 #include <gtest/gtest.h>
 

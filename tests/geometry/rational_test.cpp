@@ -1,4 +1,4 @@
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -13,13 +13,13 @@
 #include <sstream>
 
 #include "fonts.hpp"
+#include "frames/frame.hpp"
 #include "golden/golden_text.hpp"
 #include "golden/pixels.hpp"
 #include "lessons.hpp"
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace golden_test {

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <vector>
 
+#include "frames/frame.hpp"
 #include "lesson/names.hpp"
-#include "picture/frame.hpp"
-#include "trace/trace_json.hpp"
-#include "trace/trace_text.hpp"
+#include "run/trace_json.hpp"
+#include "run/trace_text.hpp"
 
 namespace gjkscope::golden {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "lesson/run.hpp"
 #include "picture/picture.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope::golden {
 

@@ -12,7 +12,7 @@
 #include "lesson/save.hpp"
 #include "lesson/table_kind.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace act_table_test {

@@ -1,6 +1,6 @@
 // Files appear whole or not at all.
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

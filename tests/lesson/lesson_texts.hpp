@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/registry.hpp"
+#include "run/effect_info.hpp"
 
 namespace gjkscope::testing {
 

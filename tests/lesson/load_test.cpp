@@ -7,15 +7,15 @@
 #include <cmath>
 #include <ostream>
 
-#include "effects/balance.hpp"
-#include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
-#include "picture/acts/study.hpp"
-#include "picture/registry.hpp"
-#include "tables/growth.hpp"
-#include "tables/study.hpp"
-#include "tables/time.hpp"
+#include "run/run.hpp"
+#include "subjects/balance/balance.hpp"
+#include "subjects/balance/table.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/study/act.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {

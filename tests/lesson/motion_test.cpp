@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "lesson/load.hpp"
-#include "lesson/run.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace motion_test {

@@ -10,10 +10,10 @@
 
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
-#include "lesson/run.hpp"
 #include "lesson/save.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace mutation_test {

@@ -6,10 +6,10 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
-#include "tables/trees.hpp"
-#include "trace/trace_json.hpp"
-#include "trace/trace_text.hpp"
+#include "run/trace_json.hpp"
+#include "run/trace_text.hpp"
+#include "subjects/hierarchy/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace outlines_test {

@@ -7,11 +7,11 @@
 #include <random>
 #include <sstream>
 
-#include "lesson/file.hpp"
+#include "base/file.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lesson/toml_patch.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace patch_test {

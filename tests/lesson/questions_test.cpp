@@ -1,12 +1,12 @@
-#include "lesson/questions.hpp"
+#include "run/questions.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "effects/facts.hpp"
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
+#include "run/facts.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace questions_test {

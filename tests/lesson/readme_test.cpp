@@ -13,10 +13,10 @@
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
 #include "lesson/prose.hpp"
-#include "lesson/run.hpp"
 #include "lesson/schema.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
+#include "run/run.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace readme_test {
@@ -58,11 +58,11 @@ TEST(Readme, ListsEveryPlaceholder) {
   for (const PlaceholderInfo& placeholder : kPlaceholders) {
     rows.push_back(fmt::format("| `{{{}}}` | {} |", placeholder.name, placeholder.meaning));
   }
-  for (const StagedAct* each : registered_acts()) {
-    if (each->act.algorithm == nullptr) continue;
-    for (const PlaceholderInfo& value : each->act.algorithm->values) {
-      rows.push_back(fmt::format("| `{{{}}}` | with granularity `{}`: {} |", value.name,
-                                 each->act.name, value.meaning));
+  for (const Act* each : registered_acts()) {
+    if (each->algorithm == nullptr) continue;
+    for (const PlaceholderInfo& value : each->algorithm->values) {
+      rows.push_back(fmt::format("| `{{{}}}` | with granularity `{}`: {} |", value.name, each->name,
+                                 value.meaning));
     }
   }
   EXPECT_EQ(joined(table_under("## Placeholders")), joined(rows));
@@ -70,13 +70,13 @@ TEST(Readme, ListsEveryPlaceholder) {
 
 TEST(Readme, ListsEveryQuestion) {
   std::vector<std::string> rows;
-  for (const StagedAct* first : registered_acts()) {
-    for (const AskInfo& ask : first->act.asks) {
+  for (const Act* first : registered_acts()) {
+    for (const AskInfo& ask : first->asks) {
       std::string acts;
-      for (const StagedAct* each : registered_acts()) {
-        if (each->act.ask(ask.name) == nullptr) continue;
-        EXPECT_EQ(ask.meaning, each->act.ask(ask.name)->meaning);
-        acts += (acts.empty() ? "" : ", ") + std::string(each->act.name);
+      for (const Act* each : registered_acts()) {
+        if (each->ask(ask.name) == nullptr) continue;
+        EXPECT_EQ(ask.meaning, each->ask(ask.name)->meaning);
+        acts += (acts.empty() ? "" : ", ") + std::string(each->name);
       }
       const std::string row = fmt::format("| `{}` | {} | {} |", ask.name, acts, ask.meaning);
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
@@ -87,9 +87,9 @@ TEST(Readme, ListsEveryQuestion) {
 
 TEST(Readme, ListsEveryEffectOfViews) {
   std::vector<std::string> rows;
-  for (const EffectInfo& effect : registered_effects()) {
-    if (effect.used_by != "view") continue;
-    rows.push_back(fmt::format("| `{}` | {} |", effect.name, effect.summary));
+  for (const EffectInfo* effect : registered_effects()) {
+    if (effect->used_by != "view") continue;
+    rows.push_back(fmt::format("| `{}` | {} |", effect->name, effect->summary));
   }
   EXPECT_EQ(joined(table_under("## Effects")), joined(rows));
 }
@@ -97,7 +97,7 @@ TEST(Readme, ListsEveryEffectOfViews) {
 TEST(Readme, ListsEveryGranularityBlockAndListing) {
   const auto row = [](const auto& of) { return fmt::format("| `{}` | {} |", of.name, of.meaning); };
   std::vector<std::string> acts;
-  for (const StagedAct* each : registered_acts()) acts.push_back(row(each->act));
+  for (const Act* each : registered_acts()) acts.push_back(row(*each));
   EXPECT_EQ(joined(table_under("## Granularity")), joined(acts));
   std::vector<std::string> blocks;
   for (const Block* each : registered_blocks()) blocks.push_back(row(*each));

@@ -11,15 +11,15 @@
 #include <cstdint>
 #include <random>
 
+#include "base/decimal.hpp"
 #include "lesson/case.hpp"
-#include "lesson/decimal.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson_texts.hpp"
-#include "picture/registry.hpp"
-#include "tables/growth.hpp"
-#include "tables/study.hpp"
-#include "tables/time.hpp"
+#include "subjects/balance/table.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace save_test {

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "effects/second_run.hpp"
 #include "lesson/case.hpp"
 #include "lessons.hpp"
+#include "subjects/scalars/second_run.hpp"
 
 namespace gjkscope {
 namespace start_test {

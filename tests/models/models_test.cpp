@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "models/brute.hpp"
-#include "models/lin_canny.hpp"
-#include "models/pieces.hpp"
-#include "models/sphere_tree.hpp"
+#include "outlines/brute.hpp"
+#include "outlines/lin_canny.hpp"
+#include "outlines/pieces.hpp"
+#include "outlines/sphere_tree.hpp"
 #include "scenes.hpp"
 #include "truth.hpp"
 

@@ -7,10 +7,10 @@
 #include <array>
 #include <random>
 
-#include "algorithms/minkowski_sum/merge.hpp"
-#include "algorithms/slab_proof/descent.hpp"
-#include "geometry/polygon.hpp"
 #include "gjk/gjk.hpp"
+#include "outlines/polygon.hpp"
+#include "subjects/minkowski_sum/merge.hpp"
+#include "subjects/slab_proof/descent.hpp"
 
 namespace proofs_test {
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <string_view>
 
-#include "models/outline.hpp"
+#include "outlines/outline.hpp"
 
 namespace test {
 

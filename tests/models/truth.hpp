@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "models/nearest.hpp"
+#include "outlines/nearest.hpp"
 
 namespace test {
 

@@ -14,10 +14,10 @@
 #include <thread>
 #include <vector>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "paint/cut.hpp"
 #include "paint/imgui_painter.hpp"
-#include "picture/frame.hpp"
 #include "sample_picture.hpp"
 #include "temporary_folder.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "paint/canvas.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace extreme_test {

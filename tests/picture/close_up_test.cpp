@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
 
 namespace gjkscope {
 namespace close_up_test {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "algorithms/general_growth/lesson_trace.hpp"
-#include "algorithms/methods/lesson_trace.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
 #include "picture/words.hpp"
-#include "tables/growth.hpp"
+#include "subjects/general_growth/lesson_trace.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/methods/lesson_trace.hpp"
 
 namespace gjkscope {
 namespace costs_test {

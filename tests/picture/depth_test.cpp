@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "algorithms/depth/lesson_trace.hpp"
+#include "frames/frame.hpp"
+#include "frames/stage.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/stage.hpp"
 #include "picture/words.hpp"
+#include "subjects/depth/lesson_trace.hpp"
 
 namespace gjkscope {
 namespace depth_test {

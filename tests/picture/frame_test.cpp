@@ -1,6 +1,6 @@
 // Every frame of every shipped lesson, at several sizes: what a reader would stumble over.
 
-#include "picture/frame.hpp"
+#include "frames/frame.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,15 +13,15 @@
 #include <set>
 #include <sstream>
 
-#include "lesson/questions.hpp"
+#include "frames/timeline.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
 #include "picture/scene.hpp"
 #include "picture/text_box.hpp"
 #include "picture/theme.hpp"
-#include "picture/timeline.hpp"
 #include "picture/words.hpp"
-#include "tables/study.hpp"
+#include "run/questions.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 
@@ -765,31 +765,32 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
     // What these pull themselves, and what that pulls.
     std::set<std::string> wanted = called;
     if (counts) wanted.insert("touched-points");
-    const auto& registered = registered_effects();
-    for (auto effect = registered.rbegin(); effect != registered.rend(); ++effect) {
+    for (const EffectInfo* effect : registered_effects()) {
       if (!wanted.contains(std::string(effect->name))) continue;
-      for (const std::string_view name : names_in(effect->needs)) wanted.emplace(name);
+      for (const EffectInfo* other : registered_effects()) {
+        if (pulls(*effect, other->name)) wanted.emplace(other->name);
+      }
     }
-    for (const EffectInfo& effect : registered_effects()) {
-      const bool wanted_by_view = called.contains(std::string(effect.name));
-      const long runs = effects.count(effect.name).runs;
+    for (const EffectInfo* effect : registered_effects()) {
+      const bool wanted_by_view = called.contains(std::string(effect->name));
+      const long runs = effects.count(effect->name).runs;
       if (wanted_by_view) {
-        EXPECT_GT(runs, 0) << lesson.id << " calls for " << effect.name
+        EXPECT_GT(runs, 0) << lesson.id << " calls for " << effect->name
                            << " and draws nothing of it";
       }
-      if (!wanted.contains(std::string(effect.name)) && effect.used_by == "view") {
-        EXPECT_EQ(runs, 0) << lesson.id << " does not call for " << effect.name;
+      if (!wanted.contains(std::string(effect->name)) && effect->used_by == "view") {
+        EXPECT_EQ(runs, 0) << lesson.id << " does not call for " << effect->name;
       }
-      EXPECT_LE(runs, effects.count(effect.name).pulls);
+      EXPECT_LE(runs, effects.count(effect->name).pulls);
     }
   }
-  for (const EffectInfo& effect : registered_effects()) {
+  for (const EffectInfo* effect : registered_effects()) {
     std::set<std::string_view> pulled;
     for (const auto& [from, to] : pulls) {
-      if (from == effect.name) pulled.insert(to);
+      if (from == effect->name) pulled.insert(to);
     }
-    const std::vector<std::string_view> needs = names_in(effect.needs);
-    EXPECT_EQ(pulled, std::set<std::string_view>(needs.begin(), needs.end())) << effect.name;
+    const std::vector<std::string_view> needs = names_in(effect->needs);
+    EXPECT_EQ(pulled, std::set<std::string_view>(needs.begin(), needs.end())) << effect->name;
   }
 }
 

@@ -1,6 +1,6 @@
 // The lesson whose polygons grow: plots and captions say what was measured.
 
-#include "effects/growth.hpp"
+#include "subjects/growth/growth.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
 #include "picture/words.hpp"
-#include "tables/growth.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace growth_test {

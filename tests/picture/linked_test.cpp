@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <set>
 
-#include "effects/facts.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
 #include "picture/text_box.hpp"
+#include "run/facts.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace linked_test {

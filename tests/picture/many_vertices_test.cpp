@@ -12,8 +12,8 @@
 #include <set>
 #include <utility>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
 #include "picture/text_box.hpp"
 
 namespace gjkscope {

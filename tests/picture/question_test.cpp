@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace question_test {

@@ -13,10 +13,10 @@
 #include <regex>
 #include <set>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
 #include "picture/theme.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace roles_test {

@@ -1,6 +1,6 @@
 // Shapes with a radius: the answer, its words, its outlines, and where a file may have one.
 
-#include "effects/round_shapes.hpp"
+#include "subjects/round_shapes/round_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <filesystem>
 #include <numbers>
 
-#include "geometry/polygon.hpp"
+#include "frames/frame.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace round_shapes_test {

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <set>
 
-#include "algorithms/hierarchy/lesson_trace.hpp"
-#include "algorithms/hierarchy/pictures/shown.hpp"
-#include "algorithms/methods/lesson_trace.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "models/brute.hpp"
-#include "picture/frame.hpp"
+#include "outlines/brute.hpp"
+#include "subjects/hierarchy/lesson_trace.hpp"
+#include "subjects/hierarchy/shown.hpp"
+#include "subjects/methods/lesson_trace.hpp"
 
 namespace gjkscope {
 namespace search_test {

@@ -1,21 +1,20 @@
 // The lesson that shows the study of accuracy: one pair, its plot, and what captions and panels
 // say.
 
-#include "picture/acts/study.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "effects/rounded_pair.hpp"
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
-#include "picture/study_plot.hpp"
-#include "picture/study_words.hpp"
-#include "tables/study.hpp"
+#include "subjects/study/act.hpp"
+#include "subjects/study/dot_words.hpp"
+#include "subjects/study/plot.hpp"
+#include "subjects/study/rounded_pair.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace study_test {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
 
 namespace gjkscope {
 namespace tween_test {

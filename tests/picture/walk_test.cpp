@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "algorithms/lin_canny/pictures/shown.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
 #include "picture/words.hpp"
+#include "subjects/lin_canny/shown.hpp"
 
 namespace gjkscope {
 namespace walk_test {

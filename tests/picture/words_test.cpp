@@ -4,7 +4,7 @@
 
 #include "lesson/names.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace words_test {

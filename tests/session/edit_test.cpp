@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <set>
 
-#include "algorithms/depth/lesson_trace.hpp"
-#include "geometry/polygon.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
 #include "session/session.hpp"
-#include "tables/growth.hpp"
+#include "subjects/depth/lesson_trace.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace edit_test {

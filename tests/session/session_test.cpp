@@ -13,14 +13,14 @@
 #include <numbers>
 #include <set>
 
-#include "effects/growth.hpp"
-#include "effects/registry.hpp"
 #include "fonts.hpp"
 #include "lesson/schema.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "run/effect_info.hpp"
 #include "session/edit.hpp"
-#include "tables/growth.hpp"
+#include "subjects/growth/growth.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace session_test {
@@ -46,8 +46,8 @@ void move_y(Session& session, double by) {
 /// How often each effect was computed for what is shown.
 std::vector<long> effect_runs(Session& session) {
   std::vector<long> runs;
-  for (const EffectInfo& effect : registered_effects())
-    runs.push_back(session.effects().count(effect.name).runs);
+  for (const EffectInfo* effect : registered_effects())
+    runs.push_back(session.effects().count(effect->name).runs);
   return runs;
 }
 

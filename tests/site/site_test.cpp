@@ -9,7 +9,7 @@
 
 #include "lesson/load.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {

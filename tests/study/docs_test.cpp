@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "study/report.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope::study {
 namespace docs_test {

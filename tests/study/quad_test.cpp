@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 #include "study/answer.hpp"
 #include "study/families.hpp"
 #include "study/truth.hpp"

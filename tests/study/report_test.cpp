@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "small_study.hpp"
-#include "tables/study_results.hpp"
+#include "subjects/study/results.hpp"
 
 namespace gjkscope::study {
 namespace report_test {

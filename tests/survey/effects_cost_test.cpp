@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <set>
 
-#include "effects/graph.hpp"
-#include "effects/registry.hpp"
+#include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
+#include "run/effect_info.hpp"
+#include "run/graph.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace effects_cost_test {
@@ -34,8 +34,8 @@ TEST(EffectsCost, HasALineForEachEffectThatIsCalledFor) {
   EffectGraph effects(lesson());
   static_cast<void>(lesson_pictures(lesson(), effects, fonts()));
   std::set<std::string> called;
-  for (const EffectInfo& info : registered_effects()) {
-    if (effects.count(info.name).pulls > 0) called.insert(std::string(info.name));
+  for (const EffectInfo* info : registered_effects()) {
+    if (effects.count(info->name).pulls > 0) called.insert(std::string(info->name));
   }
   ASSERT_FALSE(called.empty());
   ASSERT_EQ(costs().size(), called.size() + 1);

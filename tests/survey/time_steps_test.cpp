@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "effects/balance.hpp"
 #include "lessons.hpp"
-#include "tables/time.hpp"
+#include "subjects/balance/balance.hpp"
+#include "subjects/balance/table.hpp"
 
 namespace gjkscope {
 namespace time_steps_test {

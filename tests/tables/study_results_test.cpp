@@ -1,5 +1,3 @@
-#include "tables/study_results.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+
+#include "subjects/study/results.hpp"
 
 namespace gjkscope {
 namespace study_results_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/rational.hpp"
+#include "exact/rational.hpp"
 #include "gjk/gjk.hpp"
 #include "study/pair.hpp"
 

@@ -18,18 +18,18 @@
 #include "command_line.hpp"
 #include "drawers/effects.hpp"
 #include "fonts.hpp"
+#include "frames/frame.hpp"
 #include "golden/pixels.hpp"
 #include "headless_app.hpp"
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "lessons.hpp"
-#include "picture/acts/study.hpp"
-#include "picture/frame.hpp"
-#include "picture/registry.hpp"
 #include "picture/theme.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
-#include "tables/study.hpp"
+#include "subjects/study/act.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace app_test {

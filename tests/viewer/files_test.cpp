@@ -11,12 +11,12 @@
 
 #include "command_line.hpp"
 #include "drawers/values.hpp"
-#include "geometry/polygon.hpp"
 #include "headless_app.hpp"
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
-#include "picture/registry.hpp"
+#include "outlines/polygon.hpp"
 #include "session/edit.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 #include "widgets.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "headless_app.hpp"
 #include "lesson/load.hpp"
-#include "lesson/run.hpp"
-#include "picture/registry.hpp"
 #include "picture/words.hpp"
+#include "run/run.hpp"
 #include "session/edit.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace lecture_test {

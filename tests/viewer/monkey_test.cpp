@@ -11,7 +11,7 @@
 #include "headless_app.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"
-#include "picture/registry.hpp"
+#include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace monkey_test {

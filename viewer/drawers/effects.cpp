@@ -11,9 +11,9 @@
 #include <memory>
 
 #include "app.hpp"
-#include "effects/growth.hpp"
-#include "picture/frame.hpp"
-#include "picture/stage.hpp"
+#include "frames/frame.hpp"
+#include "frames/stage.hpp"
+#include "subjects/growth/growth.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -183,9 +183,10 @@ std::optional<std::vector<bool>> EffectTrial::frames_changed_by(std::size_t view
 
 std::vector<const EffectInfo*> offered_effects(const Lesson& lesson) {
   std::vector<const EffectInfo*> out;
-  for (const EffectInfo& info : registered_effects()) {
-    const bool fits = info.act.empty() || info.act == lesson.act;
-    if (info.used_by == "view" && fits && (!info.second_run || lesson.beside)) out.push_back(&info);
+  for (const EffectInfo* info : registered_effects()) {
+    const bool fits = info->act.empty() || info->act == lesson.act;
+    if (info->used_by == "view" && fits && (!info->second_run || lesson.beside))
+      out.push_back(info);
   }
   return out;
 }

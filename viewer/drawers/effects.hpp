@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "effects/graph.hpp"
-#include "effects/registry.hpp"
 #include "picture/scene.hpp"
+#include "run/effect_info.hpp"
+#include "run/graph.hpp"
 
 namespace gjkscope {
 

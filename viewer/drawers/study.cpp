@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "app.hpp"
-#include "lesson/decimal.hpp"
+#include "base/decimal.hpp"
 #include "lesson/load.hpp"
-#include "picture/acts/study.hpp"
-#include "picture/registry.hpp"
 #include "study/configuration.hpp"
-#include "tables/study.hpp"
+#include "subjects/study/act.hpp"
+#include "subjects/study/table.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

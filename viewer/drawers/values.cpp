@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app.hpp"
-#include "effects/penetration.hpp"
 #include "lesson/names.hpp"
 #include "session/edit.hpp"
+#include "subjects/depth/penetration.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

@@ -1,0 +1,37 @@
+#include "frames/caption.hpp"
+
+#include <map>
+
+#include "lesson/prose.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
+  FrameText text;
+  const Story story(run, effects, frame);
+  const Act& act = *run.act;
+  const StepInfo info = run.info(frame);
+  text.phase = info.phase;
+  text.iteration = info.iteration;
+  if (frame.question >= 0) {
+    (act.question ? act.question : captions::question)(story, text);
+    if (text.detail.empty()) text.detail = listed_choices(text.question->choices);
+    text.phase = "question";
+    text.iteration = run.answering_iteration(frame);
+  } else if (frame.step < 0 && !frame.steps_over) {
+    (act.start ? act.start : captions::start)(story, text);
+  } else {
+    act.words(story, text);
+    for (const SubjectParts* subject : all_subjects()) {
+      if (subject->adds != nullptr) subject->adds(story, text);
+    }
+  }
+  (act.values ? act.values : captions::run_values)(story, text);
+  text.prose = expand(run.lesson.prose,
+                      std::map<std::string, std::string>(text.values.begin(), text.values.end()));
+  return text;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,27 @@
+#include "frames/panel.hpp"
+
+#include <algorithm>
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                              const Fonts& fonts, const Rect& card) {
+  PanelBuilder panel(run, effects, frame, fonts, card);
+  for (const std::string& name : run.lesson.panel) {
+    const std::size_t before = panel.marks.size();
+    if (&name != &run.lesson.panel.front()) panel.rule();
+    const std::size_t empty = panel.marks.size();
+    const auto block = std::find_if(registered_blocks().begin(), registered_blocks().end(),
+                                    [&](const Block* each) { return each->name == name; });
+    (*block)->write(panel);
+    // A rule above nothing would promise something.
+    if (panel.marks.size() == empty)
+      panel.marks.erase(panel.marks.begin() + static_cast<std::ptrdiff_t>(before),
+                        panel.marks.end());
+  }
+  return std::move(panel.marks);
+}
+
+}  // namespace gjkscope

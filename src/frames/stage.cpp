@@ -1,0 +1,105 @@
+#include "frames/stage.hpp"
+
+#include <algorithm>
+
+#include "picture/layer.hpp"
+#include "subjects/motion/motion.hpp"
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+using Eigen::Vector2d;
+
+Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
+  constexpr double kSide = 46.0;
+  constexpr double kTop = 58.0;
+  constexpr double kBottom = 42.0;
+  const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
+  const Vector2d extent = box.sizes();
+  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,
+                          extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
+  if (scale >= 1e300) scale = room.y();
+  Camera camera;
+  camera.height = area.size().y() / scale;
+  camera.center = 0.5 * (box.min() + box.max()) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale);
+  return camera;
+}
+
+Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
+  if (view.camera) {
+    // On a page narrower than the usual one the height gives way, so that nothing is cut off at the
+    // sides.
+    const double usual_aspect = run.lesson.views.size() == 1 ? 1.8 : 0.95;
+    Camera camera = *view.camera;
+    camera.height *= std::max(1.0, usual_aspect * area.size().y() / area.size().x());
+    return camera;
+  }
+  Eigen::AlignedBox2d seen;
+  const Act& act = *run.act;
+  for (std::size_t index = 0; index < run.runs.size(); ++index) {
+    const PositionedRun& positioned = run.runs[index];
+    if (act.reach != nullptr) act.reach(run, static_cast<int>(index), view.kind, seen);
+    const auto box_of = [&](std::size_t body) {
+      Eigen::AlignedBox2d box;
+      for (const Vector2d& vertex : positioned.bodies[body].world) box.extend(vertex);
+      return box;
+    };
+    const auto extend = [&](const Eigen::AlignedBox2d& box, double radius) {
+      const Vector2d around = Vector2d::Constant(radius);
+      seen.extend(box.min() - around).extend(box.max() + around);
+    };
+    const Eigen::AlignedBox2d x = box_of(0);
+    const Eigen::AlignedBox2d y = box_of(1);
+    const bool is_world = view.kind == ViewKind::world;
+    if (is_world) {
+      extend(x, run.lesson.x().radius);
+      extend(y, run.lesson.y().radius);
+      if (!view.calls_for(GrownObstacle::kName)) continue;
+    }
+    const Vector2d shift = is_world ? positioned.x().placement.translate : Vector2d(0.0, 0.0);
+    extend(Eigen::AlignedBox2d(shift),
+           is_world ? 0.0 : run.lesson.x().radius + run.lesson.y().radius);
+    extend({y.min() - x.max() + shift, y.max() - x.min() + shift}, 0.0);
+  }
+  return camera_around(seen, area);
+}
+
+namespace {
+
+bool is_on(const Layer& layer, ViewKind kind) {
+  return layer.on == Layer::On::every_view ||
+         (layer.on == Layer::On::world) == (kind == ViewKind::world);
+}
+
+}  // namespace
+
+Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                  const LessonView& view, const StageMap& map, const Fonts& fonts,
+                  StillLayers& drawn) {
+  const Act& act = *run.act;
+  SceneBuilder scene(run, effects, frame, view, map);
+  if (act.fill != nullptr && act.fill(scene, fonts)) return std::move(scene.out);
+  const auto draw_layer = [&](const Layer& layer) {
+    if (layer.key == nullptr) return layer.draw(scene);
+    const auto [still, is_new] = drawn.try_emplace({&layer, layer.key(scene)});
+    if (is_new) {
+      std::swap(scene.out, still->second);
+      layer.draw(scene);
+      std::swap(scene.out, still->second);
+    }
+    scene.out.append(still->second);
+  };
+  const auto draw = [&](bool above) {
+    for (const Layer* layer : registered_layers()) {
+      const bool is_above = layer->order > Layer::kOfAct;
+      const bool is_called = layer->effect.empty() || scene.shows(layer->effect);
+      if (is_above == above && is_called && is_on(*layer, view.kind)) draw_layer(*layer);
+    }
+  };
+  draw(false);
+  act.stage(scene);
+  draw(true);
+  return std::move(scene.out);
+}
+
+}  // namespace gjkscope

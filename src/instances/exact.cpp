@@ -1,4 +1,0 @@
-#include "instances/instances.hpp"
-
-GJKSCOPE_INSTANCES(, gjkscope::Rational, 2)
-GJKSCOPE_INSTANCES(, gjkscope::Rational, 3)

@@ -1,4 +1,0 @@
-#include "instances/instances.hpp"
-
-GJKSCOPE_INSTANCES(, float, 2)
-GJKSCOPE_INSTANCES(, float, 3)

@@ -1,4 +1,0 @@
-#include "instances/instances.hpp"
-
-GJKSCOPE_INSTANCES(, Eigen::half, 2)
-GJKSCOPE_INSTANCES(, Eigen::half, 3)

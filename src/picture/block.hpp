@@ -1,0 +1,30 @@
+#pragma once
+// The blocks of the panel, and the listings that one of them shows. Each is a value that a subject
+// defines; it writes from the current row downwards.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "picture/panel_builder.hpp"
+
+namespace gjkscope {
+
+struct Block {
+  std::string_view name;     ///< By which lessons call for it.
+  std::string_view meaning;  ///< What it shows.
+  void (*write)(PanelBuilder& panel) = nullptr;
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+  bool takes_listing = false;
+};
+
+/// The listings that the block `pseudocode` can show.
+struct Listing {
+  std::string_view name;
+  std::string_view meaning;  ///< The algorithm that it is one of.
+  void (*write)(PanelBuilder& panel) = nullptr;
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,45 @@
+#pragma once
+// The words and numbers that go with a frame.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gjkscope {
+
+/// The vertices of a shape to choose from.
+struct VertexChoice {
+  std::string shape;
+  std::vector<std::string> vertices;
+};
+
+/// What a frame asks.
+struct FrameQuestion {
+  std::string ask;                   ///< "support", ...
+  std::vector<std::string> choices;  ///< As the frame lists them.
+  std::string answer;                ///< The next frame that asks nothing tells it.
+  /// The two to choose, in their order, if a choice is a pair, "K−A".
+  std::vector<VertexChoice> pair = {};
+  std::string reason = {};  ///< The caption of the frame that tells, without the answer before it.
+};
+
+/// The words and numbers of a frame: what the sidecar file, the contact sheet, the transcript and
+/// the alternative text say.
+struct FrameText {
+  std::string caption;   ///< What happened and why, from this step's values.
+  std::string detail;    ///< The numbers behind it, and what comes next.
+  std::string prose;     ///< The lesson's prose, placeholders filled in.
+  std::string phase;     ///< "closest", ..., or "start"
+  int iteration = 0;     ///< From 1; 0 before the first.
+  std::string position;  ///< Where in the lesson it is: "iteration 2 of 4 · support".
+  std::vector<std::pair<std::string, std::string>>
+      values;  ///< Name and printed value, in reading order.
+  std::optional<FrameQuestion> question;
+  std::optional<bool> is_right = {};  ///< Set if an answer was given, which the caption grades.
+};
+
+/// What a frame says to who cannot see it: the alternative text of its figure.
+[[nodiscard]] std::string alternative_text(const FrameText& text);
+
+}  // namespace gjkscope

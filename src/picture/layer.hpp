@@ -1,0 +1,25 @@
+#pragma once
+// What a stage is drawn of. A layer is a value that a subject defines; it lies below or above what
+// the act draws.
+
+#include <string>
+#include <string_view>
+
+#include "picture/plot.hpp"
+#include "picture/scene.hpp"
+
+namespace gjkscope {
+
+struct Layer {
+  enum class On { every_view, world, difference };
+  std::string_view effect = {};  ///< Drawn where a view calls for it; empty: always.
+  On on = On::every_view;
+  int order = 0;  ///< Those with lower numbers lie below; the act's own marks have kOfAct.
+  void (*draw)(SceneBuilder& scene) = nullptr;
+  /// In frames with equal keys a view's layer is the same, and is drawn once; null: in each frame.
+  EffectKey (*key)(const SceneBuilder& scene) = nullptr;
+
+  static constexpr int kOfAct = 500;
+};
+
+}  // namespace gjkscope

@@ -1,0 +1,46 @@
+#pragma once
+// What the captions of a frame are told with: its state, the names of things, and what is known by
+// then.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "picture/frame_text.hpp"
+#include "picture/words.hpp"
+#include "run/facts.hpp"
+
+namespace gjkscope {
+
+struct Story {
+  Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown);
+
+  /// True when a view of the lesson calls for this effect.
+  [[nodiscard]] bool shows(std::string_view effect) const { return run.lesson.calls_for(effect); }
+
+  [[nodiscard]] Eigen::Vector2d p_world() const;
+  [[nodiscard]] std::string distance() const;
+  /// The polygon of a point query, or Z.
+  [[nodiscard]] std::string set_name() const;
+  [[nodiscard]] std::string simplex_name() const;
+  /// "P = 0.3 B + 0.7 C"
+  [[nodiscard]] std::string p_is() const;
+  [[nodiscard]] std::string edge_name(gjk::Face face) const;
+  [[nodiscard]] std::string edge_words() const { return edge_name(state.simplex.all()); }
+  [[nodiscard]] std::string weight(const gjk::RegionTerm<double>& term) const;
+  /// The same, positive numbers with a plus sign.
+  [[nodiscard]] std::string signed_weight(const gjk::RegionTerm<double>& term) const;
+
+  const LessonRun& run;
+  EffectGraph& effects;
+  const Frame& frame;
+  const PositionedRun& positioned;
+  const WideTrace& trace;
+  const gjk::State<double, 2>& state;
+  const FrameFacts::Value& knows;
+  Numbers numbers;
+  SimplexWords words;
+  std::string q;  ///< Name of the query point.
+};
+
+}  // namespace gjkscope

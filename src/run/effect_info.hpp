@@ -1,0 +1,32 @@
+#pragma once
+// An effect, by its name: when a lesson may ask for it, and which others it pulls.
+
+#include <string_view>
+
+namespace gjkscope {
+
+struct EffectInfo {
+  std::string_view name;
+  std::string_view
+      needs;  ///< Names of the effects that it pulls, separated by commas; empty: the trace alone.
+  std::string_view summary;   ///< One line for `gjkscope explain`.
+  std::string_view used_by;   ///< "view": a lesson's views call for it by name; "panel": a panel
+                              ///< block does; "frame": any part of a frame may.
+  std::string_view act = {};  ///< The act that it goes with; empty: any.
+  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+};
+
+/// What the registry says of the effect E (run/graph.hpp).
+template <class E>
+[[nodiscard]] constexpr EffectInfo effect_info(std::string_view used_by, std::string_view summary,
+                                               std::string_view act = {}, bool second_run = false) {
+  return {E::kName, E::kNeeds, summary, used_by, act, second_run};
+}
+
+/// Of the effects that any frame may use; others are declared by their subjects.
+namespace effect_infos {
+extern const EffectInfo kFrameFacts;
+extern const EffectInfo kAlgorithmFacts;
+}  // namespace effect_infos
+
+}  // namespace gjkscope

@@ -1,0 +1,40 @@
+#pragma once
+// What traces are written with, whatever the algorithm: numbers, points, vertices and scans as
+// JSON, and lines of text.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/run.hpp"
+
+namespace gjkscope::fields {
+
+using Json = nlohmann::ordered_json;
+
+/// Shortest decimal and hexadecimal float. JSON has no NaN or infinity: null, and the name in hex.
+[[nodiscard]] Json number(double value);
+template <int D>
+[[nodiscard]] Json point(const gjk::Vec<double, D>& value);
+/// Values of d · vertex, each with the vertex's name.
+[[nodiscard]] Json scan(const std::vector<gjk::ScanEntry<double>>& entries,
+                        const std::vector<std::string>& names);
+
+/// A vertex of Z, with the vertices of the shapes in the world that it is the difference of.
+template <int D>
+[[nodiscard]] Json vertex(const gjk::SupportPoint<double, D>& value, const std::string& name,
+                          const RunIn<D>& run);
+
+/// As few digits as name a value of the scalar.
+[[nodiscard]] std::string number_text(ScalarKind scalar, double value);
+template <int D>
+[[nodiscard]] std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point);
+/// A line of a trace: its label stands in a column of its own.
+[[nodiscard]] std::string line(std::string_view label, std::string_view text);
+/// "Y: K 1.5 (largest), L 0.5"
+[[nodiscard]] std::string scan_text(ScalarKind scalar, const std::string& shape,
+                                    const std::vector<std::string>& names,
+                                    const std::vector<gjk::ScanEntry<double>>& entries, int best);
+
+}  // namespace gjkscope::fields

@@ -1,0 +1,90 @@
+#pragma once
+// Effects: what is computed beyond the query because a visible mark asks for it.
+//
+// An effect is a type E with
+//   static constexpr std::string_view kName;     "minkowski-hull"
+//   static constexpr std::string_view kNeeds;    "minkowski-cloud": what it pulls itself
+//   using Value = ...;
+//   static EffectKey key(const LessonRun&, const Frame&);    equal keys share one value
+//   static Value compute(EffectGraph&, const LessonRun&, const Frame&);
+//
+// The graph is pulled: `get<E>(frame)` computes the value when it is first asked for, and never
+// otherwise.
+
+#include <any>
+#include <array>
+#include <chrono>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "run/run.hpp"
+
+namespace gjkscope {
+
+/// What a value depends on: nothing (-1), or the run, the step, a part of the step.
+using EffectKey = std::array<int, 3>;
+
+struct EffectCount {
+  long pulls = 0;        ///< How often a mark or another effect asked.
+  long runs = 0;         ///< How often it was computed.
+  double seconds = 0.0;  ///< Spent computing, what it pulled itself included.
+};
+
+class EffectGraph {
+ public:
+  explicit EffectGraph(const LessonRun& run) : run_(run) {}
+  EffectGraph(const EffectGraph&) = delete;
+  EffectGraph& operator=(const EffectGraph&) = delete;
+
+  template <class E>
+  const typename E::Value& get(const Frame& frame) {
+    if (!computing_.empty()) pulls_.emplace(computing_.back(), E::kName);
+    EffectCount& count = counts_[E::kName];
+    ++count.pulls;
+    std::map<EffectKey, std::any>& values = values_[E::kName];
+    const EffectKey key = E::key(run_, frame);
+    auto found = values.find(key);
+    if (found == values.end()) {
+      const auto begin = std::chrono::steady_clock::now();
+      computing_.push_back(E::kName);
+      typename E::Value value = E::compute(*this, run_, frame);
+      computing_.pop_back();
+      count.seconds +=
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      ++count.runs;
+      found = values.emplace(key, std::move(value)).first;
+    }
+    return std::any_cast<const typename E::Value&>(found->second);
+  }
+
+  /// Values of E that stand for this run as well: E::is_same(that run, this run).
+  template <class E>
+  void take_over(const EffectGraph& from) {
+    const auto values = from.values_.find(E::kName);
+    if (values != from.values_.end() && E::is_same(from.run_, run_))
+      values_[E::kName] = values->second;
+  }
+
+  [[nodiscard]] EffectCount count(std::string_view name) const {
+    const auto found = counts_.find(name);
+    return found == counts_.end() ? EffectCount{} : found->second;
+  }
+
+  /// Which effect has pulled which, by their names.
+  [[nodiscard]] const std::set<std::pair<std::string_view, std::string_view>>& pulls() const {
+    return pulls_;
+  }
+
+ private:
+  const LessonRun& run_;
+  std::map<std::string_view, std::map<EffectKey, std::any>> values_;
+  std::map<std::string_view, EffectCount> counts_;
+  std::vector<std::string_view> computing_;  ///< The one being computed last.
+  std::set<std::pair<std::string_view, std::string_view>> pulls_;
+};
+
+}  // namespace gjkscope

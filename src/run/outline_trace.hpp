@@ -1,0 +1,50 @@
+#pragma once
+// What an algorithm that asks about outlines needs of a lesson, and how its steps are written.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/algorithm.hpp"
+#include "outlines/outline.hpp"
+#include "run/fields.hpp"
+
+namespace gjkscope {
+
+/// X and Y where a run puts them.
+struct OutlinesOfRun {
+  models::Model x;
+  models::Model y;
+};
+[[nodiscard]] OutlinesOfRun outlines_of(const Lesson& lesson, const RunIn<2>& run);
+
+/// Why an algorithm does not take the outlines.
+struct Refusal {
+  models::Flaw flaw;
+  bool of_y = false;
+};
+/// The first flaw of X, else of Y.
+[[nodiscard]] std::optional<Refusal> refusal_of(const OutlinesOfRun& outlines, models::Needs needs);
+/// "X: the outline is not convex"
+[[nodiscard]] std::string words_of(const Refusal& refusal, const Lesson& lesson);
+
+/// A trace whose text is made of its JSON.
+class OutlineTrace : public AlgorithmTrace {
+ public:
+  OutlineTrace(std::string_view name, std::optional<Refusal> refused)
+      : refusal(refused), name_(name) {}
+  [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson, const RunIn<2>& run) const final;
+  [[nodiscard]] std::string text(const Lesson& lesson, const RunIn<2>& run) const final;
+
+  std::optional<Refusal> refusal;  ///< Then there are no steps.
+
+ protected:
+  /// What a step did, without its phase and iteration.
+  [[nodiscard]] virtual fields::Json step_json(const Lesson& lesson, int step) const = 0;
+  [[nodiscard]] virtual fields::Json result_json(const Lesson& lesson) const = 0;
+
+ private:
+  std::string_view name_;
+};
+
+}  // namespace gjkscope

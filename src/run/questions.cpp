@@ -1,0 +1,100 @@
+#include "run/questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/load.hpp"
+#include "lesson/vocabulary.hpp"
+
+namespace gjkscope {
+
+namespace {
+
+/// Whether another vertex lies as far along d as the winner, as far as a reader can see.
+bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& shape,
+            const Eigen::Vector2d& d) {
+  constexpr double kSeen = 1e-3;  // of the size of the shape
+  double first = -HUGE_VAL;
+  double second = -HUGE_VAL;
+  for (const gjk::ScanEntry<double>& entry : scan) {
+    second = std::max(second, std::min(first, entry.value));
+    first = std::max(first, entry.value);
+  }
+  double size = 0.0;
+  for (const Eigen::Vector2d& vertex : shape.vertices)
+    size = std::max(size, (vertex - shape.vertices.front()).norm());
+  return first - second <= kSeen * d.norm() * size;
+}
+
+}  // namespace
+
+bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
+  if (ask == asks::kSupport.name) {
+    const gjk::Step<double, 2>& asked = trace.steps[static_cast<std::size_t>(step)];
+    const LessonShape& x = run.lesson.x();
+    const LessonShape& y = run.lesson.y();
+    return x.vertices.size() * y.vertices.size() > 1 &&
+           !is_tie(asked.record.scan_x, x, asked.after.d) &&
+           !is_tie(asked.record.scan_y, y, asked.after.d);
+  }
+  return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
+}
+
+bool tells(const WideTrace& trace, int step, std::string_view ask) {
+  const auto is = [&](std::size_t i, gjk::Phase phase) {
+    return i < trace.steps.size() && trace.steps[i].phase == phase;
+  };
+  const auto at = static_cast<std::size_t>(step);
+  if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
+  if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
+  if (ask == asks::kDropped.name)
+    return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::drop);
+  return ask == asks::kStop.name && is(at + 1, gjk::Phase::stop);
+}
+
+const gjk::State<double, 2>& state_before(const WideTrace& trace, int step) {
+  return step == 0 ? trace.initial : trace.steps[step - 1].after;
+}
+
+void add_question_frames(LessonRun& run) {
+  const std::vector<LessonQuestion>& questions = run.lesson.questions;
+  if (questions.empty()) return;
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
+      if (run.frames[i - 1].run != run.frames[i].run && !run.act->sweeps) continue;
+      const int answer =
+          run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
+      if (answer < 0) continue;
+      frames.push_back(run.frames[i - 1]);
+      frames.back().question = q;
+      frames.back().answering_step = answer;
+    }
+    frames.push_back(run.frames[i]);
+  }
+  run.frames = std::move(frames);
+}
+
+std::vector<Problem> unasked_questions(const LessonRun& run) {
+  std::vector<Problem> problems;
+  const Lesson& lesson = run.lesson;
+  for (int q = 0; q < static_cast<int>(lesson.questions.size()); ++q) {
+    const bool is_asked = std::any_of(run.frames.begin(), run.frames.end(),
+                                      [&](const Frame& frame) { return frame.question == q; });
+    if (is_asked) continue;
+    const LessonQuestion& question = lesson.questions[q];
+    const Place place = place_of_key(lesson.path, fmt::format("questions.{}.ask", q));
+    problems.push_back(
+        {lesson.path, place.line, place.column,
+         fmt::format("no frame asks '{}'{}", question.ask,
+                     question.at
+                         ? fmt::format(" {} {}", run.act->ask(question.ask)->counted, *question.at)
+                         : std::string()),
+         "a question with more than one answer to choose from, which a frame answers", ""});
+  }
+  return problems;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,40 @@
+#pragma once
+// Questions of a lesson: which steps of a run answer them, and the frames that ask.
+
+#include <array>
+#include <string_view>
+
+#include "lesson/vocabulary.hpp"
+#include "run/run.hpp"
+
+namespace gjkscope {
+
+/// What frames that go through GJK's steps can ask.
+namespace asks {
+inline constexpr AskInfo kRegion{"region", "the region that holds the query point"};
+inline constexpr AskInfo kDropped{"dropped", "the vertices that are dropped"};
+inline constexpr AskInfo kSupport{"support", "the next support point"};
+inline constexpr AskInfo kStop{"stop", "whether the run stops, and why"};
+inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
+}  // namespace asks
+
+/// True for a step that tells what is asked for. P tells which vertices will be dropped, and what
+/// leads to the stop tests whether they will hold: a question asked later would hold its answer.
+[[nodiscard]] bool tells(const WideTrace& trace, int step, std::string_view ask);
+
+/// The state before a step.
+[[nodiscard]] const gjk::State<double, 2>& state_before(const WideTrace& trace, int step);
+
+/// More than one answer could be given to somebody who sees only what came before `step`.
+[[nodiscard]] bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
+                           int step);
+
+/// Puts before each frame that answers a question of the lesson the frame that asks it. What has
+/// only one answer is not asked: of what region of a single vertex, say, Q lies in. Nor is what has
+/// several right ones: which of two vertices equally far along d is the support point.
+void add_question_frames(LessonRun& run);
+
+/// Questions that no frame asks; places are those in the lesson's file.
+[[nodiscard]] std::vector<Problem> unasked_questions(const LessonRun& run);
+
+}  // namespace gjkscope

@@ -1,0 +1,17 @@
+#pragma once
+// The runs of a lesson or a case as JSON; docs/trace-format.md describes every key.
+
+#include <string>
+
+#include "run/traced.hpp"
+
+namespace gjkscope {
+
+/// Counts up when a key changes its meaning or goes away; new keys do not count.
+inline constexpr int kTraceFormatVersion = 3;
+
+/// D: 2 or 3.
+template <int D>
+[[nodiscard]] std::string trace_json(const Traced<D>& traced);
+
+}  // namespace gjkscope

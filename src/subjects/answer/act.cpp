@@ -1,0 +1,55 @@
+#include "subjects/answer/act.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "subjects/answer/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<std::string_view, 4> kWitnessParts = {"P", "on Y", "on X", "y − x"};
+
+void witness_frames(LessonRun& run, int index) {
+  using enum WitnessPart;
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  if (last < 0) return run.frames.push_back({.run = index});
+  for (const WitnessPart part : {p, on_y, on_x, distance})
+    run.frames.push_back({.run = index, .step = last, .part = FramePart(part)});
+}
+
+std::string witness_position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const auto* part = frame.part.as<WitnessPart>();
+  const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
+  if (!part || has_clock) return position_in_lesson(run, index);
+  return fmt::format("{} · {}", position_on_path(run, index),
+                     kWitnessParts[static_cast<std::size_t>(*part)]);
+}
+
+Tick witness_tick(const LessonRun& run, const Frame& frame) {
+  using enum WitnessPart;
+  const auto* part = frame.part.as<WitnessPart>();
+  if (!part) return tick_of_step(run, frame);
+  return {.group = group_of_position(run, frame, "answer"),
+          .label = std::string(kWitnessParts[static_cast<std::size_t>(*part)]),
+          .event = *part == distance};
+}
+
+}  // namespace
+
+const Act kWitness{
+    .name = "witness",
+    .meaning =
+        "part of each answer: P, its weights on the vertices of Y, on those of X, "
+        "the distance",
+    .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
+    .add_frames = witness_frames,
+    .position = witness_position,
+    .tick = witness_tick,
+    .words = captions::witness,
+    .stage = layers::answer,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,49 @@
+#pragma once
+// The answer: closest points of both shapes, counters, bounds: what the files of this folder
+// define.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+namespace acts {
+
+extern const Act kWitness;
+extern const Act kAnswer;
+
+}  // namespace acts
+
+namespace blocks {
+
+extern const Block kWitness;
+extern const Block kCounters;
+extern const Block kStarts;
+extern const Block kBoundSteps;
+
+}  // namespace blocks
+
+namespace layers {
+
+/// P on its simplex, and the closest points that its weights
+/// give.
+void answer(SceneBuilder& scene);
+
+}  // namespace layers
+
+namespace captions {
+
+void answer(const Story& story, FrameText& text);
+void witness(const Story& story, FrameText& text);
+
+}  // namespace captions
+
+namespace effect_infos {
+
+extern const EffectInfo kColdStart;
+
+}  // namespace effect_infos
+
+}  // namespace gjkscope

@@ -1,0 +1,59 @@
+#include "subjects/convex_pieces/shown.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::parts {
+namespace {
+
+void listing(PanelBuilder& panel) {
+  const Shown& shown = shown_in<Shown>(panel);
+  const bool pairs = shown.is(PiecesPhase::pair);
+  const bool merges = shown.is(PiecesPhase::merge);
+  const bool merged =
+      merges &&
+      shown.told.of(shown.step->of_x).merges[static_cast<std::size_t>(shown.step->index)].merged;
+  blocks::listing_line(panel, "cut X, Y into triangles, ear by ear",
+                       shown.is(PiecesPhase::triangle));
+  blocks::listing_line(panel, "for each diagonal", merges && !merged);
+  blocks::listing_line(panel, "  if both ends stay convex", false);
+  blocks::listing_line(panel, "    take it away", merged);
+  blocks::listing_line(panel, "δ ← ∞", false);
+  blocks::listing_line(panel, "for each pair of pieces p, q", false);
+  blocks::listing_line(panel, "  if their boxes are δ apart: skip", pairs && shown.run().skipped);
+  blocks::listing_line(panel, "  else δ ← min(δ, GJK(p, q))", pairs && !shown.run().skipped);
+  blocks::listing_line(panel, "the distance is δ", shown.is_answer);
+}
+
+void counts(PanelBuilder& panel) {
+  const Shown& shown = shown_in<Shown>(panel);
+  panel.heading("Pieces");
+  if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
+  panel.row("triangles", std::to_string(shown.over(PiecesPhase::triangle)));
+  int gone = 0;
+  for (const bool of_x : {true, false}) {
+    const auto& merges = shown.told.of(of_x).merges;
+    for (int i = 0; i < shown.over(PiecesPhase::merge, of_x); ++i)
+      gone += merges[static_cast<std::size_t>(i)].merged ? 1 : 0;
+  }
+  panel.row("diagonals taken away", std::to_string(gone));
+  int skipped = 0;
+  const int pairs = shown.over(PiecesPhase::pair);
+  for (int i = 0; i < pairs; ++i)
+    skipped += shown.told.result.runs[static_cast<std::size_t>(i)].skipped ? 1 : 0;
+  panel.row("runs of GJK", std::to_string(pairs - skipped));
+  panel.row("pairs skipped", std::to_string(skipped));
+  panel.row("δ", shown.least() == nullptr ? "∞" : panel.numbers(shown.least()->distance));
+}
+
+}  // namespace
+
+const Block kPieces{.name = "pieces",
+                    .meaning = "triangles, diagonals taken away, runs of GJK, and δ by now",
+                    .write = counts,
+                    .act = "convex-pieces"};
+
+const Listing kListing{.name = "convex-pieces",
+                       .meaning = "convex pieces, and the least distance over their pairs",
+                       .write = listing,
+                       .act = "convex-pieces"};
+
+}  // namespace gjkscope::parts

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "subjects/convex_pieces/shown.hpp"
+
+namespace gjkscope::parts {
+namespace {
+
+void triangle(const Shown& shown, FrameText& text) {
+  const LessonShape& shape = shown.shape(shown.step->of_x);
+  const auto& triangles = shown.told.of(shown.step->of_x).triangles;
+  const std::string name =
+      corners_name(shape, triangles[static_cast<std::size_t>(shown.step->index)]);
+  if (shown.step->index + 1 == static_cast<int>(triangles.size())) {
+    text.caption = fmt::format("Triangle {} is what is left of {}.", name, shape.name);
+    text.detail = fmt::format("{} is cut into {} triangles. A polygon with n corners gives n − 2.",
+                              shape.name, triangles.size());
+    return;
+  }
+  text.caption = fmt::format("Triangle {} is an ear of {}: cut it off.", name, shape.name);
+  text.detail =
+      "An ear is made of three corners in a row of what is left. It lies in there, and no other "
+      "corner "
+      "lies in it.";
+}
+
+void merge(const Shown& shown, FrameText& text) {
+  const LessonShape& shape = shown.shape(shown.step->of_x);
+  const models::Merge& merge =
+      shown.told.of(shown.step->of_x).merges[static_cast<std::size_t>(shown.step->index)];
+  const std::string name = corners_name(shape, std::array{merge.from, merge.to});
+  if (merge.merged) {
+    text.caption = fmt::format("Diagonal {} goes: its two pieces become one.", name);
+    text.detail = "At both ends the piece still turns one way only, so it is convex.";
+  } else {
+    text.caption = fmt::format("Diagonal {} stays.", name);
+    text.detail = "Without it a piece would have a corner that turns in.";
+  }
+}
+
+void pair(const Story& story, const Shown& shown, FrameText& text) {
+  const models::PieceRun& run = shown.run();
+  const std::string x = shown.piece(true, run.a);
+  const std::string y = shown.piece(false, run.b);
+  const models::PieceRun* least = shown.least(shown.step->index);
+  if (run.skipped) {
+    text.caption =
+        fmt::format("Skip {} and {}: their boxes are {} apart.", x, y, story.numbers(run.bound));
+    text.detail =
+        fmt::format("δ is {}. Pieces are never closer than their boxes, so this pair cannot win.",
+                    story.numbers(least->distance));
+    return;
+  }
+  text.caption = fmt::format("GJK: {} and {} are {} apart.", x, y, story.numbers(run.distance));
+  if (least == nullptr) {
+    text.detail = "This is the first pair, so δ is its distance.";
+  } else if (run.distance < least->distance) {
+    text.detail = fmt::format("That is less than {}, so δ falls.", story.numbers(least->distance));
+  } else {
+    text.detail = fmt::format("That is not less than δ = {}.", story.numbers(least->distance));
+  }
+}
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  if (shown.told.refusal) {
+    text.caption =
+        fmt::format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+    text.detail = "It needs closed outlines that do not meet themselves or each other.";
+  } else if (shown.step == nullptr) {
+    text.caption = "GJK needs convex shapes. So cut the shapes into convex pieces.";
+    text.detail = "The distance is the least over all pairs of pieces.";
+  } else if (shown.is_answer) {
+    const models::PiecesAnswer& result = shown.told.result;
+    text.caption = fmt::format("{} and {} are {} apart.", shown.lesson.x().name,
+                               shown.lesson.y().name, story.numbers(result.answer.distance));
+    if (result.answer.overlap)
+      text.caption =
+          fmt::format("{} and {} overlap.", shown.lesson.x().name, shown.lesson.y().name);
+    text.detail =
+        fmt::format("{} and {} pieces make {} pairs. GJK ran on {}.", shown.told.x.pieces.size(),
+                    shown.told.y.pieces.size(),
+                    shown.told.x.pieces.size() * shown.told.y.pieces.size(), result.visits);
+  } else if (shown.step->phase == PiecesPhase::triangle) {
+    triangle(shown, text);
+  } else if (shown.step->phase == PiecesPhase::merge) {
+    merge(shown, text);
+  } else {
+    pair(story, shown, text);
+  }
+}
+
+void question(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const PiecesStep& step = shown.told.told[static_cast<std::size_t>(story.frame.answering_step)];
+  if (step.phase == PiecesPhase::merge) {
+    const models::Merge& merge =
+        shown.told.of(step.of_x).merges[static_cast<std::size_t>(step.index)];
+    FrameQuestion& asked = text.question.emplace(
+        FrameQuestion{std::string(kAskDiagonal.name),
+                      {"it goes: the piece stays convex", "it stays: a corner would turn in"},
+                      {}});
+    asked.answer = asked.choices[merge.merged ? 0 : 1];
+    text.caption =
+        fmt::format("Question: can diagonal {} be taken away?",
+                    corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
+    return;
+  }
+  const models::PieceRun& run = shown.told.result.runs[static_cast<std::size_t>(step.index)];
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{
+      std::string(kAskPair.name), {"run GJK", "skip: their boxes are too far apart"}, {}});
+  asked.answer = asked.choices[run.skipped ? 1 : 0];
+  text.caption = fmt::format("Question: {} and {}, run or skip?", shown.piece(true, run.a),
+                             shown.piece(false, run.b));
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
+  put("triangles", std::to_string(shown.over(PiecesPhase::triangle)));
+  int runs = 0;
+  for (int i = 0; i < shown.over(PiecesPhase::pair); ++i)
+    runs += shown.told.result.runs[static_cast<std::size_t>(i)].skipped ? 0 : 1;
+  put("runs", std::to_string(runs));
+  if (shown.least() != nullptr) put("least", story.numbers(shown.least()->distance));
+}
+
+}  // namespace gjkscope::parts

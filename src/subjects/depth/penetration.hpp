@@ -1,0 +1,22 @@
+#pragma once
+#include "run/graph.hpp"
+#include "subjects/depth/lesson_trace.hpp"
+
+namespace gjkscope {
+
+/// How deep the shapes of a run lie in each other (algorithms/depth), in the lesson's scalar: the
+/// expanding polygon from its start to its end.
+struct PenetrationDepth {
+  static constexpr std::string_view kName = "penetration-depth";
+  static constexpr std::string_view kNeeds = "";
+  using Value = DepthTrace;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+/// The depth of the frame's shapes; nullptr, and nothing is computed, where they are apart.
+[[nodiscard]] const depth::Result<double>* depth_on_overlap(EffectGraph& effects,
+                                                            const LessonRun& run,
+                                                            const Frame& frame);
+
+}  // namespace gjkscope

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "subjects/difference/act.hpp"
+#include "subjects/difference/subject.hpp"
+
+namespace gjkscope::blocks {
+
+using namespace rows;
+
+namespace {
+
+void pairs(PanelBuilder& panel) {
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  const int per_x = static_cast<int>(positioned.y().world.size());
+  const int all = static_cast<int>(positioned.x().world.size()) * per_x;
+  panel.heading("Z = { y − x }: every pair");
+  const BuildFrame build = panel.frame.part.value_or(BuildFrame{BuildPart::hull, all});
+  const int newest = build.part == BuildPart::pair ? 1 : build.part == BuildPart::copy ? per_x : 0;
+  constexpr int kMost = 16;
+  for (int i = 0; i < std::min(all, kMost); ++i) {
+    const gjk::VertexPair pair{i / per_x, i % per_x};
+    const bool is_made = i < build.made;
+    const bool current = is_made && i >= build.made - newest;
+    if (current) panel.highlight();
+    const std::string role = !is_made ? "untried" : current ? "code.current" : "code";
+    const TextStyle style = current ? type::kCodeBold : type::kCode;
+    panel.write(role, panel.left, panel.run.pair_name(pair), style);
+    if (is_made)
+      panel.write(role, panel.right,
+                  panel.numbers.point(positioned.y().world[pair.y] - positioned.x().world[pair.x]),
+                  style, Align::right);
+    panel.y += kTightRow;
+    if ((i + 1) % per_x == 0) panel.y += 6.0;
+  }
+  if (all > kMost) {
+    panel.write("body.muted", panel.left, fmt::format("and {} more", all - kMost), type::kBody);
+    panel.y += kRow;
+  }
+}
+
+}  // namespace
+
+const Block kPairs{
+    .name = "pairs", .meaning = "the pairs of vertices and their differences", .write = pairs};
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,27 @@
+#include "subjects/difference/minkowski.hpp"
+
+#include "subjects/difference/subject.hpp"
+
+namespace gjkscope {
+
+EffectKey MinkowskiCloud::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+MinkowskiCloud::Value MinkowskiCloud::compute(EffectGraph&, const LessonRun& run,
+                                              const Frame& frame) {
+  return minkowski_cloud(run.run(frame).x().world, run.run(frame).y().world);
+}
+
+EffectKey MinkowskiHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+
+MinkowskiHull::Value MinkowskiHull::compute(EffectGraph&, const LessonRun& run,
+                                            const Frame& frame) {
+  return minkowski_hull(run.run(frame).x().world, run.run(frame).y().world);
+}
+
+const EffectInfo effect_infos::kMinkowskiCloud =
+    effect_info<MinkowskiCloud>("view", "every difference y - x");
+
+const EffectInfo effect_infos::kMinkowskiHull =
+    effect_info<MinkowskiHull>("view", "convex hull of the differences");
+
+}  // namespace gjkscope

@@ -1,0 +1,14 @@
+#include "subjects/difference/subject.hpp"
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+const SubjectParts subjects::difference{
+    .acts = {&acts::kPairs},
+    .blocks = {&blocks::kPairs},
+    .layers = {&layers::kDifference, &layers::kCornerNames},
+    .effects = {&effect_infos::kMinkowskiCloud, &effect_infos::kMinkowskiHull},
+};
+
+}  // namespace gjkscope

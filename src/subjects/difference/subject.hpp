@@ -1,0 +1,46 @@
+#pragma once
+// How the Minkowski difference is built: what the files of this folder define.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+namespace acts {
+
+extern const Act kPairs;
+
+}  // namespace acts
+
+namespace blocks {
+
+extern const Block kPairs;
+
+}  // namespace blocks
+
+namespace layers {
+
+extern const Layer kDifference;
+extern const Layer kCornerNames;
+
+/// How the difference is built, in both views.
+void building(SceneBuilder& scene);
+
+}  // namespace layers
+
+namespace captions {
+
+void pairs(const Story& story, FrameText& text);
+
+}  // namespace captions
+
+namespace effect_infos {
+
+extern const EffectInfo kMinkowskiCloud;
+extern const EffectInfo kMinkowskiHull;
+
+}  // namespace effect_infos
+
+}  // namespace gjkscope

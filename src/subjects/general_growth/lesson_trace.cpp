@@ -1,0 +1,101 @@
+#include "subjects/general_growth/lesson_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <mutex>
+#include <utility>
+
+#include "run/fields.hpp"
+
+namespace gjkscope {
+namespace {
+
+using fields::Json;
+using general_growth::Sample;
+
+constexpr std::array<std::string_view, 3> kPhases = {"size", "time", "claim"};
+constexpr std::array<std::string_view, 2> kAnswers = {"visits", "pairs"};
+constexpr std::array<PlaceholderInfo, 1> kValues = {
+    {{"n", "segments of each outline that the frame is about"}}};
+
+/// Measured once for all runs with the same [growth]: a lesson is run anew for each change of it.
+std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const RunIn<2>&,
+                                                 const AlgorithmTrace*) {
+  static std::mutex mutex;
+  static std::pair<LessonGrowth, std::shared_ptr<const AlgorithmTrace>> last;
+  const std::lock_guard lock(mutex);
+  const LessonGrowth& growth = *lesson.table.as<LessonGrowth>();
+  if (last.second == nullptr || !(last.first == growth))
+    last = {growth, std::make_shared<const GeneralGrowthTrace>(growth)};
+  return last.second;
+}
+
+}  // namespace
+
+GeneralGrowthTrace::GeneralGrowthTrace(const LessonGrowth& growth) : times(growth.times) {
+  for (const int n : growth.vertices)
+    samples.push_back(general_growth::measure(n, growth.runs, growth.seed));
+}
+
+GrowthPhase GeneralGrowthTrace::phase(int step) const {
+  if (step < sizes()) return GrowthPhase::size;
+  return times && step == sizes() ? GrowthPhase::time : GrowthPhase::claim;
+}
+
+StepInfo GeneralGrowthTrace::info(int step) const {
+  const GrowthPhase at = phase(step);
+  return {step + 1, kPhases[static_cast<std::size_t>(at)], at != GrowthPhase::size};
+}
+
+bool GeneralGrowthTrace::agrees(Claim claim) const {
+  const Sample& last = samples.back();
+  switch (claim) {
+    case Claim::brute_force:
+      return times ? times->boxes.back() < times->pairs.back() : last.boxes < last.pairs();
+    case Claim::wider_search:
+      return last.boxes > last.collide;
+    case Claim::coherence:
+      return last.remembered >= last.boxes;
+    case Claim::spheres:
+      return times ? times->circles.back() < times->boxes.back() : last.circles < last.boxes;
+  }
+  return false;
+}
+
+double GeneralGrowthTrace::answer(std::string_view name) const {
+  return name == "pairs" ? samples.back().pairs() : samples.back().boxes;
+}
+
+Json GeneralGrowthTrace::json(const Lesson&, const RunIn<2>&) const {
+  Json out = {{"sizes", Json::array()}};
+  for (const Sample& sample : samples) {
+    Json size = {{"segments", sample.segments}, {"runs", sample.runs},
+                 {"pairs", sample.pairs()},     {"boxes", sample.boxes},
+                 {"circles", sample.circles},   {"remembered", sample.remembered},
+                 {"collide", sample.collide}};
+    if (sample.pieces >= 0.0) size["pieces"] = sample.pieces;
+    out["sizes"].push_back(std::move(size));
+  }
+  return out;
+}
+
+std::string GeneralGrowthTrace::text(const Lesson&, const RunIn<2>&) const {
+  std::string out = "\ngeneral-growth\n";
+  for (const Sample& sample : samples) {
+    std::string counts =
+        fmt::format("boxes {:.1f}, circles {:.1f}, remembered {:.1f}, collide {:.1f}", sample.boxes,
+                    sample.circles, sample.remembered, sample.collide);
+    if (sample.pieces >= 0.0) counts += fmt::format(", pieces {:.1f}", sample.pieces);
+    out += fields::line(fmt::format("n {}", sample.segments), counts);
+  }
+  return out;
+}
+
+const Algorithm kGeneralGrowthAlgorithm{.name = "general-growth",
+                                        .phases = kPhases,
+                                        .answers = kAnswers,
+                                        .values = kValues,
+                                        .run = run_growth};
+
+}  // namespace gjkscope

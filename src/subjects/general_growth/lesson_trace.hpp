@@ -1,0 +1,46 @@
+#pragma once
+// What methods for general models cost, as steps: one for each size of [growth], one for the times
+// where the lesson has some, then one for each thing that Larsen says of them.
+
+#include "lesson/algorithm.hpp"
+#include "lesson/lesson.hpp"
+#include "subjects/general_growth/measure.hpp"
+#include "subjects/growth/table.hpp"
+
+namespace gjkscope {
+
+enum class GrowthPhase : std::uint8_t { size, time, claim };
+
+/// The shapes of the lesson are no part of it.
+extern const Algorithm kGeneralGrowthAlgorithm;
+
+/// Larsen 1998, "Methods for General Models" to "Conclusions".
+enum class Claim : std::uint8_t { brute_force, wider_search, coherence, spheres };
+inline constexpr int kClaims = 4;
+
+class GeneralGrowthTrace final : public AlgorithmTrace {
+ public:
+  explicit GeneralGrowthTrace(const LessonGrowth& growth);
+
+  [[nodiscard]] int sizes() const { return static_cast<int>(samples.size()); }
+  [[nodiscard]] int steps() const override { return sizes() + (times ? 1 : 0) + kClaims; }
+  [[nodiscard]] GrowthPhase phase(int step) const;
+  [[nodiscard]] StepInfo info(int step) const override;
+  [[nodiscard]] double answer(std::string_view name) const override;
+  [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
+                                            const RunIn<2>& run) const override;
+  [[nodiscard]] std::string text(const Lesson& lesson, const RunIn<2>& run) const override;
+
+  /// Whether the largest outlines bear it out: by the times where there are some, else by counts.
+  [[nodiscard]] bool agrees(Claim claim) const;
+
+  std::vector<general_growth::Sample> samples;
+  std::optional<GrowthTimes> times;
+};
+
+/// Of a run of an act that shows it.
+[[nodiscard]] inline const GeneralGrowthTrace& general_growth_told(const AlgorithmTrace& trace) {
+  return static_cast<const GeneralGrowthTrace&>(trace);
+}
+
+}  // namespace gjkscope

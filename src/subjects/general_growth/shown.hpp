@@ -1,0 +1,55 @@
+#pragma once
+// Costs of general models in pictures: what a frame shows of them, and what its act draws and says.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "run/algorithm_facts.hpp"
+#include "subjects/general_growth/lesson_trace.hpp"
+
+namespace gjkscope::costs {
+
+inline constexpr AskInfo kAskVisits{
+    "visits", "how many times the visits of the last size a size takes", "about size"};
+inline constexpr AskInfo kAskAgrees{
+    "agrees", "whether what Larsen says agrees with what was measured", "about claim"};
+
+/// What a frame is about: a size, the times of all sizes, or something that Larsen says.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame)
+      : told(general_growth_told(run.algorithm_trace(frame))), over(*frame.steps_over) {}
+
+  const GeneralGrowthTrace& told;
+  int over = 0;  ///< Steps.
+
+  [[nodiscard]] int sizes() const { return told.sizes(); }
+  [[nodiscard]] bool is(GrowthPhase phase) const {
+    return over >= 1 && over <= told.steps() && told.phase(over - 1) == phase;
+  }
+  /// The newest size; at the start the first.
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(std::clamp(over - 1, 0, sizes() - 1));
+  }
+  [[nodiscard]] const general_growth::Sample& sample() const { return told.samples[size()]; }
+  /// Of a claim, counted from 1.
+  [[nodiscard]] int claim_number() const { return over - (told.steps() - kClaims); }
+  [[nodiscard]] Claim claim() const { return static_cast<Claim>(claim_number() - 1); }
+  /// The plot is of times: where they are what the frame is about.
+  [[nodiscard]] bool plots_times() const {
+    return told.times &&
+           (is(GrowthPhase::time) || (is(GrowthPhase::claim) && (claim() == Claim::brute_force ||
+                                                                 claim() == Claim::spheres)));
+  }
+};
+
+// blocks.cpp
+extern const Block kCosts;
+
+// layers.cpp
+bool fill(SceneBuilder& scene, const Fonts& fonts);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::costs

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "subjects/general_growth/shown.hpp"
+#include "subjects/growth/table.hpp"
+
+namespace gjkscope::costs {
+namespace {
+
+using general_growth::Sample;
+
+/// In Larsen's words, nearly.
+std::string_view said(Claim claim) {
+  switch (claim) {
+    case Claim::brute_force:
+      return "hierarchies find the least faster than all pairs";
+    case Claim::wider_search:
+      return "distance needs a wider search than collision";
+    case Claim::coherence:
+      return "coherence is not yet exploited";
+    case Claim::spheres:
+      return "Quinlan's trees of spheres are the fastest";
+  }
+  return "";
+}
+
+std::string verdict(const Shown& shown) {
+  return shown.told.agrees(shown.claim()) ? "It agrees." : "It does not agree here.";
+}
+
+void claim(const Shown& shown, FrameText& text) {
+  const Sample& last = shown.told.samples.back();
+  const std::optional<GrowthTimes>& times = shown.told.times;
+  const std::string n = grouped(last.segments);
+  switch (shown.claim()) {
+    case Claim::brute_force:
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail =
+          fmt::format("With n = {} there are {} pairs of segments. Trees of boxes visit {}{}.", n,
+                      grouped(last.pairs()), grouped(last.boxes),
+                      times ? fmt::format(", in {} in place of {}", time_text(times->boxes.back()),
+                                          time_text(times->pairs.back()))
+                            : "");
+      break;
+    case Claim::wider_search:
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail = fmt::format(
+          "With n = {} distance visits {} pairs of nodes, collision {}: it may stop at a gap, "
+          "and distance must go on to leaves.",
+          n, grouped(last.boxes), grouped(last.collide));
+      break;
+    case Claim::coherence:
+      text.caption = fmt::format("Larsen: {}. That was 1998; here it is.", said(shown.claim()));
+      text.detail = fmt::format(
+          "A start from the last position's closest pair costs {} % of the visits. Pairs almost as "
+          "close must still be ruled out.",
+          fixed(100.0 * last.remembered / last.boxes, 0));
+      break;
+    case Claim::spheres:
+      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.detail = fmt::format(
+          "Circles visit {} pairs, boxes {}{}. Larsen's code of 2000, PQP, took rectangles swept "
+          "by a sphere.",
+          grouped(last.circles), grouped(last.boxes),
+          times ? fmt::format(", in {} and {}", time_text(times->circles.back()),
+                              time_text(times->boxes.back()))
+                : "");
+      break;
+  }
+}
+
+/// "30", the first number of segments from which on building two trees and asking them once is
+/// faster than all pairs.
+std::string repays_from(const Shown& shown) {
+  const GrowthTimes& times = *shown.told.times;
+  std::size_t first = times.pairs.size();
+  while (first > 0 && times.build[first - 1] + times.boxes[first - 1] < times.pairs[first - 1])
+    --first;
+  return first == times.pairs.size() ? "" : grouped(shown.told.samples[first].segments);
+}
+
+void times(const Shown& shown, FrameText& text) {
+  const GrowthTimes& times = *shown.told.times;
+  text.caption = fmt::format("n = {}: all pairs take {}, trees of boxes {}.",
+                             grouped(shown.told.samples.back().segments),
+                             time_text(times.pairs.back()), time_text(times.boxes.back()));
+  const std::string from = repays_from(shown);
+  text.detail =
+      fmt::format("Building both takes {}{}. Measured on {}.", time_text(times.build.back()),
+                  from.empty() ? "" : fmt::format(": from n = {} on one distance repays it", from),
+                  times.machine);
+}
+
+/// How many times the visits of the size before, about: none more, as the segments, or as the
+/// pairs.
+struct Growing {
+  double ratio;
+  std::string words;
+};
+std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) {
+  const double segments = 1.0 * sample.segments / before.segments;
+  const auto words = [](double ratio, std::string_view as) {
+    return fmt::format("{} times, {}", fixed(ratio, ratio < 10.0 ? 1 : 0), as);
+  };
+  return {{{1.0, "hardly"},
+           {segments, words(segments, "as n")},
+           {segments * segments, words(segments * segments, "as all pairs")}}};
+}
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const Sample& sample = shown.sample();
+  if (shown.over == 0) {
+    text.caption = "What does the distance of two outlines cost, if they are not convex?";
+    text.detail =
+        "Each outline has n segments. Counted are pairs: of segments, of convex pieces, of nodes "
+        "of two trees.";
+  } else if (shown.is(GrowthPhase::size)) {
+    text.caption =
+        fmt::format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
+                    grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
+    text.detail =
+        sample.pieces >= 0.0
+            ? fmt::format(
+                  "Trees of circles visit {}. Convex pieces: pairs that need a run of GJK: {}.",
+                  grouped(sample.circles), grouped(sample.pieces))
+            : fmt::format(
+                  "Trees of circles visit {}. Cutting takes n · n steps, so it ends at n = {}.",
+                  grouped(sample.circles), general_growth::kMostCut);
+  } else if (shown.is(GrowthPhase::time)) {
+    times(shown, text);
+  } else if (shown.is(GrowthPhase::claim)) {
+    claim(shown, text);
+  } else {
+    const Sample& first = shown.told.samples.front();
+    text.caption =
+        fmt::format("From n = {} to {} pairs grow {}, visits {}.", grouped(first.segments),
+                    grouped(sample.segments), grouped(sample.pairs() / first.pairs()) + " times",
+                    grouped(sample.boxes / first.boxes) + " times");
+    text.detail =
+        "Both axes are logarithmic: a straight line is a power of n, and a flatter one a smaller "
+        "power.";
+  }
+}
+
+void question(const Story& story, FrameText& text) {
+  const Shown before(story.run, story.frame);
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const auto answer = static_cast<std::size_t>(story.frame.answering_step);
+  if (asked.ask == kAskVisits.name) {
+    const Sample& sample = before.told.samples[answer];
+    const Sample& last = before.told.samples[answer - 1];
+    const std::array<Growing, 3> ways = ways_to_grow(last, sample);
+    const auto off = [&](const Growing& way) {
+      return std::abs(std::log(sample.boxes / last.boxes / way.ratio));
+    };
+    for (const Growing& way : ways) asked.choices.push_back(way.words);
+    asked.answer =
+        std::min_element(ways.begin(), ways.end(), [&](const Growing& a, const Growing& b) {
+          return off(a) < off(b);
+        })->words;
+    text.caption =
+        fmt::format("Question: from n = {} to {}, how do the visits of trees of boxes grow?",
+                    grouped(last.segments), grouped(sample.segments));
+  } else {
+    const auto claim =
+        static_cast<Claim>(static_cast<int>(answer) - (before.told.steps() - kClaims));
+    asked.choices = {"yes", "no"};
+    asked.answer = asked.choices[before.told.agrees(claim) ? 0 : 1];
+    text.caption =
+        fmt::format("Question: Larsen says in 1998 that {}. Does it agree with what was measured?",
+                    said(claim));
+  }
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  text.values.emplace_back("x", story.run.lesson.x().name);
+  text.values.emplace_back("y", story.run.lesson.y().name);
+  text.values.emplace_back("n", grouped(shown.sample().segments));
+}
+
+}  // namespace gjkscope::costs

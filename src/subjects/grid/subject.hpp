@@ -1,0 +1,23 @@
+#pragma once
+// Axes and lines at round coordinates: what the files of this folder define.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+namespace layers {
+
+extern const Layer kGrid;
+
+}  // namespace layers
+
+namespace effect_infos {
+
+extern const EffectInfo kGrid;
+
+}  // namespace effect_infos
+
+}  // namespace gjkscope

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "subjects/growth/growth.hpp"
+#include "subjects/growth/subject.hpp"
+#include "subjects/growth/table.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+bool is_support_or_end(const LessonRun& run, int index, int step) {
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  return trace.steps[step].phase == gjk::Phase::support || step == last_step(run.lesson, trace);
+}
+
+void growth_frames(LessonRun& run, int index) {
+  add_step_frames(run, index, is_support_or_end);
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  if (last < 0) return;
+  const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
+  for (int i = 0; i <= sizes; ++i)
+    run.frames.push_back({.run = index, .step = last, .part = {ShownSize{i}, i}});
+}
+
+/// After the run of the lesson's own pair.
+bool is_about_sizes(const Frame& frame) { return frame.part.as<ShownSize>() != nullptr; }
+
+/// nullptr where a frame is about all sizes.
+const int* vertices_of(const LessonRun& run, const Frame& frame) {
+  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+  const auto size = static_cast<std::size_t>(frame.part.as<ShownSize>()->index);
+  return size < sizes.size() ? &sizes[size] : nullptr;
+}
+
+std::string growth_position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  if (!is_about_sizes(frame)) return position_in_run(run, index);
+  const int* vertices = vertices_of(run, frame);
+  return fmt::format("{} · {} of {}",
+                     vertices != nullptr ? fmt::format("n = {}", grouped(*vertices)) : "outcome",
+                     index + 1, run.frames.size());
+}
+
+/// "30k", "1M"; in full what is no whole number of thousands.
+std::string short_count(int count) {
+  constexpr int kThousand = 1000;
+  constexpr int kMillion = kThousand * kThousand;
+  if (count % kMillion == 0) return std::to_string(count / kMillion) + "M";
+  if (count % kThousand == 0) return std::to_string(count / kThousand) + "k";
+  return std::to_string(count);
+}
+
+Tick growth_tick(const LessonRun& run, const Frame& frame) {
+  if (!is_about_sizes(frame)) return tick_of_step(run, frame);
+  const int* vertices = vertices_of(run, frame);
+  if (vertices == nullptr) return {.group = "outcome", .label = "all n", .event = true};
+  return {.group = "vertices n", .label = short_count(*vertices)};
+}
+
+void growth_words(const Story& story, FrameText& text) {
+  return is_about_sizes(story.frame) ? captions::growth(story, text) : captions::step(story, text);
+}
+
+/// Of a size of polygons: what its runs come to. The lesson's own pair is no part of that.
+void growth_values(const Story& story, FrameText& text) {
+  if (!is_about_sizes(story.frame)) return captions::run_values(story, text);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
+  const int* vertices = vertices_of(story.run, story.frame);
+  if (vertices == nullptr) return;
+  const Growth::Sample& sample = story.effects.get<Growth>(
+      story.frame)[static_cast<std::size_t>(story.frame.part.as<ShownSize>()->index)];
+  put("n", grouped(*vertices));
+  put("iterations", fixed(sample.iterations, 1));
+  put("support calls", fixed(sample.support_calls, 1));
+  put("differences computed", fixed(sample.touched_points, 1));
+}
+
+bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
+  if (scene.view.kind == ViewKind::plot) {
+    layers::growth(scene, fonts);
+    return true;
+  }
+  if (!is_about_sizes(scene.frame) || scene.view.kind != ViewKind::difference) return false;
+  layers::growth_example(scene);
+  return true;
+}
+
+std::string growth_plot_title(const LessonRun&) { return "Iterations as polygons grow"; }
+
+}  // namespace
+
+const Act kGrowth{
+    .name = "growth",
+    .meaning =
+        "support step of the run, then number of vertices in [growth]; then the "
+        "outcome",
+    .needs = {.table = &LessonGrowth::kKind,
+              .path = PathUse::refused,
+              .why_no_until = "frames show how the run ends"},
+    .add_frames = growth_frames,
+    .follows_run = true,
+    .position = growth_position,
+    .tick = growth_tick,
+    .words = growth_words,
+    .stage = layers::stage_step,
+    .values = growth_values,
+    .fill = growth_fill,
+    .plot_title = growth_plot_title,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,191 @@
+#include "subjects/growth/growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "exact/instances.hpp"
+#include "outlines/minkowski.hpp"
+#include "subjects/growth/subject.hpp"
+#include "subjects/growth/table.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Vertices that are made for one size at least: small polygons are made anew for each run, of the
+/// largest one pair stands in many poses.
+constexpr int kMadeVertices = 200'000;
+
+/// The distributions of the standard library differ from one to the next; the generator does not.
+class Random {
+ public:
+  explicit Random(int seed) : bits_(static_cast<std::uint64_t>(seed)) {}
+  double uniform(double low, double high) {
+    constexpr int kUnused = 11;  // bits beyond those of a double
+    return low + (high - low) * std::ldexp(static_cast<double>(bits_() >> kUnused), -53);
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+/// A point of the unit circle, `turn` from 0 to 4: its whole part is the quadrant, the rest t is
+/// tan of half the angle in it, and the point ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)). Libraries
+/// round sin and cos differently.
+Vector2d on_circle(double turn) {
+  const double quadrant = std::floor(turn);
+  const double t = turn - quadrant;
+  Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+  Vector2d ahead(-point.y(), point.x());
+  switch (static_cast<int>(quadrant) % 4) {
+    case 0:
+      return point;
+    case 1:
+      return ahead;
+    case 2:
+      return -point;
+    default:
+      return -ahead;
+  }
+}
+
+/// Corners at random places of an ellipse, one in each of `count` parts of it, so that rounding
+/// leaves every corner convex.
+std::vector<Vector2d> random_polygon(Random& random, int count) {
+  constexpr double kPlay = 0.8;  // of a part; the rest keeps neighbours apart
+  const double narrow = random.uniform(0.4, 1.0);
+  std::vector<Vector2d> corners;
+  corners.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const Vector2d corner = on_circle(4.0 * (i + random.uniform(0.0, kPlay)) / count);
+    corners.emplace_back(corner.x(), narrow * corner.y());
+  }
+  return corners;
+}
+
+/// Anywhere around the origin: farther than two polygons of radius 1 reach, up to twice as far.
+gjk::Pose<double, 2> random_pose(Random& random) {
+  constexpr double kNear = 2.05;
+  const Vector2d turn = on_circle(random.uniform(0.0, 4.0));
+  const Vector2d bearing = on_circle(random.uniform(0.0, 4.0));
+  gjk::Pose<double, 2> pose;
+  pose.rotation = Eigen::Matrix2d{{turn.x(), -turn.y()}, {turn.y(), turn.x()}};
+  pose.translation = random.uniform(kNear, 2.0 * kNear) * bearing;
+  return pose;
+}
+
+/// The first iteration after which the bounds are close enough; else the last.
+int iterations_within(double tolerance, const gjk::Trace<double, 2>& trace) {
+  const double part = 1.0 - tolerance;
+  for (const gjk::Step<double, 2>& step : trace.steps) {
+    if (step.phase == gjk::Phase::stop &&
+        part * part * step.after.evidence.best_sq <= step.after.evidence.plane_distance_sq)
+      return step.iteration;
+  }
+  return trace.result.iterations;
+}
+
+void add(Growth::Sample& sample, const gjk::Trace<double, 2>& trace, double tolerance) {
+  std::set<std::pair<int, int>> touched;
+  const auto touch = [&](gjk::VertexPair pair) { touched.insert({pair.x, pair.y}); };
+  for (int i = 0; i < trace.initial.simplex.count; ++i)
+    touch(trace.initial.simplex.vertices[i].pair);
+  for (const gjk::Step<double, 2>& step : trace.steps) {
+    if (step.phase != gjk::Phase::support) continue;
+    touch(step.after.support.pair);
+    sample.support_calls += 1.0;
+    sample.seen_vertices +=
+        static_cast<double>(step.record.scan_x.size() + step.record.scan_y.size());
+    sample.scanned_vertices += 2.0 * sample.vertices;
+  }
+  sample.iterations += trace.result.iterations;
+  sample.most_iterations = std::max(sample.most_iterations, trace.result.iterations);
+  sample.within_tolerance += iterations_within(tolerance, trace);
+  sample.touched_points += static_cast<double>(touched.size());
+  ++sample.runs;
+}
+
+Growth::Example example_of(const gjk::Query<double, 2>& query, const gjk::Trace<double, 2>& trace) {
+  constexpr std::size_t kMostDots = 1000;
+  constexpr std::size_t kMostCorners = 400;
+  const auto in_world = [](const gjk::Shape<double, 2>& shape) {
+    std::vector<Vector2d> vertices;
+    vertices.reserve(shape.vertices().size());
+    for (const Vector2d& vertex : shape.vertices())
+      vertices.emplace_back(shape.pose.rotated(vertex) + shape.pose.translation);
+    return vertices;
+  };
+  const std::vector<Vector2d> x = in_world(query.x);
+  const std::vector<Vector2d> y = in_world(query.y);
+  Growth::Example example;
+  if (x.size() * y.size() <= kMostDots) {
+    for (const CloudPoint& point : minkowski_cloud(x, y)) example.cloud.push_back(point.z);
+  }
+  const std::vector<CloudPoint> corners = minkowski_merge(x, y);
+  const std::size_t every = corners.size() / kMostCorners + 1;
+  for (std::size_t i = 0; i < corners.size(); i += every) example.hull.push_back(corners[i].z);
+  example.touched.push_back(trace.initial.simplex.vertices[0].w);
+  for (const gjk::Step<double, 2>& step : trace.steps) {
+    if (step.phase == gjk::Phase::support) example.touched.push_back(step.after.support.w);
+  }
+  example.closest = trace.result.y - trace.result.x;
+  return example;
+}
+
+gjk::Options options_of(const Lesson& lesson) {
+  gjk::Options options = lesson.options;
+  options.start = {.count = std::min(options.start.count, 1)};
+  options.proof = gjk::Proof::none;  // the iterations count, not the last digits of the answer
+  return options;
+}
+
+Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
+  const gjk::Options options = options_of(lesson);
+  const int runs = lesson.table.as<LessonGrowth>()->runs;
+  const int pairs = std::clamp(kMadeVertices / vertices, 1, runs);
+  Growth::Sample sample;
+  sample.vertices = vertices;
+  for (int pair = 0; pair < pairs; ++pair) {
+    const gjk::MeasuredShape x(random_polygon(random, vertices));
+    const gjk::MeasuredShape y(random_polygon(random, vertices));
+    gjk::Query<double, 2> query{{x}, {y}};
+    sample.is_climbed = x.measures().is_ring;
+    for (int i = pair; i < runs; i += pairs) {
+      query.y.pose = random_pose(random);
+      const gjk::Trace<double, 2> trace = gjk::trace(query, options);
+      add(sample, trace, lesson.table.as<LessonGrowth>()->tolerance);
+      if (sample.runs == 1) sample.example = example_of(query, trace);
+    }
+  }
+  for (double* sum : {&sample.iterations, &sample.within_tolerance, &sample.support_calls,
+                      &sample.touched_points, &sample.seen_vertices, &sample.scanned_vertices})
+    *sum /= sample.runs;
+  return sample;
+}
+
+}  // namespace
+
+bool Growth::is_same(const LessonRun& one, const LessonRun& other) {
+  return one.lesson.table == other.lesson.table &&
+         options_of(one.lesson) == options_of(other.lesson);
+}
+
+EffectKey Growth::key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
+
+Growth::Value Growth::compute(EffectGraph&, const LessonRun& run, const Frame&) {
+  Random random(run.lesson.table.as<LessonGrowth>()->seed);
+  Value samples;
+  for (const int vertices : run.lesson.table.as<LessonGrowth>()->vertices)
+    samples.push_back(measured(random, run.lesson, vertices));
+  return samples;
+}
+
+const EffectInfo effect_infos::kGrowth =
+    effect_info<Growth>("panel", "runs on random polygons, with more and more vertices");
+
+}  // namespace gjkscope

@@ -1,0 +1,52 @@
+#pragma once
+#include "run/graph.hpp"
+
+namespace gjkscope {
+
+/// Part of the last step, after which runs of other sizes are shown: an index into
+/// LessonGrowth::vertices; as many as there are: all sizes.
+struct ShownSize {
+  int index = 0;
+};
+
+/// What GJK costs as polygons grow: traced runs on pairs of random convex polygons that lie apart,
+/// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,
+/// and start from the first vertices, or centre to centre where the lesson does. The same on every
+/// machine: nothing is timed, and the polygons come of sums, products and quotients alone. No
+/// shapes of the lesson are part of it.
+struct Growth {
+  static constexpr std::string_view kName = "growth";
+  static constexpr std::string_view kNeeds = "";
+  /// What Larsen reports of iterations, "on average for any problem size" (1998, slide "GJK -
+  /// Running Time").
+  static constexpr int kLarsenLeast = 3;
+  static constexpr int kLarsenMost = 6;
+  /// The first run of a size, as it stands in the difference Y - X.
+  struct Example {
+    std::vector<Eigen::Vector2d> cloud;    ///< Every difference; empty where they are too many.
+    std::vector<Eigen::Vector2d> hull;     ///< Corners of Z, evenly thinned where they are many.
+    std::vector<Eigen::Vector2d> touched;  ///< Differences computed, in the order found.
+    Eigen::Vector2d closest;               ///< The closest point to the origin.
+  };
+  /// Polygons of one size. What is counted is an average over the runs.
+  struct Sample {
+    int vertices = 0;  ///< Of each of the two polygons.
+    int runs = 0;
+    double iterations = 0.0;
+    int most_iterations = 0;        ///< Of any run.
+    double within_tolerance = 0.0;  ///< Iterations until the bounds were that close.
+    double support_calls = 0.0;
+    double touched_points = 0.0;    ///< Of the vertices * vertices points y - x: those computed.
+    double seen_vertices = 0.0;     ///< That the support calls looked at: dot products.
+    double scanned_vertices = 0.0;  ///< The same for plain scans, which look at all vertices.
+    Example example;
+    bool is_climbed = false;  ///< Large polygons are climbed, small ones are scanned.
+  };
+  using Value = std::vector<Sample>;
+  /// Whether the values are the same, whatever the shapes.
+  static bool is_same(const LessonRun& one, const LessonRun& other);
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope

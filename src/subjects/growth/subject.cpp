@@ -1,0 +1,13 @@
+#include "subjects/growth/subject.hpp"
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+const SubjectParts subjects::growth{
+    .acts = {&acts::kGrowth},
+    .blocks = {&blocks::kGrowth},
+    .effects = {&effect_infos::kGrowth},
+};
+
+}  // namespace gjkscope

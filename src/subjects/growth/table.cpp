@@ -1,0 +1,134 @@
+#include "subjects/growth/table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "lesson/table_kind.hpp"
+#include "subjects/growth/subject.hpp"
+
+namespace gjkscope {
+namespace {
+
+using toml_file::Field;
+using toml_file::Table;
+
+constexpr int kSizes = 16;
+constexpr int kMeasuredVertices = 1'000'000;  // of one polygon
+constexpr int kMeasuredTogether = 2'000'000;  // of all sizes: a second or so
+constexpr int kMeasuredRuns = 200;            // with each number of vertices
+constexpr int kLargestSeed = 1'000'000'000;
+constexpr int kMachineLength = 80;
+constexpr double kNanoseconds = 1e15;  // that a method takes
+
+std::vector<LessonKey> growth_keys() {
+  const std::string required(kRequired);
+  const std::string times =
+      fmt::format("list of numbers from 1 to {:g}, one a size: nanoseconds", kNanoseconds);
+  return {
+      {"growth", "vertices",
+       fmt::format("list of 2 to {} whole numbers from 3 to {}, ascending", kSizes,
+                   kMeasuredVertices),
+       required,
+       fmt::format("numbers of vertices of each of the two polygons; their sum is at most {}",
+                   kMeasuredTogether)},
+      {"growth", "runs", fmt::format("whole number from 1 to {}", kMeasuredRuns), "100",
+       "runs with each number of vertices, of which frames show the averages"},
+      {"growth", "seed", fmt::format("whole number from 0 to {}", kLargestSeed), "1",
+       "of the random polygons: the same number gives the same ones"},
+      {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
+       "frames also count the iterations until lower >= (1 - tolerance) * upper"},
+      {"growth", "times", "table [growth.times]", "none",
+       "with granularity `general-growth`: how long methods take, as `gjkscope study models` "
+       "measures and writes it"},
+      {"growth.times", "machine", text_up_to(kMachineLength), required, "what it was measured on"},
+      {"growth.times", "pairs", times, required, "all pairs of segments"},
+      {"growth.times", "pieces", times, required,
+       "convex pieces, cut beforehand, up to the largest that are cut"},
+      {"growth.times", "boxes", times, required, "trees of boxes, built beforehand"},
+      {"growth.times", "circles", times, required, "trees of circles"},
+      {"growth.times", "remembered", times, required,
+       "trees of boxes, from the closest pair of the position before"},
+      {"growth.times", "collide", times, required,
+       "trees of boxes, only to find whether they collide"},
+      {"growth.times", "build", times, required, "building both trees of boxes"},
+  };
+}
+
+/// Pieces are timed up to the largest outlines that are cut, all else at each size.
+GrowthTimes read_times(const TableSource& source, const Table& table, std::size_t sizes) {
+  GrowthTimes times;
+  times.machine = source.reader.text(table["machine"], kMachineLength).value_or("");
+  for (const auto& [name, member] : kGrowthTimes) {
+    const Field field = table[name];
+    std::vector<double>& list = times.*member;
+    for (const Field& entry :
+         source.reader.entries(field, fmt::format("number from 1 to {:g}", kNanoseconds))) {
+      if (const std::optional<double> ns = source.reader.number(entry, 1.0, kNanoseconds))
+        list.push_back(*ns);
+    }
+    const bool fits =
+        list.size() == sizes || (member == &GrowthTimes::pieces && list.size() < sizes);
+    if (field && field.node->is_array() && !fits) {
+      source.problems.add(
+          field.place(), fmt::format("{} times for {} sizes", list.size(), sizes),
+          fmt::format("those that `gjkscope study models` measures at {} sizes", sizes));
+    }
+  }
+  return times;
+}
+
+ActTable read_growth(const TableSource& source) {
+  LessonGrowth growth;
+  const Field vertices = source.table["vertices"];
+  const std::vector<Field> sizes =
+      source.reader.entries(vertices, fmt::format("whole number from 3 to {}", kMeasuredVertices));
+  if (vertices && vertices.node->is_array() && (sizes.size() < 2 || sizes.size() > kSizes))
+    source.problems.add(vertices, fmt::format("'vertices' has {} entries", sizes.size()));
+  for (const Field& entry : sizes) {
+    const std::optional<int> size = source.reader.whole_number(entry, 3, kMeasuredVertices);
+    if (!size) continue;
+    if (!growth.vertices.empty() && *size <= growth.vertices.back()) {
+      source.problems.add(entry.place(),
+                          fmt::format("{} vertices after {}", *size, growth.vertices.back()),
+                          "ascending numbers");
+    }
+    growth.vertices.push_back(*size);
+  }
+  const long all = std::accumulate(growth.vertices.begin(), growth.vertices.end(), 0L);
+  if (all > kMeasuredTogether) {
+    source.problems.add(vertices.place(), fmt::format("{} vertices in all", all),
+                        fmt::format("a sum of at most {}", kMeasuredTogether));
+  }
+  growth.runs =
+      source.reader.whole_number(source.table["runs"], 1, kMeasuredRuns).value_or(growth.runs);
+  growth.seed =
+      source.reader.whole_number(source.table["seed"], 0, kLargestSeed).value_or(growth.seed);
+  growth.tolerance = source.reader.number(source.table["tolerance"], 0.0, std::nextafter(1.0, 0.0))
+                         .value_or(growth.tolerance);
+  if (const auto times = source.reader.table(source.table["times"], "growth.times"))
+    growth.times = read_times(source, *times, growth.vertices.size());
+  return ActTable(std::move(growth));
+}
+
+void write_growth(const ActTable& table, TomlText& out) {
+  const LessonGrowth& growth = *table.as<LessonGrowth>();
+  const LessonGrowth defaults;
+  out.table("[growth]");
+  out.list("vertices", growth.vertices);
+  out.whole_number("runs", growth.runs, defaults.runs);
+  out.whole_number("seed", growth.seed, defaults.seed);
+  out.number("tolerance", growth.tolerance, defaults.tolerance);
+  if (!growth.times) return;
+  out.table("[growth.times]");
+  out.text("machine", growth.times->machine, "");
+  for (const auto& [name, member] : kGrowthTimes) out.list(name, (*growth.times).*member);
+}
+
+}  // namespace
+
+const TableKind LessonGrowth::kKind = {"growth", "random polygons that runs are measured with",
+                                       growth_keys, read_growth, write_growth};
+
+}  // namespace gjkscope

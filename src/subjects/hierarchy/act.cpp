@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "subjects/hierarchy/shown.hpp"
+#include "subjects/subjects.hpp"
+
+namespace gjkscope::searches {
+
+using models::SearchPhase;
+using models::SearchStep;
+
+Shown::Shown(const LessonRun& run, const Frame& frame)
+    : lesson(run.lesson),
+      search(*search_told(run, frame.run)),
+      over(*frame.steps_over),
+      step(last_step_over(search.trace.steps, frame)),
+      state(step == nullptr ? search.trace.start : step->after),
+      is_answer(over > static_cast<int>(search.trace.steps.size())) {}
+
+std::string_view Shown::volumes() const {
+  return trees_of(lesson).volumes == VolumeKind::boxes ? "boxes" : "circles";
+}
+
+std::string_view Shown::volume() const {
+  return trees_of(lesson).volumes == VolumeKind::boxes ? "box" : "circle";
+}
+
+std::vector<NodeState> Shown::node_states(bool of_x) const {
+  const std::vector<TreeNode>& tree = search.tree(of_x);
+  std::vector<NodeState> states(tree.size(), NodeState::off);
+  const auto state_of = [&](const models::NodePair& pair) -> NodeState& {
+    return states[static_cast<std::size_t>(of_x ? pair.a : pair.b)];
+  };
+  const int steps = std::min(over, static_cast<int>(search.trace.steps.size()));
+  for (int i = 0; i < steps; ++i) {
+    const SearchStep& each = search.trace.steps[static_cast<std::size_t>(i)];
+    if (each.phase != SearchPhase::bound) continue;
+    NodeState& mark = state_of(each.after.pair);
+    if (mark != NodeState::visited) mark = each.record.cut ? NodeState::cut : NodeState::visited;
+  }
+  for (const models::NodePair& pair : state.waiting) state_of(pair) = NodeState::waiting;
+  // What is visited now has children to come until it is cut or measured.
+  const bool is_open =
+      has_pair() && (is(SearchPhase::visit) || is(SearchPhase::bound)) && !is_cut();
+  if (is_open) state_of(state.pair) = NodeState::waiting;
+  std::vector<bool> is_reachable(tree.size());
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const bool below =
+        tree[i].parent >= 0 && is_reachable[static_cast<std::size_t>(tree[i].parent)];
+    is_reachable[i] = below || states[i] == NodeState::waiting;
+    if (below && states[i] == NodeState::off) states[i] = NodeState::ahead;
+  }
+  return states;
+}
+
+bool ends_visit(const SearchStep& step) {
+  return step.phase == SearchPhase::leaf || step.phase == SearchPhase::descend ||
+         (step.phase == SearchPhase::bound && step.record.cut);
+}
+
+namespace {
+
+constexpr std::array kCollideAsks = {kAskDescend};
+constexpr std::array kDistanceAsks = {kAskWin, kAskTable};
+
+/// Whether a question may be about this visit: then it has a frame of its own, before what comes of
+/// it. So has the first.
+bool is_introduced(const Lesson& lesson, long visit) {
+  return visit == 1 || std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                                   [&](const LessonQuestion& question) {
+                                     return question.at.value_or(visit) == visit;
+                                   });
+}
+
+/// A frame for the start, one for what comes of each visit, one for what follows them; of a long
+/// search those alone that find a better candidate or are looked up, and some in between.
+void add_frames(LessonRun& run, int index) {
+  constexpr long kBetween = 8;
+  const auto add = [&](int over) {
+    run.frames.push_back({.run = index, .step = -1, .steps_over = over});
+  };
+  const models::SearchTrace& trace = search_told(run, index)->trace;
+  add(0);
+  if (trace.steps.empty()) return;
+  const long visits = trace.result.visits;
+  const bool is_long = visits > kMostVisits;
+  for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+    const SearchStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const long visit = step.after.visits;
+    const bool begins_visit =
+        step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
+    const bool is_between =
+        is_long && visit % (visits / kBetween) != 0 && !step.record.better && !step.record.hit;
+    if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
+        (ends_visit(step) && !is_between))
+      add(i + 1);
+  }
+  add(static_cast<int>(trace.steps.size()) + 1);
+}
+
+/// Two leaves have nothing below them to be cut.
+int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, before);
+  if (question.ask == kAskTable.name) {
+    const Shown after(run, frame);
+    const bool answers =
+        after.is(SearchPhase::leaf) && after.has_tiles() &&
+        question.at.value_or(static_cast<int>(after.state.visits)) == after.state.visits;
+    return answers ? after.over - 1 : -1;
+  }
+  if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;
+  if (question.at && *question.at != shown.state.visits) return -1;
+  const SearchStep& bound = shown.search.trace.steps[static_cast<std::size_t>(shown.over)];
+  const bool is_open =
+      shown.is_distance() ? shown.state.candidate.has_value() : !shown.are_leaves();
+  return is_open && *frame.steps_over > shown.over && bound.phase == SearchPhase::bound ? shown.over
+                                                                                        : -1;
+}
+
+std::string position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Shown shown(run, frame);
+  const std::string where = run.runs.size() > 1 ? position_on_path(run, index) + " · " : "";
+  if (shown.step == nullptr) return where + "start";
+  if (shown.is_answer) return where + "answer";
+  if (shown.is(SearchPhase::contain)) return where + "nothing waits";
+  if (asks_later(run, index)) return fmt::format("{}visit {}", where, shown.state.visits);
+  return fmt::format("{}visit {} of {}", where, shown.state.visits,
+                     shown.search.trace.result.visits);
+}
+
+Tick tick(const LessonRun& run, const Frame& frame) {
+  const Shown shown(run, frame);
+  if (shown.step == nullptr)
+    return {.group = group_of_position(run, frame, "start"), .label = "start"};
+  if (shown.is_answer)
+    return {.group = group_of_position(run, frame, "answer"),
+            .label = "answer",
+            .short_label = "end",
+            .event = true};
+  const StepInfo at = run.info(frame);
+  const std::string group =
+      shown.is(SearchPhase::contain) ? "inside?" : fmt::format("visit {}", shown.state.visits);
+  return {.group = group_of_position(run, frame, group),
+          .label = shown.is_cut() ? "cut" : std::string(at.phase),
+          .event = at.is_event};
+}
+
+const Act kCollide{
+    .name = "hierarchy-collide",
+    .meaning =
+        "visit of a pair of volumes, in search of segments that meet, and what comes "
+        "of it; then the answer",
+    .needs = {.table = &LessonTrees::kKind, .why_no_until = "frames show how the search ends"},
+    .add_frames = add_frames,
+    .asks = kCollideAsks,
+    .answering_step = answering_step,
+    .algorithm = &kHierarchyCollide,
+    .position = position,
+    .tick = tick,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+    .fill = trees,
+    .plot_title = trees_title,
+};
+
+const Act kDistance{
+    .name = "hierarchy-distance",
+    .meaning =
+        "visit of a pair of volumes, in search of the closest segments, and what "
+        "comes of it; then the answer",
+    .needs = {.table = &LessonTrees::kKind, .why_no_until = "frames show how the search ends"},
+    .add_frames = add_frames,
+    .asks = kDistanceAsks,
+    .answering_step = answering_step,
+    .algorithm = &kHierarchyDistance,
+    .position = position,
+    .tick = tick,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+    .fill = trees,
+    .plot_title = trees_title,
+};
+
+}  // namespace
+}  // namespace gjkscope::searches
+
+namespace gjkscope {
+
+const SubjectParts subjects::hierarchy{
+    .acts = {&searches::kCollide, &searches::kDistance, &searches::kOrders},
+    .blocks = {&searches::kCollideCounters, &searches::kDistanceCounters,
+               &searches::kOrderCounters},
+    .listings = {&searches::kCollideListing, &searches::kDistanceListing},
+    .legend = {{"volume.child", "volumes of the children"},
+               {"volume.band", "nearer to a than δ"},
+               {"volume.segment", "the two segments compared"},
+               {"region.hatch", "cut off, with all in it"},
+               {"gap.exact", "shortest way between volumes"}},
+};
+
+}  // namespace gjkscope

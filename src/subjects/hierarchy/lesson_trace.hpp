@@ -1,0 +1,51 @@
+#pragma once
+// The walk over two trees of bounding volumes (models/search.hpp) as the algorithm of a lesson:
+// over the segments of two shapes as a run places them, told as JSON and as text.
+
+#include <array>
+#include <variant>
+
+#include "lesson/algorithm.hpp"
+#include "outlines/search.hpp"
+#include "run/outline_trace.hpp"
+#include "run/run.hpp"
+
+namespace gjkscope {
+
+/// Whichever a lesson asks for (`trees.volumes`).
+using Volume = std::variant<models::Box, models::Circle>;
+using TreeNode = models::Node<Volume>;
+
+/// What a search did with the shapes of one run. A is X, B is Y.
+struct SearchTold {
+  models::Model x;
+  models::Model y;
+  std::vector<TreeNode> tree_x;
+  std::vector<TreeNode> tree_y;
+  models::SearchOptions options;
+  models::SearchTrace trace;       ///< Without steps where shapes are refused.
+  models::SearchTrace left_first;  ///< Of a distance: the same search, the left child always first.
+  std::optional<Refusal> refusal;
+
+  [[nodiscard]] const models::Model& model(bool of_x) const { return of_x ? x : y; }
+  [[nodiscard]] const std::vector<TreeNode>& tree(bool of_x) const {
+    return of_x ? tree_x : tree_y;
+  }
+  /// Pairs of segments that brute force would look at.
+  [[nodiscard]] long pairs() const {
+    return static_cast<long>(x.segments.size()) * static_cast<long>(y.segments.size());
+  }
+};
+
+extern const Algorithm kHierarchyCollide;
+extern const Algorithm kHierarchyDistance;
+
+/// The search of run `index`; nullptr where the lesson shows another algorithm.
+[[nodiscard]] const SearchTold* search_told(const LessonRun& run, int index);
+
+/// "descend"
+[[nodiscard]] std::string_view name_of(models::SearchPhase phase);
+/// "apart"
+[[nodiscard]] std::string_view name_of(models::SearchStop stop);
+
+}  // namespace gjkscope

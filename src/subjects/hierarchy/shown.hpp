@@ -1,0 +1,124 @@
+#pragma once
+// The search over two trees in pictures: what a frame shows of it, and what its acts draw and say.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "run/algorithm_facts.hpp"
+#include "subjects/hierarchy/lesson_trace.hpp"
+#include "subjects/hierarchy/table.hpp"
+
+namespace gjkscope::searches {
+
+inline constexpr AskInfo kAskDescend{"descend", "whether the search descends or cuts", "at visit"};
+inline constexpr AskInfo kAskTable{
+    "table", "whether two tiles are measured or their segments are in the table", "at visit"};
+inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes is too far apart to matter",
+                                 "at visit"};
+
+/// Searches with more visits are summed up: frames show their milestones alone.
+inline constexpr long kMostVisits = 40;
+
+/// What a frame says of a node.
+enum class NodeState : std::uint8_t {
+  ahead,    ///< Not reached yet: an ancestor waits or is visited.
+  waiting,  ///< Waits in a pair.
+  visited,  ///< Was visited, in a pair that was not cut.
+  cut,      ///< Was visited in pairs that were cut alone.
+  off       ///< Below what was cut: never reached.
+};
+
+/// The part of the search that a frame shows.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame);
+
+  const Lesson& lesson;
+  const SearchTold& search;
+  int over = 0;                              ///< Steps that are over.
+  const models::SearchStep* step = nullptr;  ///< The last of them; none at the start.
+  const models::SearchState& state;          ///< What it left.
+  bool is_answer = false;                    ///< The frame after the last step.
+
+  [[nodiscard]] bool is_refused() const { return search.trace.steps.empty(); }
+  [[nodiscard]] bool is(models::SearchPhase phase) const {
+    return step != nullptr && !is_answer && step->phase == phase;
+  }
+  [[nodiscard]] bool is_distance() const { return search.options.goal == models::Goal::distance; }
+  /// A pair is visited.
+  [[nodiscard]] bool has_pair() const {
+    return step != nullptr && !is_answer && !is(models::SearchPhase::contain);
+  }
+  /// A leaf whose segments are as far apart as the candidate that they replace.
+  [[nodiscard]] bool is_tie() const {
+    const auto& before = (step - 1)->after.candidate;
+    return before && models::compare_distances(*before, *state.candidate) == 0;
+  }
+  [[nodiscard]] bool is_cut() const { return is(models::SearchPhase::bound) && step->record.cut; }
+  [[nodiscard]] int node_index(bool of_x) const { return of_x ? state.pair.a : state.pair.b; }
+  [[nodiscard]] const TreeNode& node(bool of_x) const {
+    return search.tree(of_x)[static_cast<std::size_t>(node_index(of_x))];
+  }
+  /// Leaves are small circles; several may have the same segment.
+  [[nodiscard]] bool has_tiles() const { return trees_of(lesson).volumes == VolumeKind::tiles; }
+  [[nodiscard]] bool are_leaves() const { return node(true).is_leaf() && node(false).is_leaf(); }
+  [[nodiscard]] const std::string& name(bool of_x) const {
+    return (of_x ? lesson.x() : lesson.y()).name;
+  }
+  /// "box", "circle"
+  [[nodiscard]] std::string_view volume() const;
+  /// "boxes", "circles"
+  [[nodiscard]] std::string_view volumes() const;
+  /// Of each node of a tree.
+  [[nodiscard]] std::vector<NodeState> node_states(bool of_x) const;
+};
+
+/// The step that ends the visit of a pair.
+[[nodiscard]] bool ends_visit(const models::SearchStep& step);
+
+// blocks.cpp
+extern const Block kCollideCounters;
+extern const Block kDistanceCounters;
+extern const Listing kCollideListing;
+extern const Listing kDistanceListing;
+
+// orders.cpp
+extern const Act kOrders;
+extern const Block kOrderCounters;
+
+// stage.cpp
+void stage(SceneBuilder& scene);
+/// The closest points of two segments, a line between them, and its length after `before`.
+void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+                  const std::string& role, const std::string& id, const std::string& before);
+
+// tree.cpp
+/// Levels below the root that are drawn node by node; what lies deeper is one mark each.
+inline constexpr int kMostDepth = 5;
+/// The depth of each node of a tree: levels from the root.
+[[nodiscard]] std::vector<int> depths_of(const std::vector<TreeNode>& tree);
+/// A view of both trees.
+bool trees(SceneBuilder& scene, const Fonts& fonts);
+std::string trees_title(const LessonRun& run);
+/// Of a tree that is too deep to be drawn node by node: segments in one of its lowest marks, at
+/// most; 0 where both are drawn as they are.
+[[nodiscard]] int most_in_heap(const Shown& shown);
+/// How a node looks; `radius` is that of a disk.
+[[nodiscard]] Mark node_mark(NodeState state, const Point& at, double radius);
+/// The node that is visited.
+[[nodiscard]] Mark current_mark(const Point& at, bool is_cut = false);
+inline constexpr double kNodeRadius = 6.0;  ///< The largest.
+/// What a mark means, and a mark like it in a given place.
+struct KeyEntry {
+  Mark (*mark)(const Point& at) = nullptr;
+  std::string_view text;
+};
+/// Of a view, at the foot of its card, in rows of three; two rows at most.
+void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries);
+/// Where trees stand: two of them, one above the other, between a view's title and its key.
+[[nodiscard]] std::array<Rect, 2> tree_areas(const Rect& card);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::searches

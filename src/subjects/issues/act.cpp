@@ -1,0 +1,47 @@
+#include <array>
+
+#include "run/questions.hpp"
+#include "subjects/issues/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void issues_frames(LessonRun& run, int index) {
+  run.frames.push_back({.run = index});
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  if (last >= 0) run.frames.push_back({.run = index, .step = last});
+}
+
+Tick issues_tick(const LessonRun& run, const Frame& frame) {
+  return {.group = group_of_position(run, frame, "position"),
+          .label = frame.step < 0 ? "start" : "stop",
+          .event = frame.step >= 0};
+}
+
+constexpr std::array kAsks = {AskInfo{asks::kStop.name, asks::kStop.meaning, "at position"}};
+
+int answering_step(const LessonRun&, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  return frame.step >= 0 && question.at.value_or(frame.run + 1) == frame.run + 1 ? frame.step : -1;
+}
+
+}  // namespace
+
+const Act kIssues{
+    .name = "issues",
+    .meaning =
+        "place of Q, then for how GJK ends there: the numerical issues, one for "
+        "each place of Q; for a point query",
+    .needs = {.start = 1, .why_no_until = "frames show how the run ends"},
+    .add_frames = issues_frames,
+    .asks = kAsks,
+    .answering_step = answering_step,
+    .position = position_on_path,
+    .tick = issues_tick,
+    .start = captions::issue,
+    .words = captions::issue_solved,
+    .stage = layers::issue,
+    .question = captions::issue_question,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,14 @@
+#include "subjects/issues/subject.hpp"
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+const SubjectParts subjects::issues{
+    .acts = {&acts::kIssues},
+    .blocks = {&blocks::kIssuesOfPlaces},
+    .layers = {&layers::kEarlierPlaces},
+    .effects = {&effect_infos::kNumericalIssue},
+};
+
+}  // namespace gjkscope

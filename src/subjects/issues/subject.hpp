@@ -1,0 +1,48 @@
+#pragma once
+// What can go wrong, by the place of Q: what the files of this folder define.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+namespace acts {
+
+extern const Act kIssues;
+
+}  // namespace acts
+
+namespace blocks {
+
+extern const Block kIssuesOfPlaces;
+
+}  // namespace blocks
+
+namespace layers {
+
+extern const Layer kEarlierPlaces;
+
+/// The step, with the whole triangle where it holds Q, and d where that is the question.
+void issue(SceneBuilder& scene);
+
+}  // namespace layers
+
+namespace captions {
+
+/// What could go wrong where Q stands.
+void issue(const Story& story, FrameText& text);
+/// What GJK does about it.
+void issue_solved(const Story& story, FrameText& text);
+void issue_question(const Story& story, FrameText& text);
+
+}  // namespace captions
+
+namespace effect_infos {
+
+extern const EffectInfo kNumericalIssue;
+
+}  // namespace effect_infos
+
+}  // namespace gjkscope

@@ -1,0 +1,91 @@
+#include "subjects/lengths/subject.hpp"
+#include "subjects/lin_canny/shown.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::walks {
+namespace {
+
+using Eigen::Vector2d;
+using models::RingFeature;
+using models::WalkPhase;
+using namespace sizes;
+
+/// The borders of the feature's region, with ticks on its side. A fill would cover the other shape
+/// as if they overlapped. A region that was left is hatched; the border that was crossed stands
+/// out.
+void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
+  const bool looked = shown.is(WalkPhase::regions);
+  const models::RegionTest& found = shown.state.found;
+  const bool left = looked && found.crossed && found.of_a == of_x;
+  const std::vector<Border> all = shown.borders(of_x);
+  if (left) {
+    std::vector<Vector2d> seen = scene.map.visible();
+    for (const Border& border : all) seen = clip(seen, border.line);
+    std::vector<Point> area;
+    for (const Vector2d& point : seen) area.push_back(scene.at(point));
+    if (area.size() > 2) scene.hatched("region.hatch", area);
+  }
+  const std::string role = of_x ? "walk.region.x" : "walk.region.y";
+  const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
+  for (const Border& border : all) {
+    if (border.neighbour == shown.feature(of_x)) continue;  // the edge itself
+    const HalfPlane& line = border.line;
+    Vector2d out(line.normal.y(), -line.normal.x());
+    const bool inside = std::any_of(all.begin(), all.end(), [&](const Border& other) {
+      return other.line.normal.dot(out) > 1e-9 * other.line.normal.norm() * out.norm();
+    });
+    if (inside) out = -out;
+    const bool is_crossed = left && border.neighbour == found.neighbour;
+    const Point from = scene.at(line.point);
+    const Point to = scene.at(line.point + reach * out.normalized());
+    scene.line(is_crossed ? "sign.border" : role, from, to);
+    layers::ticks(scene, role + ".tick", from, to, scene.map.direction(-line.normal));
+  }
+}
+
+void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
+  const models::Ring& ring = shown.ring(of_x);
+  const RingFeature& at = shown.feature(of_x);
+  const auto corner = [&](int i) { return scene.at(ring.points[static_cast<std::size_t>(i)]); };
+  if (at.is_vertex) return scene.disk("feature.vertex", corner(at.index), kSimplexRadius);
+  scene.line("feature.edge", corner(at.index), corner(ring.next(at.index)));
+}
+
+}  // namespace
+
+void stage(SceneBuilder& scene) {
+  const Shown& shown = shown_in<Shown>(scene);
+  if (!shown.walk.query) return;
+  const bool shows_regions = !shown.is_answer && shown.state.stop != models::WalkStop::overlap;
+  for (const bool of_x : {true, false}) {
+    if (shows_regions) region(scene, shown, of_x);
+  }
+  for (const bool of_x : {true, false}) feature(scene, shown, of_x);
+  if (!shown.knows_pair()) return;
+  if (shown.is_answer && shown.walk.truth) {
+    const Point of_x = scene.at(shown.walk.truth->a);
+    const Point of_y = scene.at(shown.walk.truth->b);
+    scene.line("gap.exact", of_x, of_y);
+    for (const Point& point : {of_x, of_y}) scene.disk("closest", point, kClosestRadius);
+    layers::length_label(scene, "truth", shown.walk.truth->distance, of_x, of_y);
+  }
+  const models::Answer closest = shown.closest();
+  const Point x = scene.at(closest.a);
+  const Point y = scene.at(closest.b);
+  scene.line("closest.line", x, y);
+  const auto name = [&](const char* letter, const Point& point, const Point& other) {
+    scene.disk("closest", point, kClosestRadius);
+    scene.out.moving_labels.push_back(scene.label(std::string("closest:") + letter, letter,
+                                                  "closest.label", type::kVertex, point,
+                                                  kPointRadius, point - other));
+  };
+  if ((y - x).norm() < 1.0) {
+    name("x = y", y, y);
+  } else {
+    name("x", x, y);
+    name("y", y, x);
+  }
+  layers::length_label(scene, "distance", closest.distance, x, y);
+}
+
+}  // namespace gjkscope::walks

@@ -1,0 +1,199 @@
+#include "subjects/lin_canny/lesson_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "lesson/vocabulary.hpp"
+#include "outlines/brute.hpp"
+#include "run/fields.hpp"
+#include "run/outline_trace.hpp"
+
+namespace gjkscope {
+namespace {
+
+using fields::Json;
+using fields::line;
+using models::WalkPhase;
+using models::WalkStop;
+
+constexpr std::array<std::string_view, 3> kPhases = {"closest", "regions", "swap"};
+constexpr std::array<std::string_view, 2> kAnswers = {"distance", "swaps"};
+constexpr std::array<std::string_view, 6> kStops = {"running", "closest", "local-minimum",
+                                                    "overlap", "refused", "pair-cap"};
+constexpr std::array<PlaceholderInfo, 2> kValues = {
+    {{"distance", "distance of the closest features, once the walk has stopped"},
+     {"swaps", "features that the walk has swapped by now"}}};
+
+class Told : public AlgorithmTrace {
+ public:
+  explicit Told(WalkTold walk) : walk_(std::move(walk)) {}
+
+  [[nodiscard]] const WalkTold& walk() const { return walk_; }
+  [[nodiscard]] int steps() const override { return static_cast<int>(walk_.trace.steps.size()); }
+  [[nodiscard]] StepInfo info(int index) const override {
+    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const bool is_swap = step.phase == WalkPhase::swap;
+    return {step.after.swaps + (is_swap ? 0 : 1), name_of(step.phase),
+            is_swap || step.after.stop != WalkStop::running};
+  }
+  [[nodiscard]] double answer(std::string_view name) const override {
+    if (walk_.trace.result.stop == WalkStop::refused)
+      return std::numeric_limits<double>::quiet_NaN();
+    return name == "swaps" ? walk_.trace.result.steps - 1 : walk_.trace.result.answer.distance;
+  }
+  [[nodiscard]] std::string_view stop() const override { return name_of(walk_.trace.result.stop); }
+  [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun&) const override {
+    Json out;
+    out["stop"] = name_of(walk_.trace.result.stop);
+    if (!walk_.query) {
+      out["flaw"] = models::name_of(walk_.trace.result.flaw.fault);
+      return out;
+    }
+    out["steps"] = Json::array();
+    for (int i = 0; i < steps(); ++i) out["steps"].push_back(step_json(lesson, i));
+    const models::Answer& answer = walk_.trace.result.answer;
+    out["distance"] = fields::number(answer.distance);
+    out["overlap"] = answer.overlap;
+    out["closest_x"] = fields::point<2>(answer.a);
+    out["closest_y"] = fields::point<2>(answer.b);
+    return out;
+  }
+  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
+    std::string out = "\nlin-canny\n";
+    if (!walk_.query)
+      return out + line("stop", fmt::format("{}: {}", name_of(walk_.trace.result.stop),
+                                            models::name_of(walk_.trace.result.flaw.fault)));
+    for (int i = 0; i < steps(); ++i) out += step_text(lesson, i);
+    const models::Answer& answer = walk_.trace.result.answer;
+    out += "\nlin-canny, result\n" + line("stop", name_of(walk_.trace.result.stop));
+    out += line("distance", fields::number_text(lesson.scalar, answer.distance));
+    out += line("on " + lesson.x().name, fields::point_text<2>(lesson.scalar, answer.a));
+    return out + line("on " + lesson.y().name, fields::point_text<2>(lesson.scalar, answer.b));
+  }
+
+ private:
+  [[nodiscard]] Json step_json(const Lesson& lesson, int index) const {
+    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const StepInfo at = info(index);
+    Json out = {{"phase", at.phase},
+                {"iteration", at.iteration},
+                {"x", feature_name(lesson, *walk_.query, true, step.after.a)},
+                {"y", feature_name(lesson, *walk_.query, false, step.after.b)}};
+    if (step.phase == WalkPhase::closest) {
+      out["distance_low"] = fields::number(step.after.pair.low);
+      out["distance_high"] = fields::number(step.after.pair.high);
+    }
+    if (step.phase == WalkPhase::regions) {
+      out["tests"] = Json::array();
+      for (const models::RegionTest& test : step.tests)
+        out["tests"].push_back(
+            {{"neighbour", feature_name(lesson, *walk_.query, test.of_a, test.neighbour)},
+             {"behind", test.behind},
+             {"crossed", test.crossed}});
+    }
+    out["stop"] = name_of(step.after.stop);
+    return out;
+  }
+  [[nodiscard]] std::string step_text(const Lesson& lesson, int index) const {
+    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const auto name = [&](bool of_x, const models::RingFeature& feature) {
+      return feature_name(lesson, *walk_.query, of_x, feature);
+    };
+    std::string out;
+    switch (step.phase) {
+      case WalkPhase::closest:
+        out = fmt::format("\nlin-canny, iteration {}\n", info(index).iteration);
+        return out + line("closest",
+                          fmt::format("{} and {}, distance = {}", name(true, step.after.a),
+                                      name(false, step.after.b),
+                                      fields::number_text(lesson.scalar, step.after.pair.high)));
+      case WalkPhase::regions:
+        for (const models::RegionTest& test : step.tests)
+          out += line("region?", fmt::format("{}{}: {}", test.behind ? "behind " : "towards ",
+                                             name(test.of_a, test.neighbour),
+                                             test.crossed ? "crossed" : "no"));
+        return out;
+      case WalkPhase::swap:
+        return line("swap",
+                    fmt::format("{} and {}", name(true, step.after.a), name(false, step.after.b)));
+    }
+    return out;
+  }
+
+  WalkTold walk_;
+};
+
+const WalkTold& walk_of(const AlgorithmTrace& trace) {
+  return static_cast<const Told&>(trace).walk();
+}
+
+/// The vertex of an outline as a feature of its ring.
+models::RingFeature vertex_of(const models::Ring& ring, int vertex) {
+  const auto found = std::find(ring.index.begin(), ring.index.end(), vertex);
+  return {true, found == ring.index.end() ? 0 : static_cast<int>(found - ring.index.begin())};
+}
+
+/// Convex polygons are walked on in any case; others, too: the walk says where it is stuck.
+std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const PositionedRun& run,
+                                               const AlgorithmTrace* before) {
+  WalkTold told;
+  const auto [x, y] = outlines_of(lesson, run);
+  for (const models::Model* model : {&x, &y}) {
+    models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
+    if (flaw.fault == models::Fault::none && model->outlines.size() > 1)
+      flaw = {models::Fault::several_outlines, 1};
+    if (flaw.fault == models::Fault::none) continue;
+    told.trace.result.stop = WalkStop::refused;
+    told.trace.result.flaw = flaw;
+    told.trace.result.flaw_in_b = model == &y;
+    return std::make_shared<const Told>(std::move(told));
+  }
+  told.query = models::walk_query(x, y);
+  const gjk::VertexPair start = lesson.options.start.pairs[0];
+  models::RingFeature a = vertex_of(told.query->a, start.x);
+  models::RingFeature b = vertex_of(told.query->b, start.y);
+  if (lesson.warm_start && before != nullptr && walk_of(*before).query) {
+    a = walk_of(*before).trace.result.a;
+    b = walk_of(*before).trace.result.b;
+  }
+  told.trace = models::trace_walk(*told.query, a, b);
+  if (told.trace.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
+  return std::make_shared<const Told>(std::move(told));
+}
+
+}  // namespace
+
+std::string_view name_of(models::WalkPhase phase) {
+  return kPhases[static_cast<std::size_t>(phase)];
+}
+
+std::string_view name_of(models::WalkStop stop) { return kStops[static_cast<std::size_t>(stop)]; }
+
+std::string feature_name(const Lesson& lesson, const models::WalkQuery& query, bool of_x,
+                         const models::RingFeature& feature) {
+  const LessonShape& shape = of_x ? lesson.x() : lesson.y();
+  const models::Ring& ring = of_x ? query.a : query.b;
+  const auto name = [&](int i) {
+    return shape.vertex_names[static_cast<std::size_t>(ring.index[static_cast<std::size_t>(i)])];
+  };
+  if (feature.is_vertex) return fmt::format("vertex {} of {}", name(feature.index), shape.name);
+  return fmt::format("edge {}{} of {}", name(feature.index), name(ring.next(feature.index)),
+                     shape.name);
+}
+
+const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
+                                   .phases = kPhases,
+                                   .answers = kAnswers,
+                                   .values = kValues,
+                                   .run = run_walk,
+                                   .stops = std::span(kStops).subspan(1)};
+
+const WalkTold* walk_told(const LessonRun& run, int index) {
+  if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
+  return &walk_of(*run.algorithm_traces[static_cast<std::size_t>(index)]);
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "subjects/maps/region_orders.hpp"
+#include "subjects/maps/subject.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void orders_frames(LessonRun& run, int index) {
+  using enum OrderStage;
+  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  for (const OrderStage stage :
+       {numbers, vertices_first_short, edges_first_short, edges_first_whole})
+    run.frames.push_back({.run = index, .step = 0, .part = FramePart(stage)});
+}
+
+Tick orders_tick(const LessonRun&, const Frame& frame) {
+  constexpr std::array<std::string_view, 4> kLabels = {"numbers", "vertices first", "edges first",
+                                                       "whole tests"};
+  return {.group = fmt::format("position {}", frame.run + 1),
+          .label = std::string(kLabels[static_cast<std::size_t>(*frame.part.as<OrderStage>())])};
+}
+
+}  // namespace
+
+const Act kOrders{
+    .name = "orders",
+    .meaning =
+        "order in which the region tests of a triangle are asked: the numbers, then "
+        "three chains of tests",
+    .needs = {.start = 3, .why_no_until = "frames go through the first region tests"},
+    .add_frames = orders_frames,
+    .position = position_in_lesson,
+    .tick = orders_tick,
+    .words = captions::orders,
+    .stage = layers::stage_step,
+};
+
+}  // namespace gjkscope::acts

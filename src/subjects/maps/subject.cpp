@@ -1,0 +1,15 @@
+#include "subjects/maps/subject.hpp"
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+const SubjectParts subjects::maps{
+    .acts = {&acts::kMaps, &acts::kOrders},
+    .blocks = {&blocks::kSigns, &blocks::kOrders},
+    .layers = {&layers::kSigns, &layers::kMapDifference, &layers::kShortTest, &layers::kWrongPoint},
+    .effects = {&effect_infos::kRegionOrders, &effect_infos::kSignMap,
+                &effect_infos::kMapDifference},
+};
+
+}  // namespace gjkscope

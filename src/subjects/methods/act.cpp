@@ -1,0 +1,248 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "subjects/growth/subject.hpp"
+#include "subjects/methods/lesson_trace.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/subjects.hpp"
+
+namespace gjkscope::methods {
+namespace {
+
+const MethodsTold& told(const LessonRun& run, const Frame& frame) {
+  return *methods_told(run, frame.run);
+}
+
+/// The frame after all positions, which sums up.
+bool is_sum(const Frame& frame) { return *frame.steps_over > 1; }
+
+/// Of all positions up to that of the frame.
+long total(const LessonRun& run, const Frame& frame, Method method) {
+  long sum = 0;
+  for (int i = 0; i <= frame.run; ++i) sum += methods_told(run, i)->at(method);
+  return sum;
+}
+
+std::string pairs(long count) { return fmt::format("{} pair{}", count, count == 1 ? "" : "s"); }
+std::string iterations(long count) {
+  return fmt::format("{} iteration{}", count, count == 1 ? "" : "s");
+}
+
+void add_frames(LessonRun& run, int index) {
+  const bool is_refused = methods_told(run, index)->is_refused();
+  run.frames.push_back({.run = index, .step = -1, .steps_over = is_refused ? 0 : 1});
+  const bool is_last = index + 1 == static_cast<int>(run.runs.size());
+  if (is_last && !is_refused) run.frames.push_back({.run = index, .step = -1, .steps_over = 2});
+}
+
+std::string position(const LessonRun& run, int index) {
+  return is_sum(run.frames[static_cast<std::size_t>(index)]) ? "all positions"
+                                                             : position_on_path(run, index);
+}
+
+Tick tick(const LessonRun&, const Frame& frame) {
+  if (is_sum(frame)) return {.group = "outcome", .label = "all", .event = true};
+  return {.group = "position", .label = std::to_string(frame.run + 1)};
+}
+
+void words(const Story& story, FrameText& text) {
+  const MethodsTold& at = told(story.run, story.frame);
+  const Lesson& lesson = story.run.lesson;
+  if (at.is_refused()) {
+    text.caption = fmt::format("Not all methods take {}.", words_of(*at.refusal, lesson));
+    text.detail = "Lin-Canny needs convex outlines, and GJK takes hulls.";
+    return;
+  }
+  const auto sum = [&](Method method) { return total(story.run, story.frame, method); };
+  if (is_sum(story.frame)) {
+    text.caption =
+        fmt::format("Memory saves GJK {} of {} iterations, and the trees {} of {} pairs of boxes.",
+                    sum(Method::gjk_cold) - sum(Method::gjk_warm), sum(Method::gjk_cold),
+                    sum(Method::tree_cold) - sum(Method::tree_front), sum(Method::tree_cold));
+    text.detail = fmt::format(
+        "The last pair alone saves {}: nearer first finds a small δ at once. What helps is to "
+        "start where the last search ended: at its front, as FCL calls it.",
+        sum(Method::tree_cold) - sum(Method::tree_pair));
+    return;
+  }
+  if (story.frame.run == 0) {
+    text.caption = fmt::format("Nothing is known yet: all methods start anew. All say {}.",
+                               story.numbers(at.answer.distance));
+    text.detail =
+        fmt::format("GJK needs {}, Lin-Canny looks at {} of features, the trees at {} of boxes.",
+                    iterations(at.at(Method::gjk_cold)), pairs(at.at(Method::lin_canny)),
+                    pairs(at.at(Method::tree_cold)));
+    return;
+  }
+  text.caption =
+      fmt::format("All methods say {}. With what they know: GJK {}, Lin-Canny {}, trees {}.",
+                  story.numbers(at.answer.distance), iterations(at.at(Method::gjk_warm)),
+                  pairs(at.at(Method::lin_canny)), pairs(at.at(Method::tree_front)));
+  text.detail = fmt::format("From scratch: GJK {}, trees {}.", iterations(at.at(Method::gjk_cold)),
+                            pairs(at.at(Method::tree_cold)));
+}
+
+constexpr AskInfo kAskFront{
+    "front", "whether a search from the last front visits fewer pairs than one from the roots",
+    "at position"};
+constexpr AskInfo kAskMemory{"memory", "which method saves the largest share of its steps",
+                             "at position"};
+constexpr std::array kAsks = {kAskFront, kAskMemory};
+
+/// A position answers, from the second on, or the sum.
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  if (told(run, frame).is_refused()) return -1;
+  if (question.ask == kAskMemory.name) return is_sum(frame) && !question.at ? 0 : -1;
+  return !is_sum(frame) && question.at.value_or(frame.run + 1) == frame.run + 1 ? 0 : -1;
+}
+
+void ask_about_front(const MethodsTold& at, FrameText& text, FrameQuestion& asked) {
+  const long front = at.at(Method::tree_front);
+  const long roots = at.at(Method::tree_cold);
+  asked.choices = {"fewer", "as many", "more"};
+  asked.answer = asked.choices[front < roots ? 0 : front == roots ? 1 : 2];
+  text.caption =
+      "Question: next, does a search from the last front visit fewer pairs than one from the "
+      "roots?";
+}
+
+void ask_about_memory(const Story& story, FrameText& text, FrameQuestion& asked) {
+  constexpr std::array<std::pair<Method, Method>, 3> kPairs = {
+      {{Method::gjk_warm, Method::gjk_cold},
+       {Method::tree_pair, Method::tree_cold},
+       {Method::tree_front, Method::tree_cold}}};
+  double least = 2.0;
+  for (const auto& [warm, cold] : kPairs) {
+    const double share = static_cast<double>(total(story.run, story.frame, warm)) /
+                         static_cast<double>(total(story.run, story.frame, cold));
+    asked.choices.emplace_back(name_of(warm));
+    if (share < least) asked.answer = asked.choices.back();
+    least = std::min(least, share);
+  }
+  text.caption = "Question: whose memory saves the largest share of its steps?";
+}
+
+void question(const Story& story, FrameText& text) {
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  if (asked.ask == kAskFront.name) {
+    ask_about_front(*methods_told(story.run, story.frame.run + 1), text, asked);
+  } else {
+    ask_about_memory(story, text, asked);
+  }
+}
+
+void values(const Story& story, FrameText& text) {
+  const MethodsTold& at = told(story.run, story.frame);
+  text.values.emplace_back("x", story.run.lesson.x().name);
+  text.values.emplace_back("y", story.run.lesson.y().name);
+  if (at.is_refused()) return;
+  text.values.emplace_back("distance", story.numbers(at.answer.distance));
+  for (const Method method : kMethods)
+    text.values.emplace_back(name_of(method), fmt::format("{} {}", at.at(method), unit_of(method)));
+}
+
+void stage(SceneBuilder& scene) {
+  const MethodsTold& at = told(scene.run, scene.frame);
+  if (at.is_refused()) return;
+  const Point x = scene.at(at.answer.a);
+  const Point y = scene.at(at.answer.b);
+  scene.line("closest.line", x, y);
+  for (const Point& point : {x, y}) scene.disk("closest", point, sizes::kClosestRadius);
+  layers::length_label(scene, "distance", at.answer.distance, x, y);
+}
+
+/// What each method counts, position by position.
+bool fill(SceneBuilder& scene, const Fonts& fonts) {
+  if (scene.view.kind != ViewKind::plot) return false;
+  if (told(scene.run, scene.frame).is_refused()) return true;
+  constexpr std::array<PlotStyle, kMethods.size()> kStyles = {PlotStyle::limit,  PlotStyle::second,
+                                                              PlotStyle::first,  PlotStyle::other,
+                                                              PlotStyle::fourth, PlotStyle::third};
+  const int positions = static_cast<int>(scene.run.runs.size());
+  Plot plot;
+  plot.x = {1.0, std::max(2.0, static_cast<double>(positions)), false, "position"};
+  double most = 10.0;
+  for (const Method method : kMethods) {
+    PlotSeries series{kStyles[static_cast<std::size_t>(method)], std::string(name_of(method)), {}};
+    series.has_symbols = series.style != PlotStyle::limit;
+    for (int i = 0; i < positions; ++i) {
+      const MethodsTold& each = *methods_told(scene.run, i);
+      const double count = static_cast<double>(std::max(each.at(method), 1L));
+      most = std::max(most, count);
+      if (i <= scene.frame.run) series.points.emplace_back(i + 1.0, count);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  plot.y = {1.0, std::pow(10.0, std::ceil(std::log10(most))), true, "steps"};
+  if (!is_sum(scene.frame)) plot.current = scene.frame.run + 1.0;
+  layers::add_plot(scene, plot, fonts);
+  return true;
+}
+
+std::string plot_title(const LessonRun&) { return "Steps of each method"; }
+
+void counters(PanelBuilder& panel) {
+  const MethodsTold& at = told(panel.run, panel.frame);
+  const double now = panel.right - 64.0;
+  panel.write("heading", panel.left, "Steps", type::kHeading);
+  panel.write("heading", now, "now", type::kHeading, Align::right);
+  panel.write("heading", panel.right, "in all", type::kHeading, Align::right);
+  panel.y += rows::kRow + 2.0;
+  if (at.is_refused()) return;
+  for (const Method method : kMethods) {
+    panel.write("strong", panel.left, std::string(name_of(method)), type::kStrong);
+    panel.write("code.current", now, std::to_string(at.at(method)), type::kCode, Align::right);
+    panel.write("code.current", panel.right, std::to_string(total(panel.run, panel.frame, method)),
+                type::kCode, Align::right);
+    panel.y += rows::kTightRow;
+    panel.write("body.muted", panel.left, std::string(unit_of(method)), type::kBody);
+    panel.y += rows::kRow + 6.0;
+  }
+  const auto segments = [&](std::size_t body) {
+    return static_cast<long>(panel.run.lesson.bodies[body].vertices.size());
+  };
+  panel.write("body.muted", panel.left, "pairs of segments there are", type::kBody);
+  panel.write("code.current", panel.right, std::to_string(segments(0) * segments(1)), type::kCode,
+              Align::right);
+  panel.y += rows::kRow;
+}
+
+const Block kCounters{.name = "methods",
+                      .meaning = "steps of each method at this position, and by now",
+                      .write = counters,
+                      .act = "methods"};
+
+const Act kAct{
+    .name = "methods",
+    .meaning = "position of two convex shapes, at which all methods are asked; then the sum",
+    .needs = {.why_no_until = "frames show how all methods end"},
+    .add_frames = add_frames,
+    .sweeps = true,
+    .asks = kAsks,
+    .answering_step = answering_step,
+    .algorithm = &kMethodsAlgorithm,
+    .position = position,
+    .tick = tick,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+    .fill = fill,
+    .plot_title = plot_title,
+};
+
+}  // namespace
+}  // namespace gjkscope::methods
+
+namespace gjkscope {
+
+const SubjectParts subjects::methods{
+    .acts = {&gjkscope::methods::kAct},
+    .blocks = {&gjkscope::methods::kCounters},
+};
+
+}  // namespace gjkscope

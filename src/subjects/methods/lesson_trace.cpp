@@ -1,0 +1,182 @@
+#include "subjects/methods/lesson_trace.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "exact/instances.hpp"
+#include "lesson/vocabulary.hpp"
+#include "run/fields.hpp"
+
+namespace gjkscope {
+namespace {
+
+using fields::Json;
+
+constexpr std::array<std::string_view, 1> kPhases = {"position"};
+constexpr std::array<std::string_view, 1> kAnswers = {"distance"};
+constexpr std::array<PlaceholderInfo, 1> kValues = {
+    {{"distance", "distance of the shapes at this position"}}};
+
+class Told : public OutlineTrace {
+ public:
+  explicit Told(MethodsTold told)
+      : OutlineTrace(kMethodsAlgorithm.name, told.refusal), told_(std::move(told)) {}
+
+  [[nodiscard]] const MethodsTold& told() const { return told_; }
+  [[nodiscard]] int steps() const override { return refusal ? 0 : 1; }
+  [[nodiscard]] StepInfo info(int) const override { return {1, kPhases[0]}; }
+  [[nodiscard]] double answer(std::string_view) const override {
+    return refusal ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
+  }
+
+ protected:
+  [[nodiscard]] Json step_json(const Lesson&, int) const override {
+    Json list = Json::array();
+    for (const Method method : kMethods) {
+      const auto i = static_cast<std::size_t>(method);
+      list.push_back({{"method", name_of(method)},
+                      {"steps", told_.steps[i]},
+                      {"unit", unit_of(method)},
+                      {"distance", fields::number(told_.distances[i])}});
+    }
+    return {{"answers", std::move(list)}};
+  }
+  [[nodiscard]] Json result_json(const Lesson&) const override {
+    return {{"distance", fields::number(told_.answer.distance)}, {"overlap", told_.answer.overlap}};
+  }
+
+ private:
+  MethodsTold told_;
+};
+
+/// Takes notes of one method after the other.
+class Asking {
+ public:
+  Asking(MethodsTold& told, const MethodsTold* before) : told_(told), before_(before) {}
+
+  void gjk(const PositionedRun& run, const Lesson& lesson) {
+    const ::gjk::Query<double, 2> query{{run.x().world}, {run.y().world}};
+    ::gjk::Options options;
+    options.start = lesson.options.start;
+    const auto cold = ::gjk::distance(query, options);
+    note(Method::gjk_cold, cold.iterations, cold.distance);
+    if (before_ != nullptr) options.start = before_->simplex;
+    const auto warm = before_ == nullptr ? cold : ::gjk::distance(query, options);
+    note(Method::gjk_warm, warm.iterations, warm.distance);
+    told_.simplex = warm.warm();
+  }
+
+  void walk(const models::Model& x, const models::Model& y) {
+    const models::WalkQuery query = models::walk_query(x, y);
+    const models::RingFeature any;
+    const models::WalkResult result = models::lin_canny(
+        query, before_ != nullptr ? before_->on_x : any, before_ != nullptr ? before_->on_y : any);
+    note(Method::lin_canny, result.steps, result.answer.distance);
+    told_.on_x = result.a;
+    told_.on_y = result.b;
+  }
+
+  void trees(const models::Model& x, const models::Model& y) {
+    const auto tree_x = models::build_hierarchy<models::Box>(models::items_of(x));
+    const auto tree_y = models::build_hierarchy<models::Box>(models::items_of(y));
+    const Query query{x, y, tree_x, tree_y};
+    models::SearchOptions options;
+    const models::SearchResult cold = models::search(query, options);
+    note(Method::tree_cold, cold.visits, cold.answer.distance);
+    if (before_ != nullptr && before_->segments.first >= 0) options.remembered = before_->segments;
+    const models::SearchResult pair = models::search(query, options);
+    note(Method::tree_pair, pair.visits, pair.answer.distance);
+    const models::SearchResult front = search_from_front(query, options);
+    note(Method::tree_front, front.visits, front.answer.distance);
+    told_.answer = front.answer;
+    told_.segments = front.segments;
+  }
+
+ private:
+  using Query = models::SearchQuery<models::Box>;
+
+  /// The front only moves down, and trees that are built anew have other segments in their nodes:
+  /// it is left when it costs three quarters of a search from the roots. That search itself is no
+  /// reason.
+  [[nodiscard]] static bool is_cheap(const MethodsTold& told) {
+    const long visits = told.at(Method::tree_front);
+    return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
+  }
+
+  /// Starts with the pairs at which the last search ended, the nearest on top (FCL calls them the
+  /// front). Trees of as many segments have the same nodes, so below these pairs lie all pairs of
+  /// leaves, as below the roots.
+  models::SearchResult search_from_front(const Query& query, const models::SearchOptions& options) {
+    models::SearchState state = models::start(query, options);
+    const bool starts_at_front =
+        before_ != nullptr && !before_->front.empty() && is_cheap(*before_);
+    if (starts_at_front) {
+      state.waiting.clear();
+      for (const models::NodePair& pair : before_->front)
+        state.waiting.push_back(models::detail::node_pair(query, pair.a, pair.b, -1));
+      std::stable_sort(state.waiting.begin(), state.waiting.end(),
+                       [](const auto& p, const auto& q) { return p.bound > q.bound; });
+    }
+    while (state.stop == models::SearchStop::running) {
+      const models::SearchPhase phase = state.phase;
+      models::SearchRecord record;
+      models::step(state, query, options, record);
+      if (record.cut || phase == models::SearchPhase::leaf) told_.front.push_back(state.pair);
+    }
+    told_.from_roots = starts_at_front ? before_->from_roots : state.visits;
+    // A search that found segments that meet leaves pairs behind.
+    if (state.stop == models::SearchStop::meet) told_.front.clear();
+    return models::result_of(state, query, options);
+  }
+
+  void note(Method method, long steps, double distance) {
+    told_.steps[static_cast<std::size_t>(method)] = steps;
+    told_.distances[static_cast<std::size_t>(method)] = distance;
+  }
+
+  MethodsTold& told_;
+  const MethodsTold* before_;
+};
+
+std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const PositionedRun& run,
+                                                  const AlgorithmTrace* before) {
+  MethodsTold told;
+  const OutlinesOfRun outlines = outlines_of(lesson, run);
+  told.refusal = refusal_of(outlines, models::Needs::convex);
+  if (told.refusal) return std::make_shared<const Told>(std::move(told));
+  const MethodsTold* last = before == nullptr ? nullptr : &static_cast<const Told&>(*before).told();
+  Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
+  asking.gjk(run, lesson);
+  asking.walk(outlines.x, outlines.y);
+  asking.trees(outlines.x, outlines.y);
+  return std::make_shared<const Told>(std::move(told));
+}
+
+}  // namespace
+
+std::string_view name_of(Method method) {
+  constexpr std::array<std::string_view, kMethods.size()> kNames = {
+      "GJK",   "GJK, last simplex", "Lin-Canny, last features",
+      "trees", "trees, last pair",  "trees, last front"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
+std::string_view unit_of(Method method) {
+  constexpr std::array<std::string_view, kMethods.size()> kUnits = {
+      "iterations",     "iterations",     "pairs of features",
+      "pairs of boxes", "pairs of boxes", "pairs of boxes"};
+  return kUnits[static_cast<std::size_t>(method)];
+}
+
+const Algorithm kMethodsAlgorithm{.name = "methods",
+                                  .phases = kPhases,
+                                  .answers = kAnswers,
+                                  .values = kValues,
+                                  .run = run_methods};
+
+const MethodsTold* methods_told(const LessonRun& run, int index) {
+  if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;
+  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).told();
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,119 @@
+#include "subjects/minkowski_sum/shown.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::sums {
+namespace {
+
+using Eigen::Vector2d;
+using minkowski_sum::Corner;
+using minkowski_sum::Phase;
+using minkowski_sum::Source;
+using namespace sizes;
+
+const Vector2d& point_of(const models::Ring& ring, int i) {
+  return ring.points[static_cast<std::size_t>(i)];
+}
+
+/// The edge that leads on from a corner, as a way.
+Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
+  const models::Ring& x = shown.merge.x;
+  const models::Ring& y = shown.merge.y;
+  Vector2d way = Vector2d::Zero();
+  if (source != Source::x) way += point_of(y, y.next(from.y)) - point_of(y, from.y);
+  if (source != Source::y) way -= point_of(x, x.next(from.x)) - point_of(x, from.x);
+  return way;
+}
+
+std::string role_of(Source source) {
+  return source == Source::y ? "from.y" : source == Source::x ? "from.x" : "from.both";
+}
+
+/// In the world: the edges of X and Y that are next, or that make the newest edge.
+void in_world(SceneBuilder& scene, const Shown& shown) {
+  if (!shown.is(Phase::edge)) return;
+  const auto mark = [&](const models::Ring& ring, int from, const std::string& role) {
+    scene.line(role, scene.at(point_of(ring, from)), scene.at(point_of(ring, ring.next(from))));
+  };
+  const Source source = shown.step->source;
+  if (source != Source::x) mark(shown.merge.y, shown.step->before.at.y, "from.y");
+  if (source != Source::y) mark(shown.merge.x, shown.step->before.at.x, "from.x");
+}
+
+/// -X and Y, which are added.
+void summands(SceneBuilder& scene, const Shown& shown) {
+  const auto outline = [&](const models::Ring& ring, double sign, const std::string& role,
+                           const std::string& name) {
+    std::vector<Point> points;
+    Point middle = Point::Zero();
+    for (const Vector2d& point : ring.points) points.push_back(scene.at(sign * point));
+    for (const Point& point : points) middle += point / static_cast<double>(points.size());
+    scene.area(role, points);
+    scene.outline(points);
+    const Point& corner = points[static_cast<std::size_t>(sign > 0.0 ? 0 : ring.size() - 1)];
+    scene.out.moving_labels.push_back(scene.label("summand:" + name, name, role + ".label",
+                                                  type::kVertex, corner, kVertexRadius,
+                                                  corner - middle));
+  };
+  outline(shown.merge.y, 1.0, "shape.y", shown.lesson.y().name);
+  outline(shown.merge.x, -1.0, "shape.x", "−" + shown.lesson.x().name);
+}
+
+void in_difference(SceneBuilder& scene, const Shown& shown) {
+  if (shown.step == nullptr) return summands(scene, shown);
+  const minkowski_sum::Merge& merge = shown.merge;
+  const auto corner_at = [&](const Corner& corner) { return scene.at(merge.at(corner)); };
+  if (shown.is_closed()) {
+    std::vector<Point> points;
+    for (const Corner& corner : merge.corners) points.push_back(corner_at(corner));
+    scene.area("hull", points);
+  }
+  Point middle = Point::Zero();
+  for (const Corner& corner : merge.corners)
+    middle += corner_at(corner) / static_cast<double>(merge.corners.size());
+  const auto corner_mark = [&](const Corner& corner) {
+    const Point point = corner_at(corner);
+    scene.disk("cloud.touched", point, kTouchedRadius);
+    const std::string name = shown.corner(corner);
+    scene.out.fixed_labels.push_back(scene.label("corner:" + name, name, "cloud.label",
+                                                 type::kSmallVertex, point, kTouchedRadius,
+                                                 point - middle));
+  };
+  // The edge that was not taken stays what it was: next.
+  if (shown.is(Phase::edge) && shown.step->source != Source::both) {
+    const Source other = shown.step->source == Source::y ? Source::x : Source::y;
+    const bool is_left = other == Source::y ? shown.step->before.edges_of_y < merge.y.size()
+                                            : shown.step->before.edges_of_x < merge.x.size();
+    const Vector2d from = merge.at(shown.step->before.at);
+    if (is_left)
+      scene.arrow("ghost.arrow", scene.at(from),
+                  scene.at(from + way_of(shown, shown.step->before.at, other)));
+  }
+  const bool waits = shown.is(Phase::lowest) || (shown.is(Phase::edge) && !shown.is_closed());
+  for (int i = 0; i < shown.edges(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const Vector2d from = merge.at(merge.corners[index]);
+    const Source source = merge.edges[index];
+    const bool is_separating =
+        (shown.is(Phase::inside) || shown.is_answer) && i == merge.separating;
+    scene.line(role_of(source), scene.at(from),
+               scene.at(from + way_of(shown, merge.corners[index], source)));
+    if (is_separating)
+      layers::support_line(scene, scene.at(from),
+                           {way_of(shown, merge.corners[index], source).y(),
+                            -way_of(shown, merge.corners[index], source).x()},
+                           "slab.side");
+  }
+  for (int i = 0; i < std::min(shown.edges() + 1, static_cast<int>(merge.corners.size())); ++i)
+    corner_mark(merge.corners[static_cast<std::size_t>(i)]);
+  if (waits) scene.disk("cloud.current", corner_at(shown.step->after.at), kSimplexRadius);
+}
+
+}  // namespace
+
+void stage(SceneBuilder& scene) {
+  const Shown& shown = shown_in<Shown>(scene);
+  if (shown.told.refusal) return;
+  scene.view.kind == ViewKind::world ? in_world(scene, shown) : in_difference(scene, shown);
+}
+
+}  // namespace gjkscope::sums

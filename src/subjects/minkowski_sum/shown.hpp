@@ -1,0 +1,63 @@
+#pragma once
+// The merge of edges in pictures: what a frame shows of it, and what its act draws and says.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "run/algorithm_facts.hpp"
+#include "subjects/minkowski_sum/lesson_trace.hpp"
+
+namespace gjkscope::sums {
+
+inline constexpr AskInfo kAskEdge{"next-edge", "which edge of the difference comes next"};
+
+/// The part of the merge that a frame shows.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame)
+      : lesson(run.lesson),
+        told(sum_told(run.algorithm_trace(frame))),
+        merge(told.merge),
+        step(last_step_over(merge.steps, frame)),
+        is_answer(*frame.steps_over > static_cast<int>(merge.steps.size())) {}
+
+  const Lesson& lesson;
+  const SumTrace& told;
+  const minkowski_sum::Merge& merge;
+  const minkowski_sum::Step* step = nullptr;  ///< The last that is over; none at the start.
+  bool is_answer = false;                     ///< The frame after the last step.
+
+  [[nodiscard]] bool is(minkowski_sum::Phase phase) const {
+    return step != nullptr && !is_answer && step->phase == phase;
+  }
+  /// All edges are there.
+  [[nodiscard]] bool is_closed() const {
+    return step != nullptr && step->after.edges_of_y == merge.y.size() &&
+           step->after.edges_of_x == merge.x.size();
+  }
+  /// Edges of the difference by now.
+  [[nodiscard]] int edges() const {
+    if (step == nullptr) return 0;
+    return std::min(static_cast<int>(step - merge.steps.data()),
+                    static_cast<int>(merge.edges.size()));
+  }
+  [[nodiscard]] std::string corner(const minkowski_sum::Corner& at) const {
+    return corner_name(lesson, merge, at);
+  }
+  [[nodiscard]] std::string edge(const minkowski_sum::Corner& from,
+                                 minkowski_sum::Source source) const {
+    return edge_name(lesson, merge, from, source);
+  }
+};
+
+// blocks.cpp
+extern const Block kMerge;
+extern const Listing kListing;
+
+// layers.cpp
+void stage(SceneBuilder& scene);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::sums

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include "subjects/minkowski_sum/shown.hpp"
+
+namespace gjkscope::sums {
+namespace {
+
+using minkowski_sum::OriginSide;
+using minkowski_sum::Phase;
+using minkowski_sum::Source;
+
+void refused(const Shown& shown, FrameText& text) {
+  text.caption =
+      fmt::format("The merge does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+  text.detail = "It needs two convex polygons.";
+}
+
+void edge(const Shown& shown, FrameText& text) {
+  const minkowski_sum::Corner& from = shown.step->before.at;
+  const Source source = shown.step->source;
+  if (source == Source::both) {
+    text.caption = fmt::format("Parallel {} make one edge, to {}.", shown.edge(from, source),
+                               shown.corner(shown.step->after.at));
+    text.detail = "Both turn by the same angle, so both walks go on.";
+    return;
+  }
+  const Source other = source == Source::y ? Source::x : Source::y;
+  text.caption =
+      fmt::format("{} comes next: it leads to {}.", capitalized(shown.edge(from, source)),
+                  shown.corner(shown.step->after.at));
+  const bool other_is_left = other == Source::y
+                                 ? shown.step->before.edges_of_y < shown.merge.y.size()
+                                 : shown.step->before.edges_of_x < shown.merge.x.size();
+  text.detail =
+      other_is_left
+          ? fmt::format("It turns less to the left than {}, which waits.", shown.edge(from, other))
+          : fmt::format("All edges of {} are taken.",
+                        other == Source::y ? shown.lesson.y().name : "−" + shown.lesson.x().name);
+}
+
+void inside(const Shown& shown, FrameText& text) {
+  const std::string& x = shown.lesson.x().name;
+  const std::string& y = shown.lesson.y().name;
+  switch (shown.merge.origin) {
+    case OriginSide::inside:
+      text.caption = fmt::format("O lies on the inner side of each edge: {} and {} overlap.", x, y);
+      text.detail = fmt::format(
+          "A point of {} and a point of {} have the difference O: they are one point.", x, y);
+      break;
+    case OriginSide::on_edge:
+      text.caption = fmt::format("O lies on an edge: {} and {} touch.", x, y);
+      text.detail = "Their distance is 0, and no point lies inside of both.";
+      break;
+    case OriginSide::outside:
+      text.caption = fmt::format("O lies outside: {} and {} are apart.", x, y);
+      text.detail = fmt::format(
+          "It lies beyond the {}, so {} and {} have no point in common.",
+          shown.edge(shown.merge.corners[static_cast<std::size_t>(shown.merge.separating)],
+                     shown.merge.edges[static_cast<std::size_t>(shown.merge.separating)]),
+          x, y);
+      break;
+  }
+}
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const int sums = static_cast<int>(shown.merge.corners.size());
+  if (shown.told.refusal) return refused(shown, text);
+  if (shown.step == nullptr) {
+    text.caption = fmt::format("{1} − {0} is the sum of {1} and −{0}.", shown.lesson.x().name,
+                               shown.lesson.y().name);
+    text.detail =
+        "−X is X turned by half a circle about O. A sum of two convex polygons has the edges of "
+        "both.";
+  } else if (shown.is_answer) {
+    text.caption = fmt::format("{} differences make the outline. There are {}.", sums,
+                               shown.merge.x.size() * shown.merge.y.size());
+    text.detail = "Each edge is taken once, so the work grows like m + n, not like m · n.";
+  } else if (shown.step->phase == Phase::lowest) {
+    text.caption = fmt::format("{} is the lowest corner.", shown.corner(shown.step->after.at));
+    text.detail =
+        "It is the lowest vertex of Y plus the lowest vertex of −X. Both walks go "
+        "counter-clockwise from here.";
+  } else if (shown.step->phase == Phase::edge) {
+    edge(shown, text);
+  } else {
+    inside(shown, text);
+  }
+}
+
+void question(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const minkowski_sum::Step& step =
+      shown.merge.steps[static_cast<std::size_t>(story.frame.answering_step)];
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
+  for (const Source source : {Source::y, Source::x})
+    asked.choices.push_back(shown.edge(step.before.at, source));
+  asked.choices.emplace_back("both: they are parallel");
+  asked.answer = asked.choices[static_cast<std::size_t>(step.source)];
+  text.caption = "Question: which edge comes next?";
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
+  if (shown.step == nullptr) return;
+  put("corner", shown.corner(shown.step->after.at));
+  put("edges of y", std::to_string(shown.step->after.edges_of_y));
+  put("edges of x", std::to_string(shown.step->after.edges_of_x));
+}
+
+}  // namespace gjkscope::sums

@@ -1,0 +1,25 @@
+#pragma once
+// Shapes along a path: what the files of this folder define.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+namespace layers {
+
+extern const Layer kLastPosition;
+extern const Layer kGrownObstacle;
+
+}  // namespace layers
+
+namespace effect_infos {
+
+extern const EffectInfo kLastPosition;
+extern const EffectInfo kGrownObstacle;
+
+}  // namespace effect_infos
+
+}  // namespace gjkscope

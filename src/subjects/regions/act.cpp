@@ -1,0 +1,54 @@
+#include <array>
+
+#include "run/facts.hpp"
+#include "run/questions.hpp"
+#include "subjects/regions/subject.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array kTestAsks = {asks::kRegion};
+
+void test_frames(LessonRun& run, int index) {
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  if (trace.steps.empty()) return;
+  const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
+  for (int i = 0; i <= tests; ++i)
+    run.frames.push_back({.run = index, .step = 0, .part = {TriedTests{i}, i}});
+}
+
+int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                const LessonQuestion& question) {
+  const int regions = (1 << state_before(run.run(frame).trace, frame.step).simplex.count) - 1;
+  const int tried = frame.part.as<TriedTests>()->count;
+  const bool decides =
+      tried > 0 && tried < regions && run.step(frame).record.region_tests[tried - 1].holds;
+  return decides && question.ask == asks::kRegion.name ? frame.step : -1;
+}
+
+Tick test_tick(const LessonRun& run, const Frame& frame) {
+  const std::string group = group_of_position(run, frame, "ordered tests");
+  const int tried = frame.part.as<TriedTests>()->count;
+  if (tried == 0) return {.group = group, .label = "weights"};
+  const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[tried - 1];
+  const std::string face = SimplexWords(run, run.state(frame).simplex).face(test.region);
+  return {.group = group, .label = "region " + face, .short_label = face, .event = test.holds};
+}
+
+}  // namespace
+
+const Act kTest{
+    .name = "test",
+    .meaning = "test of a Voronoi region, in the first closest-point phase",
+    .needs = {.why_no_until = "frames go through the first region tests"},
+    .add_frames = test_frames,
+    .asks = kTestAsks,
+    .answering_step = test_answer,
+    .position = position_in_lesson,
+    .tick = test_tick,
+    .words = captions::step,
+    .stage = layers::stage_step,
+};
+
+}  // namespace gjkscope::acts

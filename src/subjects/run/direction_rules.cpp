@@ -1,0 +1,39 @@
+#include "subjects/run/direction_rules.hpp"
+
+#include <cmath>
+
+#include "run/scalar.hpp"
+#include "run/widen.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope {
+
+EffectKey DirectionRules::key(const LessonRun&, const Frame& frame) {
+  return {frame.run, frame.step, -1};
+}
+
+DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run,
+                                              const Frame& frame) {
+  const gjk::State<double, 2>& state = run.state(frame);
+  Value built;
+  if (state.simplex.count != 2) return built;
+  with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    // In the run's own unit, as the run built its direction.
+    const int exponent = run.run(frame).exponent;
+    const gjk::Simplex<S, 2> simplex = narrowed<S, 2>(state.simplex, exponent);
+    const gjk::Vec<S, 2> p = narrowed<S, 2>(state.p * std::ldexp(1.0, -exponent));
+    const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
+    for (const gjk::DirectionRule rule :
+         {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
+      const gjk::DirectionNote<S, 2> note = gjk::search_direction(simplex, p, rule);
+      built.push_back({rule, widened(note.d) * std::ldexp(1.0, exponent),
+                       std::ldexp(widened(gjk::dot(note.d, edge)), 2 * exponent)});
+    }
+  });
+  return built;
+}
+
+const EffectInfo effect_infos::kDirectionRules =
+    effect_info<DirectionRules>("panel", "both ways to build the search direction");
+
+}  // namespace gjkscope

@@ -1,0 +1,23 @@
+#pragma once
+#include "run/graph.hpp"
+
+namespace gjkscope {
+
+/// Both ways to build the search direction from one simplex, in the lesson's scalar, and how far
+/// each is from being perpendicular to the edge (Catto 2010, slides "A bad direction" and "An
+/// accurate search direction").
+struct DirectionRules {
+  static constexpr std::string_view kName = "direction-rules";
+  static constexpr std::string_view kNeeds = "";
+  struct Built {
+    gjk::DirectionRule rule = gjk::DirectionRule::perpendicular;
+    Eigen::Vector2d d = Eigen::Vector2d::Zero();
+    double dot_with_edge = 0.0;
+  };
+  /// Both rules; empty where the simplex is not a segment.
+  using Value = std::vector<Built>;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope

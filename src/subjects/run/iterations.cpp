@@ -1,0 +1,31 @@
+#include "run/questions.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+bool ends_iteration(const LessonRun& run, int index, int step) {
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  return step == last_step(run.lesson, trace) ||
+         trace.steps[step + 1].iteration != trace.steps[step].iteration;
+}
+
+void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, ends_iteration); }
+
+}  // namespace
+
+const Act kIteration{
+    .name = "iteration",
+    .meaning = "iteration of the run",
+    .needs = {.takes_radius = true},
+    .add_frames = iteration_frames,
+    .follows_run = true,
+    .asks = asks::kOfSteps,
+    .answering_step = answering_step_of_run,
+    .position = position_in_run,
+    .tick = tick_of_step,
+    .words = captions::step,
+    .stage = layers::stage_step,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,312 @@
+#include <fmt/format.h>
+
+#include "outlines/polygon.hpp"
+#include "picture/words.hpp"
+#include "run/questions.hpp"
+#include "subjects/round_shapes/subject.hpp"
+#include "subjects/run/history.hpp"
+#include "subjects/run/other_normal.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/scalars/second_run.hpp"
+#include "subjects/scalars/subject.hpp"
+#include "subjects/support/slab.hpp"
+#include "subjects/weights/barycentric.hpp"
+#include "subjects/weights/projection.hpp"
+#include "subjects/weights/subject.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+std::string subscript(int number) {
+  std::string out;
+  for (const char digit : std::to_string(number))
+    out += std::string("₀₁₂₃₄₅₆₇₈₉").substr(3 * (digit - '0'), 3);
+  return out;
+}
+
+void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex) {
+  if (scene.shows_difference) {
+    scene.disk("dropped", scene.at_difference(vertex.w), kRingRadius);
+    if (!scene.run.point_query()) scene.pair_label(vertex, "dropped.label");
+  }
+}
+
+/// True where no block of the panel says the weights that decide what is dropped.
+bool weights_untold(const SceneBuilder& scene) {
+  const Lesson& lesson = scene.run.lesson;
+  return !lesson.has_block(blocks::kSimplex.name) && !lesson.has_block(blocks::kWeights.name) &&
+         !lesson.has_block(blocks::kPseudocode.name) && !lesson.has_block(blocks::kTwoRuns.name);
+}
+
+/// The weight that a vertex has in P, on the side away from P.
+void weight_label(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex,
+                  const std::string& weight) {
+  const Point at = scene.at_difference(vertex.w);
+  scene.out.moving_labels.push_back(
+      scene.label("weight:" + scene.run.pair_name(vertex.pair), weight, "weight.label",
+                  type::kSmallVertex, at, kRingRadius, at - scene.at_difference(scene.state.p)));
+}
+
+}  // namespace
+
+void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
+                  const std::string& text) {
+  if (!(d.norm() > 0.0)) return;
+  const Point along = scene.map.direction(d);
+  const Point tip = from + length * along;
+  scene.arrow("direction", from, tip);
+  // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
+  constexpr double kNamed = 0.6;  // of the arrow
+  scene.out.moving_labels.push_back(scene.label("arrow:" + text, text, "direction.label",
+                                                type::kVertex, from + kNamed * (tip - from), 0.0,
+                                                Point(along.y(), -along.x())));
+}
+
+void search_direction(SceneBuilder& scene) {
+  search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d,
+               scene.arrow_length(scene.state.p), "d");
+}
+
+void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
+                  const std::string& role) {
+  const Point across = scene.map.area().size().norm() * scene.map.direction({d.y(), -d.x()});
+  scene.line(role, through - across, through + across);
+}
+
+void best_support_line(SceneBuilder& scene) {
+  const BestSupport::Value& best = scene.effects.get<BestSupport>(scene.frame);
+  if (!best) return;
+  if (scene.knows.support && is_found_by(*best, scene.state)) return;
+  support_line(scene, scene.at_difference(best->support.w), best->normal, "support.best");
+}
+
+void history(SceneBuilder& scene) {
+  for (const History::Entry& entry : scene.effects.get<History>(scene.frame)) {
+    if (!scene.shows_difference) continue;
+    std::vector<Point> points;
+    for (int i = 0; i < entry.simplex.count; ++i)
+      points.push_back(scene.at_difference(entry.simplex.vertices[i].w));
+    if (points.size() > 1) {
+      scene.add("history.simplex", Polyline{points, points.size() > 2});
+      scene.outline(points);
+    }
+  }
+}
+
+void history_points(SceneBuilder& scene) {
+  if (!scene.shows_difference) return;
+  for (const History::Entry& entry : scene.effects.get<History>(scene.frame)) {
+    const Point p = scene.at_difference(entry.p);
+    scene.add("history.closest", Disk{p, 3.5});
+    scene.out.obstacles.circles.push_back({p, 3.5});
+    scene.out.moving_labels.push_back(scene.label(fmt::format("history:{}", entry.iteration),
+                                                  fmt::format("P{}", subscript(entry.iteration)),
+                                                  "history.label", type::kSmallVertex, p, 3.5));
+  }
+}
+
+namespace {
+
+/// In the world, the parts of both shapes whose differences are the feature that holds P.
+void chords(SceneBuilder& scene, gjk::Face face) {
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  for (int i = 0; i < simplex.count; ++i) {
+    for (int j = i + 1; j < simplex.count; ++j) {
+      if (!gjk::contains(face, i) || !gjk::contains(face, j)) continue;
+      const gjk::SupportPoint<double, 2>& a = simplex.vertices[i];
+      const gjk::SupportPoint<double, 2>& b = simplex.vertices[j];
+      if (a.pair.x != b.pair.x)
+        scene.line("simplex.edge", scene.at(scene.vertex_of_x(a)), scene.at(scene.vertex_of_x(b)));
+      if (a.pair.y != b.pair.y)
+        scene.line("simplex.edge", scene.at(scene.vertex_of_y(a)), scene.at(scene.vertex_of_y(b)));
+    }
+  }
+}
+
+}  // namespace
+
+void simplex(SceneBuilder& scene) {
+  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const gjk::Face face = shows_closest_point(scene) ? scene.state.region : gjk::Face{0};
+  if (scene.shows_difference) {
+    std::vector<Point> points;
+    for (int i = 0; i < simplex.count; ++i) points.push_back(scene.vertex_at(i));
+    if (scene.shows_whole_simplex() && points.size() == 3) scene.area("simplex.fill", points);
+    for (int i = 0; i < simplex.count; ++i) {
+      for (int j = i + 1; j < simplex.count; ++j) {
+        const bool holds_p =
+            gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
+        if (holds_p || scene.shows_whole_simplex())
+          scene.line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
+      }
+    }
+  } else {
+    chords(scene, face);
+  }
+  for (int i = 0; i < simplex.count; ++i) {
+    if (!scene.shows_whole_simplex() && !gjk::contains(face, i)) continue;
+    scene.simplex_vertex(simplex.vertices[i], "simplex");
+  }
+  if (scene.knows.phase_is(gjk::Phase::drop)) {
+    const auto& dropped = scene.run.step(scene.frame).record.dropped;
+    for (const gjk::SupportPoint<double, 2>& vertex : dropped) dropped_vertex(scene, vertex);
+    if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;
+    for (const gjk::SupportPoint<double, 2>& vertex : dropped) weight_label(scene, vertex, "0");
+    const Numbers numbers(scene.run.lesson);
+    for (int i = 0; i < simplex.count; ++i)
+      weight_label(scene, simplex.vertices[i], numbers.weight(simplex.weights[i]));
+  }
+}
+
+void length_label(SceneBuilder& scene, const std::string& id, double length, const Point& from,
+                  const Point& to) {
+  if ((to - from).norm() < 1.0) return;
+  scene.out.moving_labels.push_back(
+      scene.label(id, Numbers(scene.run.lesson)(length), "distance.label", type::kSmallVertex,
+                  0.5 * (from + to), 2.0, Point(from.y() - to.y(), to.x() - from.x())));
+}
+
+namespace {
+
+/// From a closest point to the other; where the run has ended, the length is the answer.
+void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
+  scene.line("closest.line", from, to);
+  const double distance = scene.positioned.trace.result.distance;
+  if (scene.knows.has_ended && distance > 0.0 && !shows_gap(scene))
+    length_label(scene, "distance", distance, from, to);
+}
+
+}  // namespace
+
+void closest_line(SceneBuilder& scene) {
+  if (shows_closest_point(scene) && !reaches_query(scene)) {
+    shortest_way(scene, scene.at_difference(scene.state.p), scene.at_difference(Vector2d::Zero()));
+  }
+}
+
+void closest_point(SceneBuilder& scene) {
+  if (!shows_closest_point(scene)) return;
+  const Point p = scene.at_difference(scene.state.p);
+  scene.disk("closest", p, kClosestRadius);
+  if (reaches_query(scene)) return;  // Q's label names both
+  const bool is_g = scene.shows(Projection::kName) && gjk::vertex_count(scene.state.region) == 2;
+  Point away = p - scene.at_difference(Vector2d::Zero());
+  // At a vertex that has a name of its own, P is called from the side.
+  if (!scene.run.point_query() && gjk::vertex_count(scene.state.region) == 1)
+    away = Point(-away.y(), away.x());
+  scene.out.moving_labels.push_back(scene.label("P", is_g ? "P = G" : "P", "closest.label",
+                                                type::kVertex, p, kPointRadius, away));
+}
+
+void witness_points(SceneBuilder& scene) {
+  if (!shows_closest_point(scene)) return;
+  Vector2d x = Vector2d::Zero();
+  Vector2d y = Vector2d::Zero();
+  for (int i = 0; i < scene.state.simplex.count; ++i) {
+    x += scene.state.simplex.weights[i] * scene.vertex_of_x(scene.state.simplex.vertices[i]);
+    y += scene.state.simplex.weights[i] * scene.vertex_of_y(scene.state.simplex.vertices[i]);
+  }
+  shortest_way(scene, scene.at(x), scene.at(y));
+  const auto name = [&](const char* text, const Point& point, const Point& other) {
+    scene.disk("closest", point, kClosestRadius);
+    scene.out.moving_labels.push_back(scene.label(std::string("witness:") + text, text,
+                                                  "closest.label", type::kVertex, point,
+                                                  kPointRadius, point - other));
+  };
+  if (reaches_query(scene)) return name("x = y", scene.at(y), scene.at(y));
+  name("x", scene.at(x), scene.at(y));
+  name("y", scene.at(y), scene.at(x));
+}
+
+void search(SceneBuilder& scene) {
+  if (scene.knows.support)
+    support_line(scene, scene.at_difference(scene.state.support.w), scene.state.d);
+  // A search that is over points nowhere.
+  if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
+  if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
+}
+
+namespace {
+
+void other_normal(SceneBuilder& scene) {
+  const OtherNormal::Value& other = scene.effects.get<OtherNormal>(scene.frame);
+  if (!other || !scene.shows_difference || scene.knows.has_ended) return;
+  const Point p = scene.at_difference(scene.state.p);
+  const Point along = scene.map.direction(other->d);
+  const Point tip = p + scene.arrow_length(scene.state.p) * along;
+  scene.arrow("direction.other", p, tip);
+  scene.out.moving_labels.push_back(scene.label("arrow:other", "−d", "direction.label",
+                                                type::kVertex, 0.5 * (p + tip), 0.0,
+                                                Point(along.y(), -along.x())));
+  if (!scene.knows.support) return;
+  const Vector2d w =
+      scene.positioned.y().world[other->support.y] - scene.positioned.x().world[other->support.x];
+  support_line(scene, scene.at_difference(w), other->d, "support.plane.other");
+  scene.diamond("support.other", scene.at_difference(w), kSupportRadius,
+                subject_of(scene.run, other->support));
+}
+
+}  // namespace
+
+const Layer kOtherNormal{.effect = OtherNormal::kName,
+                         .on = Layer::On::every_view,
+                         .order = Layer::kOfAct + 10,
+                         .draw = other_normal};
+
+namespace {
+
+/// Which vertices lie farthest along d and −d is asked of the shapes: there the arrows stand.
+void asked_directions(SceneBuilder& scene) {
+  const Frame& frame = scene.frame;
+  if (frame.question < 0 || frame.answering_step < 0) return;
+  const LessonQuestion& question =
+      scene.run.lesson.questions[static_cast<std::size_t>(frame.question)];
+  if (question.ask != asks::kSupport.name) return;
+  const Vector2d& d =
+      scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
+  search_arrow(scene, scene.at(centroid(scene.positioned.y().world)), d, kPairArrow, "d");
+  search_arrow(scene, scene.at(centroid(scene.positioned.x().world)), -d, kPairArrow, "−d");
+}
+
+}  // namespace
+
+void search_between_shapes(SceneBuilder& scene) {
+  asked_directions(scene);
+  if (!scene.knows.support || scene.knows.has_ended) return;
+  search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
+               "d");
+  search_arrow(scene, scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
+               "−d");
+  scene.simplex_vertex(scene.state.support, "support");
+}
+
+bool shows_closest_point(const SceneBuilder& scene) {
+  // Frames that measure weights along a path leave P out: it would lie on what they measure.
+  const bool measures = scene.run.act->sweeps && scene.shows(BarycentricParts::kName);
+  return scene.knows.closest_point && !measures;
+}
+
+bool reaches_query(const SceneBuilder& scene) {
+  return shows_closest_point(scene) && scene.knows.is_at_query;
+}
+
+void stage_step(SceneBuilder& scene) {
+  if (scene.shows_difference && !scene.shows(Slab::kName)) best_support_line(scene);
+  if (scene.shows(History::kName)) history(scene);
+  simplex(scene);
+  if (scene.shows(History::kName)) history_points(scene);
+  if (scene.shows_difference) {
+    closest_line(scene);
+    if (scene.shows(SecondRun::kName)) second_run(scene);
+    search(scene);
+    closest_point(scene);
+  } else {
+    witness_points(scene);
+    search_between_shapes(scene);
+  }
+}
+
+}  // namespace gjkscope::layers

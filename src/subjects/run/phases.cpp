@@ -1,0 +1,40 @@
+#include <algorithm>
+
+#include "run/questions.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+bool is_chosen(const LessonRun& run, int index, int step) {
+  const std::vector<gjk::Phase>& phases = run.lesson.phases;
+  const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
+  const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
+  // Where nothing is dropped there is nothing to see.
+  if (phase == gjk::Phase::drop && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
+      steps[static_cast<std::size_t>(step)].record.dropped.empty())
+    return false;
+  return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
+}
+
+void phase_frames(LessonRun& run, int index) { add_step_frames(run, index, is_chosen); }
+
+}  // namespace
+
+const Act kPhase{
+    .name = "phase",
+    .meaning =
+        "phase of each iteration: closest point, drop, direction, support, stop "
+        "tests, add",
+    .needs = {.takes_phases = true, .takes_radius = true},
+    .add_frames = phase_frames,
+    .follows_run = true,
+    .asks = asks::kOfSteps,
+    .answering_step = answering_step_of_run,
+    .position = position_in_run,
+    .tick = tick_of_step,
+    .words = captions::step,
+    .stage = layers::stage_step,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,344 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "outlines/polygon.hpp"
+#include "subjects/difference/minkowski.hpp"
+#include "subjects/motion/motion.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/weights/projection.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+/// Names in a view: more would hide the shapes.
+constexpr std::size_t kMostNames = 24;
+/// Pixels between corners that have names because they are far apart: about the width of a name, so
+/// that most stand beside what they name.
+constexpr double kNamesApart = 44.0;
+/// Shapes that are not convex and have more corners than this in sight have no fill: triangles are
+/// looked for in a time that grows with the square of their number.
+constexpr std::size_t kMostFilled = 256;
+
+/// Where GJK does not name them, names of more vertices than this would only be in the way, and
+/// disks of more vertices hide the line.
+constexpr std::size_t kMostLabels = 8;
+constexpr std::size_t kMostDisks = 64;
+
+/// Radius of a vertex that has a name among others that have no disks.
+constexpr double kNamedRadius = 3.0;
+constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
+/// Lines with less room than this, in pixels, would be one mass of colour: they are thin and pale.
+constexpr double kDense = 10.0;
+
+/// A shape of several outlines: what is solid, then its holes.
+void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<Vector2d>& world,
+              const std::string& role, const Subject& whole) {
+  for (const bool holes : {false, true}) {
+    for (const auto& [first, count] : shape.ranges()) {
+      const std::vector<Vector2d> corners(world.begin() + first, world.begin() + first + count);
+      if ((signed_area(corners) < 0.0) != holes) continue;
+      for (const auto& [a, b, c] : triangles(corners)) {
+        const auto at = [&](int i) { return scene.at(corners[static_cast<std::size_t>(i)]); };
+        scene.area(holes ? "hole" : role + ".fill", {at(a), at(b), at(c)},
+                   holes ? Subject{} : whole);
+      }
+      std::vector<Point> line;
+      for (const Vector2d& corner : corners) line.push_back(scene.at(corner));
+      scene.add(role, Polyline{line, true}, whole);
+      scene.outline(line);
+    }
+  }
+}
+
+/// The vertices of a shape that the run ever looks at: those of all its simplices and support
+/// points. They are the same in each frame of the run, so names neither come nor go between steps.
+std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::size_t count) {
+  std::vector<bool> met(count, false);
+  const auto meet = [&](const gjk::State<double, 2>& state) {
+    const auto note = [&](const gjk::SupportPoint<double, 2>& vertex) {
+      met[static_cast<std::size_t>(is_x ? vertex.pair.x : vertex.pair.y)] = true;
+    };
+    for (int i = 0; i < state.simplex.count; ++i) note(state.simplex.vertices[i]);
+  };
+  meet(scene.positioned.trace.initial);
+  for (const auto& step : scene.positioned.trace.steps) meet(step.after);
+  return met;
+}
+
+/// Which points of a shape stand in the view's card.
+std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& points) {
+  const Rect& card = scene.map.area();
+  std::vector<bool> out;
+  for (const Point& point : points) {
+    out.push_back((point.array() >= card.min.array()).all() &&
+                  (point.array() <= card.max.array()).all());
+  }
+  return out;
+}
+
+/// Whether a vertex has a name: if there is room beside it, or in any case.
+enum class Named { no, with_room, yes };
+
+/// The names of a shape's vertices: all that are in sight where a view has room for that, else
+/// those that the run looks at, and then corners that are far from all that have one; within the
+/// hull only where there is room.
+std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body,
+                                     const std::vector<bool>& seen, bool has_room_inside) {
+  const auto count_of = [](const std::vector<bool>& of) {
+    return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
+  };
+  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i) {
+    if (i != body)
+      others += count_of(in_sight(scene, scene.mapped(scene.positioned.bodies[i].world)));
+  }
+  if (count_of(seen) + others <= kMostNames) return std::vector<Named>(world.size(), Named::yes);
+
+  const std::vector<bool> of_run = vertices_of_run(scene, body == 0, world.size());
+  std::vector<Named> named;
+  for (const bool is_of_run : of_run) named.push_back(is_of_run ? Named::yes : Named::no);
+  const std::size_t wanted = kMostNames - std::min(others, kMostNames / 2);
+  std::size_t count = count_of(of_run);
+  const auto name_far_ones = [&](const std::vector<int>& candidates) {
+    std::vector<double> to_named(candidates.size(), std::numeric_limits<double>::infinity());
+    const auto measure_from = [&](std::size_t from) {
+      for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const auto candidate = static_cast<std::size_t>(candidates[k]);
+        to_named[k] = std::min(to_named[k], (world[candidate] - world[from]).squaredNorm());
+      }
+    };
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (named[i] != Named::no) measure_from(i);
+    }
+    for (; count < wanted && !candidates.empty(); ++count) {
+      const auto farthest = std::max_element(to_named.begin(), to_named.end());
+      if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
+      const auto next = static_cast<std::size_t>(
+          candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
+      named[next] = Named::with_room;
+      measure_from(next);
+    }
+  };
+  // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
+  // of the difference are made of them.
+  std::vector<bool> on_hull(world.size(), false);
+  for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
+    on_hull[static_cast<std::size_t>(body == 0 ? corner.pair.x : corner.pair.y)] = true;
+  for (const bool of_hull : {true, false}) {
+    if (!of_hull && !has_room_inside) break;
+    std::vector<int> candidates;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (seen[i] && on_hull[i] == of_hull) candidates.push_back(static_cast<int>(i));
+    }
+    name_far_ones(candidates);
+  }
+  return named;
+}
+
+/// The radius of the disks of a shape's vertices, in pixels: less where they stand close together,
+/// and 0 where disks would hide the outline.
+double disk_radius(const std::vector<Point>& points) {
+  constexpr double kLeast = 1.5;
+  if (points.size() < 2) return kVertexRadius;
+  std::vector<double> edges;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    edges.push_back((points[(i + 1) % points.size()] - points[i]).norm());
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
+  // Edges that cross each other say little of the room: disks need some between lines, too.
+  const double radius = kPartOfRoom * std::min({*middle, room_of(points), room_of_outline(points)});
+  return radius < kLeast ? 0.0 : std::min(radius, kVertexRadius);
+}
+
+void shape(SceneBuilder& scene, std::size_t body) {
+  using Kind = Subject::Kind;
+  const Lesson& lesson = scene.run.lesson;
+  const bool is_x = body == 0;
+  const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
+  const LessonShape& shape = lesson.bodies[body];
+  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
+  const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
+  const std::vector<Point> vertices = scene.mapped(world);
+  const std::vector<Point> corners = told_apart(vertices);
+  const Point middle = centroid(corners);
+  if (!shape.outlines.empty()) {
+    outlines(scene, shape, world, role, whole);
+  } else if (corners.size() == 2) {
+    scene.line(role, corners[0], corners[1], whole);
+  } else if (corners.size() > 2) {
+    if (is_convex(world)) {
+      scene.area(role, corners, whole);
+    } else {
+      if (corners.size() <= kMostFilled) {
+        for (const auto& [a, b, c] : triangles(corners))
+          scene.area(role + ".fill", {corners[a], corners[b], corners[c]}, whole);
+      }
+      const bool is_dense = room_of_outline(corners) < kDense;
+      scene.add(is_dense ? role + ".dense" : role, Polyline{corners, true}, whole);
+    }
+    scene.outline(corners);
+  }
+  const bool has_gjk = scene.run.has_gjk();
+  const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
+  const std::vector<bool> seen = in_sight(scene, vertices);
+  std::vector<Named> named(world.size(), world.size() <= kMostLabels ? Named::yes : Named::no);
+  if (has_gjk) named = names_of_vertices(scene, body, seen, radius > 0.0);
+  const Point* last = nullptr;  // that has a disk
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const bool touches = last != nullptr && (vertices[i] - *last).norm() < 2.0 * radius + 0.5;
+    if (!seen[i] || (named[i] == Named::no && (radius == 0.0 || touches))) continue;
+    last = &vertices[i];
+    const int index = static_cast<int>(i);
+    scene.disk(role + ".vertex", vertices[i], radius > 0.0 ? radius : kNamedRadius,
+               is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
+  }
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (named[i] == Named::no) continue;
+    const Point& at = vertices[i];
+    const Point away = world.size() == 1 ? Point::Zero() : Point(at - middle);
+    // Beside a vertex that moves, no place is free for good.
+    const bool moves = lesson.path_of_shapes && world.size() > 1 &&
+                       !lesson.path_of_shapes->motions[body].points.empty();
+    auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+    labels.push_back(scene.label("vertex:" + shape.vertex_names[i], shape.vertex_names[i],
+                                 role + ".label", type::kVertex, at, kSimplexRadius, away));
+    labels.back().needs_room = named[i] == Named::with_room;
+  }
+}
+
+void shapes(SceneBuilder& scene) {
+  // The query point has a mark of its own.
+  const std::size_t first = scene.run.point_query() ? 1 : 0;
+  for (std::size_t body = first; body < scene.run.lesson.bodies.size(); ++body) shape(scene, body);
+}
+
+}  // namespace
+
+void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
+  using Kind = Subject::Kind;
+  const auto is_one_of = [](int index, const std::vector<Vector2d>& vertices) {
+    return index >= 0 && index < static_cast<int>(vertices.size());
+  };
+  const std::vector<Vector2d>& x = scene.positioned.x().world;
+  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  if (vertex.kind == Kind::difference_vertex) {
+    if (scene.view.kind != ViewKind::difference || !is_one_of(vertex.x, x) ||
+        !is_one_of(vertex.y, y))
+      return;
+    const Point at = scene.at(y[vertex.y] - x[vertex.x]);
+    if (!has_mark) scene.disk("cloud.point", at, kCloudRadius, vertex);
+    scene.out.moving_labels.push_back(scene.pair_name(
+        {vertex.x, vertex.y}, "cloud.label", at, kSimplexRadius, at - scene.map.area().center()));
+    return;
+  }
+  const bool is_x = vertex.kind == Kind::vertex_of_x;
+  const int index = is_x ? vertex.x : vertex.y;
+  const std::vector<Vector2d>& world = is_x ? x : y;
+  // The query point has a name in each frame.
+  if (scene.view.kind != ViewKind::world || !is_one_of(index, world) ||
+      (is_x && scene.run.point_query()))
+    return;
+  const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
+  const std::string& name = scene.run.lesson.bodies[is_x ? 0 : 1].vertex_names[index];
+  const Point at = scene.at(world[static_cast<std::size_t>(index)]);
+  if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
+  scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
+                                                type::kVertex, at, kSimplexRadius,
+                                                at - scene.at(centroid(world))));
+}
+
+const Layer kShapes{.effect = {},
+                    .on = Layer::On::world,
+                    .order = 60,
+                    .draw = shapes,
+                    .key = [](const auto& scene) {
+                      return EffectKey{scene.frame.run, -1, -1};
+                    }};
+
+namespace {
+
+/// The end of a way, as an arrow: long enough to be seen, however short the last step is.
+void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
+  constexpr double kLeast = 16.0;
+  const auto before = std::find_if(points.rbegin(), points.rend(), [&](const Point& point) {
+    return (point - points.back()).norm() >= kLeast;
+  });
+  if (before != points.rend()) scene.add("path.end", Arrow{*before, points.back()});
+}
+
+void path(SceneBuilder& scene) {
+  // Arrows stand in place of a way.
+  if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
+  const LessonPath& path = *scene.run.lesson.path_of_shapes;
+  // Without a number of frames a path is a set of places to be in, not a way between them.
+  if (path.frames == 0) return;
+  for (std::size_t body = 0; body < path.motions.size(); ++body) {
+    const Lesson& lesson = scene.run.lesson;
+    if (!scene.run.point_query()) {
+      const Point middle = scene.at(centroid(scene.positioned.bodies[body].world));
+      const std::string& name = lesson.bodies[body].name;
+      const bool moves = !path.motions[body].points.empty();
+      auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+      labels.push_back(scene.label("shape:" + name, name,
+                                   body == 0 ? "shape.x.label" : "shape.y.label", type::kVertex,
+                                   middle, kPathNow));
+    }
+    if (path.motions[body].points.empty()) continue;
+    std::vector<Point> points;
+    for (const PositionedRun& run : scene.run.runs)
+      points.push_back(scene.at(centroid(run.bodies[body].world)));
+    scene.add("path", Polyline{points});
+    for (std::size_t i = 1; i < points.size(); ++i)
+      scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
+    for (const Point& point : points) scene.disk("path.point", point, 3.0);
+    end_of_way(scene, points);
+    if (!scene.run.point_query())
+      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
+  }
+}
+
+}  // namespace
+
+const Layer kPath{.effect = {}, .on = Layer::On::world, .order = 160, .draw = path};
+
+namespace {
+
+void query_point(SceneBuilder& scene) {
+  if (scene.view.kind == ViewKind::world && scene.run.point_query()) {
+    const Point q = scene.at(scene.positioned.x().world[0]);
+    scene.cross("query", q, kPointRadius, {Subject::Kind::vertex_of_x, 0});
+    std::string name = scene.run.lesson.x().vertex_names[0];
+    if (scene.shows(Projection::kName)) {
+      // Within a pixel of the line, G has no mark of its own.
+      const Projection::Value& g = scene.effects.get<Projection>(scene.frame);
+      if (g && (scene.at_difference(*g) - q).norm() < 1.0) name = "G = " + name;
+    }
+    // Along a path, on the side where the line to P is not.
+    const bool has_way =
+        scene.run.act->sweeps && shows_closest_point(scene) && !reaches_query(scene);
+    const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
+    scene.out.moving_labels.push_back(scene.label("Q", reaches_query(scene) ? "P = " + name : name,
+                                                  "query.label", type::kVertex, q, kPointRadius,
+                                                  away));
+  }
+  if (scene.view.kind == ViewKind::difference) {
+    const Point o = scene.at(Vector2d::Zero());
+    scene.add("origin", Cross{o, kOriginRadius});
+    scene.out.obstacles.circles.push_back({o, kOriginRadius});
+    scene.labels_of_difference().push_back(
+        scene.label("O", "O", "origin.label", type::kVertex, o, kOriginRadius));
+  }
+}
+
+}  // namespace
+
+const Layer kQueryPoint{
+    .effect = {}, .on = Layer::On::every_view, .order = 1020, .draw = query_point};
+
+}  // namespace gjkscope::layers

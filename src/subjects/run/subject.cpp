@@ -1,0 +1,39 @@
+#include "subjects/run/subject.hpp"
+
+#include "subjects/subjects.hpp"
+
+namespace gjkscope {
+
+const SubjectParts subjects::run{
+    .acts = {&acts::kIteration, &acts::kPath, &acts::kPhase},
+    .blocks = {&blocks::kSimplex, &blocks::kScan, &blocks::kBounds, &blocks::kDirectionRules,
+               &blocks::kPseudocode, &blocks::kStopTests},
+    .listings = {&listings::kSegment, &listings::kTriangle, &listings::kStructures,
+                 &listings::kSupport, &listings::kGjkPoint, &listings::kMinkowski, &listings::kGjk},
+    .layers = {&layers::kOtherNormal, &layers::kShapes, &layers::kPath, &layers::kQueryPoint},
+    .effects = {&effect_infos::kDirectionRules, &effect_infos::kHistory,
+                &effect_infos::kOtherNormal},
+    .legend = {{"simplex.vertex", "vertex of the simplex S"},
+               {"support.vertex", "support point"},
+               {"closest", "closest point"},
+               {"dropped", "dropped vertex"},
+               {"support.plane", "support line, normal to d"},
+               {"query.earlier", "an earlier place of Q"},
+               {"support.best", "best support line so far"},
+               {"support.axis.foot", "foot: how far along"},
+               {"projection.point", "foot of the perpendicular from Q"},
+               {"closest.circle", "as far away as P"},
+               {"condition", "a condition holds on the side of the ticks"},
+               {"region.rejected", "ruled out"},
+               {"hull.ghost", "outline of Z, not known to GJK"},
+               {"cloud.point", "a difference y − x"},
+               {"cloud.touched", "a difference that was computed"},
+               {"pair.link", "joins the two vertices of a difference"},
+               {"history.closest", "P of an earlier iteration"},
+               {"skin.origin", "as far from O as both radii"},
+               {"skin.gap", "from one round shape to the other"},
+               {"path.now", "middle of a shape, on its way"}},
+    .adds = captions::direction_rules,
+};
+
+}  // namespace gjkscope

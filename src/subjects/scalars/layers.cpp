@@ -1,0 +1,42 @@
+#include "lesson/names.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/scalars/second_run.hpp"
+#include "subjects/scalars/subject.hpp"
+
+namespace gjkscope::layers {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+void second_run(SceneBuilder& scene) {
+  if (!scene.shows_difference || !shows_closest_point(scene)) return;
+  const SecondRun::Value& second = scene.effects.get<SecondRun>(scene.frame);
+  const gjk::Step<double, 2>* step = step_beside(second, scene.run, scene.frame);
+  if (!step) return;
+  const gjk::State<double, 2>& state = step->after;
+  const std::string scalar(name_of(*scene.run.lesson.beside));
+  const Point p = scene.at_difference(state.p);
+  const auto name = [&](const std::string& what, const Point& anchor, double radius,
+                        const Point& towards) {
+    scene.out.moving_labels.push_back(scene.label("second:" + what, scalar + " " + what,
+                                                  "second.label", type::kSmallVertex, anchor,
+                                                  radius, towards));
+  };
+  if (scene.knows.support) {
+    support_line(scene, scene.at_difference(state.support.w), state.d, "second.plane");
+    scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
+  }
+  if (scene.knows.direction && state.d.norm() > 0.0) {
+    const Point along = scene.map.direction(state.d);
+    const Point tip = p + scene.arrow_length(state.p) * along;
+    scene.arrow("second.direction", p, tip);
+    // A support line may pass the tip: the name stands beside the shaft.
+    name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
+  }
+  scene.disk("second.closest", p, kPointRadius);
+  // Where both are the same point to the eye one label is enough.
+  if ((p - scene.at_difference(scene.state.p)).norm() > 3.0 * kPointRadius)
+    name("P", p, kPointRadius, p - scene.at_difference(scene.state.p));
+}
+
+}  // namespace gjkscope::layers

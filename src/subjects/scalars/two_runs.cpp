@@ -1,0 +1,155 @@
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <type_traits>
+
+#include "lesson/names.hpp"
+#include "subjects/scalars/second_run.hpp"
+#include "subjects/scalars/subject.hpp"
+
+namespace gjkscope::blocks {
+namespace {
+
+using gjk::Phase;
+using namespace rows;
+
+/// One column: a run, and its state at the frame.
+struct Column {
+  std::string title;
+  double x = 0.0;  ///< Right edge.
+  const PositionedRun& run;
+  const gjk::State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
+  Numbers numbers;
+};
+
+/// Two numbers that differ, with as many digits as that takes.
+std::array<std::string, 2> told_apart(const std::array<double, 2>& numbers) {
+  std::array<std::string, 2> texts;
+  constexpr int kAllDigits = 17;
+  for (int digits = 4; digits <= kAllDigits && texts[0] == texts[1]; ++digits) {
+    for (int i = 0; i < 2; ++i) texts[i] = significant(numbers[i], digits);
+  }
+  return texts;
+}
+
+/// Digits that are too many go from the middle: the first ones say how large a number is, the last
+/// ones how it differs.
+std::string without_middle(std::string text, const std::function<bool(const std::string&)>& fits) {
+  constexpr std::size_t kFirst = 5;
+  std::string shown = text;
+  for (std::size_t gone = 1; !fits(shown) && kFirst + gone + 1 < text.size(); ++gone) {
+    std::size_t begin = kFirst;
+    std::size_t end = kFirst + gone;
+    while (begin > 0 && !starts_character(text[begin])) --begin;
+    while (end < text.size() && !starts_character(text[end])) ++end;
+    shown = text.substr(0, begin) + "…" + text.substr(end);
+  }
+  return shown;
+}
+
+void two_runs(PanelBuilder& panel) {
+  const Lesson& lesson = panel.run.lesson;
+  const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
+  const gjk::Step<double, 2>* beside = step_beside(second, panel.run, panel.frame);
+  const PositionedRun& first = panel.run.run(panel.frame);
+  const gjk::State<double, 2>* state = panel.knows.phase ? &panel.state : nullptr;
+  Lesson other = lesson;
+  other.scalar = *lesson.beside;
+  const double half = 0.5 * (panel.right - panel.left - 62.0);
+  const std::array<Column, 2> columns = {
+      Column{std::string(name_of(lesson.scalar)), panel.left + 62.0 + half, first, state,
+             panel.numbers},
+      Column{std::string(name_of(*lesson.beside)), panel.right, second.run,
+             beside ? &beside->after : nullptr, Numbers(other)}};
+
+  panel.write("heading", panel.left, "Two runs", type::kHeading);
+  for (const Column& column : columns)
+    panel.write("heading", column.x, column.title, type::kHeading, Align::right);
+  panel.y += kRow + 2.0;
+
+  const auto known = [&](Phase since) {
+    return panel.knows.phase && *panel.knows.phase >= since && *panel.knows.phase != Phase::add;
+  };
+  constexpr double kBetween = 8.0;  // columns
+  const auto fitting = [&](std::string text) {
+    return without_middle(std::move(text), [&](const std::string& shown) {
+      return panel.fonts.width(type::kCodeBold, shown) <= half - kBetween;
+    });
+  };
+  // From its first digit that differs on a text has a line below it.
+  const auto underline = [&](const std::string& role, double right, const std::string& text,
+                             const std::string& compared) {
+    const std::u32string mine = code_points(text);
+    const std::u32string its = code_points(compared);
+    const auto same = std::mismatch(mine.begin(), mine.end(), its.begin(), its.end()).first;
+    const double width =
+        panel.fonts.width(type::kCodeBold, "0") * static_cast<double>(mine.end() - same);
+    if (width > 0.0)
+      panel.add(role, Box{{{right - width, panel.y + 3.0}, {right, panel.y + 5.0}}, 0.0});
+  };
+  const auto row = [&](const std::string& name, bool since, auto value, auto words) {
+    panel.write("code", panel.left, name, type::kCode);
+    std::array<std::string, 2> texts = {"–", "–"};
+    const bool both = columns[0].state && columns[1].state;
+    for (int i = 0; i < 2; ++i)
+      if (since && columns[i].state) texts[i] = words(columns[i], value(columns[i]));
+    bool differ = texts[0] != texts[1];
+    if constexpr (std::is_same_v<decltype(value(columns[0])), double>) {
+      // The values themselves, which have their own digits in each column.
+      if (since && both) {
+        const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
+        differ = numbers[0] != numbers[1];
+        if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
+      }
+      for (std::string& text : texts) text = fitting(std::move(text));
+    }
+    for (int i = 0; i < 2; ++i) {
+      const char* const role = !differ ? "code" : i == 0 ? "fail" : "pass";
+      panel.write(role, columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode,
+                  Align::right);
+      if (differ && both) underline(role, columns[i].x, texts[i], texts[1 - i]);
+    }
+    panel.y += kRow;
+  };
+  const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
+    row(
+        name, known(since), [&](const Column& column) -> double { return vector(column)[axis]; },
+        [](const Column& column, double value) { return column.numbers(value); });
+  };
+  // A point query's difference is the polygon seen from Q.
+  const auto p = [&](const Column& column) {
+    return panel.run.point_query() ? Eigen::Vector2d(column.state->p + column.run.x().world[0])
+                                   : column.state->p;
+  };
+  const auto d = [](const Column& column) { return column.state->d; };
+  coordinate("P.x", Phase::closest, p, 0);
+  coordinate("P.y", Phase::closest, p, 1);
+  coordinate("d.x", Phase::direction, d, 0);
+  coordinate("d.y", Phase::direction, d, 1);
+  row("towards", known(Phase::direction), d, [](const Column&, const Eigen::Vector2d& along) {
+    return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
+  });
+  const auto as_it_is = [](const Column&, const std::string& text) { return text; };
+  row(
+      "support", known(Phase::support),
+      [&](const Column& column) { return panel.run.pair_name(column.state->support.pair); },
+      as_it_is);
+  row(
+      "stops", known(Phase::stop),
+      [](const Column& column) {
+        return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
+      },
+      as_it_is);
+}
+
+}  // namespace
+
+const Block kTwoRuns{.name = "two-runs",
+                     .meaning = "the lesson's run and the second one side by side",
+                     .write = two_runs,
+                     .second_run = true};
+
+}  // namespace gjkscope::blocks

@@ -1,0 +1,50 @@
+#pragma once
+// The proof by slabs in pictures: what a frame shows of it, and what its act draws and says.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "run/algorithm_facts.hpp"
+#include "subjects/slab_proof/lesson_trace.hpp"
+
+namespace gjkscope::slabs {
+
+inline constexpr AskInfo kAskVertex{"slab-vertex", "which vertex lies deepest in the slab"};
+
+/// The part of the descent that a frame shows.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame)
+      : lesson(run.lesson),
+        told(slab_told(run.algorithm_trace(frame))),
+        step(last_step_over(told.descent.steps, frame)),
+        is_answer(*frame.steps_over > told.steps()) {}
+
+  const Lesson& lesson;
+  const SlabTrace& told;
+  const slab_proof::Step* step = nullptr;  ///< The last that is over; none at the start.
+  bool is_answer = false;                  ///< The frame after the last step.
+
+  [[nodiscard]] bool has_points() const { return !told.descent.steps.empty(); }
+  [[nodiscard]] const slab_proof::State& state() const {
+    return step == nullptr ? told.descent.steps.front().before : step->after;
+  }
+  [[nodiscard]] bool is(slab_proof::Phase phase) const {
+    return step != nullptr && !is_answer && step->phase == phase;
+  }
+  [[nodiscard]] std::string name(const slab_proof::Reach& reach) const {
+    return vertex_name(lesson, reach);
+  }
+};
+
+// blocks.cpp
+extern const Block kSlabBlock;
+extern const Listing kListing;
+
+// layers.cpp
+void stage(SceneBuilder& scene);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::slabs

@@ -1,0 +1,109 @@
+#include "subjects/study/act.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/decimal.hpp"
+#include "subjects/answer/subject.hpp"
+#include "subjects/study/dot_words.hpp"
+#include "subjects/study/subject.hpp"
+#include "subjects/study/table.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+constexpr std::array<AskInfo, 2> kStudyAsks = {
+    {{"overlap", "whether the shapes overlap", "about mark"},
+     {"time", "how much longer the next mark takes than the one before", "about mark"}}};
+
+void study_frames(LessonRun& run, int index) {
+  using enum StudyStage;
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int all_marks = static_cast<int>(run.lesson.table.as<LessonStudy>()->marks.size());
+  const int first = std::min(2, all_marks);
+  int count = 0;
+  const auto add = [&](StudyStage stage, int marks) {
+    run.frames.push_back({.run = index, .step = last, .part = {StudyFrame{stage, marks}, count++}});
+  };
+  for (const StudyStage stage : {shapes, gap, in_float, in_double, error}) add(stage, 0);
+  for (const StudyStage stage : {error_axis, time_axis}) add(stage, first);
+  for (int marks = first + 1; marks <= all_marks; ++marks) add(mark, marks);
+  for (const StudyStage stage : {front, all, choice}) add(stage, all_marks);
+}
+
+int study_answer(const LessonRun&, const Frame&, const Frame& frame,
+                 const LessonQuestion& question) {
+  using enum StudyStage;
+  const auto [stage, marks] = *frame.part.as<StudyFrame>();
+  const bool answers = question.ask == kStudyAsks[0].name
+                           ? stage == gap
+                           : question.ask == kStudyAsks[1].name && stage == mark &&
+                                 (!question.at || *question.at == marks);
+  return answers ? frame.step : -1;
+}
+
+Tick study_tick(const LessonRun& run, const Frame& frame) {
+  using enum StudyStage;
+  const auto [stage, marks] = *frame.part.as<StudyFrame>();
+  Tick tick{.group = stage < error_axis ? "one pair"
+                     : stage < front    ? "time and error"
+                                        : "the front",
+            .event = stage == error || stage == choice};
+  constexpr std::array<std::string_view, 11> kLabels = {
+      "shapes", "gap", "float",        "double", "error",       "errors",
+      "times",  "",    "of the marks", "of all", "what to take"};
+  tick.label = stage == mark ? run.lesson.table.as<LessonStudy>()
+                                   ->marks[static_cast<std::size_t>(marks - 1)]
+                                   .configuration
+                             : std::string(kLabels[static_cast<std::size_t>(stage)]);
+  return tick;
+}
+
+void study_values(const Story& story, FrameText& text) {
+  using enum StudyStage;
+  text.values.emplace_back("x", story.run.lesson.x().name);
+  text.values.emplace_back("y", story.run.lesson.y().name);
+  for (const StudyDot& dot : introduced(*story.run.lesson.table.as<LessonStudy>(),
+                                        story.frame.part.as<StudyFrame>()->marks)) {
+    text.values.emplace_back(dot.configuration,
+                             fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
+  }
+}
+
+bool study_fill(SceneBuilder& scene, const Fonts& fonts) {
+  if (scene.view.kind != ViewKind::plot) return false;
+  layers::study(scene, fonts);
+  return true;
+}
+
+std::string study_plot_title(const LessonRun& run) {
+  return fmt::format("Pairs: {}", run.lesson.table.as<LessonStudy>()->family);
+}
+
+}  // namespace
+
+const Act kStudy{
+    .name = "study",
+    .meaning =
+        "part of three acts: the pair X and Y, its gap, its answers in float and double, "
+        "what an error is; the axis of errors, that of times, each mark of [study]; the "
+        "front of the marks, that of all, what to take",
+    .needs = {.table = &LessonStudy::kKind,
+              .path = PathUse::refused,
+              .why_no_until = "frames show how the run ends"},
+    .add_frames = study_frames,
+    .asks = kStudyAsks,
+    .answering_step = study_answer,
+    .position = position_in_lesson,
+    .tick = study_tick,
+    .words = captions::study,
+    .stage = layers::answer,
+    .question = captions::study_question,
+    .values = study_values,
+    .fill = study_fill,
+    .plot_title = study_plot_title,
+};
+
+}  // namespace gjkscope::acts

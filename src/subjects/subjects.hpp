@@ -1,0 +1,59 @@
+#pragma once
+// The subjects, and all that a lesson can name of them: acts, panel blocks, listings and effects.
+
+#include <vector>
+
+#include "lesson/vocabulary.hpp"
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "picture/layer.hpp"
+#include "picture/legend.hpp"
+#include "run/effect_info.hpp"
+
+namespace gjkscope {
+
+/// What the folder of a subject makes visible.
+struct SubjectParts {
+  std::vector<const Act*> acts = {};
+  std::vector<const Block*> blocks = {};
+  std::vector<const Listing*> listings = {};
+  std::vector<const Layer*> layers = {};
+  std::vector<const EffectInfo*> effects = {};
+  /// What its marks mean, in the order in which it is said; that of `run` counts for all lessons,
+  /// others for those that have one of its acts.
+  std::vector<LegendEntry> legend = {};
+  /// Adds to the words of a step, of any act.
+  void (*adds)(const Story& story, FrameText& text) = nullptr;
+};
+
+namespace subjects {
+#define GJKSCOPE_SUBJECT(name) extern const SubjectParts name;
+#include "subjects/list.def"
+#undef GJKSCOPE_SUBJECT
+}  // namespace subjects
+
+/// In the order of list.def.
+[[nodiscard]] const std::vector<const SubjectParts*>& all_subjects();
+
+/// In the order in which lessons/README.md lists them.
+[[nodiscard]] const std::vector<const Act*>& registered_acts();
+[[nodiscard]] const std::vector<const Block*>& registered_blocks();
+[[nodiscard]] const std::vector<const Listing*>& registered_listings();
+/// In the order in which `explain` lists them.
+[[nodiscard]] const std::vector<const EffectInfo*>& registered_effects();
+/// From the lowest to the highest.
+[[nodiscard]] const std::vector<const Layer*>& registered_layers();
+
+/// True when an effect is the one called `name`, or needs it, directly or through other effects.
+[[nodiscard]] bool pulls(const EffectInfo& effect, std::string_view name);
+
+/// What the marks of a run's pictures mean.
+[[nodiscard]] std::vector<LegendEntry> legend_entries(const LessonRun& run);
+
+/// What the loader knows of them.
+[[nodiscard]] const Vocabulary& vocabulary();
+
+/// Runs a lesson with the act that it names, which must be registered.
+[[nodiscard]] LessonRun run_lesson(Lesson lesson);
+
+}  // namespace gjkscope

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "run/facts.hpp"
+#include "run/questions.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/support/subject.hpp"
+
+namespace gjkscope::acts {
+namespace {
+
+void support_frames(LessonRun& run, int index) {
+  using enum SupportPart;
+  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const int last = last_step(run.lesson, trace);
+  const std::size_t before = run.frames.size();
+  for (int i = 0; i <= last; ++i) {
+    if (trace.steps[i].phase != gjk::Phase::support) continue;
+    for (const SupportPart part : {direction, of_y, of_x, of_z})
+      run.frames.push_back({.run = index, .step = i, .part = FramePart(part)});
+  }
+  // A run that needs no support point shows how it ends.
+  if (run.frames.size() == before) run.frames.push_back({.run = index, .step = last});
+}
+
+std::string support_position(const LessonRun& run, int index) {
+  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const auto* part = frame.part.as<SupportPart>();
+  if (!part) return position_in_lesson(run, index);
+  constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
+                                                      "support of Z"};
+  return fmt::format("iteration {} of {} · {}", run.step(frame).iteration,
+                     run.run(frame).trace.result.iterations,
+                     kParts[static_cast<std::size_t>(*part)]);
+}
+
+Tick support_tick(const LessonRun& run, const Frame& frame) {
+  using enum SupportPart;
+  const auto* shown = frame.part.as<SupportPart>();
+  if (!shown) return tick_of_step(run, frame);
+  constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
+  const auto part = static_cast<std::size_t>(*shown);
+  return {.group = fmt::format("iteration {}", run.step(frame).iteration),
+          .label = std::string(kParts[part]),
+          .short_label = std::string(1, "dYXZ"[part]),
+          .event = *shown == of_z};
+}
+
+void support_words(const Story& story, FrameText& text) {
+  return story.frame.part.as<SupportPart>() ? captions::support_in_parts(story, text)
+                                            : captions::step(story, text);
+}
+
+void support_stage(SceneBuilder& scene) {
+  return scene.frame.part.as<SupportPart>() ? layers::support_in_parts(scene)
+                                            : layers::stage_step(scene);
+}
+
+constexpr std::array kSupportAsks = {asks::kSupport};
+
+/// Asked where d is known, and answered by the support points of Y and X.
+int support_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const auto* part = frame.part.as<SupportPart>();
+  const bool answers = question.ask == asks::kSupport.name && part && *part == SupportPart::of_y &&
+                       (!question.at || *question.at == run.step(frame).iteration);
+  return answers ? frame.step : -1;
+}
+
+}  // namespace
+
+const Act kSupport{
+    .name = "support",
+    .meaning =
+        "part of each support step: the direction, the support point of Y, that of "
+        "X, their difference",
+    .add_frames = support_frames,
+    .asks = kSupportAsks,
+    .answering_step = support_answer,
+    .position = support_position,
+    .tick = support_tick,
+    .words = support_words,
+    .stage = support_stage,
+};
+
+}  // namespace gjkscope::acts

@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "run/facts.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/support/subject.hpp"
+
+namespace gjkscope::layers {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kRowRadius = 9.0;
+
+Vector2d middle_of(const std::vector<Vector2d>& vertices) {
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
+  return middle;
+}
+
+/// The line through a support point, normal to d, a little longer than its shape.
+void line_past(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Point& through,
+               const Vector2d& d) {
+  constexpr double kBeyond = 16.0;  // pixels
+  const Point across = scene.map.direction({d.y(), -d.x()});
+  double low = 0.0;
+  double high = 0.0;
+  for (const Vector2d& vertex : vertices) {
+    const double along = across.dot(scene.at(vertex) - through);
+    low = std::min(low, along);
+    high = std::max(high, along);
+  }
+  const Point from = through + (low - kBeyond) * across;
+  const Point to = through + (high + kBeyond) * across;
+  scene.add("support.plane", Polyline{{from, to}});
+  scene.out.obstacles.passing.push_back({from, to});
+}
+
+/// A shape of the world along d: the direction at its middle, and once its support point is found,
+/// there.
+void along(SceneBuilder& scene, const std::vector<Vector2d>& vertices, int found, const Vector2d& d,
+           const std::string& text, bool is_found) {
+  if (!is_found)
+    return search_arrow(scene, scene.at(middle_of(vertices)), d, sizes::kPairArrow, text);
+  const Point point = scene.at(vertices[found]);
+  line_past(scene, vertices, point, d);
+  search_arrow(scene, point, d, sizes::kPairArrow, text);
+  scene.diamond("support.vertex", point, sizes::kSupportRadius);
+}
+
+/// The differences that the chosen vertex of Y is in: a copy of X, turned round, standing at it.
+void row(SceneBuilder& scene, int y) {
+  for (const Vector2d& x : scene.positioned.x().world)
+    scene.disk("cloud.row", scene.at(scene.positioned.y().world[y] - x), kRowRadius);
+}
+
+}  // namespace
+
+void support_in_parts(SceneBuilder& scene) {
+  const gjk::State<double, 2>& state = scene.state;
+  const SupportPart reached = *scene.frame.part.as<SupportPart>();
+  if (!scene.shows_difference) {
+    along(scene, scene.positioned.y().world, state.support.pair.y, state.d, "d",
+          reached >= SupportPart::of_y);
+    along(scene, scene.positioned.x().world, state.support.pair.x, -state.d, "−d",
+          reached >= SupportPart::of_x);
+    if (reached == SupportPart::of_z)
+      scene.link(scene.vertex_of_x(state.support), scene.vertex_of_y(state.support));
+    return;
+  }
+  if (reached == SupportPart::of_y || reached == SupportPart::of_x)
+    row(scene, state.support.pair.y);
+  simplex(scene);
+  const bool at_end = reached == SupportPart::of_z;
+  if (at_end) support_line(scene, scene.at_difference(state.support.w), state.d);
+  closest_line(scene);
+  search_direction(scene);
+  if (at_end) scene.simplex_vertex(state.support, "support");
+  closest_point(scene);
+}
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,42 @@
+#include "subjects/support/slab.hpp"
+
+#include "subjects/support/subject.hpp"
+
+namespace gjkscope {
+
+EffectKey BestSupport::key(const LessonRun&, const Frame& frame) {
+  return {frame.run, frame.step, -1};
+}
+
+BestSupport::Value BestSupport::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  Value widest;
+  for (int i = 0; i <= frame.step; ++i) {
+    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[i];
+    const gjk::State<double, 2>& state = step.after;
+    if (step.phase != gjk::Phase::support || !(state.d.norm() > 0.0)) continue;
+    const double width = -state.support_value / state.d.norm();
+    if (width > (widest ? widest->width : 0.0))
+      widest = Strip{state.support, state.d.normalized(), width};
+  }
+  return widest;
+}
+
+bool is_found_by(const BestSupport::Strip& strip, const gjk::State<double, 2>& state) {
+  return strip.support.pair == state.support.pair && strip.normal == state.d.normalized();
+}
+
+EffectKey Slab::key(const LessonRun& run, const Frame& frame) {
+  return BestSupport::key(run, frame);
+}
+
+Slab::Value Slab::compute(EffectGraph& graph, const LessonRun&, const Frame& frame) {
+  return graph.get<BestSupport>(frame);
+}
+
+const EffectInfo effect_infos::kBestSupport =
+    effect_info<BestSupport>("frame", "the support line that proves most of the distance");
+
+const EffectInfo effect_infos::kSlab =
+    effect_info<Slab>("view", "the widest strip proved empty between X and Y");
+
+}  // namespace gjkscope

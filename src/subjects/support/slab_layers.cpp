@@ -1,0 +1,61 @@
+#include "outlines/polygon.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/support/slab.hpp"
+#include "subjects/support/subject.hpp"
+#include "subjects/support/touched_points.hpp"
+
+namespace gjkscope::layers {
+
+namespace {
+
+void touched_points(SceneBuilder& scene) {
+  for (const auto& point : scene.effects.get<TouchedPoints>(scene.frame))
+    scene.disk("cloud.touched", scene.at_difference(point.w), sizes::kTouchedRadius);
+}
+
+}  // namespace
+
+const Layer kTouchedPoints{.effect = gjkscope::TouchedPoints::kName,
+                           .on = Layer::On::every_view,
+                           .order = 150,
+                           .draw = touched_points};
+
+namespace {
+
+void slab(SceneBuilder& scene) {
+  const Slab::Value& strip = scene.effects.get<Slab>(scene.frame);
+  if (!strip) return;
+  const Eigen::Vector2d y_side = scene.shows_difference ? Eigen::Vector2d(strip->support.w)
+                                                        : scene.vertex_of_y(strip->support);
+  const Eigen::Vector2d x_side =
+      scene.shows_difference ? Eigen::Vector2d(0.0, 0.0) : scene.vertex_of_x(strip->support);
+  std::vector<Eigen::Vector2d> polygon = scene.map.visible();
+  polygon = clip(polygon, {y_side, -strip->normal});
+  polygon = clip(polygon, {x_side, strip->normal});
+  std::vector<Point> points;
+  for (const Eigen::Vector2d& point : polygon) points.push_back(scene.at(point));
+  if (!points.empty()) scene.area("slab", points);
+  const Eigen::Vector2d along(-strip->normal.y(), strip->normal.x());
+  const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
+  for (const Eigen::Vector2d& side : {y_side, x_side}) {
+    const Obstacles::Segment line{scene.at(side - reach * along), scene.at(side + reach * along)};
+    scene.add("slab.side", Polyline{{line.a, line.b}});
+    scene.out.obstacles.passing.push_back(line);
+  }
+  // At the end the answer's line is as long, or nearly so.
+  if (scene.knows.has_ended) return;
+  const Point from = scene.at(x_side);
+  const Point to = scene.at(x_side - strip->width * strip->normal);
+  scene.line("slab.width", from, to);
+  constexpr double kTick = 6.0;
+  const Point tick = kTick * scene.map.direction(along);
+  for (const Point& end : {from, to}) scene.add("slab.width", Polyline{{end - tick, end + tick}});
+  length_label(scene, "slab", strip->width, from, to);
+}
+
+}  // namespace
+
+const Layer kSlab{
+    .effect = gjkscope::Slab::kName, .on = Layer::On::every_view, .order = 140, .draw = slab};
+
+}  // namespace gjkscope::layers

@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/story.hpp"
+#include "run/facts.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/support/slab.hpp"
+#include "subjects/support/subject.hpp"
+#include "subjects/support/touched_points.hpp"
+
+namespace gjkscope::captions {
+namespace {
+
+/// The vertices of a shape behind its support point.
+std::string behind(const LessonShape& shape, int support) {
+  return fmt::format("All of {} lies behind the dashed line through {}", shape.name,
+                     shape.vertex_names[support]);
+}
+
+/// "the largest of 5", and which vertices lie as far.
+std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
+                 int support, const Eigen::Vector2d& d) {
+  std::vector<std::string> equal;
+  const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
+  constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
+    const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
+    if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
+      continue;
+    equal.push_back(shape.vertex_names[static_cast<std::size_t>(i)] + "'s");
+  }
+  const std::string rank = fmt::format("the largest of {}", vertices.size());
+  return equal.empty() ? rank : fmt::format("{}, as large as {}", rank, and_list(std::move(equal)));
+}
+
+/// As the scan has computed it.
+double value_of(const std::vector<gjk::ScanEntry<double>>& scan, int vertex) {
+  return std::find_if(scan.begin(), scan.end(),
+                      [&](const auto& entry) { return entry.index == vertex; })
+      ->value;
+}
+
+}  // namespace
+
+void support_in_parts(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const gjk::VertexPair pair = story.state.support.pair;
+  const std::string& k = lesson.y().vertex_names[pair.y];
+  const std::string& c = lesson.x().vertex_names[pair.x];
+  const std::string name = story.run.pair_name(pair);
+  const std::size_t of_x = lesson.x().vertices.size();
+  const std::size_t of_y = lesson.y().vertices.size();
+  const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
+  const double along_y = value_of(record.scan_y, pair.y);
+  const double along_x = value_of(record.scan_x, pair.x);
+  const gjk::State<double, 2>& next =
+      story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
+  switch (*story.frame.part.as<SupportPart>()) {
+    case SupportPart::direction: {
+      const gjk::Step<double, 2>& before =
+          story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
+      text.caption = fmt::format("d = {} {}. Which point of Z lies farthest along d?",
+                                 story.numbers.point(story.state.d),
+                                 before.record.direction.from_normal
+                                     ? "points from P towards O; its length does not matter"
+                                     : "leads from P to O");
+      text.detail = fmt::format(
+          "dot(d, y − x) = dot(d, y) + dot(−d, x): search {} along d and {} along −d, separately.",
+          lesson.y().name, lesson.x().name);
+      return;
+    }
+    case SupportPart::of_y:
+      text.caption =
+          fmt::format("{} is the support point of {} along d: dot(d, {}) = {} is {}.", k,
+                      lesson.y().name, k, story.numbers(along_y),
+                      rank(story.positioned.y().world, lesson.y(), pair.y, story.state.d));
+      text.detail = fmt::format("{}. The support point of Z is one of the ringed points {} − x.",
+                                behind(lesson.y(), pair.y), k);
+      return;
+    case SupportPart::of_x:
+      text.caption =
+          fmt::format("{} is the support point of {} along −d: dot(−d, {}) = {} is {}.", c,
+                      lesson.x().name, c, story.numbers(along_x),
+                      rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
+      text.detail =
+          fmt::format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
+      return;
+    default: {
+      const std::string total = story.numbers(story.state.support_value);
+      text.caption = fmt::format("{} is the support point of Z: dot(d, {}) = {} {} {} = {}{}.",
+                                 name, name, story.numbers(along_y), along_x < 0.0 ? "−" : "+",
+                                 story.numbers(std::abs(along_x)), total,
+                                 adds_up({story.numbers(along_y), story.numbers(along_x)}, total)
+                                     ? ""
+                                     : " before rounding");
+      text.detail =
+          next.stop == gjk::StopReason::repeated_support
+              ? fmt::format(
+                    "{} is already in the simplex, so GJK stops. The distance is {}, between {}.",
+                    name, story.numbers(story.trace.result.distance), closest_features(story))
+              : fmt::format(
+                    "None of the {} differences lies beyond its line. {} + {} dot products found "
+                    "it.",
+                    grouped(static_cast<double>(of_x * of_y)), of_y, of_x);
+    }
+  }
+}
+
+void touched_points(const Story& story, FrameText& text) {
+  const std::size_t all = story.positioned.x().world.size() * story.positioned.y().world.size();
+  text.detail += fmt::format(" GJK computed {} of {} differences.",
+                             story.effects.get<TouchedPoints>(story.frame).size(),
+                             grouped(static_cast<double>(all)));
+}
+
+void slab(const Story& story, FrameText& text) {
+  const Lesson& lesson = story.run.lesson;
+  const auto& [lower, upper] = story.run.bounds(story.frame);
+  const std::string low = story.numbers(lower);
+  const std::string high = story.numbers(upper);
+  const BestSupport::Value& widest = story.effects.get<BestSupport>(story.frame);
+  if (story.knows.phase_is(gjk::Phase::closest)) {
+    text.caption = fmt::format(
+        "The closest points of this simplex are {} apart, so the distance is at most that.",
+        story.distance());
+    text.detail =
+        widest ? fmt::format("The slab is {} wide, so the distance lies between {} and {}.",
+                             story.numbers(widest->width), low, high)
+               : fmt::format("So {} is an upper bound. Is any other pair of points closer?", high);
+    return;
+  }
+  const std::string k = lesson.y().vertex_names[story.state.support.pair.y];
+  const std::string c = lesson.x().vertex_names[story.state.support.pair.x];
+  if (story.knows.phase_is(gjk::Phase::support)) {
+    const double gap = -story.state.support_value / story.state.d.norm();
+    if (!(gap > 0.0)) {
+      text.caption = fmt::format(
+          "The lines through {} and {} leave no gap: this d does not separate the shapes.", k, c);
+      text.detail = fmt::format("The distance still lies between {} and {}.", low, high);
+    } else if (is_found_by(*widest, story.state)) {
+      text.caption = fmt::format(
+          "{} is {}'s farthest vertex along d, {} is {}'s along −d: the slab between is empty and "
+          "{} "
+          "wide.",
+          k, lesson.y().name, c, lesson.x().name, story.numbers(gap));
+      text.detail = fmt::format(
+          "Every way from {} to {} crosses the slab, so the distance is at least {}. It is at most "
+          "{}.",
+          lesson.x().name, lesson.y().name, low, high);
+    } else {
+      text.caption =
+          fmt::format("The lines through {} and {} are {} apart: an earlier slab is wider.", k, c,
+                      story.numbers(gap));
+      text.detail = fmt::format("The distance lies between {} and {}.", low, high);
+    }
+    return;
+  }
+  if (!story.knows.has_ended) {
+    text.caption =
+        fmt::format("The bounds still differ by {}, so {} joins the simplex.",
+                    story.numbers(upper - lower), story.run.pair_name(story.state.support.pair));
+    text.detail = fmt::format(
+        "{}. The slab may get wider and the closest points closer, until the bounds meet.",
+        difference_as_written(high, low, story.numbers(upper - lower)));
+    return;
+  }
+  text.caption =
+      widest ? fmt::format("Stop: the empty slab is as wide as the closest points are apart, {}.",
+                           story.numbers(story.trace.result.distance))
+             : fmt::format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
+  text.detail = widest
+                    ? fmt::format(
+                          "Closest are {}. No pair of points can be closer than the slab is wide: "
+                          "the slab proves the answer.",
+                          closest_features(story))
+                    : "The distance is 0.";
+}
+
+}  // namespace gjkscope::captions

@@ -1,0 +1,69 @@
+#include "subjects/weights/barycentric.hpp"
+
+#include "run/scalar.hpp"
+#include "run/widen.hpp"
+#include "subjects/weights/subject.hpp"
+
+namespace gjkscope {
+namespace {
+
+/// The last closest-point step up to the frame's: its simplex still has all vertices.
+int closest_step(const LessonRun& run, const Frame& frame) {
+  int step = frame.step;
+  while (step > 0 && run.run(frame).trace.steps[step].phase != gjk::Phase::closest) --step;
+  return step;
+}
+
+}  // namespace
+
+EffectKey BarycentricWeights::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, closest_step(run, frame), -1};
+}
+
+BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const LessonRun& run,
+                                                      const Frame& frame) {
+  Value value;
+  value.simplex = run.state({frame.run, closest_step(run, frame)}).simplex;
+  if (value.simplex.count == 0) return value;  // a refused run
+  with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex, run.run(frame).exponent);
+    const gjk::Barycentric<S, 2> coordinates = gjk::barycentric(simplex, simplex.all());
+    if (!(S(0) < coordinates.denominator)) return;
+    for (int i = 0; i < simplex.count; ++i) {
+      value.weights.push_back(widened(S(coordinates.numerator[i] / coordinates.denominator)));
+    }
+  });
+  return value;
+}
+
+EffectKey BarycentricParts::key(const LessonRun& run, const Frame& frame) {
+  return BarycentricWeights::key(run, frame);
+}
+
+BarycentricParts::Value BarycentricParts::compute(EffectGraph& graph, const LessonRun&,
+                                                  const Frame& frame) {
+  const BarycentricWeights::Value& coordinates = graph.get<BarycentricWeights>(frame);
+  const gjk::Simplex<double, 2>& simplex = coordinates.simplex;
+  Value parts;
+  if (coordinates.weights.empty() || simplex.count < 2) return parts;
+  Eigen::Vector2d query = Eigen::Vector2d::Zero();
+  if (simplex.count == 2) {
+    query = coordinates.weights[0] * simplex.vertices[0].w +
+            coordinates.weights[1] * simplex.vertices[1].w;
+  }
+  for (int i = 0; i < simplex.count; ++i) {
+    Part part{i, coordinates.weights[i], {query}};
+    for (int k = 1; k < simplex.count; ++k)
+      part.points.push_back(simplex.vertices[(i + k) % simplex.count].w);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+const EffectInfo effect_infos::kBarycentricWeights =
+    effect_info<BarycentricWeights>("panel", "barycentric coordinates of the query point, signed");
+
+const EffectInfo effect_infos::kBarycentricParts =
+    effect_info<BarycentricParts>("view", "the lengths or areas that the coordinates measure");
+
+}  // namespace gjkscope
