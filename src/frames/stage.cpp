@@ -10,21 +10,6 @@ namespace gjkscope {
 
 using Eigen::Vector2d;
 
-Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
-  constexpr double kSide = 46.0;
-  constexpr double kTop = 58.0;
-  constexpr double kBottom = 42.0;
-  const Vector2d room = area.size() - Vector2d(2.0 * kSide, kTop + kBottom);
-  const Vector2d extent = box.sizes();
-  double scale = std::min(extent.x() > 0.0 ? room.x() / extent.x() : 1e300,
-                          extent.y() > 0.0 ? room.y() / extent.y() : 1e300);
-  if (scale >= 1e300) scale = room.y();
-  Camera camera;
-  camera.height = area.size().y() / scale;
-  camera.center = 0.5 * (box.min() + box.max()) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale);
-  return camera;
-}
-
 Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
   if (view.camera) {
     // On a page narrower than the usual one the height gives way, so that nothing is cut off at the

@@ -10,8 +10,6 @@
 
 namespace gjkscope {
 
-/// Fits a box of the world, with room for labels and for the view's title.
-[[nodiscard]] Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area);
 
 /// The camera of a view: the lesson's, or one that fits everything the view will show over all
 /// frames.

@@ -1,6 +1,6 @@
 #pragma once
 // An algorithm other than GJK, as all but its own folders see it: steps with a phase and an
-// iteration, values, and what it did as JSON and as text. algorithms/depth/lesson_trace.cpp is an
+// iteration, values, and what it did as JSON and as text. subjects/depth/lesson_trace.cpp is an
 // example.
 
 #include <memory>

@@ -40,7 +40,7 @@ struct LessonShape {
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
   /// The shape is all points within it of the vertices' hull, about which GJK is asked
-  /// (effects/round_shapes.hpp).
+  /// (subjects/round_shapes).
   double radius = 0.0;
   /// How many of the vertices belong to each of its outlines, one after the other; empty: all of
   /// them are one outline. To GJK the shape is the hull of its vertices.
@@ -89,7 +89,7 @@ struct LessonView {
   ViewKind kind = ViewKind::world;
   std::string title;
   std::optional<Camera> camera;
-  std::vector<std::string> effects = {};  ///< Names of registered effects (effects/registry.hpp).
+  std::vector<std::string> effects = {};  ///< Names of registered effects (subjects/subjects.hpp).
   std::optional<CloseUp> close_up = {};
   [[nodiscard]] bool calls_for(std::string_view effect) const {
     return std::find(effects.begin(), effects.end(), effect) != effects.end();
@@ -157,7 +157,7 @@ struct Lesson {
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
-  std::string act = "phase";        ///< How runs become frames (picture/registry.hpp).
+  std::string act = "phase";        ///< How runs become frames (subjects/subjects.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;

@@ -2,7 +2,7 @@
 // Reads a lesson file. Nothing is half-loaded: the lesson is there only when the file has no
 // problem at all.
 //
-// Acts, blocks, listings and effects are registered above this folder (picture/registry.hpp), so
+// Acts, blocks, listings and effects are registered above this folder (subjects/subjects.hpp), so
 // the vocabulary of all that a file may name is handed in.
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct LoadedLesson {
       problems;  ///< All of the file, in order of place; empty exactly when `lesson` is there.
 };
 
-/// Reads and validates; does not run the lesson (see lesson/run.hpp for the expected outcome). A
+/// Reads and validates; does not run the lesson (see run/run.hpp for the expected outcome). A
 /// file that is not TOML has one problem, its first syntax error.
 [[nodiscard]] LoadedLesson load_lesson(const std::filesystem::path& file,
                                        const Vocabulary& vocabulary);

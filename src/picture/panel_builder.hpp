@@ -21,7 +21,7 @@ inline constexpr double kTightRow = 20.0;
 inline constexpr double kBlockGap = 15.0;  // around the rule between blocks
 }  // namespace rows
 
-/// Writes blocks (picture/blocks/) downwards from the top of a card.
+/// Writes blocks downwards from the top of a card.
 struct PanelBuilder {
   PanelBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                const Fonts& type_faces, const Rect& card);

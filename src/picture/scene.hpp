@@ -95,7 +95,7 @@ inline constexpr double kLengthOffset = 13.0;  // of a fractional length from it
 /// A vertex of the Minkowski difference; of a point query it is a vertex of Y.
 [[nodiscard]] Subject subject_of(const LessonRun& run, gjk::VertexPair pair);
 
-/// Builds the scene of one view at one frame; each layer (picture/layers/) adds its marks and
+/// Builds the scene of one view at one frame; each layer adds its marks and
 /// labels to `out`.
 struct SceneBuilder {
   SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
@@ -169,5 +169,8 @@ struct SceneBuilder {
   const FrameFacts::Value& knows;
   Scene out;
 };
+
+/// Fits a box of the world, with room for labels and for the view's title.
+[[nodiscard]] Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area);
 
 }  // namespace gjkscope

@@ -10,7 +10,7 @@
 
 namespace gjkscope {
 
-/// A step of the simulation of a beam (effects/balance.hpp), or between the positions of shapes
+/// A step of the simulation of a beam (subjects/balance/balance.hpp), or between the positions of shapes
 /// that move.
 struct TimeStepCost {
   std::string lesson;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "frames/frame.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lessons.hpp"

@@ -140,23 +140,32 @@ TEST(Chapters, SayWhereTheirFileIsWrong) {
   EXPECT_TRUE(problem("1 = ").starts_with("chapters.toml:1:")) << problem("1 = ");
 }
 
-/// What files define and what is registered: nothing may be left out of the tables, and each table
-/// is documented (above, and in `explain`).
+/// Each subject hands on what its folder defines, and each table is documented (above, and in
+/// `explain`).
 TEST(Registries, HoldEveryActTableBlockListingLayerEffectAndDrawerThatIsDefined) {
-  const auto defined = [](std::string_view kind, const std::filesystem::path& folder) {
-    const std::regex definition(fmt::format("^const {}( |\\n)+(\\w+::)?k(\\w+)", kind));
-    std::multiset<std::string> names;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() != ".cpp") continue;
-      std::ifstream lines(entry.path());
-      for (std::string line; std::getline(lines, line);) {
-        std::smatch found;
-        if (std::regex_search(line, found, definition)) names.insert(found[3]);
+  namespace fs = std::filesystem;
+  const fs::path source = testing::lessons_folder().parent_path() / "src";
+  const auto defined = [&](std::string_view kind) {
+    const std::regex definition(fmt::format("^const {}\\s+(\\w+::)?k\\w+", kind));
+    std::size_t count = 0;
+    for (const fs::path& folder : {source / "subjects", source / "run"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() != ".cpp") continue;
+        std::ifstream lines(entry.path());
+        for (std::string line; std::getline(lines, line);)
+          count += std::regex_search(line, definition) ? 1 : 0;
       }
     }
-    return names;
+    return count;
   };
-  const auto listed = [](const std::filesystem::path& list) {
+  EXPECT_EQ(defined("Act"), registered_acts().size());
+  EXPECT_EQ(defined("Block"), registered_blocks().size());
+  EXPECT_EQ(defined("Listing"), registered_listings().size());
+  EXPECT_EQ(defined("Layer"), registered_layers().size());
+  EXPECT_EQ(defined("EffectInfo"), registered_effects().size());
+  EXPECT_EQ(defined("TableKind"), tables_of(vocabulary().acts).size());
+
+  const auto listed = [](const fs::path& list) {
     const std::regex entry(R"(^[A-Z_]+\((\w+)\)$)");
     std::multiset<std::string> names;
     std::ifstream lines(list);
@@ -166,33 +175,45 @@ TEST(Registries, HoldEveryActTableBlockListingLayerEffectAndDrawerThatIsDefined)
     }
     return names;
   };
-  const std::filesystem::path source = testing::lessons_folder().parent_path() / "src";
-  const std::filesystem::path picture = source / "picture";
-  EXPECT_EQ(defined("StagedAct", picture), listed(picture / "acts" / "list.def"));
-  EXPECT_EQ(defined("Block", picture), listed(picture / "blocks" / "list.def"));
-  EXPECT_EQ(defined("Listing", picture), listed(picture / "blocks" / "listings.def"));
-  EXPECT_EQ(defined("Layer", picture), listed(picture / "layers" / "list.def"));
-  EXPECT_EQ(defined("EffectInfo", source / "effects"), listed(source / "effects" / "list.def"));
-  EXPECT_EQ(defined("TableKind", source / "tables").size(), tables_of(vocabulary().acts).size());
-  const std::filesystem::path viewer = source.parent_path() / "viewer";
+  std::multiset<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(source / "subjects")) {
+    if (entry.is_directory()) folders.insert(entry.path().filename());
+  }
+  EXPECT_EQ(folders, listed(source / "subjects" / "list.def"));
+  const fs::path viewer = source.parent_path() / "viewer";
   std::multiset<std::string> drawers;
-  for (const auto& entry : std::filesystem::directory_iterator(viewer / "drawers")) {
+  for (const auto& entry : fs::directory_iterator(viewer / "drawers")) {
     if (entry.path().extension() == ".cpp") drawers.insert(entry.path().stem());
   }
   EXPECT_EQ(drawers, listed(viewer / "drawers.def"));
-  // Each algorithm hands on what its folder defines.
-  const std::filesystem::path algorithms = source / "algorithms";
-  std::multiset<std::string> folders;
-  for (const auto& entry : std::filesystem::directory_iterator(algorithms)) {
-    if (entry.is_directory()) folders.insert(entry.path().filename());
-  }
-  EXPECT_EQ(folders, listed(algorithms / "list.def"));
-  const auto all = [&](std::string_view kind, const std::filesystem::path& list) {
-    return defined(kind, algorithms).size() + listed(list).size();
+}
+
+/// Arrows go one way: a room of src knows those before it in the table of docs/architecture.md.
+TEST(Rooms, KnowOnlyThoseBelowThem) {
+  namespace fs = std::filesystem;
+  const fs::path source = testing::lessons_folder().parent_path() / "src";
+  std::vector<std::string> rooms;
+  const std::string text = testing::file_text(source.parent_path() / "docs" / "architecture.md");
+  const std::regex row(R"(\n\| `src/(\w+)` \|)");
+  for (std::sregex_iterator each(text.begin(), text.end(), row), end; each != end; ++each)
+    rooms.push_back((*each)[1]);
+  const auto floor_of = [&](const std::string& room) {
+    return std::find(rooms.begin(), rooms.end(), room) - rooms.begin();
   };
-  EXPECT_EQ(all("StagedAct", picture / "acts" / "list.def"), registered_acts().size());
-  EXPECT_EQ(all("Block", picture / "blocks" / "list.def"), registered_blocks().size());
-  EXPECT_EQ(all("Listing", picture / "blocks" / "listings.def"), registered_listings().size());
+  const std::regex include("^#include \"(\\w+)/");
+  for (const auto& room : fs::directory_iterator(source)) {
+    const std::string name = room.path().filename();
+    EXPECT_NE(std::find(rooms.begin(), rooms.end(), name), rooms.end()) << name << " has no row";
+    for (const auto& file : fs::recursive_directory_iterator(room.path())) {
+      if (file.path().extension() != ".hpp" && file.path().extension() != ".cpp") continue;
+      std::ifstream lines(file.path());
+      for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (std::regex_search(line, found, include) && fs::exists(source / found[1].str()))
+          EXPECT_LE(floor_of(found[1]), floor_of(name)) << file.path() << ": " << line;
+      }
+    }
+  }
 }
 
 TEST(ShippedLessons, AllLoad) {

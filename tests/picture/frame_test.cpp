@@ -768,7 +768,7 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
     for (const EffectInfo* effect : registered_effects()) {
       if (!wanted.contains(std::string(effect->name))) continue;
       for (const EffectInfo* other : registered_effects()) {
-        if (pulls(*effect, other->name)) wanted.emplace(other->name);
+        if (gjkscope::pulls(*effect, other->name)) wanted.emplace(other->name);
       }
     }
     for (const EffectInfo* effect : registered_effects()) {

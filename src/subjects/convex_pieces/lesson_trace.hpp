@@ -1,5 +1,5 @@
 #pragma once
-// models/pieces.hpp on the shapes of a lesson: cut into triangles, merged into convex pieces, and
+// outlines/pieces.hpp on the shapes of a lesson: cut into triangles, merged into convex pieces, and
 // the least distance over pairs of pieces.
 
 #include <optional>

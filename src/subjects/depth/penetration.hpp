@@ -4,7 +4,7 @@
 
 namespace gjkscope {
 
-/// How deep the shapes of a run lie in each other (algorithms/depth), in the lesson's scalar: the
+/// How deep the shapes of a run lie in each other (depth.hpp), in the lesson's scalar: the
 /// expanding polygon from its start to its end.
 struct PenetrationDepth {
   static constexpr std::string_view kName = "penetration-depth";

@@ -1,5 +1,5 @@
 #pragma once
-// Penetration depth in pictures: what a frame shows of the expanding polygon (algorithms/depth),
+// Penetration depth in pictures: what a frame shows of the expanding polygon,
 // and what its act draws and says.
 
 #include "picture/act.hpp"

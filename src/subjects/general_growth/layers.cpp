@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frames/stage.hpp"
 #include "subjects/general_growth/shown.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"

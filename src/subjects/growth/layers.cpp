@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "frames/stage.hpp"
 #include "picture/words.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/growth/plots.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What is measured as polygons grow (effects/growth.hpp), plotted against their vertices.
+// What is measured as polygons grow (growth.hpp), plotted against their vertices.
 
 #include "picture/plot.hpp"
 #include "run/graph.hpp"

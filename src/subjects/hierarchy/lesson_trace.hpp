@@ -1,5 +1,5 @@
 #pragma once
-// The walk over two trees of bounding volumes (models/search.hpp) as the algorithm of a lesson:
+// The walk over two trees of bounding volumes (outlines/search.hpp) as the algorithm of a lesson:
 // over the segments of two shapes as a run places them, told as JSON and as text.
 
 #include <array>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "frames/stage.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"

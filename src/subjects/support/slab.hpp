@@ -27,7 +27,7 @@ struct BestSupport {
 /// True when the search that led to `state` found the strip, and no earlier one.
 [[nodiscard]] bool is_found_by(const BestSupport::Strip& strip, const gjk::State<double, 2>& state);
 
-/// The strip itself. The slab of algorithms/slab_proof is between two points instead, and may hold
+/// The strip itself. The slab of subjects/slab_proof is between two points instead, and may hold
 /// vertices.
 struct Slab {
   static constexpr std::string_view kName = "slab";
