@@ -25,41 +25,52 @@ class ActTable {
   ActTable() = default;  ///< No table.
   template <class T>
   requires requires { &T::kKind; }
-  explicit ActTable(T value)
-      : kind_(&T::kKind),
-        value_(std::make_shared<T>(std::move(value))),
-        is_same_([](const void* a, const void* b) {
-          return *static_cast<const T*>(a) == *static_cast<const T*>(b);
-        }) {}
+  explicit ActTable(T value) : value_(std::make_shared<const ValueOf<T>>(std::move(value))) {}
 
-  [[nodiscard]] const TableKind* kind() const { return kind_; }  ///< nullptr: no table.
+  /// nullptr: no table.
+  [[nodiscard]] const TableKind* kind() const { return value_ ? &value_->kind() : nullptr; }
   /// nullptr where the table is of another type.
   template <class T>
   [[nodiscard]] const T* as() const {
-    return kind_ == &T::kKind ? static_cast<const T*>(value_.get()) : nullptr;
+    const auto* found = dynamic_cast<const ValueOf<T>*>(value_.get());
+    return found != nullptr ? &found->value : nullptr;
   }
-  /// The value, no longer shared. The table must be of this type. Use the reference before the
-  /// table is copied.
+  /// A value of its own. The table must be of this type. Use the reference before the table is
+  /// copied.
   template <class T>
   [[nodiscard]] T& edit() {
     assert(as<T>() != nullptr);
-    if (value_.use_count() > 1) value_ = std::make_shared<T>(*as<T>());
-    return *static_cast<T*>(value_.get());
+    const auto own = std::make_shared<ValueOf<T>>(*as<T>());
+    value_ = own;
+    return own->value;
   }
 
   /// The file that the table names, if any. Its path stands here alone, not in the value.
   std::optional<NamedFile> file;
 
   friend bool operator==(const ActTable& a, const ActTable& b) {
-    if (a.kind_ != b.kind_ || a.file.has_value() != b.file.has_value()) return false;
+    if (a.kind() != b.kind() || a.file.has_value() != b.file.has_value()) return false;
     if (a.file && a.file->path != b.file->path) return false;
-    return a.value_ == b.value_ || a.is_same_(a.value_.get(), b.value_.get());
+    return a.value_ == b.value_ || a.value_->is_same(*b.value_);
   }
 
  private:
-  const TableKind* kind_ = nullptr;
-  std::shared_ptr<void> value_;
-  bool (*is_same_)(const void*, const void*) = nullptr;
+  struct Value {
+    virtual ~Value() = default;
+    [[nodiscard]] virtual const TableKind& kind() const = 0;
+    /// `other` is of the same kind.
+    [[nodiscard]] virtual bool is_same(const Value& other) const = 0;
+  };
+  template <class T>
+  struct ValueOf final : Value {
+    explicit ValueOf(T of) : value(std::move(of)) {}
+    [[nodiscard]] const TableKind& kind() const override { return T::kKind; }
+    [[nodiscard]] bool is_same(const Value& other) const override {
+      return value == dynamic_cast<const ValueOf&>(other).value;
+    }
+    T value;
+  };
+  std::shared_ptr<const Value> value_;
 };
 
 }  // namespace gjkscope

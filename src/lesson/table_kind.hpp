@@ -1,5 +1,6 @@
 #pragma once
-// What this folder must know of a table that only some acts take. The tables stand with their subjects.
+// What this folder must know of a table that only some acts take. The tables stand with their
+// subjects.
 
 #include <filesystem>
 #include <string_view>

@@ -11,10 +11,10 @@
 // The graph is pulled: `get<E>(frame)` computes the value when it is first asked for, and never
 // otherwise.
 
-#include <any>
 #include <array>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -45,7 +45,9 @@ class EffectGraph {
     if (!computing_.empty()) pulls_.emplace(computing_.back(), E::kName);
     EffectCount& count = counts_[E::kName];
     ++count.pulls;
-    std::map<EffectKey, std::any>& values = values_[E::kName];
+    std::shared_ptr<Values>& kept = values_[E::kName];
+    if (!kept) kept = std::make_shared<ValuesOf<E>>();
+    auto& values = dynamic_cast<ValuesOf<E>&>(*kept).by_key;
     const EffectKey key = E::key(run_, frame);
     auto found = values.find(key);
     if (found == values.end()) {
@@ -58,7 +60,7 @@ class EffectGraph {
       ++count.runs;
       found = values.emplace(key, std::move(value)).first;
     }
-    return std::any_cast<const typename E::Value&>(found->second);
+    return found->second;
   }
 
   /// Values of E that stand for this run as well: E::is_same(that run, this run).
@@ -66,7 +68,8 @@ class EffectGraph {
   void take_over(const EffectGraph& from) {
     const auto values = from.values_.find(E::kName);
     if (values != from.values_.end() && E::is_same(from.run_, run_))
-      values_[E::kName] = values->second;
+      values_[E::kName] =
+          std::make_shared<ValuesOf<E>>(dynamic_cast<ValuesOf<E>&>(*values->second));
   }
 
   [[nodiscard]] EffectCount count(std::string_view name) const {
@@ -80,8 +83,16 @@ class EffectGraph {
   }
 
  private:
+  struct Values {
+    virtual ~Values() = default;
+  };
+  template <class E>
+  struct ValuesOf final : Values {
+    std::map<EffectKey, typename E::Value> by_key;
+  };
+
   const LessonRun& run_;
-  std::map<std::string_view, std::map<EffectKey, std::any>> values_;
+  std::map<std::string_view, std::shared_ptr<Values>> values_;
   std::map<std::string_view, EffectCount> counts_;
   std::vector<std::string_view> computing_;  ///< The one being computed last.
   std::set<std::pair<std::string_view, std::string_view>> pulls_;

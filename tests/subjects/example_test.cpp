@@ -19,8 +19,8 @@ namespace gjkscope {
 namespace example_test {
 
 TEST(ExampleOfASubject, IsTheOneInTheDocs) {
-  const std::string docs = testing::file_text(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "docs" /
-                                              "architecture.md");
+  const std::string docs =
+      testing::file_text(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "docs" / "architecture.md");
   const std::string example = testing::file_text(std::filesystem::path(GJKSCOPE_SOURCE_DIR) /
                                                  "tests" / "subjects" / "longest_edge.cpp");
   EXPECT_NE(docs.find("```cpp\n" + example + "```"), std::string::npos);
