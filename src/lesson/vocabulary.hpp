@@ -16,6 +16,7 @@
 namespace gjkscope {
 
 struct LessonRun;
+struct KnownFacts;
 struct Tick;
 struct Story;
 struct FrameText;
@@ -67,6 +68,8 @@ struct Act {
   /// What is shown; none: GJK.
   const Algorithm* algorithm = nullptr;
 
+  /// Where steps are taken apart: corrects what is known when a frame shows a part of its step.
+  void (*knows)(const Frame& frame, KnownFacts& facts) = nullptr;
   /// Where in the lesson a frame that asks nothing is: "iteration 2 of 4 · support".
   std::string (*position)(const LessonRun& run, int index) = nullptr;
   Tick (*tick)(const LessonRun& run, const Frame& frame) = nullptr;

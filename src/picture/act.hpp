@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,15 @@ struct Tick {
 /// "position 2", or `otherwise` where there is but one.
 [[nodiscard]] std::string group_of_position(const LessonRun& run, const Frame& frame,
                                             const std::string& otherwise);
+
+/// The part of its step that a frame of `act` shows; none where it shows all of it, or is a frame
+/// of another act.
+template <class Part>
+[[nodiscard]] std::optional<Part> part_of(const Act& act, const LessonRun& run,
+                                          const Frame& frame) {
+  if (run.act != &act || frame.part < 0) return std::nullopt;
+  return static_cast<Part>(frame.part);
+}
 
 /// A frame for the start and each step that `shows` holds for.
 void add_step_frames(LessonRun& run, int index,

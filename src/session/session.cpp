@@ -486,7 +486,7 @@ std::vector<Session::Moment> Session::moments() const {
   for (const Frame& frame : run().frames) {
     const StepInfo info = run().info(frame);
     const auto phase = std::find(phases.begin(), phases.end(), info.phase);
-    Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part.index()});
+    Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part});
     if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
     // Another run comes there in another number of steps.
     if (frame.steps_over) now.part = steps[{now.run, now.iteration, now.phase}]++;

@@ -504,8 +504,8 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   EXPECT_FALSE(study.processor().empty());
   const LessonRun run = run_lesson(*loaded.lesson);
   EXPECT_EQ(run.frames.size(), 5 + study.marks.size() + 3 + loaded.lesson->questions.size());
-  EXPECT_EQ(run.frames.front().part.as<StudyFrame>()->stage, StudyStage::shapes);
-  EXPECT_EQ(run.frames.back().part.as<StudyFrame>()->stage, StudyStage::choice);
+  EXPECT_EQ(study_frame(run, run.frames.front())->stage, StudyStage::shapes);
+  EXPECT_EQ(study_frame(run, run.frames.back())->stage, StudyStage::choice);
   const std::string results = "results = \"accuracy-cost.json\"";
   const std::string family = "family = \"nearly parallel\"";
   const Edits refused = {

@@ -6,6 +6,7 @@
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
 #include "run/facts.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -53,7 +54,7 @@ std::vector<Frame> asking(const LessonRun& run) {
       continue;
     }
     EXPECT_EQ(run.frames[i - 1].step, frame.step) << "shows what the last frame showed";
-    EXPECT_EQ(run.frames[i - 1].part.index(), frame.part.index());
+    EXPECT_EQ(run.frames[i - 1].part, frame.part);
     EXPECT_LT(frame.step, frame.answering_step);
   }
   return out;
@@ -141,8 +142,8 @@ vertices = [[-1.85, -1.05], [1.55, -0.75], [0.0, 1.7]]
   // The weights, regions A, B, C and AB, which fail, the question, and BC.
   ASSERT_EQ(run.frames.size(), 7u);
   EXPECT_EQ(run.frames[5].question, 0);
-  ASSERT_NE(run.frames[5].part.as<TriedTests>(), nullptr);
-  EXPECT_EQ(run.frames[5].part.as<TriedTests>()->count, 4);
+  ASSERT_TRUE(tried_tests(run, run.frames[5]));
+  EXPECT_EQ(*tried_tests(run, run.frames[5]), 4);
   EXPECT_TRUE(run.step(run.frames[6]).record.region_tests[4].holds);
 }
 

@@ -13,6 +13,7 @@
 #include "picture/text_box.hpp"
 #include "run/facts.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/support/subject.hpp"
 
 namespace gjkscope {
 namespace linked_test {
@@ -44,7 +45,7 @@ TEST(Linked, TheSupportPairLightsUpInAllThreePlaces) {
   ASSERT_EQ(frames.size(), 18u) << "four parts in four iterations, two questions";
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE(i + 1);
-    const SupportPart part = *run.frames[i].part.as<SupportPart>();
+    const SupportPart part = *support_part(run, run.frames[i]);
     EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 0).size(),
               static_cast<std::size_t>(std::min(static_cast<int>(part), 2)));
     EXPECT_EQ(marks<Polygon>(frames[i], "support.vertex", 1).size(),

@@ -122,8 +122,7 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
   for (const Frame& frame : run.frames) {
     const Balance::Value& value = graph.get<Balance>(frame);
     ASSERT_EQ(value.moments.size(), run.lesson.table.as<LessonTime>()->at(frame.run).size());
-    EXPECT_DOUBLE_EQ(value.moments[frame.part.as<BeamMoment>()->index].seconds,
-                     seconds_of(run, frame));
+    EXPECT_DOUBLE_EQ(value.moments[*beam_moment(run, frame)].seconds, seconds_of(run, frame));
     EXPECT_GE(value.masses[0], 0.0);
     EXPECT_GE(value.masses[1], 0.0);
   }
@@ -143,7 +142,7 @@ TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
   EffectGraph graph(run);
   int tilted = 0;
   for (const Frame& frame : run.frames) {
-    if (frame.part.as<BeamMoment>()->index > 0) continue;
+    if (*beam_moment(run, frame) > 0) continue;
     const Balance::Value& value = graph.get<Balance>(frame);
     const std::vector<Beam> fine = swing(value.masses, value.weights[1],
                                          *run.lesson.table.as<LessonTime>(), frame.run, 0x1p-16);
@@ -170,15 +169,14 @@ TEST(Balance, EachFrameShowsAnotherBeamAndTheLastOfEachPositionOneAtRest) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const Frame& frame = run.frames[i];
     const Balance::Value& value = graph.get<Balance>(frame);
-    const Beam& beam = value.moments[static_cast<std::size_t>(frame.part.as<BeamMoment>()->index)];
+    const Beam& beam = value.moments[static_cast<std::size_t>(*beam_moment(run, frame))];
     const bool is_last = i + 1 == run.frames.size() || run.frames[i + 1].run != frame.run;
     if (is_last) {
       constexpr double kShown = 0.1 * kLevel;  // prints as 0.0 degrees
       EXPECT_TRUE(beam.on_ground || std::abs(beam.angle) < kShown) << i;
       EXPECT_LT(std::abs(beam.rate), kLevel) << i;
     } else if (value.masses[0] != value.masses[1]) {
-      const Beam& next =
-          value.moments[static_cast<std::size_t>(frame.part.as<BeamMoment>()->index) + 1];
+      const Beam& next = value.moments[static_cast<std::size_t>(*beam_moment(run, frame)) + 1];
       EXPECT_GT(std::abs(next.angle - beam.angle), kLevel) << "frame " << i + 2;
     }
   }

@@ -18,6 +18,7 @@
 #include "subjects/scalars/second_run.hpp"
 #include "subjects/shape_hull/shape_hull.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/support/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope {
@@ -54,17 +55,18 @@ TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
 /// What an act that is not in the program shows of a support step.
 enum class Half { before, after };
 
-TEST(FramePart, AnActTakesStepsApartByATypeOfItsOwn) {
-  const Act halves{.name = "halves",
-                   .meaning = "half of a support step",
-                   .add_frames = [](LessonRun& run, int index) {
-                     const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
-                     for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-                       if (trace.steps[i].phase != gjk::Phase::support) continue;
-                       for (const Half half : {Half::before, Half::after})
-                         run.frames.push_back({.run = index, .step = i, .part = FramePart(half)});
-                     }
-                   }};
+TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {
+  const Act halves{
+      .name = "halves",
+      .meaning = "half of a support step",
+      .add_frames = [](LessonRun& run, int index) {
+        const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+        for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+          if (trace.steps[i].phase != gjk::Phase::support) continue;
+          for (const Half half : {Half::before, Half::after})
+            run.frames.push_back({.run = index, .step = i, .part = static_cast<int>(half)});
+        }
+      }};
   Lesson lesson = shipped_lesson("polygons-gjk");
   lesson.questions.clear();
   const LessonRun run = run_lesson(std::move(lesson), halves);
@@ -73,16 +75,15 @@ TEST(FramePart, AnActTakesStepsApartByATypeOfItsOwn) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const Frame& frame = run.frames[i];
     const auto half = i % 2 == 0 ? Half::before : Half::after;
-    ASSERT_NE(frame.part.as<Half>(), nullptr);
-    EXPECT_EQ(*frame.part.as<Half>(), half);
-    EXPECT_EQ(frame.part.index(), static_cast<int>(half));
-    EXPECT_EQ(frame.part.as<SupportPart>(), nullptr) << "the parts of another act";
+    EXPECT_EQ(part_of<Half>(halves, run, frame), half);
+    EXPECT_EQ(frame.part, static_cast<int>(half));
+    EXPECT_FALSE(support_part(run, frame)) << "the parts of another act";
     EXPECT_EQ(run.info(frame).phase, "support");
     EXPECT_TRUE(graph.get<FrameFacts>(frame).support);
   }
   EXPECT_EQ(graph.count("facts").runs, static_cast<long>(run.frames.size()))
       << "each part has facts of its own";
-  EXPECT_EQ(Frame().part.index(), -1);
+  EXPECT_EQ(Frame().part, -1);
 }
 
 TEST(EffectRegistry, EffectsNeedOnlyWhatIsRegisteredBeforeThem) {

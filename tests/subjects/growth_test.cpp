@@ -151,7 +151,7 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   const auto& steps = run.runs[0].trace.steps;
   const int last = static_cast<int>(steps.size()) - 1;
   const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [](const Frame& frame) {
-    return frame.part.as<ShownSize>() != nullptr;
+    return shown_size(run, frame).has_value();
   });
   ASSERT_EQ(run.frames.end() - sizes, 4);
   EXPECT_EQ(sizes - run.frames.begin(), support_calls(run.runs[0].trace) + 2);

@@ -1208,7 +1208,7 @@ TEST(Study, EnterOpensTheRunOfTheConfigurationThatTheFrameIntroduces) {
   int opened = 0;
   for (int i = 0; i < session.frame_count(); ++i) {
     const StudyFrame shown =
-        *session.run().frames[static_cast<std::size_t>(i)].part.as<StudyFrame>();
+        *study_frame(session.run(), session.run().frames[static_cast<std::size_t>(i)]);
     if (shown.stage != StudyStage::mark) continue;
     session.go_to(i);
     window.settle();

@@ -131,7 +131,7 @@ struct Study {
 
   void open_introduced() {
     const LessonStudy* study = session().lesson().table.as<LessonStudy>();
-    const StudyFrame shown = session().frame().part.value_or(StudyFrame{});
+    const StudyFrame shown = study_frame(session().run(), session().frame()).value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
     const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];

@@ -16,12 +16,12 @@ void witness_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   if (last < 0) return run.frames.push_back({.run = index});
   for (const WitnessPart part : {p, on_y, on_x, distance})
-    run.frames.push_back({.run = index, .step = last, .part = FramePart(part)});
+    run.frames.push_back({.run = index, .step = last, .part = static_cast<int>(part)});
 }
 
 std::string witness_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  const auto* part = frame.part.as<WitnessPart>();
+  const auto part = witness_part(run, frame);
   const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
   if (!part || has_clock) return position_in_lesson(run, index);
   return fmt::format("{} · {}", position_on_path(run, index),
@@ -30,7 +30,7 @@ std::string witness_position(const LessonRun& run, int index) {
 
 Tick witness_tick(const LessonRun& run, const Frame& frame) {
   using enum WitnessPart;
-  const auto* part = frame.part.as<WitnessPart>();
+  const auto part = witness_part(run, frame);
   if (!part) return tick_of_step(run, frame);
   return {.group = group_of_position(run, frame, "answer"),
           .label = std::string(kWitnessParts[static_cast<std::size_t>(*part)]),
@@ -53,3 +53,11 @@ const Act kWitness{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<WitnessPart> witness_part(const LessonRun& run, const Frame& frame) {
+  return part_of<WitnessPart>(acts::kWitness, run, frame);
+}
+
+}  // namespace gjkscope

@@ -54,8 +54,8 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
 void witness(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const gjk::Result<double, 2>& result = positioned.trace.result;
-  const bool gradual = panel.frame.part.as<WitnessPart>() != nullptr;
-  const WitnessPart reached = panel.frame.part.value_or(WitnessPart::distance);
+  const bool gradual = witness_part(panel.run, panel.frame).has_value();
+  const WitnessPart reached = witness_part(panel.run, panel.frame).value_or(WitnessPart::distance);
   const auto sum = [&](std::string heading, std::string name, WitnessPart part,
                        const Vector2d& value) {
     return Sum{std::move(heading), std::move(name), reached >= part, gradual && reached == part,
@@ -103,7 +103,7 @@ const Block kWitness{
 namespace {
 
 void counters(PanelBuilder& panel) {
-  if (panel.frame.part.as<ShownSize>()) return growth_counters(panel);
+  if (shown_size(panel.run, panel.frame)) return growth_counters(panel);
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int touched = static_cast<int>(panel.effects.get<TouchedPoints>(panel.frame).size());
   const int all = static_cast<int>(positioned.x().world.size() * positioned.y().world.size());

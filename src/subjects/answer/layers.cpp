@@ -16,12 +16,12 @@ using Eigen::Vector2d;
 
 /// How much of the answer a frame shows.
 WitnessPart shown(const SceneBuilder& scene) {
-  return scene.frame.part.value_or(WitnessPart::distance);
+  return witness_part(scene.run, scene.frame).value_or(WitnessPart::distance);
 }
 
 /// Weights are the question, and there is more than one.
 bool shows_weights(const SceneBuilder& scene) {
-  return scene.frame.part.as<WitnessPart>() && scene.positioned.trace.result.simplex.count > 1;
+  return witness_part(scene.run, scene.frame) && scene.positioned.trace.result.simplex.count > 1;
 }
 
 /// The simplex of the result in the difference, and P on it.

@@ -217,7 +217,7 @@ void witness(const Story& story, FrameText& text) {
     of_z.push_back(result.simplex.count == 1 ? words.vertex(i)
                                              : fmt::format("({})", words.vertex(i)));
   }
-  switch (*story.frame.part.as<WitnessPart>()) {
+  switch (*witness_part(story.run, story.frame)) {
     case WitnessPart::p:
       text.caption = fmt::format(
           "{}P = {} is the point of Z closest to O.",

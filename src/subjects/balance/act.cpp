@@ -11,8 +11,7 @@ namespace {
 void time_frames(LessonRun& run, int index) {
   if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
   const int moments = static_cast<int>(run.lesson.table.as<LessonTime>()->at(index).size());
-  for (int i = 0; i < moments; ++i)
-    run.frames.push_back({.run = index, .step = 0, .part = {BeamMoment{i}, i}});
+  for (int i = 0; i < moments; ++i) run.frames.push_back({.run = index, .step = 0, .part = i});
 }
 
 std::string time_position(const LessonRun& run, int index) {
@@ -46,3 +45,11 @@ const Act kTime{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<int> beam_moment(const LessonRun& run, const Frame& frame) {
+  return part_of<int>(acts::kTime, run, frame);
+}
+
+}  // namespace gjkscope

@@ -101,7 +101,7 @@ std::array<double, 2> arms_of(const Beam& beam) {
 }
 
 double seconds_of(const LessonRun& run, const Frame& frame) {
-  const int moment = frame.part.as<BeamMoment>()->index;
+  const int moment = *beam_moment(run, frame);
   return run.lesson.table.as<LessonTime>()->at(frame.run)[static_cast<std::size_t>(moment)];
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "run/graph.hpp"
@@ -17,9 +18,7 @@ struct Beam {
 };
 
 /// Part of a step that a beam is shown at several moments of: an index into those of its position.
-struct BeamMoment {
-  int index = 0;
-};
+[[nodiscard]] std::optional<int> beam_moment(const LessonRun& run, const Frame& frame);
 /// Of a frame with such a part.
 [[nodiscard]] double seconds_of(const LessonRun& run, const Frame& frame);
 

@@ -15,7 +15,7 @@ namespace {
 void balance(PanelBuilder& panel) {
   const Balance::Value& value = panel.effects.get<Balance>(panel.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[panel.frame.part.as<BeamMoment>()->index];
+  const Beam& beam = value.moments[*beam_moment(panel.run, panel.frame)];
   panel.heading(fmt::format("The beam at t = {} s", fixed(beam.seconds, 2)));
   const double mass_at = panel.left + 168.0;
   const double arm_at = panel.left + 268.0;

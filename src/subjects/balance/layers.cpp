@@ -39,7 +39,7 @@ void mass(SceneBuilder& scene, int vertex, double weight, const Point& center, d
 void balance(SceneBuilder& scene) {
   const Balance::Value& value = scene.effects.get<Balance>(scene.frame);
   if (value.moments.empty()) return;
-  const Beam& beam = value.moments[scene.frame.part.as<BeamMoment>()->index];
+  const Beam& beam = value.moments[*beam_moment(scene.run, scene.frame)];
   const Vector2d a = scene.state.simplex.vertices[0].w + scene.shift;
   const Vector2d along = scene.state.simplex.vertices[1].w + scene.shift - a;
   Vector2d up(-along.y(), along.x());

@@ -15,7 +15,7 @@ namespace gjkscope::captions {
 void balance(const Story& story, FrameText& text) {
   const Balance::Value& value = story.effects.get<Balance>(story.frame);
   if (value.moments.empty()) return;
-  const int moment = story.frame.part.as<BeamMoment>()->index;
+  const int moment = *beam_moment(story.run, story.frame);
   const Beam& beam = value.moments[moment];
   const std::string a = story.words.vertex(0);
   const std::string b = story.words.vertex(1);

@@ -9,19 +9,22 @@ namespace {
 
 constexpr int kMostVertices = 8;
 
-void pairs_frames(LessonRun& run, int index) {
+/// In the order of Frame::part.
+std::vector<BuildFrame> build_frames(const Lesson& lesson) {
   using enum BuildPart;
+  const int per_x = static_cast<int>(lesson.y().vertices.size());
+  const int all = per_x * static_cast<int>(lesson.x().vertices.size());
+  std::vector<BuildFrame> frames = {{start, 0}, {pair, 1}};
+  for (int made = per_x; made <= all; made += per_x) frames.push_back({copy, made});
+  for (const BuildPart part : {mirror, slide, hull, edges, any, shortest})
+    frames.push_back({part, all});
+  return frames;
+}
+
+void pairs_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  const int per_x = static_cast<int>(run.lesson.y().vertices.size());
-  const int all = per_x * static_cast<int>(run.lesson.x().vertices.size());
-  int count = 0;
-  const auto add = [&](BuildPart part, int made) {
-    run.frames.push_back({.run = index, .step = last, .part = {BuildFrame{part, made}, count++}});
-  };
-  add(start, 0);
-  add(pair, 1);
-  for (int made = per_x; made <= all; made += per_x) add(copy, made);
-  for (const BuildPart part : {mirror, slide, hull, edges, any, shortest}) add(part, all);
+  const int count = static_cast<int>(build_frames(run.lesson).size());
+  for (int i = 0; i < count; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
 
 std::string pairs_position(const LessonRun& run, int index) {
@@ -30,7 +33,7 @@ std::string pairs_position(const LessonRun& run, int index) {
 
 Tick pairs_tick(const LessonRun& run, const Frame& frame) {
   using enum BuildPart;
-  const auto [part, made] = *frame.part.as<BuildFrame>();
+  const auto [part, made] = *build_frame(run, frame);
   const std::string& x = run.lesson.x().name;
   const std::string& y = run.lesson.y().name;
   const int per_x = static_cast<int>(run.lesson.y().vertices.size());
@@ -75,3 +78,12 @@ const Act kPairs{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<BuildFrame> build_frame(const LessonRun& run, const Frame& frame) {
+  const auto index = part_of<std::size_t>(acts::kPairs, run, frame);
+  return index ? std::optional(acts::build_frames(run.lesson)[*index]) : std::nullopt;
+}
+
+}  // namespace gjkscope

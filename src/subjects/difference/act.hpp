@@ -1,5 +1,9 @@
 #pragma once
-// What the frames of act `pairs` show of a step (Frame::part).
+// What the frames of act `pairs` show of a step.
+
+#include <optional>
+
+#include "run/run.hpp"
 
 namespace gjkscope {
 
@@ -10,5 +14,6 @@ struct BuildFrame {
   BuildPart part = BuildPart::start;
   int made = 0;  ///< So many differences, those of the first vertex of X before those of the next.
 };
+[[nodiscard]] std::optional<BuildFrame> build_frame(const LessonRun& run, const Frame& frame);
 
 }  // namespace gjkscope

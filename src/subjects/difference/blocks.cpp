@@ -16,7 +16,8 @@ void pairs(PanelBuilder& panel) {
   const int per_x = static_cast<int>(positioned.y().world.size());
   const int all = static_cast<int>(positioned.x().world.size()) * per_x;
   panel.heading("Z = { y − x }: every pair");
-  const BuildFrame build = panel.frame.part.value_or(BuildFrame{BuildPart::hull, all});
+  const BuildFrame build =
+      build_frame(panel.run, panel.frame).value_or(BuildFrame{BuildPart::hull, all});
   const int newest = build.part == BuildPart::pair ? 1 : build.part == BuildPart::copy ? per_x : 0;
   constexpr int kMost = 16;
   for (int i = 0; i < std::min(all, kMost); ++i) {

@@ -8,6 +8,7 @@
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/difference/subject.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/support/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -23,7 +24,7 @@ void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
 
 /// Z is what GJK does without while a run is followed, and known once it is built.
 bool hull_is_ghost(const SceneBuilder& scene) {
-  return scene.run.act->follows_run || scene.frame.part.as<SupportPart>() != nullptr;
+  return scene.run.act->follows_run || support_part(scene.run, scene.frame).has_value();
 }
 
 /// Disks of the differences: smaller where they stand close together. A dense cloud has one disk in
@@ -82,7 +83,7 @@ void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
-  const auto* build = scene.frame.part.as<BuildFrame>();
+  const auto build = build_frame(scene.run, scene.frame);
   if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
     for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
@@ -116,7 +117,7 @@ void difference(SceneBuilder& scene) {
 
 /// It is another one while it is built.
 EffectKey difference_key(const SceneBuilder& scene) {
-  const auto* build = scene.frame.part.as<BuildFrame>();
+  const auto build = build_frame(scene.run, scene.frame);
   if (build) return {scene.frame.run, static_cast<int>(build->part), build->made};
   return {scene.frame.run, -1, hull_is_ghost(scene) ? 1 : 0};
 }
@@ -260,7 +261,7 @@ void slid_mirror_image(SceneBuilder& scene) {
 }  // namespace
 
 void building(SceneBuilder& scene) {
-  const auto [part, made] = *scene.frame.part.as<BuildFrame>();
+  const auto [part, made] = *build_frame(scene.run, scene.frame);
   const int per_x = static_cast<int>(scene.positioned.y().world.size());
   const bool in_world = scene.view.kind == ViewKind::world;
   switch (part) {
@@ -293,7 +294,7 @@ void corner_names(SceneBuilder& scene) {
   // Where shapes turn, corners come and go; those of the simplex are named in any case.
   const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x().turns.empty() ||
                                                !lesson.path_of_shapes->y().turns.empty());
-  const auto* build = scene.frame.part.as<BuildFrame>();
+  const auto build = build_frame(scene.run, scene.frame);
   const bool is_named = build && build->part < BuildPart::any;
   if (is_named || turns) return;
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);

@@ -57,7 +57,7 @@ void pairs(const Story& story, FrameText& text) {
   const int all = static_cast<int>(story.positioned.x().world.size()) * per_x;
   const std::string& x = story.run.lesson.x().name;
   const std::string& y = story.run.lesson.y().name;
-  const auto [part, made] = *story.frame.part.as<BuildFrame>();
+  const auto [part, made] = *build_frame(story.run, story.frame);
   switch (part) {
     case BuildPart::start:
       text.caption = fmt::format(

@@ -20,23 +20,24 @@ void growth_frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   if (last < 0) return;
   const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
-  for (int i = 0; i <= sizes; ++i)
-    run.frames.push_back({.run = index, .step = last, .part = {ShownSize{i}, i}});
+  for (int i = 0; i <= sizes; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
 
 /// After the run of the lesson's own pair.
-bool is_about_sizes(const Frame& frame) { return frame.part.as<ShownSize>() != nullptr; }
+bool is_about_sizes(const LessonRun& run, const Frame& frame) {
+  return shown_size(run, frame).has_value();
+}
 
 /// nullptr where a frame is about all sizes.
 const int* vertices_of(const LessonRun& run, const Frame& frame) {
   const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
-  const auto size = static_cast<std::size_t>(frame.part.as<ShownSize>()->index);
+  const auto size = static_cast<std::size_t>(*shown_size(run, frame));
   return size < sizes.size() ? &sizes[size] : nullptr;
 }
 
 std::string growth_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  if (!is_about_sizes(frame)) return position_in_run(run, index);
+  if (!is_about_sizes(run, frame)) return position_in_run(run, index);
   const int* vertices = vertices_of(run, frame);
   return fmt::format("{} · {} of {}",
                      vertices != nullptr ? fmt::format("n = {}", grouped(*vertices)) : "outcome",
@@ -53,19 +54,20 @@ std::string short_count(int count) {
 }
 
 Tick growth_tick(const LessonRun& run, const Frame& frame) {
-  if (!is_about_sizes(frame)) return tick_of_step(run, frame);
+  if (!is_about_sizes(run, frame)) return tick_of_step(run, frame);
   const int* vertices = vertices_of(run, frame);
   if (vertices == nullptr) return {.group = "outcome", .label = "all n", .event = true};
   return {.group = "vertices n", .label = short_count(*vertices)};
 }
 
 void growth_words(const Story& story, FrameText& text) {
-  return is_about_sizes(story.frame) ? captions::growth(story, text) : captions::step(story, text);
+  return is_about_sizes(story.run, story.frame) ? captions::growth(story, text)
+                                                : captions::step(story, text);
 }
 
 /// Of a size of polygons: what its runs come to. The lesson's own pair is no part of that.
 void growth_values(const Story& story, FrameText& text) {
-  if (!is_about_sizes(story.frame)) return captions::run_values(story, text);
+  if (!is_about_sizes(story.run, story.frame)) return captions::run_values(story, text);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
@@ -74,7 +76,7 @@ void growth_values(const Story& story, FrameText& text) {
   const int* vertices = vertices_of(story.run, story.frame);
   if (vertices == nullptr) return;
   const Growth::Sample& sample = story.effects.get<Growth>(
-      story.frame)[static_cast<std::size_t>(story.frame.part.as<ShownSize>()->index)];
+      story.frame)[static_cast<std::size_t>(*shown_size(story.run, story.frame))];
   put("n", grouped(*vertices));
   put("iterations", fixed(sample.iterations, 1));
   put("support calls", fixed(sample.support_calls, 1));
@@ -86,7 +88,8 @@ bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
     layers::growth(scene, fonts);
     return true;
   }
-  if (!is_about_sizes(scene.frame) || scene.view.kind != ViewKind::difference) return false;
+  if (!is_about_sizes(scene.run, scene.frame) || scene.view.kind != ViewKind::difference)
+    return false;
   layers::growth_example(scene);
   return true;
 }
@@ -115,3 +118,11 @@ const Act kGrowth{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<int> shown_size(const LessonRun& run, const Frame& frame) {
+  return part_of<int>(acts::kGrowth, run, frame);
+}
+
+}  // namespace gjkscope

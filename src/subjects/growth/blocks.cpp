@@ -29,7 +29,7 @@ const Block kGrowth{
 
 void growth_counters(PanelBuilder& panel) {
   const Growth::Value& measured = panel.effects.get<Growth>(panel.frame);
-  const auto index = static_cast<std::size_t>(panel.frame.part.as<ShownSize>()->index);
+  const auto index = static_cast<std::size_t>(*shown_size(panel.run, panel.frame));
   const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
   const auto row = [&](const std::string& name, const std::string& value) {
     panel.write("heading", panel.left, name, type::kHeading);

@@ -1,13 +1,13 @@
 #pragma once
+#include <optional>
+
 #include "run/graph.hpp"
 
 namespace gjkscope {
 
 /// Part of the last step, after which runs of other sizes are shown: an index into
 /// LessonGrowth::vertices; as many as there are: all sizes.
-struct ShownSize {
-  int index = 0;
-};
+[[nodiscard]] std::optional<int> shown_size(const LessonRun& run, const Frame& frame);
 
 /// What GJK costs as polygons grow: traced runs on pairs of random convex polygons that lie apart,
 /// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,

@@ -24,7 +24,7 @@ void growth(SceneBuilder& scene, const Fonts& fonts) {
 void growth_example(SceneBuilder& scene) {
   using namespace sizes;
   const Growth::Value& measured = scene.effects.get<Growth>(scene.frame);
-  const auto index = static_cast<std::size_t>(scene.frame.part.as<ShownSize>()->index);
+  const auto index = static_cast<std::size_t>(*shown_size(scene.run, scene.frame));
   const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
   const Growth::Example& example = sample.example;
   Eigen::AlignedBox2d seen(Eigen::Vector2d(0.0, 0.0));

@@ -22,16 +22,17 @@ Plot against_vertices(const LessonRun& run, const Frame& frame) {
   const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
   Plot plot;
   plot.x = {1.0, power_of_ten_from(sizes.back()), true, "vertices n of each polygon"};
-  const int size = frame.part.value_or(ShownSize{-1}).index;
+  const int size = shown_size(run, frame).value_or(-1);
   if (size >= 0 && size < static_cast<int>(sizes.size()))
     plot.current = sizes[static_cast<std::size_t>(size)];
   return plot;
 }
 
 /// Up to the frame's n: what comes is the question. The outcome shows them all.
-std::span<const Sample> measured_by(EffectGraph& effects, const Frame& frame) {
+std::span<const Sample> measured_by(const LessonRun& run, EffectGraph& effects,
+                                    const Frame& frame) {
   const std::span<const Sample> all(effects.get<Growth>(frame));
-  const int size = frame.part.value_or(ShownSize{-1}).index;
+  const int size = shown_size(run, frame).value_or(-1);
   return all.first(std::min(all.size(), static_cast<std::size_t>(size + 1)));
 }
 
@@ -46,7 +47,7 @@ PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::str
 }  // namespace
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
-  const std::span<const Sample> measured = measured_by(effects, frame);
+  const std::span<const Sample> measured = measured_by(run, effects, frame);
   const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
   Plot plot = against_vertices(run, frame);
   double most = Growth::kLarsenMost;
@@ -65,7 +66,7 @@ Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& fr
 }
 
 Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
-  const std::span<const Sample> measured = measured_by(effects, frame);
+  const std::span<const Sample> measured = measured_by(run, effects, frame);
   Plot plot = against_vertices(run, frame);
   const double largest = run.lesson.table.as<LessonGrowth>()->vertices.back();
   plot.y = {1.0, power_of_ten_from(largest * largest), true, ""};

@@ -81,7 +81,7 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
 
 void growth(const Story& story, FrameText& text) {
   const Growth::Value& measured = story.effects.get<Growth>(story.frame);
-  const auto index = static_cast<std::size_t>(story.frame.part.as<ShownSize>()->index);
+  const auto index = static_cast<std::size_t>(*shown_size(story.run, story.frame));
   if (index < measured.size()) return size(measured[index], text);
   outcome(measured, story.run.lesson.table.as<LessonGrowth>()->tolerance, text);
 }

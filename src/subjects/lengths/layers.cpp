@@ -11,6 +11,7 @@
 #include "run/facts.hpp"
 #include "subjects/lengths/measured.hpp"
 #include "subjects/lengths/subject.hpp"
+#include "subjects/support/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -94,10 +95,10 @@ void axis(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Less
 
 void support_axis(SceneBuilder& scene) {
   const SupportAxis::Value& sides = scene.effects.get<SupportAxis>(scene.frame);
-  const bool is_in_parts = scene.frame.part.as<SupportPart>() != nullptr;
+  const bool is_in_parts = support_part(scene.run, scene.frame).has_value();
   if (!sides || !(is_in_parts || scene.knows.phase_is(gjk::Phase::support))) return;
   const Lesson& lesson = scene.run.lesson;
-  const SupportPart reached = scene.frame.part.value_or(SupportPart::of_z);
+  const SupportPart reached = support_part(scene.run, scene.frame).value_or(SupportPart::of_z);
   if (reached == SupportPart::of_y || reached == SupportPart::of_z)
     axis(scene, scene.positioned.y().world, lesson.y(), sides->y, scene.positioned.x().world,
          sides->d, "along d");

@@ -19,7 +19,7 @@ SupportAxis::Side side_of(const std::vector<Vector2d>& vertices, const Vector2d&
 }  // namespace
 
 EffectKey SupportAxis::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part.index()};
+  return {frame.run, frame.step, frame.part};
 }
 
 SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run,
@@ -33,7 +33,7 @@ SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run
 }
 
 EffectKey ClosestCircle::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part.index()};
+  return {frame.run, frame.step, frame.part};
 }
 
 ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun& run,
@@ -45,7 +45,7 @@ ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun&
 }
 
 EffectKey TestedFeet::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part.index()};
+  return {frame.run, frame.step, frame.part};
 }
 
 TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,

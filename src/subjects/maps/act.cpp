@@ -15,7 +15,7 @@ void maps_frames(LessonRun& run, int index) {
        {voronoi, interior, negative_u, negative_v, negative_w, signs, blended, difference}) {
     // The maps are the same wherever X stands.
     if (index == 0 || stage == difference)
-      run.frames.push_back({.run = index, .step = 0, .part = FramePart(stage)});
+      run.frames.push_back({.run = index, .step = 0, .part = static_cast<int>(stage)});
   }
 }
 
@@ -23,7 +23,7 @@ Tick maps_tick(const LessonRun& run, const Frame& frame) {
   constexpr std::array<std::string_view, 8> kLabels = {
       "Voronoi", "interior", "u < 0", "v < 0", "w < 0", "signs", "both", "difference"};
   return {.group = frame.run == 0 ? "maps" : group_of_position(run, frame, ""),
-          .label = std::string(kLabels[static_cast<std::size_t>(*frame.part.as<MapStage>())])};
+          .label = std::string(kLabels[static_cast<std::size_t>(*map_stage(run, frame))])};
 }
 
 }  // namespace
@@ -42,3 +42,11 @@ const Act kMaps{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<MapStage> map_stage(const LessonRun& run, const Frame& frame) {
+  return part_of<MapStage>(acts::kMaps, run, frame);
+}
+
+}  // namespace gjkscope

@@ -1,5 +1,9 @@
 #pragma once
-// What the frames of act `maps` show of a step (Frame::part).
+// What the frames of the acts `maps` and `orders` show of a step.
+
+#include <optional>
+
+#include "run/run.hpp"
 
 namespace gjkscope {
 
@@ -14,5 +18,11 @@ enum class MapStage {
   blended,
   difference
 };
+[[nodiscard]] std::optional<MapStage> map_stage(const LessonRun& run, const Frame& frame);
+
+/// A triangle's numbers, then one chain of region tests each. Short tests leave out that an edge's
+/// own coordinates must be positive.
+enum class OrderStage { numbers, vertices_first_short, edges_first_short, edges_first_whole };
+[[nodiscard]] std::optional<OrderStage> order_stage(const LessonRun& run, const Frame& frame);
 
 }  // namespace gjkscope

@@ -92,7 +92,7 @@ void signs(PanelBuilder& panel) {
     return fmt::format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
   // Q's place in the maps is told when the maps are there.
-  const auto* map = panel.frame.part.as<MapStage>();
+  const auto map = map_stage(panel.run, panel.frame);
   const auto told = [&](MapStage stage) { return !map || *map >= stage; };
   // The sign that a map of one coordinate shows.
   const auto is_shown = [&](gjk::Face face, int i) {
@@ -149,7 +149,7 @@ namespace {
 void orders(PanelBuilder& panel) {
   const RegionOrders::Value& chains = panel.effects.get<RegionOrders>(panel.frame);
   if (chains.empty()) return;
-  const OrderStage stage = *panel.frame.part.as<OrderStage>();
+  const OrderStage stage = *order_stage(panel.run, panel.frame);
   if (stage == OrderStage::numbers) return numbers_of(panel);
   const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
   panel.heading(fmt::format("{} first, {} tests of the edges",

@@ -54,7 +54,7 @@ void add_name(SceneBuilder& scene, const std::string& id, const std::string& nam
 
 /// The single coordinate whose sign a map shows, or none.
 std::optional<int> coordinate_of(const SceneBuilder& scene) {
-  const auto* stage = scene.frame.part.as<MapStage>();
+  const auto stage = map_stage(scene.run, scene.frame);
   if (stage && *stage == MapStage::negative_u) return 0;
   if (stage && *stage == MapStage::negative_v) return 1;
   if (stage && *stage == MapStage::negative_w) return 2;
@@ -72,7 +72,7 @@ void zero_line(SceneBuilder& scene, int vertex) {
 
 void signs(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  const auto* stage = scene.frame.part.as<MapStage>();
+  const auto stage = map_stage(scene.run, scene.frame);
   if (stage && *stage == MapStage::voronoi) return;
   const std::optional<int> coordinate = coordinate_of(scene);
   const bool interior_only = stage && *stage == MapStage::interior;
@@ -109,7 +109,8 @@ namespace {
 
 void map_difference(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  if (scene.frame.part.value_or(MapStage::difference) != MapStage::difference) return;
+  if (map_stage(scene.run, scene.frame).value_or(MapStage::difference) != MapStage::difference)
+    return;
   const SimplexWords words(scene.run, scene.state.simplex);
   for (const MapDifference::Part& part : scene.effects.get<MapDifference>(scene.frame)) {
     const std::vector<Point> points = visible_part(scene, part.half_planes);

@@ -1,5 +1,6 @@
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
+#include "subjects/maps/act.hpp"
 #include "subjects/maps/region_orders.hpp"
 #include "subjects/maps/subject.hpp"
 #include "subjects/run/subject.hpp"
@@ -13,7 +14,8 @@ using namespace sizes;
 /// The chain of tests that the frame shows; none beside the numbers.
 const RegionOrders::Chain* chain_of(const SceneBuilder& scene) {
   const RegionOrders::Value& chains = scene.effects.get<RegionOrders>(scene.frame);
-  const int index = static_cast<int>(scene.frame.part.value_or(OrderStage::numbers)) - 1;
+  const int index =
+      static_cast<int>(order_stage(scene.run, scene.frame).value_or(OrderStage::numbers)) - 1;
   if (index < 0 || chains.empty()) return nullptr;
   return &chains[index];
 }

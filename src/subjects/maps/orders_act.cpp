@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "run/facts.hpp"
+#include "subjects/maps/act.hpp"
 #include "subjects/maps/region_orders.hpp"
 #include "subjects/maps/subject.hpp"
 #include "subjects/run/subject.hpp"
@@ -14,14 +16,18 @@ void orders_frames(LessonRun& run, int index) {
   if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
   for (const OrderStage stage :
        {numbers, vertices_first_short, edges_first_short, edges_first_whole})
-    run.frames.push_back({.run = index, .step = 0, .part = FramePart(stage)});
+    run.frames.push_back({.run = index, .step = 0, .part = static_cast<int>(stage)});
 }
 
-Tick orders_tick(const LessonRun&, const Frame& frame) {
+void orders_knows(const Frame& frame, KnownFacts& facts) {
+  facts.closest_point = facts.closest_point && frame.part > static_cast<int>(OrderStage::numbers);
+}
+
+Tick orders_tick(const LessonRun& run, const Frame& frame) {
   constexpr std::array<std::string_view, 4> kLabels = {"numbers", "vertices first", "edges first",
                                                        "whole tests"};
   return {.group = fmt::format("position {}", frame.run + 1),
-          .label = std::string(kLabels[static_cast<std::size_t>(*frame.part.as<OrderStage>())])};
+          .label = std::string(kLabels[static_cast<std::size_t>(*order_stage(run, frame))])};
 }
 
 }  // namespace
@@ -33,6 +39,7 @@ const Act kOrders{
         "three chains of tests",
     .needs = {.start = 3, .why_no_until = "frames go through the first region tests"},
     .add_frames = orders_frames,
+    .knows = orders_knows,
     .position = position_in_lesson,
     .tick = orders_tick,
     .words = captions::orders,
@@ -40,3 +47,11 @@ const Act kOrders{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<OrderStage> order_stage(const LessonRun& run, const Frame& frame) {
+  return part_of<OrderStage>(acts::kOrders, run, frame);
+}
+
+}  // namespace gjkscope

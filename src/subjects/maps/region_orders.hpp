@@ -2,7 +2,8 @@
 #include <array>
 #include <vector>
 
-#include "run/facts.hpp"
+#include "run/graph.hpp"
+#include "subjects/maps/act.hpp"
 
 namespace gjkscope {
 

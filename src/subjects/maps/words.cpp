@@ -56,7 +56,7 @@ void negative(const Story& story, FrameText& text, int i) {
 
 void maps(const Story& story, FrameText& text) {
   const std::string region = feature(story, story.state.region);
-  switch (*story.frame.part.as<MapStage>()) {
+  switch (*map_stage(story.run, story.frame)) {
     case MapStage::voronoi:
       text.caption =
           fmt::format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
@@ -107,7 +107,7 @@ void maps(const Story& story, FrameText& text) {
 void orders(const Story& story, FrameText& text) {
   const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
   if (chains.empty()) return;
-  const OrderStage stage = *story.frame.part.as<OrderStage>();
+  const OrderStage stage = *order_stage(story.run, story.frame);
   if (stage == OrderStage::numbers) {
     text.caption = fmt::format(
         "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);

@@ -14,22 +14,28 @@ void test_frames(LessonRun& run, int index) {
   const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
   if (trace.steps.empty()) return;
   const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
-  for (int i = 0; i <= tests; ++i)
-    run.frames.push_back({.run = index, .step = 0, .part = {TriedTests{i}, i}});
+  for (int i = 0; i <= tests; ++i) run.frames.push_back({.run = index, .step = 0, .part = i});
 }
 
 int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
   const int regions = (1 << state_before(run.run(frame).trace, frame.step).simplex.count) - 1;
-  const int tried = frame.part.as<TriedTests>()->count;
+  const int tried = *tried_tests(run, frame);
   const bool decides =
       tried > 0 && tried < regions && run.step(frame).record.region_tests[tried - 1].holds;
   return decides && question.ask == asks::kRegion.name ? frame.step : -1;
 }
 
+void test_knows(const Frame& frame, KnownFacts& facts) {
+  facts.gradual = true;
+  facts.tests_reached = frame.part - 1;
+  facts.closest_point = facts.tests_reached >= 0 &&
+                        facts.region_tests[static_cast<std::size_t>(facts.tests_reached)].holds;
+}
+
 Tick test_tick(const LessonRun& run, const Frame& frame) {
   const std::string group = group_of_position(run, frame, "ordered tests");
-  const int tried = frame.part.as<TriedTests>()->count;
+  const int tried = *tried_tests(run, frame);
   if (tried == 0) return {.group = group, .label = "weights"};
   const gjk::RegionTest<double>& test = run.step(frame).record.region_tests[tried - 1];
   const std::string face = SimplexWords(run, run.state(frame).simplex).face(test.region);
@@ -45,6 +51,7 @@ const Act kTest{
     .add_frames = test_frames,
     .asks = kTestAsks,
     .answering_step = test_answer,
+    .knows = test_knows,
     .position = position_in_lesson,
     .tick = test_tick,
     .words = captions::step,
@@ -52,3 +59,11 @@ const Act kTest{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<int> tried_tests(const LessonRun& run, const Frame& frame) {
+  return part_of<int>(acts::kTest, run, frame);
+}
+
+}  // namespace gjkscope

@@ -70,7 +70,7 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
 
 void regions(SceneBuilder& scene) {
   if (!scene.knows.phase_is(gjk::Phase::closest)) return;
-  const auto* map = scene.frame.part.as<MapStage>();
+  const auto map = map_stage(scene.run, scene.frame);
   if (map && *map > MapStage::voronoi && *map < MapStage::blended) return;
   if (map && *map == MapStage::difference) return borders(scene, [](gjk::Face) { return true; });
   const bool untried_are_drawn = !keeps_answer_back(scene);

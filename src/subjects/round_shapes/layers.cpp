@@ -98,7 +98,8 @@ bool shows_gap(const SceneBuilder& scene) {
   const RoundShapes::Value* round = RoundShapes::of(scene.effects, scene.run, scene.frame);
   return round != nullptr && round->meeting == RoundShapes::Meeting::apart &&
          scene.view.kind == ViewKind::world && scene.knows.has_ended &&
-         scene.frame.part.value_or(WitnessPart::distance) == WitnessPart::distance;
+         witness_part(scene.run, scene.frame).value_or(WitnessPart::distance) ==
+             WitnessPart::distance;
 }
 
 const Layer kSkins{.effect = {}, .on = Layer::On::world, .order = 55, .draw = skins};

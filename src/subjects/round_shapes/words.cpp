@@ -10,8 +10,9 @@ namespace gjkscope::captions {
 
 void round_shapes(const Story& story, FrameText& text) {
   const RoundShapes::Value* round = RoundShapes::of(story.effects, story.run, story.frame);
-  const bool is_told = story.knows.has_ended &&
-                       story.frame.part.value_or(WitnessPart::distance) == WitnessPart::distance;
+  const bool is_told =
+      story.knows.has_ended &&
+      witness_part(story.run, story.frame).value_or(WitnessPart::distance) == WitnessPart::distance;
   if (round == nullptr || !is_told) return;
   const double distance = story.trace.result.distance;
   const LessonShape& x = story.run.lesson.x();

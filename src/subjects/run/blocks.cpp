@@ -6,6 +6,7 @@
 #include "run/facts.hpp"
 #include "subjects/run/direction_rules.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/support/subject.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -139,7 +140,7 @@ void scan(PanelBuilder& panel) {
   }
   const double middle = 0.5 * (panel.left + panel.right);
   // A support step in parts looks at one shape after the other.
-  const SupportPart reached = panel.frame.part.value_or(SupportPart::of_z);
+  const SupportPart reached = support_part(panel.run, panel.frame).value_or(SupportPart::of_z);
   const bool knows_y = record && reached >= SupportPart::of_y;
   const bool knows_x = record && reached >= SupportPart::of_x;
   scan_of(panel, knows_y ? record->scan_y : none, false, panel.left, middle - 14.0, "dot(d, Y)");

@@ -291,7 +291,7 @@ void support_listing(PanelBuilder& panel) {
 void minkowski_listing(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const int per_x = static_cast<int>(positioned.y().world.size());
-  const auto [part, made] = *panel.frame.part.as<BuildFrame>();
+  const auto [part, made] = *build_frame(panel.run, panel.frame);
   const bool is_pair = part == BuildPart::pair;
   const bool is_copy = part == BuildPart::copy;
   const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};

@@ -31,7 +31,7 @@ const gjk::Step<double, 2>* direction_step(const LessonRun& run, const Frame& fr
 }  // namespace
 
 EffectKey OtherNormal::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part.index()};
+  return {frame.run, frame.step, frame.part};
 }
 
 OtherNormal::Value OtherNormal::compute(EffectGraph& graph, const LessonRun& run,

@@ -18,25 +18,30 @@ constexpr std::array<AskInfo, 2> kStudyAsks = {
     {{"overlap", "whether the shapes overlap", "about mark"},
      {"time", "how much longer the next mark takes than the one before", "about mark"}}};
 
-void study_frames(LessonRun& run, int index) {
+/// In the order of Frame::part.
+std::vector<StudyFrame> study_frames_of(const Lesson& lesson) {
   using enum StudyStage;
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  const int all_marks = static_cast<int>(run.lesson.table.as<LessonStudy>()->marks.size());
+  const int all_marks = static_cast<int>(lesson.table.as<LessonStudy>()->marks.size());
   const int first = std::min(2, all_marks);
-  int count = 0;
-  const auto add = [&](StudyStage stage, int marks) {
-    run.frames.push_back({.run = index, .step = last, .part = {StudyFrame{stage, marks}, count++}});
-  };
-  for (const StudyStage stage : {shapes, gap, in_float, in_double, error}) add(stage, 0);
-  for (const StudyStage stage : {error_axis, time_axis}) add(stage, first);
-  for (int marks = first + 1; marks <= all_marks; ++marks) add(mark, marks);
-  for (const StudyStage stage : {front, all, choice}) add(stage, all_marks);
+  std::vector<StudyFrame> frames;
+  for (const StudyStage stage : {shapes, gap, in_float, in_double, error})
+    frames.push_back({stage, 0});
+  for (const StudyStage stage : {error_axis, time_axis}) frames.push_back({stage, first});
+  for (int marks = first + 1; marks <= all_marks; ++marks) frames.push_back({mark, marks});
+  for (const StudyStage stage : {front, all, choice}) frames.push_back({stage, all_marks});
+  return frames;
 }
 
-int study_answer(const LessonRun&, const Frame&, const Frame& frame,
+void study_frames(LessonRun& run, int index) {
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int count = static_cast<int>(study_frames_of(run.lesson).size());
+  for (int i = 0; i < count; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
+}
+
+int study_answer(const LessonRun& run, const Frame&, const Frame& frame,
                  const LessonQuestion& question) {
   using enum StudyStage;
-  const auto [stage, marks] = *frame.part.as<StudyFrame>();
+  const auto [stage, marks] = *study_frame(run, frame);
   const bool answers = question.ask == kStudyAsks[0].name
                            ? stage == gap
                            : question.ask == kStudyAsks[1].name && stage == mark &&
@@ -46,7 +51,7 @@ int study_answer(const LessonRun&, const Frame&, const Frame& frame,
 
 Tick study_tick(const LessonRun& run, const Frame& frame) {
   using enum StudyStage;
-  const auto [stage, marks] = *frame.part.as<StudyFrame>();
+  const auto [stage, marks] = *study_frame(run, frame);
   Tick tick{.group = stage < error_axis ? "one pair"
                      : stage < front    ? "time and error"
                                         : "the front",
@@ -66,7 +71,7 @@ void study_values(const Story& story, FrameText& text) {
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
   for (const StudyDot& dot : introduced(*story.run.lesson.table.as<LessonStudy>(),
-                                        story.frame.part.as<StudyFrame>()->marks)) {
+                                        study_frame(story.run, story.frame)->marks)) {
     text.values.emplace_back(dot.configuration,
                              fmt::format("{}, error {}", time_text(dot.ns), error_words(dot)));
   }
@@ -107,3 +112,12 @@ const Act kStudy{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<StudyFrame> study_frame(const LessonRun& run, const Frame& frame) {
+  const auto index = part_of<std::size_t>(acts::kStudy, run, frame);
+  return index ? std::optional(acts::study_frames_of(run.lesson)[*index]) : std::nullopt;
+}
+
+}  // namespace gjkscope

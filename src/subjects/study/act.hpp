@@ -1,5 +1,9 @@
 #pragma once
-// What the frames of act `study` show of a step (Frame::part).
+// What the frames of act `study` show of a step.
+
+#include <optional>
+
+#include "run/run.hpp"
 
 namespace gjkscope {
 
@@ -24,5 +28,6 @@ struct StudyFrame {
   StudyStage stage = StudyStage::shapes;
   int marks = 0;  ///< The first so many marks of the lesson have been introduced.
 };
+[[nodiscard]] std::optional<StudyFrame> study_frame(const LessonRun& run, const Frame& frame);
 
 }  // namespace gjkscope

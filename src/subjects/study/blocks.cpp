@@ -174,7 +174,7 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 
 void study(PanelBuilder& panel) {
   const LessonStudy& study = *panel.run.lesson.table.as<LessonStudy>();
-  const StudyFrame frame = *panel.frame.part.as<StudyFrame>();
+  const StudyFrame frame = *study_frame(panel.run, panel.frame);
   const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
   if (frame.stage == StudyStage::front) return beaten(panel, study);

@@ -259,7 +259,7 @@ class PairPicture {
 }  // namespace
 
 void study(SceneBuilder& scene, const Fonts& fonts) {
-  const StudyFrame shown = *scene.frame.part.as<StudyFrame>();
+  const StudyFrame shown = *study_frame(scene.run, scene.frame);
   if (shown.stage < StudyStage::error_axis) return PairPicture(scene, fonts, shown.stage).draw();
   add_plot(scene, study_plot(*scene.run.lesson.table.as<LessonStudy>(), shown), fonts);
 }

@@ -218,7 +218,7 @@ std::string ratio_words(double ratio) {
 
 void study_question(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
-  const StudyFrame before = *story.frame.part.as<StudyFrame>();
+  const StudyFrame before = *study_frame(story.run, story.frame);
   const std::string& ask =
       story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
@@ -247,7 +247,7 @@ void study_question(const Story& story, FrameText& text) {
 
 void study(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
-  const StudyFrame frame = *story.frame.part.as<StudyFrame>();
+  const StudyFrame frame = *study_frame(story.run, story.frame);
   const auto pair = [&]() -> const RoundedPair::Value& {
     return story.effects.get<RoundedPair>(story.frame);
   };

@@ -18,7 +18,7 @@ void support_frames(LessonRun& run, int index) {
   for (int i = 0; i <= last; ++i) {
     if (trace.steps[i].phase != gjk::Phase::support) continue;
     for (const SupportPart part : {direction, of_y, of_x, of_z})
-      run.frames.push_back({.run = index, .step = i, .part = FramePart(part)});
+      run.frames.push_back({.run = index, .step = i, .part = static_cast<int>(part)});
   }
   // A run that needs no support point shows how it ends.
   if (run.frames.size() == before) run.frames.push_back({.run = index, .step = last});
@@ -26,7 +26,7 @@ void support_frames(LessonRun& run, int index) {
 
 std::string support_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  const auto* part = frame.part.as<SupportPart>();
+  const auto part = support_part(run, frame);
   if (!part) return position_in_lesson(run, index);
   constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",
                                                       "support of Z"};
@@ -37,7 +37,7 @@ std::string support_position(const LessonRun& run, int index) {
 
 Tick support_tick(const LessonRun& run, const Frame& frame) {
   using enum SupportPart;
-  const auto* shown = frame.part.as<SupportPart>();
+  const auto shown = support_part(run, frame);
   if (!shown) return tick_of_step(run, frame);
   constexpr std::array<std::string_view, 4> kParts = {"d", "Y along d", "X along −d", "Z"};
   const auto part = static_cast<std::size_t>(*shown);
@@ -48,13 +48,18 @@ Tick support_tick(const LessonRun& run, const Frame& frame) {
 }
 
 void support_words(const Story& story, FrameText& text) {
-  return story.frame.part.as<SupportPart>() ? captions::support_in_parts(story, text)
-                                            : captions::step(story, text);
+  return support_part(story.run, story.frame) ? captions::support_in_parts(story, text)
+                                              : captions::step(story, text);
 }
 
 void support_stage(SceneBuilder& scene) {
-  return scene.frame.part.as<SupportPart>() ? layers::support_in_parts(scene)
-                                            : layers::stage_step(scene);
+  return support_part(scene.run, scene.frame) ? layers::support_in_parts(scene)
+                                              : layers::stage_step(scene);
+}
+
+void support_knows(const Frame& frame, KnownFacts& facts) {
+  facts.whole_support = frame.part == static_cast<int>(SupportPart::of_z);
+  facts.steps_over = facts.whole_support ? frame.step + 1 : frame.step;
 }
 
 constexpr std::array kSupportAsks = {asks::kSupport};
@@ -62,7 +67,7 @@ constexpr std::array kSupportAsks = {asks::kSupport};
 /// Asked where d is known, and answered by the support points of Y and X.
 int support_answer(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
-  const auto* part = frame.part.as<SupportPart>();
+  const auto part = support_part(run, frame);
   const bool answers = question.ask == asks::kSupport.name && part && *part == SupportPart::of_y &&
                        (!question.at || *question.at == run.step(frame).iteration);
   return answers ? frame.step : -1;
@@ -78,6 +83,7 @@ const Act kSupport{
     .add_frames = support_frames,
     .asks = kSupportAsks,
     .answering_step = support_answer,
+    .knows = support_knows,
     .position = support_position,
     .tick = support_tick,
     .words = support_words,
@@ -85,3 +91,11 @@ const Act kSupport{
 };
 
 }  // namespace gjkscope::acts
+
+namespace gjkscope {
+
+std::optional<SupportPart> support_part(const LessonRun& run, const Frame& frame) {
+  return part_of<SupportPart>(acts::kSupport, run, frame);
+}
+
+}  // namespace gjkscope

@@ -57,7 +57,7 @@ void row(SceneBuilder& scene, int y) {
 
 void support_in_parts(SceneBuilder& scene) {
   const gjk::State<double, 2>& state = scene.state;
-  const SupportPart reached = *scene.frame.part.as<SupportPart>();
+  const SupportPart reached = *support_part(scene.run, scene.frame);
   if (!scene.shows_difference) {
     along(scene, scene.positioned.y().world, state.support.pair.y, state.d, "d",
           reached >= SupportPart::of_y);

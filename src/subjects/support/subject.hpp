@@ -8,6 +8,11 @@
 
 namespace gjkscope {
 
+/// Parts of one support step: d, the support point of Y along d, that of X along -d, their
+/// difference.
+enum class SupportPart { direction, of_y, of_x, of_z };
+[[nodiscard]] std::optional<SupportPart> support_part(const LessonRun& run, const Frame& frame);
+
 namespace acts {
 
 extern const Act kSupport;

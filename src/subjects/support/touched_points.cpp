@@ -8,11 +8,12 @@
 namespace gjkscope {
 
 EffectKey TouchedPoints::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, steps_over(frame), -1};
+  return {frame.run, frame.step, frame.part};
 }
 
-TouchedPoints::Value TouchedPoints::compute(EffectGraph&, const LessonRun& run,
+TouchedPoints::Value TouchedPoints::compute(EffectGraph& effects, const LessonRun& run,
                                             const Frame& frame) {
+  const int over = effects.get<FrameFacts>(frame).steps_over;
   const WideTrace& trace = run.run(frame).trace;
   Value touched;
   const auto touch = [&](const gjk::SupportPoint<double, 2>& point) {
@@ -21,7 +22,7 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph&, const LessonRun& run,
     if (!known) touched.push_back(point);
   };
   for (int i = 0; i < trace.initial.simplex.count; ++i) touch(trace.initial.simplex.vertices[i]);
-  for (int i = 0; i < steps_over(frame); ++i) {
+  for (int i = 0; i < over; ++i) {
     if (trace.steps[i].phase == gjk::Phase::support) touch(trace.steps[i].after.support);
   }
   return touched;

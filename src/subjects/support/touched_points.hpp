@@ -8,7 +8,7 @@ namespace gjkscope {
 /// point that frames put together from its parts counts when it is whole.
 struct TouchedPoints {
   static constexpr std::string_view kName = "touched-points";
-  static constexpr std::string_view kNeeds = "";
+  static constexpr std::string_view kNeeds = "facts";
   using Value = std::vector<gjk::SupportPoint<double, 2>>;
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);

@@ -57,7 +57,7 @@ void support_in_parts(const Story& story, FrameText& text) {
   const double along_x = value_of(record.scan_x, pair.x);
   const gjk::State<double, 2>& next =
       story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
-  switch (*story.frame.part.as<SupportPart>()) {
+  switch (*support_part(story.run, story.frame)) {
     case SupportPart::direction: {
       const gjk::Step<double, 2>& before =
           story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
