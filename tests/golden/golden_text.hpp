@@ -9,7 +9,8 @@
 
 namespace gjkscope::golden {
 
-/// The lesson's first run as `gjkscope trace` prints it, and one line for each run after it.
+/// The lesson's first run as `gjkscope trace` prints it, and one line for each run after it. Where
+/// another algorithm takes more than 40 iterations, those after the first 20 are left out.
 [[nodiscard]] std::string trace(const LessonRun& run);
 
 /// One line: the number of frames, and CRC-32s of the lesson's traces as JSON, where each number
