@@ -129,8 +129,14 @@ std::string marks(const Picture& picture) {
 std::string without_places_of_words(const std::string& marks) {
   static const std::regex text(R"(: text -?[0-9.]+,-?[0-9.]+)");
   static const std::regex follower(
-      R"(((^|\n)(leader|view-title\.box|legend\.box): (line|box))[-0-9., ]+)");
-  return std::regex_replace(std::regex_replace(marks, text, ": text"), follower, "$1 ");
+      R"(((^|\n)(leader|view-title\.box|legend\.box|label\.halo|chart\.[a-z.]+|plot\.[a-z.]+): )"
+      R"([a-z]+)[-0-9., ]+)");
+  static const std::regex timeline(R"(\ntimeline\.[^\n]*)");
+  static const std::regex line_of_prose(R"("\nprose: text left size [0-9]+ ")");
+  std::string out = std::regex_replace(marks, text, ": text");
+  out = std::regex_replace(out, follower, "$1 ");
+  out = std::regex_replace(out, timeline, "");
+  return std::regex_replace(out, line_of_prose, " ");
 }
 
 Difference first_difference(const std::string& expected, const std::string& got) {
