@@ -1,6 +1,6 @@
 // What every lesson came to when it was last looked at: the outcome that its file states, its trace
-// as text, a few pictures as lists of marks, and fewer still as pixels. A change that is meant is
-// taken over by `scripts/golden`, and shows in the diff.
+// and its transcript, a few pictures as lists of marks, and fewer still as pixels. A change that is
+// meant is taken over by `scripts/golden`, and shows in the diff.
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "cli/transcript.hpp"
 #include "fonts.hpp"
 #include "frames/frame.hpp"
 #include "golden/golden_text.hpp"
@@ -83,6 +85,18 @@ void hold_to(const fs::path& file, const std::string& lesson, const std::string&
   hold(lesson, read(file), got);
 }
 
+/// A file for each lesson, and no other.
+void hold_each(const char* folder, const std::function<std::string(const LessonRun&)>& text_of) {
+  std::set<fs::path> known;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    const fs::path file = kGolden / folder / (lesson.id + ".txt");
+    known.insert(file);
+    hold_to(file, lesson.id, text_of(run_lesson(lesson)));
+  }
+  for (const fs::path& file : files_in(folder))
+    EXPECT_TRUE(known.contains(file)) << file << " is of no lesson: delete it";
+}
+
 /// "polygon-evolution-0015", with what follows a dot or nothing: frame 15 of polygon-evolution.
 struct FrameName {
   std::string lesson;
@@ -140,15 +154,10 @@ TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
   }
 }
 
-TEST(Golden, TracesAreThoseThatWereLookedAt) {
-  std::set<fs::path> known;
-  for (const Lesson& lesson : testing::shipped_lessons()) {
-    const fs::path file = kGolden / "traces" / (lesson.id + ".txt");
-    known.insert(file);
-    hold_to(file, lesson.id, golden::trace(run_lesson(lesson)));
-  }
-  for (const fs::path& file : files_in("traces"))
-    EXPECT_TRUE(known.contains(file)) << file << " is of no lesson: delete it";
+TEST(Golden, TracesAreThoseThatWereLookedAt) { hold_each("traces", golden::trace); }
+
+TEST(Golden, TranscriptsAreThoseThatWereLookedAt) {
+  hold_each("transcripts", [](const LessonRun& run) { return transcript(run, false); });
 }
 
 /// Systems differ in libraries and fonts, yet traces and words are the same bytes on all.

@@ -36,6 +36,22 @@ std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
                      name_of(result.stop), name_of(result.verdict), result.distance);
 }
 
+/// A long search repeats itself, so only its first iterations and its result are kept.
+std::string without_repetition(const std::string& text) {
+  constexpr int kKept = 20;
+  constexpr int kLong = 40;
+  constexpr std::string_view kHeading = ", iteration ";
+  const std::size_t last = text.rfind(kHeading);
+  if (last == std::string::npos) return text;
+  const int count = std::stoi(text.substr(last + kHeading.size()));
+  if (count <= kLong) return text;
+  const std::size_t from =
+      text.rfind('\n', text.find(fmt::format("{}{}\n", kHeading, kKept + 1))) + 1;
+  return fmt::format("{}iterations {} to {} are left out; checksums.txt covers them\n{}",
+                     text.substr(0, from), kKept + 1, count,
+                     text.substr(text.find("\n\n", last) + 1));
+}
+
 std::string pixel(double value) {
   const std::string text = fmt::format("{:.1f}", value);
   return text == "-0.0" ? "0.0" : text;
@@ -78,7 +94,7 @@ struct ShapeText {
 std::string trace(const LessonRun& run) {
   LessonRun first = run;
   first.runs.resize(1);
-  std::string out = trace_text(traced(first));
+  std::string out = without_repetition(trace_text(traced(first)));
   if (run.runs.size() > 1) out += "\nfurther runs\n";
   for (std::size_t i = 1; i < run.runs.size(); ++i) out += run_line(run, run.runs[i]);
   return out;
@@ -113,8 +129,14 @@ std::string marks(const Picture& picture) {
 std::string without_places_of_words(const std::string& marks) {
   static const std::regex text(R"(: text -?[0-9.]+,-?[0-9.]+)");
   static const std::regex follower(
-      R"(((^|\n)(leader|view-title\.box|legend\.box): (line|box))[-0-9., ]+)");
-  return std::regex_replace(std::regex_replace(marks, text, ": text"), follower, "$1 ");
+      R"(((^|\n)(leader|view-title\.box|legend\.box|label\.halo|chart\.[a-z.]+|plot\.[a-z.]+): )"
+      R"([a-z]+)[-0-9., ]+)");
+  static const std::regex timeline(R"(\ntimeline\.[^\n]*)");
+  static const std::regex line_of_prose(R"("\nprose: text left size [0-9]+ ")");
+  std::string out = std::regex_replace(marks, text, ": text");
+  out = std::regex_replace(out, follower, "$1 ");
+  out = std::regex_replace(out, timeline, "");
+  return std::regex_replace(out, line_of_prose, " ");
 }
 
 Difference first_difference(const std::string& expected, const std::string& got) {
