@@ -150,6 +150,10 @@ class App {
   bool hexadecimal = false;
   /// Whether lessons of the list get small pictures.
   bool has_thumbnails = true;
+  /// How what is made beside the window, for a large case, is started. Tests that look at the
+  /// window meanwhile defer it, and call `wait_beside`.
+  std::launch beside = std::launch::async;
+  void wait_beside() const;
   /// The options of the last export of frames.
   std::optional<ExportOptions> last_export;
   /// Names of values (drawers/values.hpp) that stay in sight.

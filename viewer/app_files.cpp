@@ -152,8 +152,8 @@ void App::opened(const fs::path& file, std::string text, ReadLesson read) {
 void App::open_beside(const fs::path& file) {
   run_command("Cancel opening");
   Opening opening{file, {}, {}};
-  opening.result = std::async(
-      std::launch::async, [this, file, stopped = opening.stop.get_token()]() -> Opening::Result {
+  opening.result =
+      std::async(beside, [this, file, stopped = opening.stop.get_token()]() -> Opening::Result {
         Opening::Result result;
         try {
           result.text = read_whole(file);
@@ -180,7 +180,13 @@ void App::work_beside() {
     }
   }
   if (working_.valid()) return;
-  if (auto work = session_.work()) working_ = std::async(std::launch::async, std::move(work));
+  if (auto work = session_.work()) working_ = std::async(beside, std::move(work));
+}
+
+void App::wait_beside() const {
+  if (working_.valid()) working_.wait();
+  if (opening_) opening_->result.wait();
+  for (const Opening& each : given_up_) each.result.wait();
 }
 
 void App::end_opening() {

@@ -495,14 +495,14 @@ TEST(Case, ThatIsLargeIsOpenedBesideTheWindow) {
   const TemporaryFolder folder;
   const fs::path file = folder.file("large.json", large_case());
   HeadlessApp window;
+  window.app().beside = std::launch::deferred;
   window.app().open_path(file);
-  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
   window.frame();
-  while (window.app().is_opening()) {
-    EXPECT_NE("", said(window, "opening"));
-    EXPECT_TRUE(window.app().wakes_at());
-    window.frame();
-  }
+  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+  EXPECT_NE("", said(window, "opening"));
+  EXPECT_TRUE(window.app().wakes_at());
+  window.app().wait_beside();
+  window.frame();
   EXPECT_EQ(20'000u, window.session().lesson().x().vertices.size());
   EXPECT_EQ(file, window.session().file());
   EXPECT_FALSE(window.session().is_unsaved());
@@ -513,26 +513,25 @@ TEST(Case, ThatIsLargeIsOpenedBesideTheWindow) {
 TEST(Case, ThatIsLargeNeedNotBeWaitedFor) {
   const TemporaryFolder folder;
   HeadlessApp window;
+  window.app().beside = std::launch::deferred;
   window.app().open_path(folder.file("large.json", large_case()));
   ASSERT_TRUE(window.app().is_opening());
   window.key("Right");
   EXPECT_EQ(1, window.session().index());
   window.app().run_command("Cancel opening");
   EXPECT_FALSE(window.app().is_opening());
-  for (int i = 0; i < 100; ++i) {
-    usleep(10'000);
-    window.frame();
-  }
+  window.app().wait_beside();
+  window.frame();
   EXPECT_EQ("polygons-gjk", window.session().lesson().id);
 }
 
 /// A window with a large case that the hand has moved a vertex of Y in, and let go.
 struct LargeDrag : ::testing::Test {
   LargeDrag() {
-    constexpr int kVertices = 200'000;  // that keep a thread busy while the window draws
-    window.app().open_path(folder.file("large.json", large_case(kVertices)));
-    while (window.app().is_opening()) window.frame();
+    window.app().open_path(folder.file("large.json", large_case()));
+    window.app().wait_beside();
     window.settle();
+    window.app().beside = std::launch::deferred;
     before = window.session().lesson();
     shown = unpointed();
     const Point of_y = window.at({Subject::Kind::vertex_of_y, -1, 0});
@@ -554,8 +553,9 @@ TEST_F(LargeDrag, SettlesBesideTheWindowAndSaysSo) {
   ASSERT_TRUE(session.is_settling());
   EXPECT_NE("", said(window, "settling"));
   EXPECT_NE(before.y().vertices, session.lesson().y().vertices);
+  EXPECT_TRUE(window.app().wakes_at());
   while (session.is_settling()) {
-    EXPECT_TRUE(window.app().wakes_at());
+    window.app().wait_beside();
     window.frame();
   }
   EXPECT_EQ("", said(window, "settling"));
@@ -576,10 +576,8 @@ TEST_F(LargeDrag, IsCancelledAsIfItHadNotBeen) {
   EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
   EXPECT_EQ(shown, unpointed());
   // The run that was being made for it is not shown.
-  for (int i = 0; i < 50; ++i) {
-    usleep(10'000);
-    window.frame();
-  }
+  window.app().wait_beside();
+  window.frame();
   EXPECT_EQ(before.y().vertices, session.run().lesson.y().vertices);
 }
 
