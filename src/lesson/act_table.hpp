@@ -36,7 +36,7 @@ class ActTable {
     return found != nullptr ? &found->value : nullptr;
   }
   /// A value of its own. The table must be of this type. Use the reference before the table is
-  /// copied.
+  /// copied or edited again.
   template <class T>
   [[nodiscard]] T& edit() {
     assert(as<T>() != nullptr);

@@ -209,8 +209,9 @@ TEST(Rooms, KnowOnlyThoseBelowThem) {
       std::ifstream lines(file.path());
       for (std::string line; std::getline(lines, line);) {
         std::smatch found;
-        if (std::regex_search(line, found, include) && fs::exists(source / found[1].str()))
-          EXPECT_LE(floor_of(found[1]), floor_of(name)) << file.path() << ": " << line;
+        if (!std::regex_search(line, found, include) || !fs::exists(source / found[1].str()))
+          continue;
+        EXPECT_LE(floor_of(found[1]), floor_of(name)) << file.path() << ": " << line;
       }
     }
   }

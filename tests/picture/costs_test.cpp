@@ -58,8 +58,8 @@ TEST(CostFrames, SayWhatWasTimed) {
   EXPECT_TRUE(holds(told.texts[4].caption, "It agrees.")) << told.texts[4].caption;
   EXPECT_TRUE(holds(told.texts[7].caption, "It does not agree here.")) << told.texts[7].caption;
   Lesson other = small_lesson();
-  std::swap(other.table.edit<LessonGrowth>().times->boxes,
-            other.table.edit<LessonGrowth>().times->circles);
+  LessonGrowth& swapped = other.table.edit<LessonGrowth>();
+  std::swap(swapped.times->boxes, swapped.times->circles);
   EXPECT_TRUE(holds(Told(other).texts[7].caption, "It agrees."));
   other.table.edit<LessonGrowth>().times.reset();
   EXPECT_EQ(Told(other).texts.size(), 1u + 2 + kClaims + 1) << "without times no frame is of them";
@@ -88,8 +88,8 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   // Of a few segments all pairs of nodes are visited, or nearly.
   Lesson small = small_lesson();
   small.questions = {{"visits", 2}, {"agrees", 4}};
-  std::swap(small.table.edit<LessonGrowth>().times->boxes,
-            small.table.edit<LessonGrowth>().times->circles);
+  LessonGrowth& swapped = small.table.edit<LessonGrowth>();
+  std::swap(swapped.times->boxes, swapped.times->circles);
   const std::vector<FrameText> of_small = asked(Told(small));
   ASSERT_EQ(of_small.size(), 2u);
   EXPECT_EQ(of_small[0].question->answer, "3.0 times, as n");

@@ -95,8 +95,7 @@ TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
   };
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE(i);
-    const auto size = shown_size(run, run.frames[i]);
-    const int detail = size != nullptr ? size->index : -1;
+    const int detail = shown_size(run, run.frames[i]).value_or(-1);
     const int told = std::min(detail + 1, 5);
     EXPECT_EQ(count(frames[i], "plot.first"), 2 * (told + 1)) << "in two plots, and by the name";
     EXPECT_EQ(count(frames[i], "plot.fourth"), told + 1);

@@ -72,10 +72,10 @@ TEST(StudyPicture, MarksComeOneByOneAndStayWhereTheyAre) {
   std::size_t named = 0;
   std::set<std::string> names;
   for (const Frame& frame : shown.run.frames) {
-    const StudyStage stage = study_frame(run, frame)->stage;
+    const StudyStage stage = study_frame(shown.run, frame)->stage;
     if (frame.question >= 0 || (stage != StudyStage::time_axis && stage != StudyStage::mark))
       continue;
-    const Plot plot = study_plot(shown.study(), *study_frame(run, frame));
+    const Plot plot = study_plot(shown.study(), *study_frame(shown.run, frame));
     ASSERT_EQ(plot.notes.size(), std::max<std::size_t>(2, named + 1));
     named = plot.notes.size();
     for (const PlotNote& note : plot.notes) {
@@ -106,8 +106,8 @@ TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
   int told = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Frame& frame = shown.run.frames[i];
-    if (frame.question >= 0 || study_frame(run, frame)->stage != StudyStage::mark) continue;
-    const StudyDot dot = introduced(shown.study(), study_frame(run, frame)->marks).back();
+    if (frame.question >= 0 || study_frame(shown.run, frame)->stage != StudyStage::mark) continue;
+    const StudyDot dot = introduced(shown.study(), study_frame(shown.run, frame)->marks).back();
     SCOPED_TRACE(texts[i].caption);
     EXPECT_TRUE(
         holds(texts[i].caption, dot.configuration + ": " + time_text(dot.ns) + " for a pair"));

@@ -86,10 +86,11 @@ TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {
   EXPECT_EQ(Frame().part, -1);
 }
 
-TEST(EffectRegistry, EffectsNeedOnlyWhatIsRegisteredBeforeThem) {
+TEST(EffectRegistry, EffectsHaveNamesOfTheirOwnAndNeedOnlyWhatIsRegistered) {
   std::set<std::string_view> known;
-  for (const EffectInfo* effect : registered_effects()) {
+  for (const EffectInfo* effect : registered_effects())
     EXPECT_TRUE(known.insert(effect->name).second) << effect->name;
+  for (const EffectInfo* effect : registered_effects()) {
     std::istringstream needs{std::string(effect->needs)};
     for (std::string name; std::getline(needs, name, ',');)
       EXPECT_TRUE(known.contains(name)) << effect->name << " needs " << name;

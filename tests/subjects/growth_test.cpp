@@ -150,7 +150,7 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   const LessonRun run = run_lesson(small_lesson());
   const auto& steps = run.runs[0].trace.steps;
   const int last = static_cast<int>(steps.size()) - 1;
-  const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [](const Frame& frame) {
+  const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [&](const Frame& frame) {
     return shown_size(run, frame).has_value();
   });
   ASSERT_EQ(run.frames.end() - sizes, 4);
