@@ -38,7 +38,7 @@ const failures = [];
 const ready = (page) => page.locator("html[data-ready]").waitFor({ state: "attached" });
 
 /** A page that must not complain, nor ask anybody for anything. */
-async function open(address, size = "laptop", { theme, waits = true, ...more } = {}) {
+async function open(address, size = "laptop", { theme, waits = true, init, ...more } = {}) {
   const { width, height, touch } = SIZES[size];
   const context = await browser.newContext({ viewport: { width, height }, hasTouch: Boolean(touch), acceptDownloads: true, ...more });
   const page = await context.newPage();
@@ -49,6 +49,7 @@ async function open(address, size = "laptop", { theme, waits = true, ...more } =
     if (!/^(data:|blob:)/.test(request.url()) && !request.isNavigationRequest()) page.complaints.push(`asks for ${request.url()}`);
   });
   if (theme) await page.addInitScript((name) => localStorage.setItem("gjkscope-theme", name), theme);
+  if (init) await page.addInitScript(init);
   await page.goto(address);
   if (waits && more.javaScriptEnabled !== false && (await page.locator("#wasm").count()))
     await ready(page);
@@ -616,6 +617,14 @@ const slow = (page) => page.workers().at(-1).evaluate(() => {
     return answer(event);
   };
 });
+/** The same from the beginning: the program hears of a case 20 s late. */
+const slowFromTheStart = () => {
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message, ...others) {
+    if (!String(message).includes('"do":"case"')) return post.call(this, message, ...others);
+    setTimeout(() => post.call(this, message, ...others), 20000);
+  };
+};
 const long = { a: star(10000, 0), b: star(10000, 4) };
 
 claim("what takes long runs beside the page, says so, and is given up by a button or Escape: all is as it was, undo included", async () => {
@@ -673,7 +682,7 @@ claim("a vertex without a name is named where the pointer comes near", async () 
 });
 
 claim("a link that takes long does not hang the page", async () => {
-  const page = await open(url("polygons-gjk", `#case=${encodeURIComponent(JSON.stringify(long))}`), "laptop", { waits: false });
+  const page = await open(url("polygons-gjk", `#case=${encodeURIComponent(JSON.stringify(long))}`), "laptop", { waits: false, init: slowFromTheStart });
   await page.locator("#busy").waitFor();
   await page.click("#cancel");
   await ready(page);
