@@ -1,4 +1,4 @@
-#include "file_watch.hpp"
+#include "window/file_watch.hpp"
 
 #include <poll.h>
 #include <sys/eventfd.h>

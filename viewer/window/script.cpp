@@ -1,4 +1,4 @@
-#include "script.hpp"
+#include "window/script.hpp"
 
 #include <fmt/format.h>
 

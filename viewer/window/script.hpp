@@ -22,7 +22,7 @@
 
 #include <string_view>
 
-#include "window.hpp"
+#include "window/window.hpp"
 
 namespace gjkscope {
 

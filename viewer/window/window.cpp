@@ -1,4 +1,4 @@
-#include "window.hpp"
+#include "window/window.hpp"
 
 #include <SDL.h>
 #include <SDL_opengl.h>
@@ -19,11 +19,11 @@
 
 #include "base/file.hpp"
 #include "density.hpp"
-#include "file_watch.hpp"
 #include "imgui_keys.hpp"
 #include "lesson/problem.hpp"
 #include "picture/tween.hpp"
 #include "system_fonts.hpp"
+#include "window/file_watch.hpp"
 
 namespace gjkscope {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/file.hpp"
 #include "paint/png.hpp"
-#include "script.hpp"
+#include "window/script.hpp"
 
 namespace {
 
