@@ -20,7 +20,7 @@ struct KnownFacts;
 struct Tick;
 struct Story;
 struct FrameText;
-class SceneBuilder;
+struct SceneBuilder;
 class Fonts;
 
 /// Whether a table [path] goes with an act.
