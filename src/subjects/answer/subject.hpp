@@ -10,19 +10,15 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kWitness;
 extern const Act kAnswer;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kWitness;
 extern const Block kCounters;
 extern const Block kStarts;
 extern const Block kBoundSteps;
-
 }  // namespace blocks
 
 namespace layers {
@@ -41,9 +37,7 @@ void witness(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kColdStart;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

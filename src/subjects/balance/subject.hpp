@@ -9,21 +9,15 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kTime;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kBalance;
-
 }  // namespace blocks
 
 namespace layers {
-
 extern const Layer kBalance;
-
 }  // namespace layers
 
 namespace captions {
@@ -33,9 +27,7 @@ void balance(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kBalance;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -9,15 +9,11 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kPairs;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kPairs;
-
 }  // namespace blocks
 
 namespace layers {
@@ -37,10 +33,8 @@ void pairs(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kMinkowskiCloud;
 extern const EffectInfo kMinkowskiHull;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

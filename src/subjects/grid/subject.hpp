@@ -9,15 +9,11 @@
 namespace gjkscope {
 
 namespace layers {
-
 extern const Layer kGrid;
-
 }  // namespace layers
 
 namespace effect_infos {
-
 extern const EffectInfo kGrid;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -9,9 +9,7 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kGrowth;
-
 }  // namespace acts
 
 namespace blocks {
@@ -43,9 +41,7 @@ void growth(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kGrowth;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

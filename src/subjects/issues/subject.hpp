@@ -9,15 +9,11 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kIssues;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kIssuesOfPlaces;
-
 }  // namespace blocks
 
 namespace layers {
@@ -40,9 +36,7 @@ void issue_question(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kNumericalIssue;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -21,11 +21,9 @@ void ticks(SceneBuilder& scene, const std::string& role, const Point& a, const P
 }  // namespace layers
 
 namespace effect_infos {
-
 extern const EffectInfo kSupportAxis;
 extern const EffectInfo kClosestCircle;
 extern const EffectInfo kTestedFeet;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -10,26 +10,20 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kMaps;
 extern const Act kOrders;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kSigns;
 extern const Block kOrders;
-
 }  // namespace blocks
 
 namespace layers {
-
 extern const Layer kSigns;
 extern const Layer kMapDifference;
 extern const Layer kShortTest;
 extern const Layer kWrongPoint;
-
 }  // namespace layers
 
 namespace captions {
@@ -40,11 +34,9 @@ void orders(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kRegionOrders;
 extern const EffectInfo kSignMap;
 extern const EffectInfo kMapDifference;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

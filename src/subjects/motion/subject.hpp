@@ -9,17 +9,13 @@
 namespace gjkscope {
 
 namespace layers {
-
 extern const Layer kLastPosition;
 extern const Layer kGrownObstacle;
-
 }  // namespace layers
 
 namespace effect_infos {
-
 extern const EffectInfo kLastPosition;
 extern const EffectInfo kGrownObstacle;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

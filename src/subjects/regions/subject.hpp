@@ -12,9 +12,7 @@ namespace gjkscope {
 [[nodiscard]] std::optional<int> tried_tests(const LessonRun& run, const Frame& frame);
 
 namespace acts {
-
 extern const Act kTest;
-
 }  // namespace acts
 
 namespace blocks {
@@ -33,9 +31,7 @@ void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::strin
 }  // namespace blocks
 
 namespace layers {
-
 extern const Layer kRegions;
-
 }  // namespace layers
 
 namespace captions {
@@ -46,9 +42,7 @@ void region_test(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kVoronoiRegions;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -27,9 +27,7 @@ void round_shapes(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kRoundShapes;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

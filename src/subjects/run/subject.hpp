@@ -9,11 +9,9 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kIteration;
 extern const Act kPath;
 extern const Act kPhase;
-
 }  // namespace acts
 
 namespace blocks {
@@ -39,7 +37,6 @@ void listing_line(PanelBuilder& panel, const std::string& text, bool current,
 }  // namespace blocks
 
 namespace listings {
-
 extern const Listing kSegment;
 extern const Listing kTriangle;
 extern const Listing kStructures;
@@ -47,7 +44,6 @@ extern const Listing kSupport;
 extern const Listing kGjkPoint;
 extern const Listing kMinkowski;
 extern const Listing kGjk;
-
 }  // namespace listings
 
 namespace layers {
@@ -116,11 +112,9 @@ void question(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kDirectionRules;
 extern const EffectInfo kHistory;
 extern const EffectInfo kOtherNormal;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -9,10 +9,8 @@
 namespace gjkscope {
 
 namespace blocks {
-
 extern const Block kScalars;
 extern const Block kTwoRuns;
-
 }  // namespace blocks
 
 namespace layers {
@@ -29,10 +27,8 @@ void second_run(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kEveryScalar;
 extern const EffectInfo kSecondRun;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

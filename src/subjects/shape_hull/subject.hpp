@@ -9,9 +9,7 @@
 namespace gjkscope {
 
 namespace layers {
-
 extern const Layer kShapeHull;
-
 }  // namespace layers
 
 namespace captions {
@@ -21,9 +19,7 @@ void shape_hull(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kShapeHull;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -9,15 +9,11 @@
 namespace gjkscope {
 
 namespace acts {
-
 extern const Act kStudy;
-
 }  // namespace acts
 
 namespace blocks {
-
 extern const Block kStudy;
-
 }  // namespace blocks
 
 namespace layers {
@@ -36,9 +32,7 @@ void study_question(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kRoundedPair;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -14,9 +14,7 @@ enum class SupportPart { direction, of_y, of_x, of_z };
 [[nodiscard]] std::optional<SupportPart> support_part(const LessonRun& run, const Frame& frame);
 
 namespace acts {
-
 extern const Act kSupport;
-
 }  // namespace acts
 
 namespace layers {
@@ -40,11 +38,9 @@ void slab(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kBestSupport;
 extern const EffectInfo kSlab;
 extern const EffectInfo kTouchedPoints;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -9,20 +9,16 @@
 namespace gjkscope {
 
 namespace blocks {
-
 extern const Block kWeights;
 extern const Block kLinearSystem;
 extern const Block kUnitVector;
 extern const Block kAreas;
-
 }  // namespace blocks
 
 namespace layers {
-
 extern const Layer kProjection;
 extern const Layer kUnitVector;
 extern const Layer kParts;
-
 }  // namespace layers
 
 namespace captions {
@@ -33,12 +29,10 @@ void line(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-
 extern const EffectInfo kBarycentricWeights;
 extern const EffectInfo kBarycentricParts;
 extern const EffectInfo kProjection;
 extern const EffectInfo kUnitVector;
-
 }  // namespace effect_infos
 
 }  // namespace gjkscope
