@@ -10,7 +10,6 @@
 
 namespace gjkscope {
 
-
 /// The camera of a view: the lesson's, or one that fits everything the view will show over all
 /// frames.
 [[nodiscard]] Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area);
