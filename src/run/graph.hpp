@@ -42,25 +42,17 @@ class EffectGraph {
 
   template <class E>
   const typename E::Value& get(const Frame& frame) {
-    if (!computing_.empty()) pulls_.emplace(computing_.back(), E::kName);
-    EffectCount& count = counts_[E::kName];
-    ++count.pulls;
-    std::shared_ptr<Values>& kept = values_[E::kName];
-    if (!kept) kept = std::make_shared<ValuesOf<E>>();
+    EffectCount& count = asked_for(E::kName);
+    std::unique_ptr<Values>& kept = values_[E::kName];
+    if (!kept) kept = std::make_unique<ValuesOf<E>>();
     auto& values = dynamic_cast<ValuesOf<E>&>(*kept).by_key;
     const EffectKey key = E::key(run_, frame);
-    auto found = values.find(key);
-    if (found == values.end()) {
-      const auto begin = std::chrono::steady_clock::now();
-      computing_.push_back(E::kName);
-      typename E::Value value = E::compute(*this, run_, frame);
-      computing_.pop_back();
-      count.seconds +=
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      ++count.runs;
-      found = values.emplace(key, std::move(value)).first;
-    }
-    return found->second;
+    const auto found = values.find(key);
+    if (found != values.end()) return found->second;
+    const Time begin = begin_computing(E::kName);
+    typename E::Value value = E::compute(*this, run_, frame);
+    end_computing(count, begin);
+    return values.emplace(key, std::move(value)).first->second;
   }
 
   /// Values of E that stand for this run as well: E::is_same(that run, this run).
@@ -69,7 +61,7 @@ class EffectGraph {
     const auto values = from.values_.find(E::kName);
     if (values != from.values_.end() && E::is_same(from.run_, run_))
       values_[E::kName] =
-          std::make_shared<ValuesOf<E>>(dynamic_cast<ValuesOf<E>&>(*values->second));
+          std::make_unique<ValuesOf<E>>(dynamic_cast<ValuesOf<E>&>(*values->second));
   }
 
   [[nodiscard]] EffectCount count(std::string_view name) const {
@@ -91,8 +83,13 @@ class EffectGraph {
     std::map<EffectKey, typename E::Value> by_key;
   };
 
+  using Time = std::chrono::steady_clock::time_point;
+  EffectCount& asked_for(std::string_view name);
+  Time begin_computing(std::string_view name);
+  void end_computing(EffectCount& count, Time begin);
+
   const LessonRun& run_;
-  std::map<std::string_view, std::shared_ptr<Values>> values_;
+  std::map<std::string_view, std::unique_ptr<Values>> values_;
   std::map<std::string_view, EffectCount> counts_;
   std::vector<std::string_view> computing_;  ///< The one being computed last.
   std::set<std::pair<std::string_view, std::string_view>> pulls_;

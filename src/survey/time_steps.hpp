@@ -10,8 +10,8 @@
 
 namespace gjkscope {
 
-/// A step of the simulation of a beam (subjects/balance/balance.hpp), or between the positions of shapes
-/// that move.
+/// A step of the simulation of a beam (subjects/balance/balance.hpp), or between the positions of
+/// shapes that move.
 struct TimeStepCost {
   std::string lesson;
   double step = 0.0;        ///< Seconds.

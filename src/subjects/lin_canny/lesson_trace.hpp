@@ -1,6 +1,6 @@
 #pragma once
-// The walk on features (outlines/lin_canny.hpp) as the algorithm of a lesson: on the vertices of two
-// polygons as a run places them, told as JSON and as text.
+// The walk on features (outlines/lin_canny.hpp) as the algorithm of a lesson: on the vertices of
+// two polygons as a run places them, told as JSON and as text.
 
 #include <optional>
 
