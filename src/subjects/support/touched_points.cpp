@@ -11,9 +11,9 @@ EffectKey TouchedPoints::key(const LessonRun&, const Frame& frame) {
   return {frame.run, frame.step, frame.part};
 }
 
-TouchedPoints::Value TouchedPoints::compute(EffectGraph& effects, const LessonRun& run,
+TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun& run,
                                             const Frame& frame) {
-  const int over = effects.get<FrameFacts>(frame).steps_over;
+  const int over = graph.get<FrameFacts>(frame).steps_over;
   const WideTrace& trace = run.run(frame).trace;
   Value touched;
   const auto touch = [&](const gjk::SupportPoint<double, 2>& point) {
