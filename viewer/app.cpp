@@ -108,10 +108,9 @@ App::~App() {
 }
 
 void App::will_show(std::string_view name) {
-  const bool is_ascii =
-      std::all_of(name.begin(), name.end(), [](char c) { return (c & 0x80) == 0; });
-  if (is_ascii) return;
-  for (const char32_t c : code_points(name)) characters_.insert(c);
+  for (const char32_t c : code_points(name)) {
+    if (c >= 0x80) characters_.insert(c);
+  }
 }
 
 // Time -------------------------------------------------------------------------------------------

@@ -15,6 +15,9 @@
 
 namespace gjkscope {
 
+/// The alternative text of a frame's figure, for readers who cannot see it.
+[[nodiscard]] std::string alternative_text(const FrameText& text);
+
 /// The words of all frames of a lesson, in order; nothing is drawn for them.
 [[nodiscard]] std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects);
 

@@ -18,8 +18,8 @@ struct Frame {
   int run = 0;    ///< Index into LessonRun::runs.
   int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
 
-  /// Which part of its step, where an act takes steps apart, from 0 in their order; -1: all of it.
-  /// The act alone knows what it means (part_of in picture/act.hpp).
+  /// The part of its step, for acts that take steps apart, from 0 in their order; -1: all of it.
+  /// The act alone knows its meaning (part_of in picture/act.hpp).
   int part = -1;
   std::optional<int> steps_over = {};  ///< Of an algorithm that is not GJK; one more than there
                                        ///< are: the answer.

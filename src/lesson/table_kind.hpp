@@ -1,6 +1,5 @@
 #pragma once
-// What this folder must know of a table that only some acts take. The tables stand with their
-// subjects.
+// A table that only some acts take, as this folder knows it. The tables stand with their subjects.
 
 #include <filesystem>
 #include <string_view>

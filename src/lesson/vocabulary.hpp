@@ -68,9 +68,10 @@ struct Act {
   /// What is shown; none: GJK.
   const Algorithm* algorithm = nullptr;
 
-  /// Where steps are taken apart: corrects what is known when a frame shows a part of its step.
+  /// Corrects what is known where a frame shows a part of its step; only of acts that take steps
+  /// apart.
   void (*knows)(const Frame& frame, KnownFacts& facts) = nullptr;
-  /// Where in the lesson a frame that asks nothing is: "iteration 2 of 4 · support".
+  /// The place in the lesson of a frame that asks nothing: "iteration 2 of 4 · support".
   std::string (*position)(const LessonRun& run, int index) = nullptr;
   Tick (*tick)(const LessonRun& run, const Frame& frame) = nullptr;
   /// The words of a frame that shows the start of a run of GJK; nullptr: as all say them.
@@ -89,7 +90,7 @@ struct Act {
   void (*values)(const Story& story, FrameText& text) = nullptr;
   /// Draws a view all by itself; false where layers do. Only of an act with a plot.
   bool (*fill)(SceneBuilder& scene, const Fonts& fonts) = nullptr;
-  /// What a plot is called where the lesson does not say.
+  /// The title of a plot that the lesson does not name.
   std::string (*plot_title)(const LessonRun& run) = nullptr;
 
   /// nullptr when its frames cannot ask it.

@@ -1,6 +1,6 @@
 #pragma once
-// What acts (lesson/vocabulary.hpp) are made of: frames, their place in a lesson, their ticks on
-// the timeline.
+// Functions that several acts (lesson/vocabulary.hpp) use: for frames, their place in a lesson,
+// their ticks on the timeline.
 
 #include <Eigen/Geometry>
 #include <algorithm>

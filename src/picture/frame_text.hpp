@@ -14,7 +14,7 @@ struct VertexChoice {
   std::vector<std::string> vertices;
 };
 
-/// What a frame asks.
+/// The question of a frame.
 struct FrameQuestion {
   std::string ask;                   ///< "support", ...
   std::vector<std::string> choices;  ///< As the frame lists them.
@@ -38,8 +38,5 @@ struct FrameText {
   std::optional<FrameQuestion> question;
   std::optional<bool> is_right = {};  ///< Set if an answer was given, which the caption grades.
 };
-
-/// What a frame says to who cannot see it: the alternative text of its figure.
-[[nodiscard]] std::string alternative_text(const FrameText& text);
 
 }  // namespace gjkscope

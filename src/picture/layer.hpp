@@ -1,6 +1,6 @@
 #pragma once
-// What a stage is drawn of. A layer is a value that a subject defines; it lies below or above what
-// the act draws.
+// The layers of a stage. A layer is a value that a subject defines; it lies below or above the
+// marks of the act.
 
 #include <string>
 #include <string_view>

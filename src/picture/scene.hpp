@@ -95,8 +95,8 @@ inline constexpr double kLengthOffset = 13.0;  // of a fractional length from it
 /// A vertex of the Minkowski difference; of a point query it is a vertex of Y.
 [[nodiscard]] Subject subject_of(const LessonRun& run, gjk::VertexPair pair);
 
-/// Builds the scene of one view at one frame; each layer adds its marks and
-/// labels to `out`.
+/// Builds the scene of one view at one frame; each layer adds its marks and labels to
+/// `out`.
 struct SceneBuilder {
   SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                const LessonView& of_view, const StageMap& stage_map);

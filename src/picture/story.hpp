@@ -1,6 +1,5 @@
 #pragma once
-// What the captions of a frame are told with: its state, the names of things, and what is known by
-// then.
+// The source of a frame's captions: its state, the names of things, and what is known by then.
 
 #include <string>
 #include <string_view>

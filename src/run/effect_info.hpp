@@ -16,14 +16,14 @@ struct EffectInfo {
   bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
 };
 
-/// What the registry says of the effect E (run/graph.hpp).
+/// The entry of the effect E (run/graph.hpp).
 template <class E>
 [[nodiscard]] constexpr EffectInfo effect_info(std::string_view used_by, std::string_view summary,
                                                std::string_view act = {}, bool second_run = false) {
   return {E::kName, E::kNeeds, summary, used_by, act, second_run};
 }
 
-/// Of the effects that any frame may use; others are declared by their subjects.
+/// These belong to no subject: any frame may use them.
 namespace effect_infos {
 extern const EffectInfo kFrameFacts;
 extern const EffectInfo kAlgorithmFacts;

@@ -6,7 +6,7 @@
 
 namespace gjkscope {
 
-/// What is known when a frame is shown. Stage, panel and words all read it here.
+/// Facts that are known when a frame is shown. Stage, panel and words all read them here.
 struct KnownFacts {
   std::optional<gjk::Phase> phase;  ///< Of the frame's step; none at the start.
   bool closest_point = false;       ///< P, its region and its weights.
@@ -24,7 +24,7 @@ struct KnownFacts {
   [[nodiscard]] bool phase_is(gjk::Phase of) const { return phase == of; }
 };
 
-/// The same as a derived value; an act that takes steps apart says what its parts know
+/// The same facts as a derived value; an act that takes steps apart says what its parts know
 /// (Act::knows).
 struct FrameFacts {
   static constexpr std::string_view kName = "facts";

@@ -77,8 +77,8 @@ const std::vector<const EffectInfo*>& registered_effects() {
 const std::vector<const Layer*>& registered_layers() {
   static const auto layers = [] {
     auto list = all(&SubjectParts::layers);
-    std::sort(list.begin(), list.end(),
-              [](const Layer* a, const Layer* b) { return a->order < b->order; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Layer* a, const Layer* b) { return a->order < b->order; });
     return list;
   }();
   return layers;
@@ -103,7 +103,7 @@ std::vector<LegendEntry> legend_entries(const LessonRun& run) {
   for (const SubjectParts* subject : all_subjects()) {
     if (std::find(subject->acts.begin(), subject->acts.end(), run.act) == subject->acts.end())
       continue;
-    // What a subject says of a mark that GJK has, too, counts.
+    // A subject may give a mark of GJK a meaning of its own.
     for (const LegendEntry& entry : subject->legend) {
       const auto own = std::find_if(list.begin(), list.end(), [&](const LegendEntry& other) {
         return other.role == entry.role;

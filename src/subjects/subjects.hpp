@@ -12,15 +12,15 @@
 
 namespace gjkscope {
 
-/// What the folder of a subject makes visible.
+/// All that the folder of a subject makes visible.
 struct SubjectParts {
   std::vector<const Act*> acts = {};
   std::vector<const Block*> blocks = {};
   std::vector<const Listing*> listings = {};
   std::vector<const Layer*> layers = {};
   std::vector<const EffectInfo*> effects = {};
-  /// What its marks mean, in the order in which it is said; that of `run` counts for all lessons,
-  /// others for those that have one of its acts.
+  /// Meanings of its marks, in the order of the legend. Those of `run` count in all lessons, others
+  /// in lessons with one of the subject's acts.
   std::vector<LegendEntry> legend = {};
   /// Adds to the words of a step, of any act.
   void (*adds)(const Story& story, FrameText& text) = nullptr;
@@ -47,10 +47,10 @@ namespace subjects {
 /// True when an effect is the one called `name`, or needs it, directly or through other effects.
 [[nodiscard]] bool pulls(const EffectInfo& effect, std::string_view name);
 
-/// What the marks of a run's pictures mean.
+/// Meanings of the marks in a run's pictures.
 [[nodiscard]] std::vector<LegendEntry> legend_entries(const LessonRun& run);
 
-/// What the loader knows of them.
+/// The names and needs that the loader checks.
 [[nodiscard]] const Vocabulary& vocabulary();
 
 /// Runs a lesson with the act that it names, which must be registered.

@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "run/effect_info.hpp"
-
 namespace gjkscope::testing {
 
 inline std::string file_text(const std::filesystem::path& file) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the frames of act `witness` show of a step.
+// The parts of a step that frames of the act `witness` show.
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the frames of act `pairs` show of a step.
+// The parts of a step that frames of the act `pairs` show.
 
 #include <optional>
 

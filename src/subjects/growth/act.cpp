@@ -23,11 +23,6 @@ void growth_frames(LessonRun& run, int index) {
   for (int i = 0; i <= sizes; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
 
-/// After the run of the lesson's own pair.
-bool is_about_sizes(const LessonRun& run, const Frame& frame) {
-  return shown_size(run, frame).has_value();
-}
-
 /// nullptr where a frame is about all sizes.
 const int* vertices_of(const LessonRun& run, const Frame& frame) {
   const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
@@ -37,7 +32,7 @@ const int* vertices_of(const LessonRun& run, const Frame& frame) {
 
 std::string growth_position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[static_cast<std::size_t>(index)];
-  if (!is_about_sizes(run, frame)) return position_in_run(run, index);
+  if (!shown_size(run, frame)) return position_in_run(run, index);
   const int* vertices = vertices_of(run, frame);
   return fmt::format("{} · {} of {}",
                      vertices != nullptr ? fmt::format("n = {}", grouped(*vertices)) : "outcome",
@@ -54,20 +49,20 @@ std::string short_count(int count) {
 }
 
 Tick growth_tick(const LessonRun& run, const Frame& frame) {
-  if (!is_about_sizes(run, frame)) return tick_of_step(run, frame);
+  if (!shown_size(run, frame)) return tick_of_step(run, frame);
   const int* vertices = vertices_of(run, frame);
   if (vertices == nullptr) return {.group = "outcome", .label = "all n", .event = true};
   return {.group = "vertices n", .label = short_count(*vertices)};
 }
 
 void growth_words(const Story& story, FrameText& text) {
-  return is_about_sizes(story.run, story.frame) ? captions::growth(story, text)
-                                                : captions::step(story, text);
+  return shown_size(story.run, story.frame) ? captions::growth(story, text)
+                                            : captions::step(story, text);
 }
 
 /// Of a size of polygons: what its runs come to. The lesson's own pair is no part of that.
 void growth_values(const Story& story, FrameText& text) {
-  if (!is_about_sizes(story.run, story.frame)) return captions::run_values(story, text);
+  if (!shown_size(story.run, story.frame)) return captions::run_values(story, text);
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
@@ -88,8 +83,7 @@ bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
     layers::growth(scene, fonts);
     return true;
   }
-  if (!is_about_sizes(scene.run, scene.frame) || scene.view.kind != ViewKind::difference)
-    return false;
+  if (!shown_size(scene.run, scene.frame) || scene.view.kind != ViewKind::difference) return false;
   layers::growth_example(scene);
   return true;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What is measured as polygons grow (growth.hpp), plotted against their vertices.
+// Plots of the measurements of growth.hpp against the vertices of the polygons.
 
 #include "picture/plot.hpp"
 #include "run/graph.hpp"

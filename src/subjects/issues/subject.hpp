@@ -1,5 +1,5 @@
 #pragma once
-// What can go wrong, by the place of Q: what the files of this folder define.
+// Numerical issues, by the place of Q: what the files of this folder define.
 
 #include "picture/act.hpp"
 #include "picture/block.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What the frames of the acts `maps` and `orders` show of a step.
+// The parts of a step that frames of the acts `maps` and `orders` show.
 
 #include <optional>
 

@@ -8,7 +8,8 @@
 
 namespace gjkscope {
 
-/// So many region tests of a closest-point step have been tried; 0: its numbers are shown.
+/// The number of region tests of a closest-point step that have been tried; 0: its numbers are
+/// shown.
 [[nodiscard]] std::optional<int> tried_tests(const LessonRun& run, const Frame& frame);
 
 namespace acts {

@@ -1,5 +1,5 @@
 #pragma once
-// What the frames of act `study` show of a step.
+// The parts of a step that frames of the act `study` show.
 
 #include <optional>
 

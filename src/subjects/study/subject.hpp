@@ -1,5 +1,5 @@
 #pragma once
-// What accuracy costs: what the files of this folder define.
+// The cost of accuracy: what the files of this folder define.
 
 #include "picture/act.hpp"
 #include "picture/block.hpp"
