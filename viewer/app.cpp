@@ -214,12 +214,12 @@ void App::nudge(const Vector2d& pixels) {
   const std::size_t body = of_x ? 0 : 1;
   session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = of_x ? run.x().world : run.y().world;
+  const auto& world = run.bodies[body].world;
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? selected.x : selected.y;
     edit::put_vertex(lesson, body, index, run.bodies[body].placement,
-                     world[static_cast<std::size_t>(index)] + by);
+                     in_plane(world[static_cast<std::size_t>(index)]) + by);
   });
   session_.end_drag();
 }

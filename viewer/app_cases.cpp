@@ -154,7 +154,7 @@ const CaseNotes* App::case_notes() const {
 std::string App::compared_with_case() const {
   const CaseNotes* notes = case_notes();
   if (notes == nullptr || !session_.run().has_gjk()) return "";
-  const gjk::Result<double, 2>& result = session_.run().run(session_.frame()).trace.result;
+  const WideResult& result = session_.run().run(session_.frame()).trace.result;
   const bool overlaps = result.distance == 0.0;
   std::string text;
   if (notes->expected_overlap) {

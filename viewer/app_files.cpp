@@ -47,7 +47,7 @@ Expectation outcome_of(const LessonRun& run) {
         expect.answers.emplace_back(name, found);
     }
   }
-  for (const gjk::Step<double, 2>& step : trace.steps) {
+  for (const WideStep& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;
     const std::string& y = run.lesson.y().vertex_names[static_cast<std::size_t>(pair.y)];

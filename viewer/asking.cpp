@@ -149,11 +149,11 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
     if (shown.kind == ViewKind::world && !run.point_query()) return false;
     const Frame& frame = session.frame();
     // In the world the polygon of a point query stands where it is.
-    const Eigen::Vector2d shift = shown.kind == ViewKind::world ? run.run(frame).x().world.front()
-                                                                : Eigen::Vector2d::Zero().eval();
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+    if (shown.kind == ViewKind::world) shift = in_plane(run.run(frame).x().world.front());
     const auto& simplex = run.state(frame).simplex;
     std::vector<Eigen::Vector2d> points;
-    for (int i = 0; i < simplex.count; ++i) points.push_back(simplex.vertices[i].w);
+    for (int i = 0; i < simplex.count; ++i) points.push_back(in_plane(simplex.vertices[i].w));
     const double reach = kReach * shown.camera.height / shown.card.size().y();
     const gjk::Face face =
         face_at(points, session.effects().get<VoronoiRegions>(frame), at - shift, reach);

@@ -113,7 +113,7 @@ Rect PictureView::rotation_handle(std::size_t body) const {
     if (view.kind != ViewKind::world) continue;
     const StageMap map(view.card, view.camera);
     Rect box{map(world.front()), map(world.front())};
-    for (const Vector2d& vertex : world) {
+    for (const Eigen::Vector3d& vertex : world) {
       box.min = box.min.cwiseMin(map(vertex));
       box.max = box.max.cwiseMax(map(vertex));
     }
@@ -423,7 +423,7 @@ void PictureView::continue_drag(const Point& page) {
   if (drag.turns) {
     const PositionedRun& run = session_.run().run(session_.frame());
     const auto& world = run.bodies[body].world;
-    const Vector2d middle = centroid(world);
+    const Vector2d middle = centroid(in_plane(world));
     const Vector2d a = before - middle;
     const Vector2d b = now - middle;
     double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180.0 / std::numbers::pi;
@@ -457,7 +457,7 @@ void PictureView::continue_drag(const Point& page) {
     const int index = index_of(drag.subject);
     const Vector2d to = snapped(now, grid(drag.view));
     session_.drag([&](Lesson& lesson) {
-      if (world.size() == 1) return edit::move_shape(lesson, body, to - world.front());
+      if (world.size() == 1) return edit::move_shape(lesson, body, to - in_plane(world.front()));
       edit::put_vertex(lesson, body, index, run.bodies[body].placement, to);
     });
   } else if (moves_difference) {
@@ -503,8 +503,8 @@ void PictureView::double_click(const Point& page) {
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
   const Lesson& shapes = session_.lesson();
-  const auto of_x = edit::nearest_edge(run.x().world, shapes.x().ranges(), at);
-  const auto of_y = edit::nearest_edge(run.y().world, shapes.y().ranges(), at);
+  const auto of_x = edit::nearest_edge(in_plane(run.x().world), shapes.x().ranges(), at);
+  const auto of_y = edit::nearest_edge(in_plane(run.y().world), shapes.y().ranges(), at);
   const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
   const auto& edge = is_x ? of_x : of_y;
   if (!edge || edge->distance > reach) return session_.fit();

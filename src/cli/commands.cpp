@@ -247,11 +247,10 @@ namespace {
 }
 
 /// kProblem where a run was refused, which is said.
-template <int D>
 int say_refused(const Environment& env, const std::string& name,
-                const std::vector<RunIn<D>>& runs) {
+                const std::vector<PositionedRun>& runs) {
   int exit_code = kDone;
-  for (const RunIn<D>& run : runs) {
+  for (const PositionedRun& run : runs) {
     const gjk::Error error = run.trace.result.error;
     if (error == gjk::Error::none) continue;
     env.err << fmt::format("{}: the query is refused: {}\n", name, name_of(error));
@@ -260,8 +259,7 @@ int say_refused(const Environment& env, const std::string& name,
   return exit_code;
 }
 
-template <int D>
-int print_trace(const Environment& env, const Traced<D>& traced, bool json) {
+int print_trace(const Environment& env, const Traced& traced, bool json) {
   env.out << (json ? trace_json(traced) : trace_text(traced));
   return say_refused(env, traced.id, traced.runs);
 }

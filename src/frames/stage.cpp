@@ -26,7 +26,7 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     if (act.reach != nullptr) act.reach(run, static_cast<int>(index), view.kind, seen);
     const auto box_of = [&](std::size_t body) {
       Eigen::AlignedBox2d box;
-      for (const Vector2d& vertex : positioned.bodies[body].world) box.extend(vertex);
+      for (const Vector2d& vertex : in_plane(positioned.bodies[body].world)) box.extend(vertex);
       return box;
     };
     const auto extend = [&](const Eigen::AlignedBox2d& box, double radius) {

@@ -15,8 +15,7 @@
 namespace gjkscope {
 
 struct Lesson;
-template <int D>
-struct RunIn;
+struct PositionedRun;
 
 /// What an algorithm did with the shapes of one run.
 class AlgorithmTrace {
@@ -30,9 +29,9 @@ class AlgorithmTrace {
   /// Why it ended: one of Algorithm::stops; empty where it has no stop reasons.
   [[nodiscard]] virtual std::string_view stop() const { return {}; }
   [[nodiscard]] virtual nlohmann::ordered_json json(const Lesson& lesson,
-                                                    const RunIn<2>& run) const = 0;
+                                                    const PositionedRun& run) const = 0;
   /// Lines of trace/fields.hpp, with a heading for each iteration.
-  [[nodiscard]] virtual std::string text(const Lesson& lesson, const RunIn<2>& run) const = 0;
+  [[nodiscard]] virtual std::string text(const Lesson& lesson, const PositionedRun& run) const = 0;
 };
 
 /// An act names the one that it shows; it runs wherever the shapes stand.
@@ -42,7 +41,7 @@ struct Algorithm {
   std::span<const std::string_view> answers;  ///< Those that `expect.answer` can check.
   std::span<const PlaceholderInfo> values;    ///< What prose can name of it.
   /// `before`: what it did in the run before, along a path; nullptr in the first.
-  std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const RunIn<2>& run,
+  std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) = nullptr;
   /// It goes on where a run of GJK ends. Others have no such run: they ask about the outlines of
   /// the shapes, convex or not.

@@ -19,7 +19,7 @@ std::string position_in_run(const LessonRun& run, int index) {
   const bool asks = asks_later(run, index);
   if (frame.step < 0)
     return asks ? "start" : fmt::format("start · {} of {}", index + 1, run.frames.size());
-  const gjk::Step<double, 2>& step = run.step(frame);
+  const WideStep& step = run.step(frame);
   const std::string_view phase = name_of(step.phase);
   if (asks) return fmt::format("iteration {} · {}", step.iteration, phase);
   return fmt::format("iteration {} of {} · {}", step.iteration,
@@ -43,10 +43,10 @@ std::string position_in_lesson(const LessonRun& run, int index) {
 
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   if (frame.step < 0) return {.group = "start", .label = "start"};
-  const gjk::Step<double, 2>& step = run.step(frame);
+  const WideStep& step = run.step(frame);
   const std::string phase(name_of(step.phase));
   std::string dropped;
-  for (const gjk::SupportPoint<double, 2>& vertex : step.record.dropped)
+  for (const WideVertex& vertex : step.record.dropped)
     dropped += (dropped.empty() ? " " : ", ") + run.pair_name(vertex.pair);
   return {.group = fmt::format("iteration {}", step.iteration),
           .label = phase + dropped,

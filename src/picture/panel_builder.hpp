@@ -48,7 +48,7 @@ struct PanelBuilder {
   EffectGraph& effects;
   const Frame& frame;
   const Fonts& fonts;
-  const gjk::State<double, 2>& state;
+  const WideState& state;
   const FrameFacts::Value& knows;
   Numbers numbers;
   SimplexWords words;

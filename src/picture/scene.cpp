@@ -98,17 +98,10 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       map(stage_map),
       positioned(run.run(frame)),
       state(run.state(frame)),
-      shift(view.kind == ViewKind::world && run.point_query() ? positioned.x().world[0]
+      shift(view.kind == ViewKind::world && run.point_query() ? in_plane(positioned.x().world[0])
                                                               : Vector2d(0.0, 0.0)),
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
       knows(effects.get<FrameFacts>(frame)) {}
-
-std::vector<Point> SceneBuilder::mapped(const std::vector<Vector2d>& points) const {
-  std::vector<Point> in_frame;
-  in_frame.reserve(points.size());
-  for (const Vector2d& point : points) in_frame.push_back(at(point));
-  return in_frame;
-}
 
 void SceneBuilder::add(std::string role, decltype(Mark::shape) shape, const Subject& subject) {
   out.marks.push_back({std::move(role), std::move(shape), -1, subject});
@@ -174,7 +167,7 @@ LabelRequest SceneBuilder::label(std::string id, std::string text, std::string r
           anchor,        radius + kLabelGap, towards};
 }
 
-void SceneBuilder::pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role) {
+void SceneBuilder::pair_label(const WideVertex& vertex, const std::string& role) {
   const Point point = at_difference(vertex.w);
   labels_of_difference().push_back(
       pair_name(vertex.pair, role, point, kSimplexRadius, point - map.area().center()));
@@ -194,8 +187,7 @@ LabelRequest SceneBuilder::pair_name(gjk::VertexPair pair, const std::string& ro
   return request;
 }
 
-void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
-                                  const std::string& role) {
+void SceneBuilder::simplex_vertex(const WideVertex& vertex, const std::string& role) {
   const auto mark = [&](const Point& point, const Subject& subject) {
     if (role == "support")
       diamond("support.vertex", point, kSupportRadius, subject);
@@ -212,12 +204,12 @@ void SceneBuilder::simplex_vertex(const gjk::SupportPoint<double, 2>& vertex,
   }
 }
 
-void SceneBuilder::link(const Vector2d& x, const Vector2d& y) {
+void SceneBuilder::link(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   add("pair.link", Polyline{{at(x), at(y)}});
   out.obstacles.passing.push_back({at(x), at(y)});
 }
 
-double SceneBuilder::arrow_length(const Vector2d& p) const {
+double SceneBuilder::arrow_length(const Eigen::Vector3d& p) const {
   const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
   // Where P and O are one point to the eye, nothing but the direction is to be seen.
   if (way < kPointRadius) return kArrowLength;

@@ -28,14 +28,18 @@ class StageMap {
       : area_(area), camera_(camera), farthest_(farthest) {}
   /// Pixels for a unit along y.
   [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
-  [[nodiscard]] Point operator()(const Eigen::Vector2d& v) const {
-    const Eigen::Vector2d d =
-        stretched(scale() * (v - camera_.center)).cwiseMax(-farthest_).cwiseMin(farthest_);
+  /// Vectors have two or three coordinates; the third is not seen.
+  template <class V>
+  [[nodiscard]] Point operator()(const Eigen::MatrixBase<V>& v) const {
+    const Eigen::Vector2d d = stretched(scale() * (v.template head<2>() - camera_.center))
+                                  .cwiseMax(-farthest_)
+                                  .cwiseMin(farthest_);
     return area_.center() + Point(d.x(), -d.y());
   }
   /// Along d, of unit length in frame pixels.
-  [[nodiscard]] Point direction(const Eigen::Vector2d& d) const {
-    const Eigen::Vector2d along = stretched(d);
+  template <class V>
+  [[nodiscard]] Point direction(const Eigen::MatrixBase<V>& d) const {
+    const Eigen::Vector2d along = stretched(d.template head<2>());
     return Point(along.x(), -along.y()) / along.norm();
   }
   [[nodiscard]] const Rect& area() const { return area_; }
@@ -101,16 +105,26 @@ struct SceneBuilder {
   SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown,
                const LessonView& of_view, const StageMap& stage_map);
 
-  // Positions
-  [[nodiscard]] Point at(const Eigen::Vector2d& view_point) const { return map(view_point); }
-  [[nodiscard]] std::vector<Point> mapped(const std::vector<Eigen::Vector2d>& points) const;
-  [[nodiscard]] Point at_difference(const Eigen::Vector2d& z) const { return map(z + shift); }
-  [[nodiscard]] const Eigen::Vector2d& vertex_of_x(
-      const gjk::SupportPoint<double, 2>& vertex) const {
+  // Positions, of two or three coordinates
+  template <class V>
+  [[nodiscard]] Point at(const Eigen::MatrixBase<V>& view_point) const {
+    return map(view_point);
+  }
+  template <class V>
+  [[nodiscard]] std::vector<Point> mapped(const std::vector<V>& points) const {
+    std::vector<Point> in_frame;
+    in_frame.reserve(points.size());
+    for (const V& point : points) in_frame.push_back(map(point));
+    return in_frame;
+  }
+  template <class V>
+  [[nodiscard]] Point at_difference(const Eigen::MatrixBase<V>& z) const {
+    return map(z.template head<2>() + shift);
+  }
+  [[nodiscard]] const Eigen::Vector3d& vertex_of_x(const WideVertex& vertex) const {
     return positioned.x().world[vertex.pair.x];
   }
-  [[nodiscard]] const Eigen::Vector2d& vertex_of_y(
-      const gjk::SupportPoint<double, 2>& vertex) const {
+  [[nodiscard]] const Eigen::Vector3d& vertex_of_y(const WideVertex& vertex) const {
     return positioned.y().world[vertex.pair.y];
   }
   [[nodiscard]] Point vertex_at(int i) const { return at_difference(state.simplex.vertices[i].w); }
@@ -136,10 +150,10 @@ struct SceneBuilder {
                                    const TextStyle& style, const Point& anchor, double radius,
                                    const Point& towards = Point::Zero()) const;
   /// A vertex of the difference; between polygons its two vertices in the world, and its name.
-  void simplex_vertex(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  void simplex_vertex(const WideVertex& vertex, const std::string& role);
   /// In the world, a thin line between the vertices that make a difference.
-  void link(const Eigen::Vector2d& x, const Eigen::Vector2d& y);
-  void pair_label(const gjk::SupportPoint<double, 2>& vertex, const std::string& role);
+  void link(const Eigen::Vector3d& x, const Eigen::Vector3d& y);
+  void pair_label(const WideVertex& vertex, const std::string& role);
   /// The name of a difference, in the colours of both shapes.
   [[nodiscard]] LabelRequest pair_name(gjk::VertexPair pair, const std::string& role,
                                        const Point& anchor, double radius,
@@ -149,7 +163,7 @@ struct SceneBuilder {
     return run.lesson.path_of_shapes ? out.moving_labels : out.fixed_labels;
   }
   /// Of a search direction that starts at `p`, a point of the difference.
-  [[nodiscard]] double arrow_length(const Eigen::Vector2d& p) const;
+  [[nodiscard]] double arrow_length(const Eigen::Vector3d& p) const;
 
   [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }
   /// Elsewhere frames are about the vertices that P needs.
@@ -161,7 +175,7 @@ struct SceneBuilder {
   const LessonView& view;
   const StageMap& map;
   const PositionedRun& positioned;
-  const gjk::State<double, 2>& state;
+  const WideState& state;
   /// From the difference to the view. A point query's difference is the polygon seen from Q: drawn
   /// in the world it stands where the polygon is.
   Eigen::Vector2d shift;

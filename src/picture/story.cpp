@@ -16,8 +16,8 @@ Story::Story(const LessonRun& lesson_run, EffectGraph& graph, const Frame& shown
       words(run, state.simplex),
       q(query_name(run)) {}
 
-Eigen::Vector2d Story::p_world() const {
-  return run.point_query() ? Eigen::Vector2d(state.p + positioned.x().world[0]) : state.p;
+Eigen::Vector3d Story::p_world() const {
+  return run.point_query() ? Eigen::Vector3d(state.p + positioned.x().world[0]) : state.p;
 }
 
 std::string Story::distance() const { return numbers(std::sqrt(state.p_sq)); }

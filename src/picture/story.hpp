@@ -17,7 +17,7 @@ struct Story {
   /// True when a view of the lesson calls for this effect.
   [[nodiscard]] bool shows(std::string_view effect) const { return run.lesson.calls_for(effect); }
 
-  [[nodiscard]] Eigen::Vector2d p_world() const;
+  [[nodiscard]] Eigen::Vector3d p_world() const;
   [[nodiscard]] std::string distance() const;
   /// The polygon of a point query, or Z.
   [[nodiscard]] std::string set_name() const;
@@ -35,7 +35,7 @@ struct Story {
   const Frame& frame;
   const PositionedRun& positioned;
   const WideTrace& trace;
-  const gjk::State<double, 2>& state;
+  const WideState& state;
   const FrameFacts::Value& knows;
   Numbers numbers;
   SimplexWords words;

@@ -147,7 +147,7 @@ std::string Numbers::operator()(double value) const {
   return fixed(value, 3);
 }
 
-std::string Numbers::point(const Eigen::Vector2d& value, int decimals) const {
+std::string Numbers::point_in_plane(const Eigen::Vector2d& value, int decimals) const {
   if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
     return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
   }
@@ -167,7 +167,7 @@ std::string Numbers::weight(double value) const {
   return value != 0.0 && is_all_zero(text) ? power_text(value, 2) : text;
 }
 
-SimplexWords::SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex)
+SimplexWords::SimplexWords(const LessonRun& run, const WideSimplex& simplex)
     : run_(run), simplex_(simplex) {
   cyclic_ = run.point_query() && simplex.count == static_cast<int>(run.lesson.y().vertices.size());
   for (int i = 0; i < simplex.count; ++i) cyclic_ = cyclic_ && simplex.vertices[i].pair.y == i;
@@ -183,7 +183,7 @@ std::vector<int> SimplexWords::order(gjk::Face face) const {
   if (cyclic_ && face == 0b101) return {2, 0};
   if (cyclic_) return out;
   // A lesson that starts with the edge DC has reasons not to call it CD.
-  const gjk::Simplex<double, 2>& initial = run_.runs.front().trace.initial.simplex;
+  const WideSimplex& initial = run_.runs.front().trace.initial.simplex;
   const auto place = [&](int i) {
     const auto* end = initial.vertices.data() + initial.count;
     return std::find_if(
@@ -254,7 +254,7 @@ std::string SimplexWords::combination(gjk::Face face, const Numbers& numbers) co
   return out;
 }
 
-std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex, bool of_x) {
+std::string feature_name(const LessonRun& run, const WideSimplex& simplex, bool of_x) {
   std::set<int> indices;
   for (int i = 0; i < simplex.count; ++i) {
     const gjk::VertexPair pair = simplex.vertices[i].pair;

@@ -49,18 +49,23 @@ class Numbers {
   [[nodiscard]] std::string operator()(double value) const;
   /// "(0.50, −1.25)"; where all of these digits would be zeros, or the numbers are large, with a
   /// power of ten: "(0.00, 1.00)·10⁻⁴".
-  [[nodiscard]] std::string point(const Eigen::Vector2d& value, int decimals = 2) const;
+  template <class V>
+  [[nodiscard]] std::string point(const Eigen::MatrixBase<V>& value, int decimals = 2) const {
+    return point_in_plane(value.template head<2>(), decimals);
+  }
   /// A barycentric weight: three decimals where the scalar is not the point.
   [[nodiscard]] std::string weight(double value) const;
 
  private:
+  [[nodiscard]] std::string point_in_plane(const Eigen::Vector2d& value, int decimals) const;
+
   ScalarKind scalar_;
 };
 
 /// How one simplex of a run is called.
 class SimplexWords {
  public:
-  SimplexWords(const LessonRun& run, const gjk::Simplex<double, 2>& simplex);
+  SimplexWords(const LessonRun& run, const WideSimplex& simplex);
 
   [[nodiscard]] std::string vertex(int i) const;
   /// The vertices of a face in the order of its name: a triangle's third edge is CA, not AC, and an
@@ -83,14 +88,13 @@ class SimplexWords {
 
  private:
   const LessonRun& run_;
-  const gjk::Simplex<double, 2>& simplex_;
+  const WideSimplex& simplex_;
   bool cyclic_ = false;
 };
 
 /// The vertices of X or of Y that a simplex of pairs is made of: "vertex K", "edge CD", "triangle
 /// KLM".
-[[nodiscard]] std::string feature_name(const LessonRun& run, const gjk::Simplex<double, 2>& simplex,
-                                       bool of_x);
+[[nodiscard]] std::string feature_name(const LessonRun& run, const WideSimplex& simplex, bool of_x);
 
 /// The test that ends a run in a stop step: "V in S", "P no closer"; "no" where none does.
 [[nodiscard]] std::string stop_test(const LessonRun& run, const Frame& frame);

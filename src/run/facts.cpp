@@ -17,7 +17,7 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   Value facts;
   if (frame.step < 0) return facts;
   const auto& steps = run.run(frame).trace.steps;
-  const gjk::Step<double, 2>& step = run.step(frame);
+  const WideStep& step = run.step(frame);
   facts.phase = step.phase;
   facts.steps_over = frame.step + 1;
   if (facts.phase_is(Phase::closest)) facts.region_tests = step.record.region_tests;

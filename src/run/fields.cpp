@@ -18,14 +18,11 @@ Json number(double value) {
   return out;
 }
 
-template <int D>
-Json point(const gjk::Vec<double, D>& value) {
+Json point(const Vector& value) {
   Json out = Json::array();
   for (const double coordinate : value) out.push_back(number(coordinate));
   return out;
 }
-template Json point<2>(const gjk::Vec<double, 2>& value);
-template Json point<3>(const gjk::Vec<double, 3>& value);
 
 Json scan(const std::vector<gjk::ScanEntry<double>>& entries,
           const std::vector<std::string>& names) {
@@ -41,21 +38,16 @@ Json scan(const std::vector<gjk::ScanEntry<double>>& entries,
   return out;
 }
 
-template <int D>
-Json vertex(const gjk::SupportPoint<double, D>& value, const std::string& name,
-            const RunIn<D>& run) {
+Json vertex(const WideVertex& value, const std::string& name, const PositionedRun& run) {
+  const int dimension = run.trace.dimension;
   Json out;
   out["name"] = name;
   out["pair"] = {value.pair.x, value.pair.y};
-  out["w"] = point<D>(value.w);
-  out["x"] = point<D>(run.x().world[static_cast<std::size_t>(value.pair.x)]);
-  out["y"] = point<D>(run.y().world[static_cast<std::size_t>(value.pair.y)]);
+  out["w"] = point(value.w.head(dimension));
+  out["x"] = point(run.x().world[static_cast<std::size_t>(value.pair.x)].head(dimension));
+  out["y"] = point(run.y().world[static_cast<std::size_t>(value.pair.y)].head(dimension));
   return out;
 }
-template Json vertex(const gjk::SupportPoint<double, 2>& value, const std::string& name,
-                     const RunIn<2>& run);
-template Json vertex(const gjk::SupportPoint<double, 3>& value, const std::string& name,
-                     const RunIn<3>& run);
 
 std::string number_text(ScalarKind scalar, double value) {
   switch (scalar) {
@@ -68,14 +60,11 @@ std::string number_text(ScalarKind scalar, double value) {
   }
 }
 
-template <int D>
-std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point) {
+std::string point_text(ScalarKind scalar, const Vector& point) {
   std::vector<std::string> numbers;
   for (const double value : point) numbers.push_back(number_text(scalar, value));
   return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
-template std::string point_text<2>(ScalarKind scalar, const gjk::Vec<double, 2>& point);
-template std::string point_text<3>(ScalarKind scalar, const gjk::Vec<double, 3>& point);
 
 std::string line(std::string_view label, std::string_view text) {
   constexpr int kColumn = 11;

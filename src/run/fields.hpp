@@ -15,21 +15,20 @@ using Json = nlohmann::ordered_json;
 
 /// Shortest decimal and hexadecimal float. JSON has no NaN or infinity: null, and the name in hex.
 [[nodiscard]] Json number(double value);
-template <int D>
-[[nodiscard]] Json point(const gjk::Vec<double, D>& value);
+/// A vector of any size.
+using Vector = Eigen::Ref<const Eigen::VectorXd>;
+[[nodiscard]] Json point(const Vector& value);
 /// Values of d · vertex, each with the vertex's name.
 [[nodiscard]] Json scan(const std::vector<gjk::ScanEntry<double>>& entries,
                         const std::vector<std::string>& names);
 
 /// A vertex of Z, with the vertices of the shapes in the world that it is the difference of.
-template <int D>
-[[nodiscard]] Json vertex(const gjk::SupportPoint<double, D>& value, const std::string& name,
-                          const RunIn<D>& run);
+[[nodiscard]] Json vertex(const WideVertex& value, const std::string& name,
+                          const PositionedRun& run);
 
 /// As few digits as name a value of the scalar.
 [[nodiscard]] std::string number_text(ScalarKind scalar, double value);
-template <int D>
-[[nodiscard]] std::string point_text(ScalarKind scalar, const gjk::Vec<double, D>& point);
+[[nodiscard]] std::string point_text(ScalarKind scalar, const Vector& point);
 /// A line of a trace: its label stands in a column of its own.
 [[nodiscard]] std::string line(std::string_view label, std::string_view text);
 /// "Y: K 1.5 (largest), L 0.5"

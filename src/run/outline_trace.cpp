@@ -42,8 +42,9 @@ std::string value_text(ScalarKind scalar, const Json& value) {
 
 }  // namespace
 
-OutlinesOfRun outlines_of(const Lesson& lesson, const RunIn<2>& run) {
-  return {model_of(lesson.x(), run.x().world), model_of(lesson.y(), run.y().world)};
+OutlinesOfRun outlines_of(const Lesson& lesson, const PositionedRun& run) {
+  return {model_of(lesson.x(), in_plane(run.x().world)),
+          model_of(lesson.y(), in_plane(run.y().world))};
 }
 
 std::optional<Refusal> refusal_of(const OutlinesOfRun& outlines, models::Needs needs) {
@@ -59,7 +60,7 @@ std::string words_of(const Refusal& refusal, const Lesson& lesson) {
                      models::name_of(refusal.flaw.fault));
 }
 
-Json OutlineTrace::json(const Lesson& lesson, const RunIn<2>&) const {
+Json OutlineTrace::json(const Lesson& lesson, const PositionedRun&) const {
   if (refusal) return {{"refused", words_of(*refusal, lesson)}};
   Json out = {{"steps", Json::array()}};
   for (int i = 0; i < steps(); ++i) {
@@ -71,7 +72,7 @@ Json OutlineTrace::json(const Lesson& lesson, const RunIn<2>&) const {
   return out;
 }
 
-std::string OutlineTrace::text(const Lesson& lesson, const RunIn<2>&) const {
+std::string OutlineTrace::text(const Lesson& lesson, const PositionedRun&) const {
   if (refusal)
     return fmt::format("\n{}\n", name_) + fields::line("refused", words_of(*refusal, lesson));
   std::string out;

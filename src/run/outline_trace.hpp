@@ -16,7 +16,7 @@ struct OutlinesOfRun {
   models::Model x;
   models::Model y;
 };
-[[nodiscard]] OutlinesOfRun outlines_of(const Lesson& lesson, const RunIn<2>& run);
+[[nodiscard]] OutlinesOfRun outlines_of(const Lesson& lesson, const PositionedRun& run);
 
 /// Why an algorithm does not take the outlines.
 struct Refusal {
@@ -33,8 +33,9 @@ class OutlineTrace : public AlgorithmTrace {
  public:
   OutlineTrace(std::string_view name, std::optional<Refusal> refused)
       : refusal(refused), name_(name) {}
-  [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson, const RunIn<2>& run) const final;
-  [[nodiscard]] std::string text(const Lesson& lesson, const RunIn<2>& run) const final;
+  [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
+                                            const PositionedRun& run) const final;
+  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun& run) const final;
 
   std::optional<Refusal> refusal;  ///< Then there are no steps.
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Whether another vertex lies as far along d as the winner, as far as a reader can see.
 bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& shape,
-            const Eigen::Vector2d& d) {
+            const Eigen::Vector3d& d) {
   constexpr double kSeen = 1e-3;  // of the size of the shape
   double first = -HUGE_VAL;
   double second = -HUGE_VAL;
@@ -32,7 +32,7 @@ bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& 
 
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
   if (ask == asks::kSupport.name) {
-    const gjk::Step<double, 2>& asked = trace.steps[static_cast<std::size_t>(step)];
+    const WideStep& asked = trace.steps[static_cast<std::size_t>(step)];
     const LessonShape& x = run.lesson.x();
     const LessonShape& y = run.lesson.y();
     return x.vertices.size() * y.vertices.size() > 1 &&
@@ -54,7 +54,7 @@ bool tells(const WideTrace& trace, int step, std::string_view ask) {
   return ask == asks::kStop.name && is(at + 1, gjk::Phase::stop);
 }
 
-const gjk::State<double, 2>& state_before(const WideTrace& trace, int step) {
+const WideState& state_before(const WideTrace& trace, int step) {
   return step == 0 ? trace.initial : trace.steps[step - 1].after;
 }
 

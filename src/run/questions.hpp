@@ -23,7 +23,7 @@ inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
 [[nodiscard]] bool tells(const WideTrace& trace, int step, std::string_view ask);
 
 /// The state before a step.
-[[nodiscard]] const gjk::State<double, 2>& state_before(const WideTrace& trace, int step);
+[[nodiscard]] const WideState& state_before(const WideTrace& trace, int step);
 
 /// More than one answer could be given to somebody who sees only what came before `step`.
 [[nodiscard]] bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,

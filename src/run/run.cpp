@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector2d;
 
 template <class S, int D>
-std::vector<gjk::Vec<double, D>> world_vertices(const gjk::Shape<S, D>& shape) {
-  std::vector<gjk::Vec<double, D>> out;
+std::vector<Eigen::Vector3d> world_vertices(const gjk::Shape<S, D>& shape) {
+  std::vector<Eigen::Vector3d> out;
   for (const gjk::Vec<S, D>& vertex : shape.vertices()) {
     out.push_back(
         widened<S, D>(gjk::Vec<S, D>(shape.pose.rotated(vertex) + shape.pose.translation)));
@@ -37,19 +37,17 @@ DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
 }
 
 /// Where both shapes stand, and when.
-template <int D>
-struct SceneryIn {
-  std::vector<PlacementIn<D>> placements{2};  ///< Of each body.
+struct Scenery {
+  std::vector<Placement> placements{2};  ///< Of each body.
   double time = 0.0;
 };
-using Scenery = SceneryIn<2>;
 
 template <class S, int D, class BeforePhase = void (*)()>
-RunIn<D> run_query(
-    const gjk::Query<S, D>& query, const gjk::Options& options, const SceneryIn<D>& at,
+PositionedRun run_query(
+    const gjk::Query<S, D>& query, const gjk::Options& options, const Scenery& at,
     const BeforePhase& before_phase = [] {}) {
   const gjk::Trace<S, D> trace = gjk::trace<S>(query, options, before_phase);
-  RunIn<D> run{
+  PositionedRun run{
       {{at.placements[0], world_vertices(query.x)}, {at.placements[1], world_vertices(query.y)}},
       at.time,
       trace.prepared.exponent,
@@ -76,17 +74,19 @@ gjk::Options with_start(gjk::Options options, const gjk::Query<double, D>& given
 /// The shapes as they stand in the world, in the lesson's scalar.
 Case world_of(const Lesson& lesson, const std::vector<Placement>& placements) {
   return with_query(lesson, placements, []<class S>(const gjk::Query<S, 2>& query) {
-    return Case{world_vertices(query.x), world_vertices(query.y)};
+    return Case{in_plane(world_vertices(query.x)), in_plane(world_vertices(query.y))};
   });
 }
 
 /// The shapes where they stand; GJK is not asked.
 PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
-  Case world = world_of(lesson, at.placements);
-  PositionedRun run;
-  run.bodies = {{at.placements[0], std::move(world.a)}, {at.placements[1], std::move(world.b)}};
-  run.time = at.time;
-  return run;
+  return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
+    PositionedRun run;
+    run.bodies = {{at.placements[0], world_vertices(query.x)},
+                  {at.placements[1], world_vertices(query.y)}};
+    run.time = at.time;
+    return run;
+  });
 }
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
@@ -194,28 +194,27 @@ int support_calls(const WideTrace& trace) {
 
 std::vector<Placement> placements_of(const PositionedRun& run) {
   std::vector<Placement> placements;
-  for (const BodyIn<2>& body : run.bodies) placements.push_back(body.placement);
+  for (const Body& body : run.bodies) placements.push_back(body.placement);
   return placements;
 }
 
 std::string why_not_drawn(const PositionedRun& run) {
   if (const gjk::Error error = run.trace.result.error; error != gjk::Error::none)
     return fmt::format("the run is refused: {}", name_of(error));
-  const auto finite = [](const Vector2d& vertex) { return vertex.allFinite(); };
-  if (!std::all_of(run.bodies.begin(), run.bodies.end(), [&](const BodyIn<2>& body) {
+  const auto finite = [](const Eigen::Vector3d& vertex) { return vertex.allFinite(); };
+  if (!std::all_of(run.bodies.begin(), run.bodies.end(), [&](const Body& body) {
         return std::all_of(body.world.begin(), body.world.end(), finite);
       }))
     return "a vertex stands outside the range of the scalar";
-  if (run.trace.prepared.exponent != 0)
-    return "squares of the shapes' sizes leave the range of a double";
+  if (run.trace.exponent != 0) return "squares of the shapes' sizes leave the range of a double";
   return {};
 }
 
-const gjk::State<double, 2>& LessonRun::state(const Frame& frame) const {
+const WideState& LessonRun::state(const Frame& frame) const {
   return frame.step < 0 ? run(frame).trace.initial : step(frame).after;
 }
 
-const gjk::Step<double, 2>& LessonRun::step(const Frame& frame) const {
+const WideStep& LessonRun::step(const Frame& frame) const {
   return run(frame).trace.steps[frame.step];
 }
 
@@ -227,7 +226,7 @@ StepInfo LessonRun::info(const Frame& frame) const {
     return {trace.info(trace.steps() - 1).iteration, "answer", true};
   }
   if (frame.step < 0) return {0, "start"};
-  const gjk::Step<double, 2>& shown = step(frame);
+  const WideStep& shown = step(frame);
   return {shown.iteration, name_of(shown.phase),
           !shown.record.dropped.empty() || shown.after.stop != gjk::StopReason::running};
 }
@@ -247,7 +246,7 @@ int LessonRun::answering_iteration(const Frame& frame) const {
   return run(frame).trace.steps[frame.answering_step].iteration;
 }
 
-bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair) {
+bool has_pair(const WideSimplex& simplex, gjk::VertexPair pair) {
   return std::any_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
                      [&](const auto& vertex) { return vertex.pair == pair; });
 }
@@ -267,7 +266,7 @@ std::string LessonRun::pair_name(gjk::VertexPair pair) const {
 }
 
 template <int D>
-RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
+PositionedRun run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
   const gjk::Options options = with_start<D>({}, {{shapes.a}, {shapes.b}});
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, D>> x = narrowed_all<S, D>(shapes.a);
@@ -275,8 +274,8 @@ RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
     return run_query<S, D>({{x}, {y}}, options, {});
   });
 }
-template RunIn<2> run_case(const CaseIn<2>& shapes, ScalarKind scalar);
-template RunIn<3> run_case(const CaseIn<3>& shapes, ScalarKind scalar);
+template PositionedRun run_case(const CaseIn<2>& shapes, ScalarKind scalar);
+template PositionedRun run_case(const CaseIn<3>& shapes, ScalarKind scalar);
 
 LessonRun run_lesson(Lesson lesson, const Act& act) {
   LessonRun run;
@@ -298,7 +297,9 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   return run;
 }
 
-Case case_of(const PositionedRun& run) { return {run.x().world, run.y().world}; }
+Case case_of(const PositionedRun& run) {
+  return {in_plane(run.x().world), in_plane(run.y().world)};
+}
 
 Case case_of(const Lesson& lesson) {
   return world_of(lesson, sceneries_of(lesson).front().placements);
@@ -316,7 +317,8 @@ gjk::Options started_as(const PositionedRun& run, gjk::Options options) {
 
 PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
                         const std::function<void()>& before_phase) {
-  const gjk::Options started = with_start<2>(options, {{run.x().world}, {run.y().world}});
+  const Case world = case_of(run);
+  const gjk::Options started = with_start<2>(options, {{world.a}, {world.b}});
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
     const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
     const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
@@ -327,7 +329,7 @@ PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, S
 std::vector<Problem> check_expectation(const LessonRun& run) {
   std::vector<Problem> problems = unasked_questions(run);
   const Lesson& lesson = run.lesson;
-  const gjk::Trace<double, 2>& trace = run.runs.back().trace;
+  const WideTrace& trace = run.runs.back().trace;
   const auto differ = [&](std::string_view key, std::string what, std::string expected) {
     const Place place = place_of_key(lesson.path, key);
     problems.push_back(
@@ -342,7 +344,7 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
   const Expectation& expect = lesson.expect;
   if (expect.supports) {
     std::vector<std::string> supports;  // one an iteration; the last may have none
-    for (const gjk::Step<double, 2>& step : trace.steps) {
+    for (const WideStep& step : trace.steps) {
       if (step.phase == gjk::Phase::support)
         supports.push_back(run.pair_name(step.after.support.pair));
     }

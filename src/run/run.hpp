@@ -6,20 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "gjk/gjk.hpp"
 #include "lesson/algorithm.hpp"
 #include "lesson/case.hpp"
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
+#include "run/wide.hpp"
 
 namespace gjkscope {
-
-/// A trace in any scalar, widened to double. Exact for half, float and double; rounded to nearest
-/// for exact runs. Lengths are in the world's unit; only those of a run in space, and of a double
-/// run whose squares would leave the range of a double, are in units of 2^prepared.exponent; they
-/// are not drawn.
-using WideTrace = gjk::Trace<double, 2>;
 
 /// What is proved of the distance, rounding included: lower <= exact distance <= upper.
 struct DistanceBounds {
@@ -28,40 +22,36 @@ struct DistanceBounds {
 };
 
 /// Where a shape stands.
-template <int D>
-struct PlacementIn {
-  gjk::Vec<double, D> translate = gjk::Vec<double, D>::Zero();
-  double rotate_degrees = 0.0;  ///< Counter-clockwise; 0 in space.
+struct Placement {
+  Eigen::Vector2d translate = Eigen::Vector2d::Zero();
+  double rotate_degrees = 0.0;  ///< Counter-clockwise.
 };
-using Placement = PlacementIn<2>;
 
 /// A shape of a run.
-template <int D>
-struct BodyIn {
-  PlacementIn<D> placement;
-  std::vector<gjk::Vec<double, D>> world;  ///< Its vertices, as the run rounds them.
+struct Body {
+  Placement placement;
+  std::vector<Eigen::Vector3d>
+      world;  ///< Its vertices, as the run rounds them; z = 0 in the plane.
 };
 
 /// One run: where the shapes stood, and what GJK did; nothing where it was not asked.
-template <int D>
-struct RunIn {
-  std::vector<BodyIn<D>> bodies{2};  ///< As those of the lesson: X and Y come first.
-  double time = 0.0;                 ///< Seconds since the start of the motion; 0 without a clock.
+struct PositionedRun {
+  std::vector<Body> bodies{2};  ///< As those of the lesson: X and Y come first.
+  double time = 0.0;            ///< Seconds since the start of the motion; 0 without a clock.
   int exponent = 0;  ///< The run computed in units of 2^exponent, whatever the trace is in.
-  gjk::Trace<double, D> trace;
+  WideTrace trace;
   std::vector<DistanceBounds> bounds;  ///< After each step, in the world's unit; the last are
                                        ///< those of the result.
 
-  [[nodiscard]] const BodyIn<D>& x() const { return bodies[0]; }
-  [[nodiscard]] const BodyIn<D>& y() const { return bodies[1]; }
+  [[nodiscard]] const Body& x() const { return bodies[0]; }
+  [[nodiscard]] const Body& y() const { return bodies[1]; }
 };
-using PositionedRun = RunIn<2>;
 
 /// Where each body stands.
 [[nodiscard]] std::vector<Placement> placements_of(const PositionedRun& run);
 
 /// True when a pair of vertices is one of those that a simplex is made of.
-[[nodiscard]] bool has_pair(const gjk::Simplex<double, 2>& simplex, gjk::VertexPair pair);
+[[nodiscard]] bool has_pair(const WideSimplex& simplex, gjk::VertexPair pair);
 
 /// How often a run asked for a support point.
 [[nodiscard]] int support_calls(const WideTrace& trace);
@@ -82,9 +72,9 @@ struct LessonRun {
 
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
   /// The state that a frame shows: after its step, or the initial one.
-  [[nodiscard]] const gjk::State<double, 2>& state(const Frame& frame) const;
+  [[nodiscard]] const WideState& state(const Frame& frame) const;
   /// The step of a frame, and what is proved by then; only where frame.step >= 0.
-  [[nodiscard]] const gjk::Step<double, 2>& step(const Frame& frame) const;
+  [[nodiscard]] const WideStep& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
   /// What the act's algorithm did in the run of a frame; only where it has one.
@@ -116,7 +106,7 @@ struct LessonRun {
 
 /// A pasted case, run with the default options. D: 2 or 3.
 template <int D>
-[[nodiscard]] RunIn<D> run_case(const CaseIn<D>& shapes, ScalarKind scalar);
+[[nodiscard]] PositionedRun run_case(const CaseIn<D>& shapes, ScalarKind scalar);
 
 /// "K−C"; with a single vertex in X (a point query) the name of Y's vertex: "K".
 [[nodiscard]] std::string pair_name(const std::vector<std::string>& x_names,

@@ -13,19 +13,10 @@ using fields::Json;
 using gjk::Phase;
 
 using fields::number;
-using fields::point;
 
-template <int D>
-Json points(const std::vector<gjk::Vec<double, D>>& values) {
-  Json out = Json::array();
-  for (const gjk::Vec<double, D>& value : values) out.push_back(point<D>(value));
-  return out;
-}
-
-template <int D>
 class TraceWriter {
  public:
-  explicit TraceWriter(const Traced<D>& traced) : traced_(traced) {}
+  explicit TraceWriter(const Traced& traced) : traced_(traced) {}
 
   Json write() {
     Json out;
@@ -34,20 +25,28 @@ class TraceWriter {
     out["lesson"] = traced_.id;
     out["title"] = traced_.title;
     out["scalar"] = name_of(traced_.scalar);
-    out["dimension"] = D;
+    out["dimension"] = traced_.dimension();
     out["options"] = options(traced_.options);
     out["x"] = shape(traced_.x);
     out["y"] = shape(traced_.y);
     out["runs"] = Json::array();
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       Json run = one_run(traced_.runs[i]);
-      if constexpr (D == 2) add_algorithm(run, i);
+      add_algorithm(run, i);
       out["runs"].push_back(std::move(run));
     }
     return out;
   }
 
  private:
+  [[nodiscard]] Json point(const Eigen::Vector3d& value) const {
+    return fields::point(value.head(traced_.dimension()));
+  }
+  [[nodiscard]] Json points(const std::vector<Eigen::Vector3d>& values) const {
+    Json out = Json::array();
+    for (const Eigen::Vector3d& value : values) out.push_back(point(value));
+    return out;
+  }
   static Json pair(gjk::VertexPair value) { return Json::array({value.x, value.y}); }
 
   static Json options(const gjk::Options& value) {
@@ -65,30 +64,30 @@ class TraceWriter {
     return out;
   }
 
-  static Json shape(const TracedShape<D>& value) {
+  [[nodiscard]] Json shape(const TracedShape& value) const {
     Json out;
     out["name"] = value.name;
     out["vertex_names"] = value.vertex_names;
     out["vertices"] = points(value.vertices);
     if (!value.outlines.empty()) out["outlines"] = value.outlines;
-    out["translate"] = point<D>(value.placement.translate);
+    out["translate"] = point(in_space(value.placement.translate));
     out["rotate_degrees"] = number(value.placement.rotate_degrees);
     if (value.radius > 0.0) out["radius"] = number(value.radius);
     return out;
   }
 
-  Json one_run(const RunIn<D>& value) {
+  Json one_run(const PositionedRun& value) {
     positioned_ = &value;
     Json out;
     out["time"] = number(value.time);
-    out["position"] = point<D>(value.x().placement.translate);
+    out["position"] = point(in_space(value.x().placement.translate));
     out["turn"] = number(value.x().placement.rotate_degrees);
-    out["y_position"] = point<D>(value.y().placement.translate);
+    out["y_position"] = point(in_space(value.y().placement.translate));
     out["y_turn"] = number(value.y().placement.rotate_degrees);
     out["x_world"] = points(value.x().world);
     out["y_world"] = points(value.y().world);
     if (!traced_.has_gjk()) return out;
-    out["exponent"] = value.trace.prepared.exponent;
+    out["exponent"] = value.trace.exponent;
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();
     for (std::size_t i = 0; i < value.trace.steps.size(); ++i)
@@ -97,12 +96,12 @@ class TraceWriter {
     return out;
   }
 
-  Json vertex(const gjk::SupportPoint<double, D>& value) const {
-    return fields::vertex<D>(
+  Json vertex(const WideVertex& value) const {
+    return fields::vertex(
         value, pair_name(traced_.x.vertex_names, traced_.y.vertex_names, value.pair), *positioned_);
   }
 
-  Json simplex(const gjk::Simplex<double, D>& value) const {
+  Json simplex(const WideSimplex& value) const {
     Json out = Json::array();
     for (int i = 0; i < value.count; ++i) {
       Json one = vertex(value.vertices[i]);
@@ -120,16 +119,16 @@ class TraceWriter {
     return out;
   }
 
-  Json state(const gjk::State<double, D>& value) const {
+  Json state(const WideState& value) const {
     Json out;
     out["next_phase"] =
         value.stop == gjk::StopReason::running ? Json(name_of(value.phase)) : Json();
     out["iteration"] = value.iteration;
     out["simplex"] = simplex(value.simplex);
     out["region"] = face(value.region);
-    out["p"] = point<D>(value.p);
+    out["p"] = point(value.p);
     out["p_sq"] = number(value.p_sq);
-    out["d"] = point<D>(value.d);
+    out["d"] = point(value.d);
     out["support_value"] = number(value.support_value);
     out["best"] = simplex(value.evidence.best);
     out["best_sq"] = number(value.evidence.best_sq);
@@ -142,13 +141,13 @@ class TraceWriter {
   }
 
   /// Only the members that the phase fills in.
-  Json one_step(const RunIn<D>& run, std::size_t index) const {
-    const gjk::Step<double, D>& step = run.trace.steps[index];
+  Json one_step(const PositionedRun& run, std::size_t index) const {
+    const WideStep& step = run.trace.steps[index];
     const DistanceBounds& bounds = run.bounds[index];
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
-    const gjk::Record<double, D>& record = step.record;
+    const WideRecord& record = step.record;
     switch (step.phase) {
       case Phase::closest:
         out["region_tests"] = Json::array();
@@ -199,10 +198,10 @@ class TraceWriter {
     return out;
   }
 
-  static Json direction(const gjk::DirectionNote<double, D>& note) {
+  [[nodiscard]] Json direction(const WideDirection& note) const {
     Json out;
     out["from_normal"] = note.from_normal;
-    out["normal"] = point<D>(note.normal);
+    out["normal"] = point(note.normal);
     out["side"] = number(note.side);
     out["flipped"] = note.flipped;
     out["sign_is_arbitrary"] = note.sign_is_arbitrary;
@@ -220,8 +219,8 @@ class TraceWriter {
     return out;
   }
 
-  Json result(const RunIn<D>& run) const {
-    const gjk::Result<double, D>& value = run.trace.result;
+  Json result(const PositionedRun& run) const {
+    const WideResult& value = run.trace.result;
     Json out;
     out["error"] = name_of(value.error);
     out["stop"] = name_of(value.stop);
@@ -231,8 +230,8 @@ class TraceWriter {
     out["lower"] = number(value.lower);
     out["upper"] = number(value.upper);
     out["distance_sq"] = number(value.distance_sq);
-    out["witness_x"] = point<D>(value.x);
-    out["witness_y"] = point<D>(value.y);
+    out["witness_x"] = point(value.x);
+    out["witness_y"] = point(value.y);
     out["iterations"] = value.iterations;
     out["simplex"] = simplex(value.simplex);
     return out;
@@ -245,17 +244,14 @@ class TraceWriter {
         lesson->algorithm_traces[index]->json(lesson->lesson, lesson->runs[index]);
   }
 
-  const Traced<D>& traced_;
-  const RunIn<D>* positioned_ = nullptr;  ///< The run being written.
+  const Traced& traced_;
+  const PositionedRun* positioned_ = nullptr;  ///< The run being written.
 };
 
 }  // namespace
 
-template <int D>
-std::string trace_json(const Traced<D>& traced) {
+std::string trace_json(const Traced& traced) {
   return TraceWriter(traced).write().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
-template std::string trace_json(const Traced<2>& traced);
-template std::string trace_json(const Traced<3>& traced);
 
 }  // namespace gjkscope

@@ -10,8 +10,6 @@ namespace gjkscope {
 /// Counts up when a key changes its meaning or goes away; new keys do not count.
 inline constexpr int kTraceFormatVersion = 3;
 
-/// D: 2 or 3.
-template <int D>
-[[nodiscard]] std::string trace_json(const Traced<D>& traced);
+[[nodiscard]] std::string trace_json(const Traced& traced);
 
 }  // namespace gjkscope

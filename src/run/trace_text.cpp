@@ -11,10 +11,9 @@ namespace {
 
 using gjk::Phase;
 
-template <int D>
 class TraceText {
  public:
-  explicit TraceText(const Traced<D>& traced) : traced_(traced) {}
+  explicit TraceText(const Traced& traced) : traced_(traced) {}
 
   std::string write() {
     const gjk::Options& options = traced_.options;
@@ -25,8 +24,8 @@ class TraceText {
                      name_of(options.region_order), options.iteration_cap,
                      options.tolerance > 0.0 ? fmt::format(", tolerance {}", options.tolerance)
                                              : std::string()));
-    const TracedShape<D>& x = traced_.x;
-    const TracedShape<D>& y = traced_.y;
+    const TracedShape& x = traced_.x;
+    const TracedShape& y = traced_.y;
     if (x.radius > 0.0 || y.radius > 0.0) {
       line("radii", fmt::format("{} of {}, {} of {}; all lengths below are without them", x.radius,
                                 x.name, y.radius, y.name));
@@ -34,11 +33,9 @@ class TraceText {
     for (std::size_t i = 0; i < traced_.runs.size(); ++i) {
       if (!traced_.headings.empty()) out_ += fmt::format("\n{}\n", traced_.headings[i]);
       if (traced_.has_gjk()) one_run(traced_.runs[i]);
-      if constexpr (D == 2) {
-        const LessonRun* lesson = traced_.lesson_run;
-        if (lesson != nullptr && !lesson->algorithm_traces.empty())
-          out_ += lesson->algorithm_traces[i]->text(lesson->lesson, lesson->runs[i]);
-      }
+      const LessonRun* lesson = traced_.lesson_run;
+      if (lesson != nullptr && !lesson->algorithm_traces.empty())
+        out_ += lesson->algorithm_traces[i]->text(lesson->lesson, lesson->runs[i]);
     }
     return std::move(out_);
   }
@@ -49,14 +46,14 @@ class TraceText {
   [[nodiscard]] std::string number(double value) const {
     return fields::number_text(traced_.scalar, value);
   }
-  [[nodiscard]] std::string point(const gjk::Vec<double, D>& value) const {
-    return fields::point_text<D>(traced_.scalar, value);
+  [[nodiscard]] std::string point(const Eigen::Vector3d& value) const {
+    return fields::point_text(traced_.scalar, value.head(traced_.dimension()));
   }
 
-  [[nodiscard]] std::string name(const gjk::SupportPoint<double, D>& vertex) const {
+  [[nodiscard]] std::string name(const WideVertex& vertex) const {
     return pair_name(traced_.x.vertex_names, traced_.y.vertex_names, vertex.pair);
   }
-  [[nodiscard]] std::string face(const gjk::Simplex<double, D>& simplex, gjk::Face of) const {
+  [[nodiscard]] std::string face(const WideSimplex& simplex, gjk::Face of) const {
     std::vector<std::string> names;
     for (int i = 0; i < simplex.count; ++i) {
       if (gjk::contains(of, i)) names.push_back(name(simplex.vertices[i]));
@@ -64,23 +61,23 @@ class TraceText {
     return fmt::format("{}", fmt::join(names, " "));
   }
 
-  void one_run(const RunIn<D>& positioned) {
-    const gjk::Trace<double, D>& trace = positioned.trace;
-    if (const int exponent = trace.prepared.exponent; exponent != 0) {
+  void one_run(const PositionedRun& positioned) {
+    const WideTrace& trace = positioned.trace;
+    if (const int exponent = trace.exponent; exponent != 0) {
       line("unit", fmt::format("2^{}, of lengths other than bounds and result", exponent));
     }
     if (trace.initial.stop != gjk::StopReason::failed) {
       out_ += "\nstart\n";
-      const gjk::Simplex<double, D>& simplex = trace.initial.simplex;
+      const WideSimplex& simplex = trace.initial.simplex;
       for (int i = 0; i < simplex.count; ++i) {
         line(i == 0 ? "simplex" : "",
              fmt::format("{} = {}", name(simplex.vertices[i]), point(simplex.vertices[i].w)));
       }
     }
-    const gjk::State<double, D>* before = &trace.initial;
+    const WideState* before = &trace.initial;
     int iteration = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-      const gjk::Step<double, D>& step = trace.steps[i];
+      const WideStep& step = trace.steps[i];
       if (step.iteration != iteration) {
         iteration = step.iteration;
         out_ += fmt::format("\niteration {}\n", iteration);
@@ -91,10 +88,9 @@ class TraceText {
     result(trace.result);
   }
 
-  void one_step(const gjk::State<double, D>& before, const gjk::Step<double, D>& step,
-                const DistanceBounds& bounds) {
-    const gjk::State<double, D>& after = step.after;
-    const gjk::Record<double, D>& record = step.record;
+  void one_step(const WideState& before, const WideStep& step, const DistanceBounds& bounds) {
+    const WideState& after = step.after;
+    const WideRecord& record = step.record;
     switch (step.phase) {
       case Phase::closest:
         for (const auto& test : record.region_tests) region_test(before.simplex, test);
@@ -123,7 +119,7 @@ class TraceText {
     }
   }
 
-  [[nodiscard]] std::string weights(const gjk::Simplex<double, D>& simplex) const {
+  [[nodiscard]] std::string weights(const WideSimplex& simplex) const {
     std::vector<std::string> parts;
     for (int i = 0; i < simplex.count; ++i) {
       parts.push_back(fmt::format("{} {}", name(simplex.vertices[i]), number(simplex.weights[i])));
@@ -131,7 +127,7 @@ class TraceText {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  void region_test(const gjk::Simplex<double, D>& simplex, const gjk::RegionTest<double>& test) {
+  void region_test(const WideSimplex& simplex, const gjk::RegionTest<double>& test) {
     std::vector<std::string> terms;
     for (const gjk::RegionTerm<double>& term : test.terms) {
       terms.push_back(fmt::format("{} of {} = {}/{} {} 0: {}", name(simplex.vertices[term.vertex]),
@@ -145,7 +141,7 @@ class TraceText {
     for (const std::string& term : terms) line("", "  " + term);
   }
 
-  void drop(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
+  void drop(const WideState& after, const WideRecord& record) {
     std::vector<std::string> names;
     for (const auto& vertex : record.dropped) names.push_back(name(vertex));
     line("drop", fmt::format("keeps {}{}", face(after.simplex, after.simplex.all()),
@@ -153,9 +149,9 @@ class TraceText {
                                            : fmt::format(", drops {}", fmt::join(names, " "))));
   }
 
-  void direction(const gjk::State<double, D>& after, const gjk::DirectionNote<double, D>& note) {
-    const bool is_from_p = after.d == gjk::Vec<double, D>(-after.p);
-    if (D == 3 && after.simplex.count == 2 && !is_from_p) {
+  void direction(const WideState& after, const WideDirection& note) {
+    const bool is_from_p = after.d == Eigen::Vector3d(-after.p);
+    if (traced_.dimension() == 3 && after.simplex.count == 2 && !is_from_p) {
       const std::string a = name(after.simplex.vertices[0]);
       line("direction", fmt::format("d = e x (e x {0}) = {1}, with e = {2} - {0}", a,
                                     point(after.d), name(after.simplex.vertices[1])));
@@ -168,19 +164,19 @@ class TraceText {
     line("direction",
          fmt::format("d = {}, normal of {}{}{}", point(after.d),
                      face(after.simplex, after.simplex.all()), note.flipped ? ", flipped" : "",
-                     !note.sign_is_arbitrary ? ""
-                     : D == 2                ? " (O on its line: sign arbitrary)"
-                                             : " (O on its plane: sign arbitrary)"));
+                     !note.sign_is_arbitrary    ? ""
+                     : traced_.dimension() == 2 ? " (O on its line: sign arbitrary)"
+                                                : " (O on its plane: sign arbitrary)"));
     line("", fmt::format("dot(normal, O - {}) = {}", name(after.simplex.vertices[0]),
                          number(note.side)));
   }
 
-  void scan(std::string_view label, const TracedShape<D>& shape,
+  void scan(std::string_view label, const TracedShape& shape,
             const std::vector<gjk::ScanEntry<double>>& entries, int best) {
     line(label, fields::scan_text(traced_.scalar, shape.name, shape.vertex_names, entries, best));
   }
 
-  void support(const gjk::State<double, D>& after, const gjk::Record<double, D>& record) {
+  void support(const WideState& after, const WideRecord& record) {
     scan("scan", traced_.y, record.scan_y, after.support.pair.y);
     scan("", traced_.x, record.scan_x, after.support.pair.x);
     line("support",
@@ -202,7 +198,7 @@ class TraceText {
     }
   }
 
-  void result(const gjk::Result<double, D>& value) {
+  void result(const WideResult& value) {
     out_ += "\nresult\n";
     if (value.error != gjk::Error::none) {
       line("error", std::string(name_of(value.error)));
@@ -219,17 +215,12 @@ class TraceText {
     line("iterations", fmt::format("{}", value.iterations));
   }
 
-  const Traced<D>& traced_;
+  const Traced& traced_;
   std::string out_;
 };
 
 }  // namespace
 
-template <int D>
-std::string trace_text(const Traced<D>& traced) {
-  return TraceText(traced).write();
-}
-template std::string trace_text(const Traced<2>& traced);
-template std::string trace_text(const Traced<3>& traced);
+std::string trace_text(const Traced& traced) { return TraceText(traced).write(); }
 
 }  // namespace gjkscope

@@ -7,8 +7,6 @@
 
 namespace gjkscope {
 
-/// D: 2 or 3.
-template <int D>
-[[nodiscard]] std::string trace_text(const Traced<D>& traced);
+[[nodiscard]] std::string trace_text(const Traced& traced);
 
 }  // namespace gjkscope

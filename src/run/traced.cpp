@@ -7,17 +7,20 @@
 namespace gjkscope {
 namespace {
 
-TracedShape<2> traced(const LessonShape& shape) {
-  return {shape.name,     shape.vertex_names,
-          shape.vertices, {shape.translate, shape.rotate_degrees},
-          shape.outlines, shape.radius};
+TracedShape traced(const LessonShape& shape) {
+  return {shape.name,
+          shape.vertex_names,
+          in_space(shape.vertices),
+          {shape.translate, shape.rotate_degrees},
+          shape.outlines,
+          shape.radius};
 }
 
 std::string moved(const Lesson& lesson, const LessonShape& shape, const LessonMotion& motion,
                   const Placement& placement) {
   if (motion.points.empty()) return {};
   std::string out = fmt::format(", {} moved by {}", shape.name,
-                                fields::point_text<2>(lesson.scalar, placement.translate));
+                                fields::point_text(lesson.scalar, placement.translate));
   if (!motion.turns.empty()) {
     out += fmt::format(" and turned by {} degrees",
                        fields::number_text(lesson.scalar, placement.rotate_degrees));
@@ -41,7 +44,7 @@ std::vector<std::string> headings(const LessonRun& run) {
 
 }  // namespace
 
-Traced<2> traced(const LessonRun& run) {
+Traced traced(const LessonRun& run) {
   const Lesson& lesson = run.lesson;
   return {lesson.id,      lesson.title,       lesson.scalar,
           lesson.options, traced(lesson.x()), traced(lesson.y()),
@@ -49,18 +52,18 @@ Traced<2> traced(const LessonRun& run) {
 }
 
 template <int D>
-Traced<D> traced(const CaseIn<D>& shapes, std::string_view name, ScalarKind scalar) {
+Traced traced(const CaseIn<D>& shapes, std::string_view name, ScalarKind scalar) {
   const std::string id(name);
   return {id,
           id,
           scalar,
           {},
-          {"X", numbered_names('x', shapes.a.size()), shapes.a, {}},
-          {"Y", numbered_names('y', shapes.b.size()), shapes.b, {}},
+          {"X", numbered_names('x', shapes.a.size()), in_space(shapes.a), {}},
+          {"Y", numbered_names('y', shapes.b.size()), in_space(shapes.b), {}},
           {run_case(shapes, scalar)},
           {}};
 }
-template Traced<2> traced(const CaseIn<2>& shapes, std::string_view name, ScalarKind scalar);
-template Traced<3> traced(const CaseIn<3>& shapes, std::string_view name, ScalarKind scalar);
+template Traced traced(const CaseIn<2>& shapes, std::string_view name, ScalarKind scalar);
+template Traced traced(const CaseIn<3>& shapes, std::string_view name, ScalarKind scalar);
 
 }  // namespace gjkscope

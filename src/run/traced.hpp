@@ -9,37 +9,36 @@
 
 namespace gjkscope {
 
-template <int D>
 struct TracedShape {
   std::string name;
   std::vector<std::string> vertex_names;
-  std::vector<gjk::Vec<double, D>> vertices;  ///< Before they are turned and moved.
-  PlacementIn<D> placement;                   ///< Of the first run.
-  std::vector<int> outlines = {};             ///< As in LessonShape.
-  double radius = 0.0;                        ///< As in LessonShape.
+  std::vector<Eigen::Vector3d> vertices;  ///< Before they are turned and moved; z = 0 in the plane.
+  Placement placement;                    ///< Of the first run.
+  std::vector<int> outlines = {};         ///< As in LessonShape.
+  double radius = 0.0;                    ///< As in LessonShape.
 };
 
-template <int D>
 struct Traced {
   std::string id;
   std::string title;
   ScalarKind scalar = ScalarKind::double_;
   gjk::Options options;
-  TracedShape<D> x;
-  TracedShape<D> y;
-  std::vector<RunIn<D>> runs;
+  TracedShape x;
+  TracedShape y;
+  std::vector<PositionedRun> runs;
   std::vector<std::string> headings;      ///< One for each run, where there are several.
   const LessonRun* lesson_run = nullptr;  ///< What it was made of; none of a case.
 
+  [[nodiscard]] int dimension() const { return runs.front().trace.dimension; }
   /// Whether GJK was asked.
   [[nodiscard]] bool has_gjk() const { return lesson_run == nullptr || lesson_run->has_gjk(); }
 };
 
 /// Of a run that outlives it.
-[[nodiscard]] Traced<2> traced(const LessonRun& run);
+[[nodiscard]] Traced traced(const LessonRun& run);
 
 /// Vertices are called x1, x2, ... and y1, y2, ... D: 2 or 3.
 template <int D>
-[[nodiscard]] Traced<D> traced(const CaseIn<D>& shapes, std::string_view name, ScalarKind scalar);
+[[nodiscard]] Traced traced(const CaseIn<D>& shapes, std::string_view name, ScalarKind scalar);
 
 }  // namespace gjkscope

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "exact/rational.hpp"
 #include "gjk/gjk.hpp"
+#include "run/wide.hpp"
 
 namespace gjkscope {
 
@@ -21,44 +23,45 @@ template <class S>
   }
 }
 template <class S, int D>
-[[nodiscard]] gjk::Vec<double, D> widened(const gjk::Vec<S, D>& v) {
-  gjk::Vec<double, D> out;
+[[nodiscard]] Eigen::Vector3d widened(const gjk::Vec<S, D>& v) {
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
   for (int i = 0; i < D; ++i) out[i] = widened(v[i]);
   return out;
 }
+/// Coordinates beyond D are left out.
 template <class S, int D>
-[[nodiscard]] gjk::Vec<S, D> narrowed(const gjk::Vec<double, D>& v) {
+[[nodiscard]] gjk::Vec<S, D> narrowed(const auto& v) {
   gjk::Vec<S, D> out;
   for (int i = 0; i < D; ++i) out[i] = S(v[i]);
   return out;
 }
 template <class S, int D>
-[[nodiscard]] std::vector<gjk::Vec<S, D>> narrowed_all(
-    const std::vector<gjk::Vec<double, D>>& vertices) {
+[[nodiscard]] std::vector<gjk::Vec<S, D>> narrowed_all(const auto& vertices) {
   std::vector<gjk::Vec<S, D>> out;
-  for (const gjk::Vec<double, D>& vertex : vertices) out.push_back(narrowed<S, D>(vertex));
+  for (const auto& vertex : vertices) out.push_back(narrowed<S, D>(vertex));
   return out;
 }
 
 /// A simplex in units of 2^exponent, in the world's unit, and back.
 template <class S, int D>
-[[nodiscard]] gjk::Simplex<double, D> widened(const gjk::Simplex<S, D>& simplex, int exponent) {
-  gjk::Simplex<double, D> out;
+[[nodiscard]] WideSimplex widened(const gjk::Simplex<S, D>& simplex, int exponent) {
+  WideSimplex out;
   out.count = simplex.count;
-  for (int i = 0; i <= D; ++i) {
-    out.vertices[i] = {widened(simplex.vertices[i].w) * std::ldexp(1.0, exponent),
+  for (int i = 0; i < simplex.count; ++i) {
+    out.vertices[i] = {widened<S, D>(simplex.vertices[i].w) * std::ldexp(1.0, exponent),
                        simplex.vertices[i].pair};
     out.weights[i] = widened(simplex.weights[i]);
   }
   return out;
 }
 template <class S, int D>
-[[nodiscard]] gjk::Simplex<S, D> narrowed(const gjk::Simplex<double, D>& simplex, int exponent) {
+[[nodiscard]] gjk::Simplex<S, D> narrowed_simplex(const WideSimplex& simplex, int exponent) {
   gjk::Simplex<S, D> out;
   out.count = simplex.count;
-  for (int i = 0; i <= D; ++i) {
-    out.vertices[i] = {narrowed<S, D>(simplex.vertices[i].w * std::ldexp(1.0, -exponent)),
-                       simplex.vertices[i].pair};
+  for (int i = 0; i < simplex.count; ++i) {
+    out.vertices[i] = {
+        narrowed<S, D>(Eigen::Vector3d(simplex.vertices[i].w * std::ldexp(1.0, -exponent))),
+        simplex.vertices[i].pair};
     out.weights[i] = S(simplex.weights[i]);
   }
   return out;
@@ -73,8 +76,8 @@ class Widener {
         unit_(std::ldexp(1.0, exponent)),
         unit_sq_(std::ldexp(1.0, 2 * exponent)) {}
 
-  [[nodiscard]] gjk::State<double, D> operator()(const gjk::State<S, D>& state) const {
-    gjk::State<double, D> out;
+  [[nodiscard]] WideState operator()(const gjk::State<S, D>& state) const {
+    WideState out;
     out.phase = state.phase;
     out.previous = state.previous;
     out.iteration = state.iteration;
@@ -95,8 +98,8 @@ class Widener {
     return out;
   }
 
-  [[nodiscard]] gjk::Record<double, D> operator()(const gjk::Record<S, D>& record) const {
-    gjk::Record<double, D> out;
+  [[nodiscard]] WideRecord operator()(const gjk::Record<S, D>& record) const {
+    WideRecord out;
     for (const gjk::RegionTest<S>& test : record.region_tests) {
       gjk::RegionTest<double> wide{test.region, {}, test.holds};
       for (const gjk::RegionTerm<S>& term : test.terms) {
@@ -120,11 +123,11 @@ class Widener {
   }
 
  private:
-  [[nodiscard]] gjk::Vec<double, D> length(const gjk::Vec<S, D>& v) const {
-    return widened(v) * unit_;
+  [[nodiscard]] Eigen::Vector3d length(const gjk::Vec<S, D>& v) const {
+    return widened<S, D>(v) * unit_;
   }
   [[nodiscard]] double square(const S& value) const { return widened(value) * unit_sq_; }
-  [[nodiscard]] gjk::SupportPoint<double, D> point(const gjk::SupportPoint<S, D>& value) const {
+  [[nodiscard]] WideVertex point(const gjk::SupportPoint<S, D>& value) const {
     return {length(value.w), value.pair};
   }
 
@@ -150,8 +153,8 @@ class Widener {
 
 /// A result, whose lengths are in the world's unit, and its simplex in units of 2^exponent.
 template <class S, int D>
-[[nodiscard]] gjk::Result<double, D> widened(const gjk::Result<S, D>& result, int exponent) {
-  gjk::Result<double, D> out;
+[[nodiscard]] WideResult widened(const gjk::Result<S, D>& result, int exponent) {
+  WideResult out;
   out.error = result.error;
   out.stop = result.stop;
   out.verdict = result.verdict;
@@ -160,26 +163,21 @@ template <class S, int D>
   out.lower = widened(result.lower);
   out.upper = widened(result.upper);
   out.distance_sq = widened(result.distance_sq);
-  out.x = widened(result.x);
-  out.y = widened(result.y);
+  out.x = widened<S, D>(result.x);
+  out.y = widened<S, D>(result.y);
   out.iterations = result.iterations;
   out.simplex = widened(result.simplex, exponent);
   return out;
 }
 
-/// The trace in double and, in the plane, in the world's unit. Where the squares of a double run
-/// would leave the range of a double, and in space, where products are of up to six lengths, it
-/// stays in its own unit, which `prepared.exponent` names. Of `prepared`, the error and the
-/// exponent are filled in.
+/// The trace in the world's unit where WideTrace says so: products in space are of up to six
+/// lengths.
 template <class S, int D>
-[[nodiscard]] gjk::Trace<double, D> widened(const gjk::Trace<S, D>& trace) {
-  gjk::Trace<double, D> out;
-  out.prepared.error = trace.prepared.error;
+[[nodiscard]] WideTrace widened(const gjk::Trace<S, D>& trace) {
+  WideTrace out;
+  out.dimension = D;
   int exponent = trace.prepared.exponent;
-  if (D == 3 || std::is_same_v<S, double>) {
-    out.prepared.exponent = exponent;
-    exponent = 0;
-  }
+  if (D == 3 || std::is_same_v<S, double>) out.exponent = std::exchange(exponent, 0);
   const Widener<S, D> widen(exponent);
   out.initial = widen(trace.initial);
   for (const gjk::Step<S, D>& step : trace.steps) {

@@ -198,8 +198,8 @@ void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t se
   };
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
-  for (const Vector2d& vertex : now.x().world) x.extend(vertex);
-  for (const Vector2d& vertex : now.y().world) y.extend(vertex);
+  for (const Vector2d& vertex : in_plane(now.x().world)) x.extend(vertex);
+  for (const Vector2d& vertex : in_plane(now.y().world)) y.extend(vertex);
   const double reach = 0.5 * (x.sizes().maxCoeff() + y.sizes().maxCoeff());
   for (const std::size_t body : {0, 1}) reshape(lesson, body, polygon());
   constexpr double kFarthest = 1.5;

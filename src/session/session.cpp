@@ -552,8 +552,8 @@ bool Session::go_to_next(std::string_view phase) {
 std::optional<int> Session::next(Event event) const {
   if (event != Event::run_ends && run().act->algorithm != nullptr) return std::nullopt;
   const std::vector<Frame>& frames = run().frames;
-  const gjk::Simplex<double, 2>& now = run().state(frame()).simplex;
-  const auto is_another = [&](const gjk::Simplex<double, 2>& later) {
+  const WideSimplex& now = run().state(frame()).simplex;
+  const auto is_another = [&](const WideSimplex& later) {
     return later.count != now.count ||
            std::any_of(later.vertices.begin(), later.vertices.begin() + later.count,
                        [&](const auto& vertex) { return !has_pair(now, vertex.pair); });
@@ -744,7 +744,7 @@ Subject Session::vertex_near(const Point& page, double reach) {
         (page.array() > card.max.array()).any())
       continue;
     const StageMap map(card, seen[i].camera);
-    const auto consider = [&](const Eigen::Vector2d& at, const Subject& subject) {
+    const auto consider = [&](const auto& at, const Subject& subject) {
       const double away = (map(at) - page).norm();
       if (away > least) return;
       least = away;
@@ -807,8 +807,8 @@ bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) cons
   const PositionedRun& shapes = run().run(frame());
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
-  for (const Eigen::Vector2d& vertex : shapes.x().world) x.extend(vertex);
-  for (const Eigen::Vector2d& vertex : shapes.y().world) y.extend(vertex);
+  for (const Eigen::Vector2d& vertex : in_plane(shapes.x().world)) x.extend(vertex);
+  for (const Eigen::Vector2d& vertex : in_plane(shapes.y().world)) y.extend(vertex);
   const Eigen::Vector2d half =
       0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
   const Eigen::AlignedBox2d sight(view.camera.center - half, view.camera.center + half);

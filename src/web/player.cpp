@@ -370,7 +370,7 @@ void Player::move(const Point& at) {
   const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
   const std::size_t body = of_x ? 0 : 1;
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = of_x ? run.x().world : run.y().world;
+  const auto& world = run.bodies[body].world;
   session_.drag([&](Lesson& lesson) {
     if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
     const int index = of_x ? subject.x : subject.y;
@@ -441,7 +441,7 @@ void Player::nudge(const Asked& asked) {
     edit::move_shape(lesson, body, by);
   } else {
     edit::put_vertex(lesson, body, index, run.bodies[body].placement,
-                     world[static_cast<std::size_t>(index)] + by);
+                     in_plane(world[static_cast<std::size_t>(index)]) + by);
   }
   change("move", lesson);
 }

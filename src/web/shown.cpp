@@ -70,14 +70,14 @@ Json number(const std::string& name, double value) {
   return {name, fmt::format("{}", value), hexadecimal(value)};
 }
 
-void add_point(Json& list, const std::string& name, const Vector2d& point) {
+void add_point(Json& list, const std::string& name, const Eigen::Vector3d& point) {
   list.push_back(number(name + ".x", point.x()));
   list.push_back(number(name + ".y", point.y()));
 }
 
 /// Names and values, as decimals and as hex floats.
 Json numbers(const LessonRun& run, const Frame& frame) {
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   Json list = Json::array();
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
@@ -103,7 +103,7 @@ Json outcome(Session& session) {
       list.push_back(number(std::string(name), run.algorithm_trace(frame).answer(name)));
     return list;
   }
-  const gjk::Result<double, 2>& result = run.run(frame).trace.result;
+  const WideResult& result = run.run(frame).trace.result;
   Json list = Json::array();
   list.push_back(number("distance", result.distance));
   list.push_back(number("lower bound", result.lower));
@@ -114,7 +114,7 @@ Json outcome(Session& session) {
     list.push_back(number("penetration depth", depth->depth));
     list.push_back(number("its lower bound", depth->lower));
     list.push_back(number("its upper bound", depth->upper));
-    add_point(list, "shortest way out of " + run.lesson.x().name, depth->translation);
+    add_point(list, "shortest way out of " + run.lesson.x().name, in_space(depth->translation));
   }
   for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
                                     {"stop", std::string(name_of(result.stop))},

@@ -67,7 +67,7 @@ bool is_cheap(const Lesson& lesson) {
 }
 
 void claim_sound(const PositionedRun& run) {
-  const gjk::Result<double, 2>& result = run.trace.result;
+  const WideResult& result = run.trace.result;
   claim(result.stop != gjk::StopReason::running, "a run ends");
   claim(run.bounds.size() == run.trace.steps.size(), "each step has bounds");
   if (result.error != gjk::Error::none) return;

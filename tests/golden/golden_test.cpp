@@ -241,7 +241,7 @@ TEST(GoldenText, TheFirstDifferenceIsNamedByItsStep) {
   LessonRun run = run_lesson(testing::shipped_lesson("polygon-evolution"));
   const std::string expected = golden::trace(run);
   EXPECT_EQ(golden::first_difference(expected, expected).where, "");
-  for (gjk::Step<double, 2>& step : run.runs[0].trace.steps) {
+  for (WideStep& step : run.runs[0].trace.steps) {
     if (step.iteration == 2 && step.phase == gjk::Phase::support) step.after.support.pair.y = 0;
   }
   const golden::Difference difference = golden::first_difference(expected, golden::trace(run));

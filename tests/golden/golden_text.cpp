@@ -24,11 +24,11 @@ std::string placement(const std::string& name, const Placement& at) {
 
 std::string run_line(const LessonRun& run, const PositionedRun& positioned) {
   std::vector<std::string> supports;
-  for (const gjk::Step<double, 2>& step : positioned.trace.steps) {
+  for (const WideStep& step : positioned.trace.steps) {
     if (step.phase == gjk::Phase::support)
       supports.push_back(run.pair_name(step.after.support.pair));
   }
-  const gjk::Result<double, 2>& result = positioned.trace.result;
+  const WideResult& result = positioned.trace.result;
   return fmt::format("  {}, {}: supports {}; {}; {}; distance {}\n",
                      placement(run.lesson.x().name, positioned.x().placement),
                      placement(run.lesson.y().name, positioned.y().placement),

@@ -94,7 +94,7 @@ TEST(Motion, CornersComeAtEqualTimesAndFramesAtEqualStepsOfTime) {
   EXPECT_EQ(run.runs[6].y().placement.translate, Vector2d(4, 1));
   EXPECT_EQ(run.runs[6].y().placement.rotate_degrees, 30.0);
   // K = (-1, -0.5), turned by 90 degrees and moved to (5, 0).
-  EXPECT_LT((run.runs[4].y().world[0] - Vector2d(5.5, -1.0)).norm(), 1e-15);
+  EXPECT_LT((in_plane(run.runs[4].y().world[0]) - Vector2d(5.5, -1.0)).norm(), 1e-15);
   EXPECT_EQ(run.runs[8].y().placement.translate, Vector2d(3, 2));
   EXPECT_EQ(run.frames.size(), 9u);
 }
@@ -113,8 +113,8 @@ TEST(WarmStart, StartsEachRunFromTheSimplexThatTheLastEndedWith) {
   EXPECT_EQ(run.runs[0].trace.initial.simplex.count, 1) << "the first starts as the lesson says";
   int saved = 0;
   for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
-    const gjk::Simplex<double, 2>& last = run.runs[i - 1].trace.result.simplex;
-    const gjk::Simplex<double, 2>& start = run.runs[i].trace.initial.simplex;
+    const WideSimplex& last = run.runs[i - 1].trace.result.simplex;
+    const WideSimplex& start = run.runs[i].trace.initial.simplex;
     ASSERT_EQ(start.count, last.count);
     for (int k = 0; k < start.count; ++k) EXPECT_EQ(start.vertices[k].pair, last.vertices[k].pair);
     const PositionedRun cold = run_afresh(run, i);

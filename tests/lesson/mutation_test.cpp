@@ -370,7 +370,7 @@ TEST(ShapesOfAnotherUnit, AreAnsweredAndNotDrawn) {
   const LessonRun run = run_lesson(*loaded.lesson);
   const PositionedRun& positioned = run.runs.back();
   EXPECT_EQ(positioned.trace.result.error, gjk::Error::none);
-  EXPECT_NE(positioned.trace.prepared.exponent, 0);
+  EXPECT_NE(positioned.trace.exponent, 0);
   EXPECT_EQ(check_expectation(run).size(), 1u);
   expect_sound(run);
 }
@@ -402,7 +402,7 @@ TEST(Bounds, HoldTheExactDistanceAfterEveryStep) {
         const DistanceBounds& bounds = run.bounds[i];
         EXPECT_LE(bounds.lower, exact);
         EXPECT_GE(bounds.upper, exact);
-        const gjk::State<double, 2>& state = run.trace.steps[i].after;
+        const WideState& state = run.trace.steps[i].after;
         EXPECT_NEAR(state.p_sq, state.p.squaredNorm(), 2e-3 * state.p_sq);
         for (int k = 0; k < state.simplex.count; ++k) {
           const gjk::VertexPair pair = state.simplex.vertices[k].pair;

@@ -67,7 +67,7 @@ TEST(Questions, EachStandsBeforeTheFrameThatAnswers) {
   ASSERT_EQ(asked.size(), 2u) << "at last both ends of the closest edge lie equally far";
   EXPECT_EQ(run.frames.size(), plain.frames.size() + 2);
   for (const Frame& frame : asked) {
-    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[frame.answering_step];
+    const WideStep& step = run.run(frame).trace.steps[frame.answering_step];
     EXPECT_EQ(step.phase, gjk::Phase::support);
     EXPECT_EQ(run.step(frame).phase, gjk::Phase::direction);
   }

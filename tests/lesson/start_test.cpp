@@ -22,7 +22,7 @@ int compare_scalars(const CaseIn<D>& shapes) {
       run_case(shapes, ScalarKind::double_).trace.initial.simplex.as_start();
   int answered = 0;
   for (const ScalarKind scalar : kScalars) {
-    const RunIn<D> run = run_case(shapes, scalar);
+    const PositionedRun run = run_case(shapes, scalar);
     if (run.trace.result.error != gjk::Error::none) continue;  // too large or small for half
     ++answered;
     EXPECT_TRUE(run.trace.initial.simplex.as_start() == in_double) << static_cast<int>(scalar);

@@ -370,10 +370,10 @@ TEST(Legend, OnAStageHidesNoVertex) {
 
 TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
   const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0}, 2.0, 10.0});
-  EXPECT_EQ(map({5.0, 1.0}), Point(100.0, 50.0));
-  EXPECT_EQ(map({5.0, 2.0}), Point(100.0, 0.0));
-  EXPECT_EQ(map({15.0, 1.0}), Point(150.0, 50.0));
-  EXPECT_EQ(map.direction({10.0, 1.0}), Point(1.0, -1.0).normalized());
+  EXPECT_EQ(map(Eigen::Vector2d(5.0, 1.0)), Point(100.0, 50.0));
+  EXPECT_EQ(map(Eigen::Vector2d(5.0, 2.0)), Point(100.0, 0.0));
+  EXPECT_EQ(map(Eigen::Vector2d(15.0, 1.0)), Point(150.0, 50.0));
+  EXPECT_EQ(map.direction(Eigen::Vector2d(10.0, 1.0)), Point(1.0, -1.0).normalized());
 }
 
 TEST(Page, KeepsTheProportionsOfTheImageAndTheSizeOfType) {
@@ -621,9 +621,9 @@ TEST(Panel, TheScanMarksTheSimplexOnceItIsAskedWhetherTheWinnerIsNews) {
 TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
   // The weight of D, from the projection of Q onto CD.
   const LessonRun collinear = run_lesson(testing::shipped_lesson("collinear"));
-  const Eigen::Vector2d q = collinear.runs[0].x().world[0];
-  const Eigen::Vector2d c = collinear.runs[0].y().world[2];
-  const Eigen::Vector2d d = collinear.runs[0].y().world[3];
+  const Eigen::Vector3d& q = collinear.runs[0].x().world[0];
+  const Eigen::Vector3d& c = collinear.runs[0].y().world[2];
+  const Eigen::Vector3d& d = collinear.runs[0].y().world[3];
   const double of_d = (q - c).dot(d - c) / (d - c).squaredNorm();
   const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
     return std::find(texts.begin(), texts.end(), text) != texts.end();

@@ -218,11 +218,11 @@ TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
   const PositionedRun& last = shipped.runs.back();
   // B of the robot lies between N and R of the obstacle, and A and C lie beyond their line. All of
   // it exactly: coordinates are multiples of 1/4.
-  const Eigen::Vector2d n = last.y().world[3];
-  const Eigen::Vector2d r = last.y().world[4];
-  const Eigen::Vector2d outwards(n.y() - r.y(), r.x() - n.x());
+  const Eigen::Vector3d& n = last.y().world[3];
+  const Eigen::Vector3d& r = last.y().world[4];
+  const Eigen::Vector3d outwards(n.y() - r.y(), r.x() - n.x(), 0.0);
   EXPECT_EQ(last.x().world[1], 0.5 * (n + r));
-  for (const Eigen::Vector2d& y : last.y().world) EXPECT_GE(outwards.dot(y - n), 0.0);
+  for (const Eigen::Vector3d& y : last.y().world) EXPECT_GE(outwards.dot(y - n), 0.0);
   EXPECT_LT(outwards.dot(last.x().world[0] - n), 0.0);
   EXPECT_LT(outwards.dot(last.x().world[2] - n), 0.0);
   const std::string touches =
@@ -232,10 +232,10 @@ TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
 
   // A step towards the obstacle, and one away from it.
   Eigen::Vector2d& goal = lesson.path_of_shapes->x().points.back();
-  goal += 0.125 * outwards;
+  goal += 0.125 * in_plane(outwards);
   EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption,
             "The robot and the obstacle overlap: p lies inside the grown obstacle, O inside Z.");
-  goal -= 0.25 * outwards;
+  goal -= 0.25 * in_plane(outwards);
   EXPECT_TRUE(
       pictures_of(run_lesson(lesson)).back().text.caption.starts_with("The robot moved by"));
   // Vertex on vertex.

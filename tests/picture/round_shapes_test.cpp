@@ -65,9 +65,9 @@ TEST(RoundShapes, AreAsFarApartAsPolygonsWithManyCorners) {
     const double radius_x = run.lesson.x().radius;
     const double radius_y = run.lesson.y().radius;
     if (!(own.trace.result.distance > 0.0)) continue;
-    const PositionedRun many = run_case<2>(
-        {circles_around(own.x().world, radius_x), circles_around(own.y().world, radius_y)},
-        ScalarKind::double_);
+    const PositionedRun many = run_case<2>({circles_around(in_plane(own.x().world), radius_x),
+                                            circles_around(in_plane(own.y().world), radius_y)},
+                                           ScalarKind::double_);
     const RoundShapes::Value answer = answer_of(run);
     const double off = (radius_x + radius_y) * (1.0 - std::cos(std::numbers::pi / kCorners));
     EXPECT_NEAR(many.trace.result.distance, std::max(answer.distance, 0.0), off);
@@ -140,7 +140,7 @@ TEST(RoundShapes, OutlinesKeepTheirDistanceAndStayInSight) {
       ++outlines;
       std::vector<Point> corners;
       const StageMap map(world.card, world.camera);
-      for (const Vector2d& vertex : run.runs[0].bodies[is_x ? 0 : 1].world)
+      for (const Eigen::Vector3d& vertex : run.runs[0].bodies[is_x ? 0 : 1].world)
         corners.push_back(map(vertex));
       const double radius = map.scale() * run.lesson.bodies[is_x ? 0 : 1].radius;
       for (const Point& point : std::get<Polygon>(mark.shape).points) {

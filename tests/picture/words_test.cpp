@@ -38,7 +38,8 @@ TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {
   lesson.scalar = ScalarKind::single;
   const Numbers numbers(lesson);
   EXPECT_EQ(numbers(static_cast<double>(3.2457051e-06F)), "3.2457051·10⁻⁶");
-  EXPECT_EQ(numbers.point({static_cast<double>(-0.021008447F), -0.0}), "(−0.021008447, 0)");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(static_cast<double>(-0.021008447F), -0.0)),
+            "(−0.021008447, 0)");
 }
 
 TEST(Words, HalfLessonsPrintAllDigitsThatTellValuesApart) {
@@ -52,12 +53,12 @@ TEST(Words, HalfLessonsPrintAllDigitsThatTellValuesApart) {
 
 TEST(Words, PointsHaveDigitsThatCount) {
   const Numbers numbers{Lesson()};
-  EXPECT_EQ(numbers.point({0.5, -1.25}), "(0.50, −1.25)");
-  EXPECT_EQ(numbers.point({0.0, 0.0}), "(0.00, 0.00)") << "it is zero";
-  EXPECT_EQ(numbers.point({0.25, 1e-9}), "(0.25, 0.00)");
-  EXPECT_EQ(numbers.point({0.0, 1e-4}), "(0.00, 1.00)·10⁻⁴");
-  EXPECT_EQ(numbers.point({-2.5e-17, 1e-18}), "(−2.50, 0.10)·10⁻¹⁷");
-  EXPECT_EQ(numbers.point({1.5e7, 0.0}), "(1.50, 0.00)·10⁷");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(0.5, -1.25)), "(0.50, −1.25)");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(0.0, 0.0)), "(0.00, 0.00)") << "it is zero";
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(0.25, 1e-9)), "(0.25, 0.00)");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(0.0, 1e-4)), "(0.00, 1.00)·10⁻⁴");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(-2.5e-17, 1e-18)), "(−2.50, 0.10)·10⁻¹⁷");
+  EXPECT_EQ(numbers.point(Eigen::Vector2d(1.5e7, 0.0)), "(1.50, 0.00)·10⁷");
   EXPECT_EQ(numbers.weight(0.25), "0.250");
   EXPECT_EQ(numbers.weight(0.0), "0.000");
   EXPECT_EQ(numbers.weight(1.24e-9), "1.2·10⁻⁹");

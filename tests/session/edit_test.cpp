@@ -24,7 +24,7 @@ using testing::shipped_lesson;
 
 std::vector<Vector2d> world(const Lesson& lesson, std::size_t body) {
   const LessonRun run = run_lesson(lesson);
-  return body == 0 ? run.runs.front().x().world : run.runs.front().y().world;
+  return in_plane(run.runs.front().bodies[body].world);
 }
 
 TEST(Edit, AVertexOfATurnedShapeGoesWhereItIsPut) {
@@ -34,7 +34,7 @@ TEST(Edit, AVertexOfATurnedShapeGoesWhereItIsPut) {
   const LessonRun run = run_lesson(lesson);
   edit::put_vertex(lesson, 1, 2, run.runs.front().y().placement, {1.0, 4.0});
   EXPECT_LT((world(lesson, 1)[2] - Vector2d(1.0, 4.0)).norm(), 1e-12);
-  EXPECT_LT((world(lesson, 1)[1] - run.runs.front().y().world[1]).norm(), 1e-12);
+  EXPECT_LT((world(lesson, 1)[1] - in_plane(run.runs.front().y().world[1])).norm(), 1e-12);
 }
 
 TEST(Edit, AShapeMovesAsAWhole) {
@@ -57,7 +57,8 @@ TEST(Edit, AShapeOnAPathTakesThePathWithIt) {
   ASSERT_EQ(before.runs.size(), after.runs.size());
   for (std::size_t i = 0; i < before.runs.size(); ++i)
     EXPECT_LT(
-        (after.runs[i].x().world[0] - before.runs[i].x().world[0] - Vector2d(1.0, 0.5)).norm(),
+        (after.runs[i].x().world[0] - before.runs[i].x().world[0] - Eigen::Vector3d(1.0, 0.5, 0.0))
+            .norm(),
         1e-12);
 }
 

@@ -705,8 +705,8 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
     session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
     const LessonPictures::ShownView view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
-    for (const Vector2d& y : run.y().world) {
-      for (const Vector2d& x : run.x().world) {
+    for (const Vector2d& y : in_plane(run.y().world)) {
+      for (const Vector2d& x : in_plane(run.x().world)) {
         const Vector2d off =
             (y - x - view.camera.center) * (view.card.size().y() / view.camera.height);
         EXPECT_LE(std::abs(off.x()), 0.5 * view.card.size().x());
@@ -918,7 +918,7 @@ TEST(ManyVertices, AViewThatComesNearNamesWhatIsInSight) {
   };
   EXPECT_LE(disks(), 24u);
   Camera camera = session.views()[0].camera;
-  camera.center = session.run().runs[0].x().world[250];
+  camera.center = in_plane(session.run().runs[0].x().world[250]);
   camera.height /= 12.0;
   session.set_camera(0, camera);
   EXPECT_GT(disks(), 30u);

@@ -108,12 +108,13 @@ TEST(Slab, HoldsNothingOfXAndYAndIsAsWideAsTheDistanceInTheEnd) {
     if (!strip) continue;
     ++slabs;
     const PositionedRun& at = run.run(frame);
-    const Vector2d& y_side = at.y().world[strip->support.pair.y];
-    const Vector2d& x_side = at.x().world[strip->support.pair.x];
-    EXPECT_NEAR(strip->normal.norm(), 1.0, 1e-15);
-    EXPECT_NEAR(strip->normal.dot(x_side - y_side), strip->width, 1e-14);
-    for (const Vector2d& y : at.y().world) EXPECT_LE(strip->normal.dot(y - y_side), 1e-14);
-    for (const Vector2d& x : at.x().world) EXPECT_GE(strip->normal.dot(x - x_side), -1e-14);
+    const Vector2d y_side = in_plane(at.y().world[strip->support.pair.y]);
+    const Vector2d x_side = in_plane(at.x().world[strip->support.pair.x]);
+    const Vector2d normal = in_plane(strip->normal);
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-15);
+    EXPECT_NEAR(normal.dot(x_side - y_side), strip->width, 1e-14);
+    for (const Vector2d& y : in_plane(at.y().world)) EXPECT_LE(normal.dot(y - y_side), 1e-14);
+    for (const Vector2d& x : in_plane(at.x().world)) EXPECT_GE(normal.dot(x - x_side), -1e-14);
     EXPECT_GE(strip->width, last) << "the widest so far";
     EXPECT_NEAR(strip->width, run.bounds(frame).lower, 1e-12);
     last = strip->width;
@@ -160,8 +161,10 @@ TEST(GrownObstacle, IsAsFarFromThePointAsTheObstacleFromTheRobot) {
     EXPECT_GT(signed_area(grown), 0.0);
     const PositionedRun& at = run.run(frame);
     double least = INFINITY;
-    for (const Vector2d& x : at.x().world) least = std::min(least, distance_to(at.y().world, x));
-    for (const Vector2d& y : at.y().world) least = std::min(least, distance_to(at.x().world, y));
+    const std::vector<Vector2d> xs = in_plane(at.x().world);
+    const std::vector<Vector2d> ys = in_plane(at.y().world);
+    for (const Vector2d& x : xs) least = std::min(least, distance_to(ys, x));
+    for (const Vector2d& y : ys) least = std::min(least, distance_to(xs, y));
     EXPECT_NEAR(distance_to(grown, at.x().placement.translate), least, 1e-13);
     EXPECT_NEAR(at.trace.result.distance, least, 1e-13);
   }

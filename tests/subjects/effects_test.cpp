@@ -133,12 +133,12 @@ TEST(BarycentricWeights, AreFractionalAreasAndAddUpToOne) {
     const std::vector<double>& weights = graph.get<BarycentricWeights>(run.frames[0]).weights;
     ASSERT_EQ(weights.size(), 3u);
     EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-14);
-    const std::vector<Vector2d>& y = run.runs[0].y().world;
+    const std::vector<Vector2d> y = in_plane(run.runs[0].y().world);
     const Vector2d back = weights[0] * y[0] + weights[1] * y[1] + weights[2] * y[2];
     EXPECT_LT((back - q).norm(), 1e-13);
     const double whole = signed_area(y);
     for (const BarycentricParts::Part& part : graph.get<BarycentricParts>(run.frames[0])) {
-      EXPECT_NEAR(signed_area(part.points) / whole, part.weight, 1e-13);
+      EXPECT_NEAR(signed_area(in_plane(part.points)) / whole, part.weight, 1e-13);
       negative += part.weight < 0.0 ? 1 : 0;
     }
   }
@@ -182,9 +182,9 @@ TEST(OtherNormal, IsThereWhereQLiesOnTheSegmentAndFindsTheFarthestTheOtherWay) {
     if (!other) continue;
     ++found;
     EXPECT_EQ(other->d, -run.state(frame).d);
-    const std::vector<Vector2d>& y = run.run(frame).y().world;
-    for (const Vector2d& vertex : y)
-      EXPECT_LE(vertex.dot(other->d), y[other->support.y].dot(other->d));
+    const std::vector<Vector2d> y = in_plane(run.run(frame).y().world);
+    const Vector2d d = in_plane(other->d);
+    for (const Vector2d& vertex : y) EXPECT_LE(vertex.dot(d), y[other->support.y].dot(d));
   }
   EXPECT_GT(found, 4);
 }
@@ -224,13 +224,13 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
   const Frame parting{0, second.parting};
   EXPECT_EQ(run.step(parting).iteration, 1);
   EXPECT_EQ(run.pair_name(run.state(parting).support.pair), "B");
-  const gjk::Step<double, 2>* beside = step_beside(second, run, parting);
+  const WideStep* beside = step_beside(second, run, parting);
   ASSERT_NE(beside, nullptr);
   EXPECT_EQ(run.pair_name(beside->after.support.pair), "C");
 
   // By the coordinates: Q projected onto BD, and the vertex farthest along Q - P.
-  const std::vector<Vector2d>& y = run.runs[0].y().world;
-  const Vector2d q = run.runs[0].x().world[0];
+  const std::vector<Vector2d> y = in_plane(run.runs[0].y().world);
+  const Vector2d q = in_plane(run.runs[0].x().world[0]);
   const Vector2d edge = y[3] - y[1];
   const Vector2d p = y[1] + (q - y[1]).dot(edge) / edge.squaredNorm() * edge;
   int farthest = 0;
@@ -238,8 +238,8 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
     if ((q - p).dot(y[farthest]) < (q - p).dot(y[i])) farthest = i;
   }
   EXPECT_EQ(farthest, 2);
-  EXPECT_NEAR((beside->after.p + q - p).norm(), 0.0, 1e-12);
-  const Vector2d d = run.state(parting).d;
+  EXPECT_NEAR((in_plane(beside->after.p) + q - p).norm(), 0.0, 1e-12);
+  const Vector2d d = in_plane(run.state(parting).d);
   const double degrees = std::acos(d.normalized().dot((q - p).normalized())) * 180.0 / 3.14159265;
   EXPECT_GT(degrees, 40.0) << "to be seen by eye";
   EXPECT_EQ(second.run.trace.result.stop, gjk::StopReason::origin_inside);
@@ -264,8 +264,8 @@ TEST(EveryScalar, RoundsTheVerticesOfTheFileAndSaysWhereRunsPart) {
   EXPECT_NEAR(answers[2].run.trace.result.distance, distance, 1e-12);
   EXPECT_NEAR(answers[1].run.trace.result.distance, distance, 3e-4);
   EXPECT_GT(std::abs(answers[1].run.trace.result.distance - distance), 1e-6);
-  EXPECT_EQ(answers[0].run.x().world[1], Vector2d(3002.0, 2000.0));
-  EXPECT_EQ(answers[0].run.y().world[0], Vector2d(3002.0, 2000.0));
+  EXPECT_EQ(answers[0].run.x().world[1], Eigen::Vector3d(3002.0, 2000.0, 0.0));
+  EXPECT_EQ(answers[0].run.y().world[0], Eigen::Vector3d(3002.0, 2000.0, 0.0));
   EXPECT_EQ(answers[0].run.trace.result.distance, 0.0);
   EXPECT_EQ(answers[0].parting, 2);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(answers[i].parting, 0);

@@ -6,10 +6,10 @@ namespace {
 struct LongestEdge {
   static constexpr std::string_view kName = "longest-edge";
   static constexpr std::string_view kNeeds = "";
-  using Value = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+  using Value = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
   static EffectKey key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
   static Value compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
-    const std::vector<Eigen::Vector2d>& corners = run.run(frame).y().world;
+    const std::vector<Eigen::Vector3d>& corners = run.run(frame).y().world;
     Value longest{corners[0], corners[0]};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Value edge{corners[i], corners[(i + 1) % corners.size()]};

@@ -678,7 +678,7 @@ TEST(Views, ARandomPairIsInSight) {
     const LessonPictures::ShownView world = window.session().views().front();
     const PositionedRun& run = window.session().run().run(window.session().frame());
     for (const auto& body : run.bodies) {
-      for (const Eigen::Vector2d& vertex : body.world) {
+      for (const Eigen::Vector2d& vertex : in_plane(body.world)) {
         const Eigen::Vector2d off =
             (vertex - world.camera.center)
                 .cwiseQuotient(world.camera.units_per_pixel(world.card.size().y()));
@@ -714,14 +714,14 @@ TEST(Views, ValuesStandWhereTheStageHasThem) {
   window.key("End");
   const LessonRun& run = window.session().run();
   const Frame& frame = window.session().frame();
-  const Eigen::Vector2d q = run.run(frame).x().world[0];
+  const Eigen::Vector3d& q = run.run(frame).x().world[0];
   const auto value = [&](const std::string& name) -> std::string {
     for (const NamedValue& each : values_now(window.app())) {
       if (each.name == name) return each.text;
     }
     return "none";
   };
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   EXPECT_EQ(number_text(state.p.x() + q.x(), false), value("P.x"));
   const std::string vertex = run.pair_name(state.simplex.vertices[0].pair);
   EXPECT_EQ(number_text(state.simplex.vertices[0].w.x() + q.x(), false), value(vertex + ".x"));

@@ -161,8 +161,8 @@ TEST(Lecture, ARegionIsClickedWhereItIs) {
   const LessonPictures::ShownView view = session.views()[1];
   ASSERT_EQ(ViewKind::difference, view.kind);
   const SimplexWords words(session.run(), simplex);
-  const Eigen::Vector2d a = simplex.vertices[0].w;
-  const Eigen::Vector2d b = simplex.vertices[1].w;
+  const Eigen::Vector2d a = in_plane(simplex.vertices[0].w);
+  const Eigen::Vector2d b = in_plane(simplex.vertices[1].w);
   const auto click = [&](const Eigen::Vector2d& at) {
     const std::size_t before = session.answers().size();
     const bool taken = window.app().asking().click({}, 1, at);

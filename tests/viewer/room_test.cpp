@@ -224,7 +224,7 @@ TEST(Room, NoLessonIsAstrayAsItOpens) {
 
 TEST(Room, InsideOfAShapeIsNotNowhere) {
   HeadlessApp window;
-  const auto& world = window.session().run().runs[0].bodies[1].world;
+  const auto world = in_plane(window.session().run().runs[0].bodies[1].world);
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& vertex : world) middle += vertex / static_cast<double>(world.size());
   window.session().set_camera(0, {middle, 1e-3});
@@ -475,7 +475,7 @@ TEST(Room, ARandomPairIsInSight) {
     const Eigen::Vector2d half =
         0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
     for (const auto& body : window.session().run().runs[0].bodies) {
-      for (const Eigen::Vector2d& vertex : body.world)
+      for (const Eigen::Vector2d& vertex : in_plane(body.world))
         EXPECT_TRUE(((vertex - view.camera.center).cwiseAbs().array() <= half.array()).all());
     }
   }

@@ -23,15 +23,15 @@ struct Difference {
   /// A point or a direction in each, by name, where these differ.
   struct Pair {
     std::string name;
-    Eigen::Vector2d here;
-    Eigen::Vector2d there;
+    Eigen::Vector3d here;
+    Eigen::Vector3d there;
   };
   std::optional<Pair> pair = {};
 };
 
 /// Nothing when they do not differ. `origin`: where P is measured from, as on the stage.
 std::optional<Difference> first_difference(const LessonRun& run, const WideTrace& a,
-                                           const WideTrace& b, const Eigen::Vector2d& origin) {
+                                           const WideTrace& b, const Eigen::Vector3d& origin) {
   const auto start_of = [&](const WideTrace& trace) {
     std::string names;
     for (int i = 0; i < trace.initial.simplex.count; ++i)
@@ -43,8 +43,8 @@ std::optional<Difference> first_difference(const LessonRun& run, const WideTrace
     return Difference{
         -1, fmt::format("started elsewhere, from {} here and {} there", start_of(a), start_of(b))};
   for (std::size_t i = 0; i < std::min(a.steps.size(), b.steps.size()); ++i) {
-    const gjk::Step<double, 2>& one = a.steps[i];
-    const gjk::Step<double, 2>& other = b.steps[i];
+    const WideStep& one = a.steps[i];
+    const WideStep& other = b.steps[i];
     const auto at = [&](const std::string& what, std::optional<Difference::Pair> pair = {}) {
       return Difference{
           static_cast<int>(i),
@@ -270,8 +270,8 @@ void draw_numerics(App& app, Beside& beside) {
       beside.given_up = stopped ? std::nullopt : std::optional(from);
     return;
   }
-  const gjk::Result<double, 2>& a = here.trace.result;
-  const gjk::Result<double, 2>& b = beside.run->trace.result;
+  const WideResult& a = here.trace.result;
+  const WideResult& b = beside.run->trace.result;
   draw_pair(app, "distance: this run, and the one beside it", a.distance, b.distance);
   draw_pair(app, "lower bound", a.lower, b.lower);
   draw_pair(app, "upper bound", a.upper, b.upper);
@@ -288,8 +288,8 @@ void draw_numerics(App& app, Beside& beside) {
     table_row("iterations", {std::to_string(a.iterations), std::to_string(b.iterations)});
     ImGui::EndTable();
   }
-  const Eigen::Vector2d origin =
-      run.point_query() ? here.x().world[0] : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  const Eigen::Vector3d origin =
+      run.point_query() ? here.x().world[0] : Eigen::Vector3d(0.0, 0.0, 0.0);
   const std::optional<Difference> difference =
       first_difference(run, here.trace, beside.run->trace, origin);
   if (!difference)

@@ -42,7 +42,7 @@ void draw_values(App& app) {
 std::vector<NamedValue> values_now(App& app) {
   const LessonRun& run = app.session().run();
   const Frame& frame = app.session().frame();
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   std::vector<NamedValue> values;
   const auto text = [&](std::string name, std::string written) {
     values.push_back({std::move(name), std::move(written)});
@@ -50,14 +50,14 @@ std::vector<NamedValue> values_now(App& app) {
   const auto value = [&](const std::string& name, double v) {
     text(name, number_text(v, app.hexadecimal));
   };
-  const auto point = [&](const std::string& name, const Eigen::Vector2d& v) {
+  const auto point = [&](const std::string& name, const Eigen::Vector3d& v) {
     value(name + ".x", v.x());
     value(name + ".y", v.y());
   };
   // As on the stage: a point query's points stand in the world, those of two shapes are
   // differences.
-  const Eigen::Vector2d origin =
-      run.point_query() ? run.run(frame).x().world[0] : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  const Eigen::Vector3d origin =
+      run.point_query() ? run.run(frame).x().world[0] : Eigen::Vector3d(0.0, 0.0, 0.0);
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
     point(name, state.simplex.vertices[i].w + origin);
@@ -75,7 +75,7 @@ std::vector<NamedValue> values_now(App& app) {
       value(std::string(name) + " in the end", run.algorithm_trace(frame).answer(name));
   }
   if (!run.has_gjk()) return values;
-  const gjk::Result<double, 2>& result = run.run(frame).trace.result;
+  const WideResult& result = run.run(frame).trace.result;
   value("distance in the end", result.distance);
   text("stop in the end", std::string(name_of(result.stop)));
   text("verdict in the end", std::string(name_of(result.verdict)));
@@ -86,7 +86,7 @@ std::vector<NamedValue> values_now(App& app) {
     value("penetration depth", deep->depth);
     value("its lower bound", deep->lower);
     value("its upper bound", deep->upper);
-    point("shortest way out of X", deep->translation);
+    point("shortest way out of X", in_space(deep->translation));
   }
   return values;
 }

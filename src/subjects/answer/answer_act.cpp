@@ -12,7 +12,7 @@ void answer_frames(LessonRun& run, int index) {
 
 Tick answer_tick(const LessonRun& run, const Frame& frame) {
   if (frame.step < 0) return tick_of_step(run, frame);
-  const gjk::Result<double, 2>& result = run.run(frame).trace.result;
+  const WideResult& result = run.run(frame).trace.result;
   if (!(result.distance > 0.0)) return {.group = "distance 0"};
   return {.group = fmt::format("{} – {}", feature_name(run, result.simplex, true),
                                feature_name(run, result.simplex, false))};

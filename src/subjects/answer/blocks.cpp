@@ -14,7 +14,6 @@
 namespace gjkscope::blocks {
 namespace {
 
-using Eigen::Vector2d;
 using rows::kRow;
 using rows::kTightRow;
 
@@ -24,19 +23,19 @@ struct Sum {
   std::string name;
   bool is_known = false;
   bool is_current = false;
-  Vector2d value;
+  Eigen::Vector3d value;
 };
 
 template <class NameOf, class PointOf>
 void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
                const PointOf& point_of) {
-  const gjk::Simplex<double, 2>& simplex = panel.run.run(panel.frame).trace.result.simplex;
+  const WideSimplex& simplex = panel.run.run(panel.frame).trace.result.simplex;
   const std::string role = sum.is_current ? "code.current" : sum.is_known ? "code" : "untried";
   const TextStyle style = sum.is_current ? type::kCodeBold : type::kCode;
   panel.write("heading", panel.left, sum.heading, type::kHeading);
   panel.y += kTightRow + 2.0;
   for (const int i : SimplexWords(panel.run, simplex).order(simplex.all())) {
-    const gjk::SupportPoint<double, 2>& vertex = simplex.vertices[i];
+    const WideVertex& vertex = simplex.vertices[i];
     panel.write(role, panel.left, panel.numbers.weight(simplex.weights[i]), style);
     panel.write(role, panel.left + 64.0, "· " + name_of(vertex.pair), style);
     if (sum.is_known)
@@ -53,11 +52,11 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
 
 void witness(PanelBuilder& panel) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  const gjk::Result<double, 2>& result = positioned.trace.result;
+  const WideResult& result = positioned.trace.result;
   const bool gradual = witness_part(panel.run, panel.frame).has_value();
   const WitnessPart reached = witness_part(panel.run, panel.frame).value_or(WitnessPart::distance);
   const auto sum = [&](std::string heading, std::string name, WitnessPart part,
-                       const Vector2d& value) {
+                       const Eigen::Vector3d& value) {
     return Sum{std::move(heading), std::move(name), reached >= part, gradual && reached == part,
                value};
   };

@@ -12,7 +12,7 @@
 namespace gjkscope::layers {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 /// How much of the answer a frame shows.
 WitnessPart shown(const SceneBuilder& scene) {
@@ -26,7 +26,7 @@ bool shows_weights(const SceneBuilder& scene) {
 
 /// The simplex of the result in the difference, and P on it.
 void closest_feature(SceneBuilder& scene) {
-  const gjk::Simplex<double, 2>& simplex = scene.positioned.trace.result.simplex;
+  const WideSimplex& simplex = scene.positioned.trace.result.simplex;
   std::vector<Point> points;
   for (int i = 0; i < simplex.count; ++i)
     points.push_back(scene.at_difference(simplex.vertices[i].w));
@@ -41,9 +41,9 @@ void closest_feature(SceneBuilder& scene) {
 /// Labels of vertices with the weights that they carry: a vertex of several differences has
 /// several.
 void weights_at(SceneBuilder& scene, const std::map<int, std::string>& weights,
-                const std::vector<Vector2d>& vertices, const std::string& shape) {
-  Vector2d middle = Vector2d::Zero();
-  for (const Vector2d& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
+                const std::vector<Vector3d>& vertices, const std::string& shape) {
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
   for (const auto& [index, text] : weights) {
     const Point point = scene.at(vertices[index]);
     const Point inwards = scene.at(middle) - point;
@@ -55,8 +55,8 @@ void weights_at(SceneBuilder& scene, const std::map<int, std::string>& weights,
 
 /// The part of a shape whose weights make a witness point: its vertices, joined.
 void carried_back(SceneBuilder& scene, bool is_x) {
-  const gjk::Result<double, 2>& result = scene.positioned.trace.result;
-  const std::vector<Vector2d>& vertices =
+  const WideResult& result = scene.positioned.trace.result;
+  const std::vector<Vector3d>& vertices =
       is_x ? scene.positioned.x().world : scene.positioned.y().world;
   std::map<int, std::string> weights;
   for (int i = 0; i < result.simplex.count; ++i) {
@@ -74,7 +74,7 @@ void carried_back(SceneBuilder& scene, bool is_x) {
   if (shows_weights(scene)) weights_at(scene, weights, vertices, is_x ? "x" : "y");
 }
 
-void witness_point(SceneBuilder& scene, const Vector2d& point, const Vector2d& other,
+void witness_point(SceneBuilder& scene, const Vector3d& point, const Vector3d& other,
                    const std::string& name) {
   scene.disk("closest", scene.at(point), sizes::kClosestRadius);
   scene.out.moving_labels.push_back(scene.label("witness:" + name, name, "closest.label",
@@ -95,19 +95,19 @@ void way(SceneBuilder& scene, const Point& from, const Point& to) {
 }  // namespace
 
 void answer(SceneBuilder& scene) {
-  const gjk::Result<double, 2>& result = scene.positioned.trace.result;
+  const WideResult& result = scene.positioned.trace.result;
   if (result.simplex.count == 0) return;
   const WitnessPart reached = shown(scene);
   const bool meet = result.distance == 0.0;
   if (scene.shows_difference) {
     closest_feature(scene);
-    const Vector2d p = result.y - result.x;
-    if (!meet) way(scene, scene.at_difference(p), scene.at_difference(Vector2d::Zero()));
+    const Vector3d p = result.y - result.x;
+    if (!meet) way(scene, scene.at_difference(p), scene.at_difference(Vector3d::Zero()));
     scene.disk("closest", scene.at_difference(p), sizes::kClosestRadius);
     if (!meet) {
-      scene.out.moving_labels.push_back(
-          scene.label("P", "P", "closest.label", type::kVertex, scene.at_difference(p),
-                      sizes::kPointRadius, scene.at_difference(p) - scene.at_difference({0, 0})));
+      scene.out.moving_labels.push_back(scene.label(
+          "P", "P", "closest.label", type::kVertex, scene.at_difference(p), sizes::kPointRadius,
+          scene.at_difference(p) - scene.at_difference(Vector3d::Zero())));
     }
     if (shows_weights(scene)) {
       for (int i = 0; i < result.simplex.count; ++i) {
@@ -122,7 +122,7 @@ void answer(SceneBuilder& scene) {
   }
   if (reached >= WitnessPart::on_x && !scene.shows(GrownObstacle::kName)) {
     for (int i = 0; i < result.simplex.count; ++i) {
-      const gjk::SupportPoint<double, 2>& vertex = result.simplex.vertices[i];
+      const WideVertex& vertex = result.simplex.vertices[i];
       scene.link(scene.vertex_of_x(vertex), scene.vertex_of_y(vertex));
     }
   }
@@ -130,7 +130,7 @@ void answer(SceneBuilder& scene) {
   if (reached >= WitnessPart::on_y) carried_back(scene, false);
   if (reached >= WitnessPart::on_x) carried_back(scene, true);
   if (scene.shows(GrownObstacle::kName)) {  // which names points of its own
-    for (const Vector2d& point : {result.x, result.y})
+    for (const Vector3d& point : {result.x, result.y})
       scene.disk("closest", scene.at(point), sizes::kClosestRadius);
     return;
   }

@@ -15,7 +15,7 @@ namespace gjkscope::captions {
 using Eigen::Vector2d;
 
 std::string closest_features(const Story& story) {
-  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const WideSimplex& simplex = story.trace.result.simplex;
   const Lesson& lesson = story.run.lesson;
   return fmt::format("{} of {} and {} of {}", feature_name(story.run, simplex, true),
                      lesson.x().name, feature_name(story.run, simplex, false), lesson.y().name);
@@ -25,7 +25,7 @@ namespace {
 
 /// Where P lies on Z.
 std::string place_of_p(const Story& story) {
-  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const WideSimplex& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
   return simplex.count == 1 ? fmt::format("is {}", words.vertex(0))
                             : "lies on the " + words.kind_and_face(simplex.all());
@@ -35,7 +35,7 @@ void overlap(const Story& story, FrameText& text) {
   const Lesson& lesson = story.run.lesson;
   text.caption = fmt::format("{} and {} overlap: they share a point x = y, so y − x = O lies in Z.",
                              lesson.x().name, lesson.y().name);
-  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const WideSimplex& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);
   text.detail = fmt::format("O lies {} the {}: the distance is 0 in both views.",
                             simplex.count == 1   ? "at"
@@ -45,13 +45,13 @@ void overlap(const Story& story, FrameText& text) {
 }
 
 void warm_start(const Story& story, FrameText& text) {
-  const gjk::Result<double, 2>& result = story.trace.result;
+  const WideResult& result = story.trace.result;
   const std::string starts =
       SimplexWords(story.run, story.trace.initial.simplex).face(story.trace.initial.simplex.all());
   const std::string count =
       fmt::format("{} iteration{}", result.iterations, result.iterations == 1 ? "" : "s");
-  const gjk::Simplex<double, 2>& start = story.trace.initial.simplex;
-  const auto in_start = [&](const gjk::SupportPoint<double, 2>& vertex) {
+  const WideSimplex& start = story.trace.initial.simplex;
+  const auto in_start = [&](const WideVertex& vertex) {
     return std::any_of(start.vertices.begin(), start.vertices.begin() + start.count,
                        [&](const auto& other) { return other.pair == vertex.pair; });
   };
@@ -150,7 +150,7 @@ void slide(const Story& story, FrameText& text) {
 
 /// "0.317 L + 0.683 K"
 std::string weighted(const Story& story, const std::vector<std::string>& names) {
-  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const WideSimplex& simplex = story.trace.result.simplex;
   if (simplex.count == 1) return names[0];
   std::string out;
   for (const int i : SimplexWords(story.run, simplex).order(simplex.all())) {
@@ -168,7 +168,7 @@ bool x_has_moved(const Story& story) {
 
 /// A point of one shape, from the weights of P.
 void carried_back(const Story& story, bool of_x, FrameText& text) {
-  const gjk::Result<double, 2>& result = story.trace.result;
+  const WideResult& result = story.trace.result;
   const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
   std::vector<std::string> names;
   for (int i = 0; i < result.simplex.count; ++i) {
@@ -210,7 +210,7 @@ void answer(const Story& story, FrameText& text) {
 }
 
 void witness(const Story& story, FrameText& text) {
-  const gjk::Result<double, 2>& result = story.trace.result;
+  const WideResult& result = story.trace.result;
   const SimplexWords words(story.run, result.simplex);
   std::vector<std::string> of_z;
   for (int i = 0; i < result.simplex.count; ++i) {

@@ -20,8 +20,8 @@ std::string time_position(const LessonRun& run, int index) {
 }
 
 Tick time_tick(const LessonRun& run, const Frame& frame) {
-  const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
-  const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
+  const WideSimplex& simplex = run.state(frame).simplex;
+  const gjk::Barycentric<double, 2> weights = gjk::barycentric(in_plane(simplex), simplex.all());
   const auto weight = [&](int k) { return fixed(weights.numerator[k] / weights.denominator, 2); };
   return {.group = fmt::format("u = {}, v = {}", weight(0), weight(1)),
           .label = fixed(seconds_of(run, frame), 2) + " s"};

@@ -63,8 +63,8 @@ void box(SceneBuilder& scene, const std::vector<Vector2d>& points) {
   for (const Vector2d& point : points) around.extend(point);
   const Vector2d low = around.min();
   const Vector2d high = around.max();
-  scene.add("piece.box", Polyline{{scene.at(low), scene.at({high.x(), low.y()}), scene.at(high),
-                                   scene.at({low.x(), high.y()})},
+  scene.add("piece.box", Polyline{{scene.at(low), scene.at(Vector2d(high.x(), low.y())),
+                                   scene.at(high), scene.at(Vector2d(low.x(), high.y()))},
                                   true});
 }
 

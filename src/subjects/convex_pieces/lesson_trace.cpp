@@ -15,7 +15,7 @@ constexpr std::array<PlaceholderInfo, 3> kValues = {
      {"runs", "runs of GJK by now"},
      {"least", "least distance of a pair of pieces by now"}}};
 
-std::shared_ptr<const AlgorithmTrace> run_pieces(const Lesson& lesson, const RunIn<2>& run,
+std::shared_ptr<const AlgorithmTrace> run_pieces(const Lesson& lesson, const PositionedRun& run,
                                                  const AlgorithmTrace*) {
   const OutlinesOfRun outlines = outlines_of(lesson, run);
   return std::make_shared<const PiecesTrace>(refusal_of(outlines, models::Needs::simple), outlines);
@@ -81,8 +81,8 @@ Json PiecesTrace::step_json(const Lesson& lesson, int index) const {
 Json PiecesTrace::result_json(const Lesson&) const {
   return {{"distance", fields::number(result.answer.distance)},
           {"overlap", result.answer.overlap},
-          {"closest_x", fields::point<2>(result.answer.a)},
-          {"closest_y", fields::point<2>(result.answer.b)},
+          {"closest_x", fields::point(result.answer.a)},
+          {"closest_y", fields::point(result.answer.b)},
           {"pieces_x", x.pieces.size()},
           {"pieces_y", y.pieces.size()},
           {"runs", result.visits}};

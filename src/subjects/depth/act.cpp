@@ -99,7 +99,8 @@ Tick tick(const LessonRun& run, const Frame& frame) {
 void reach(const LessonRun& run, int index, ViewKind view, Eigen::AlignedBox2d& seen) {
   const depth::Result<double>& result = depth_trace(run, index)->result;
   if (view != ViewKind::world || !result.translation.allFinite()) return;
-  for (const Eigen::Vector2d& vertex : run.runs[static_cast<std::size_t>(index)].x().world)
+  for (const Eigen::Vector2d& vertex :
+       in_plane(run.runs[static_cast<std::size_t>(index)].x().world))
     seen.extend(vertex + result.translation);
 }
 

@@ -39,13 +39,14 @@ void polygon(SceneBuilder& scene, const Shown& shown) {
                scene.at(polygon.at(edge.from)), scene.at(polygon.at(edge.to)));
   }
   for (const depth::Edge<double>& edge : edges) {
-    scene.simplex_vertex(polygon.corners[static_cast<std::size_t>(edge.from)].point, "polygon");
+    scene.simplex_vertex(in_space(polygon.corners[static_cast<std::size_t>(edge.from)].point),
+                         "polygon");
   }
   if (!shown.is(Phase::expand)) return;
   for (const int corner : shown.step->record.outgrown) {
     const auto& point = polygon.corners[static_cast<std::size_t>(corner)].point;
     scene.disk("dropped", scene.at(point.w), kRingRadius);
-    scene.pair_label(point, "dropped.label");
+    scene.pair_label(in_space(point), "dropped.label");
   }
 }
 
@@ -54,12 +55,12 @@ void nearest(SceneBuilder& scene, const Shown& shown) {
   const Vector2d touching = foot(shown.state, shown.state.edge);
   const double radius = (scene.at(touching) - scene.at(Vector2d::Zero())).norm();
   if (radius > kOriginRadius) scene.disk("depth.inside", scene.at(Vector2d::Zero()), radius);
-  layers::search_arrow(scene, scene.at(touching), shown.state.n, kShortArrow + 18.0, "n");
+  layers::search_arrow(scene, scene.at(touching), in_space(shown.state.n), kShortArrow + 18.0, "n");
 }
 
 void in_difference(SceneBuilder& scene, const Shown& shown) {
   if (shown.knows_support())
-    layers::support_line(scene, scene.at(shown.state.support.w), shown.state.n);
+    layers::support_line(scene, scene.at(shown.state.support.w), in_space(shown.state.n));
   polygon(scene, shown);
   if (shown.is_answer) {
     const Vector2d t = shown.trace.result.translation;
@@ -74,14 +75,14 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     return;
   }
   if (shown.knows_edge()) nearest(scene, shown);
-  if (shown.knows_support()) scene.simplex_vertex(shown.state.support, "support");
+  if (shown.knows_support()) scene.simplex_vertex(in_space(shown.state.support), "support");
 }
 
 void in_world(SceneBuilder& scene, const Shown& shown) {
   if (shown.is_answer) {
     const depth::Result<double>& result = shown.trace.result;
     std::vector<Point> moved;
-    for (const Vector2d& vertex : scene.positioned.x().world)
+    for (const Vector2d& vertex : in_plane(scene.positioned.x().world))
       moved.push_back(scene.at(vertex + result.translation));
     if (moved.size() > 1) scene.add("depth.moved", Polyline{moved, moved.size() > 2});
     scene.passing_outline(moved);
@@ -98,16 +99,16 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   }
   if (shown.knows_edge() && !shown.knows_support()) {
     for (const int end : {shown.state.edge.from, shown.state.edge.to}) {
-      scene.simplex_vertex(shown.state.polygon.corners[static_cast<std::size_t>(end)].point,
-                           "polygon");
+      scene.simplex_vertex(
+          in_space(shown.state.polygon.corners[static_cast<std::size_t>(end)].point), "polygon");
     }
   }
   if (!shown.knows_support()) return;
-  layers::search_arrow(scene, scene.at(scene.vertex_of_y(shown.state.support)), shown.state.n,
-                       kOutwardArrow, "n");
-  layers::search_arrow(scene, scene.at(scene.vertex_of_x(shown.state.support)), -shown.state.n,
-                       kOutwardArrow, "−n");
-  scene.simplex_vertex(shown.state.support, "support");
+  layers::search_arrow(scene, scene.at(scene.vertex_of_y(in_space(shown.state.support))),
+                       in_space(shown.state.n), kOutwardArrow, "n");
+  layers::search_arrow(scene, scene.at(scene.vertex_of_x(in_space(shown.state.support))),
+                       in_space(Vector2d(-shown.state.n)), kOutwardArrow, "−n");
+  scene.simplex_vertex(in_space(shown.state.support), "support");
 }
 
 }  // namespace

@@ -42,18 +42,19 @@ class JsonWriter {
     answer["depth"] = number(result.depth);
     answer["lower"] = number(result.lower);
     answer["upper"] = number(result.upper);
-    answer["direction"] = point<2>(result.direction);
-    answer["translation"] = point<2>(result.translation);
-    answer["contact_x"] = point<2>(result.x);
-    answer["contact_y"] = point<2>(result.y);
+    answer["direction"] = point(result.direction);
+    answer["translation"] = point(result.translation);
+    answer["contact_x"] = point(result.x);
+    answer["contact_y"] = point(result.y);
     answer["iterations"] = result.iterations;
     return out;
   }
 
  private:
   [[nodiscard]] Json vertex(const gjk::SupportPoint<double, 2>& value) const {
-    return fields::vertex<2>(
-        value, pair_name(lesson_.x().vertex_names, lesson_.y().vertex_names, value.pair), run_);
+    return fields::vertex(in_space(value),
+                          pair_name(lesson_.x().vertex_names, lesson_.y().vertex_names, value.pair),
+                          run_);
   }
 
   static Json edge(const depth::Edge<double>& value) {
@@ -74,7 +75,7 @@ class JsonWriter {
         out["polygon"].push_back(each.from);
     }
     out["edge"] = edge(value.edge);
-    out["n"] = point<2>(value.n);
+    out["n"] = point(value.n);
     out["stop"] = name_of(value.stop);
     return out;
   }
@@ -147,7 +148,7 @@ class TextWriter {
     return fields::number_text(lesson_.scalar, value);
   }
   [[nodiscard]] std::string numbers(const gjk::Vec<double, 2>& value) const {
-    return fields::point_text<2>(lesson_.scalar, value);
+    return fields::point_text(lesson_.scalar, value);
   }
 
   [[nodiscard]] std::string polygon(const depth::State<double>& state) const {

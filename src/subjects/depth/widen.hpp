@@ -11,7 +11,7 @@ template <class S>
 [[nodiscard]] depth::Trace<double> widened(const depth::Trace<S>& trace) {
   const double unit = std::ldexp(1.0, trace.gjk.prepared.exponent);
   const auto point = [&](const gjk::SupportPoint<S, 2>& value) {
-    return gjk::SupportPoint<double, 2>{widened<S, 2>(value.w) * unit, value.pair};
+    return gjk::SupportPoint<double, 2>{in_plane(widened<S, 2>(value.w)) * unit, value.pair};
   };
   const auto edge = [&](const depth::Edge<S>& value) {
     return depth::Edge<double>{value.from, value.to, widened(value.distance_sq) * unit * unit};
@@ -31,7 +31,7 @@ template <class S>
     out.polygon.first = value.polygon.first;
     out.polygon.edges = edges(value.polygon.edges);
     out.edge = edge(value.edge);
-    out.n = widened<S, 2>(value.n) * unit;
+    out.n = in_plane(widened<S, 2>(value.n)) * unit;
     out.support = point(value.support);
     out.stop = value.stop;
     return out;
@@ -71,11 +71,11 @@ template <class S>
   out.result.lower = widened(result.lower);
   out.result.upper = widened(result.upper);
   for (int i = 0; i < 2; ++i) out.result.direction[i] = widened(result.direction[i]);
-  out.result.translation = widened<S, 2>(result.translation);
-  out.result.x = widened<S, 2>(result.x);
-  out.result.y = widened<S, 2>(result.y);
+  out.result.translation = in_plane(widened<S, 2>(result.translation));
+  out.result.x = in_plane(widened<S, 2>(result.x));
+  out.result.y = in_plane(widened<S, 2>(result.y));
   out.result.iterations = result.iterations;
-  out.result.edge = widened(result.edge, trace.gjk.prepared.exponent);
+  out.result.edge = in_plane(widened(result.edge, trace.gjk.prepared.exponent));
   return out;
 }
 

@@ -61,7 +61,7 @@ class Telling {
   }
 
   void start() {
-    const gjk::Simplex<double, 2>& simplex = story_.trace.result.simplex;
+    const WideSimplex& simplex = story_.trace.result.simplex;
     const SimplexWords words(run_, simplex);
     text_.caption = fmt::format(
         "{} and {} share points: GJK ends with O {} the {}. How deep do they overlap?", x(), y(),

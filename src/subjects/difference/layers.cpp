@@ -14,6 +14,7 @@ namespace gjkscope::layers {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using namespace sizes;
 
 /// An arrow that is there for one frame.
@@ -144,7 +145,7 @@ void copy(SceneBuilder& scene, const std::vector<Vector2d>& vertices, double sig
 
 /// −X, and how each vertex of X is reflected in O.
 void mirror_image(SceneBuilder& scene, bool with_ways) {
-  const std::vector<Vector2d>& x = scene.positioned.x().world;
+  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
   copy(scene, x, -1.0, Vector2d::Zero(), "shape.x.copy");
   const Point o = scene.at(Vector2d::Zero());
   scene.cross("origin", o, kOriginRadius);
@@ -153,7 +154,7 @@ void mirror_image(SceneBuilder& scene, bool with_ways) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Point at = scene.at(-x[i]);
     scene.disk("shape.x.vertex", at, kVertexRadius);
-    if (with_ways) scene.link(x[i], -x[i]);
+    if (with_ways) scene.link(in_space(x[i]), in_space(Vector2d(-x[i])));
     scene.out.moving_labels.push_back(scene.label("mirror:" + scene.run.lesson.x().vertex_names[i],
                                                   "−" + scene.run.lesson.x().vertex_names[i],
                                                   "shape.x.label", type::kSmallVertex, at,
@@ -192,8 +193,8 @@ void origins_of_edges(SceneBuilder& scene) {
 
 /// From x to y in the world; from O to y − x in the difference.
 void any_difference(SceneBuilder& scene) {
-  const Vector2d x = centroid(scene.positioned.x().world);
-  const Vector2d y = centroid(scene.positioned.y().world);
+  const Vector2d x = centroid(in_plane(scene.positioned.x().world));
+  const Vector2d y = centroid(in_plane(scene.positioned.y().world));
   const auto end = [&](const Vector2d& point, const std::string& name, const Vector2d& other) {
     scene.disk("cloud.current", scene.at(point), kSimplexRadius);
     scene.out.moving_labels.push_back(scene.label("end:" + name, name, "closest.label",
@@ -211,10 +212,10 @@ void any_difference(SceneBuilder& scene) {
 }
 
 void shortest_difference(SceneBuilder& scene) {
-  const gjk::Result<double, 2>& result = scene.positioned.trace.result;
+  const WideResult& result = scene.positioned.trace.result;
   const bool in_world = scene.view.kind == ViewKind::world;
-  const Point from = scene.at(in_world ? result.x : Vector2d(0.0, 0.0));
-  const Point to = scene.at(in_world ? result.y : Vector2d(result.y - result.x));
+  const Point from = scene.at(in_world ? result.x : Vector3d(0.0, 0.0, 0.0));
+  const Point to = scene.at(in_world ? result.y : Vector3d(result.y - result.x));
   scene.line("closest.line", from, to);
   if (in_world) scene.disk("closest", from, kClosestRadius);
   scene.disk("closest", to, kClosestRadius);
@@ -222,8 +223,8 @@ void shortest_difference(SceneBuilder& scene) {
 }
 
 void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {
-  const Vector2d x = scene.positioned.x().world[pair.x];
-  const Vector2d y = scene.positioned.y().world[pair.y];
+  const Vector2d x = in_plane(scene.positioned.x().world[pair.x]);
+  const Vector2d y = in_plane(scene.positioned.y().world[pair.y]);
   if (scene.view.kind == ViewKind::world) {
     difference_arrow(scene, scene.at(x), scene.at(y));
     scene.disk("cloud.current", scene.at(x), kSimplexRadius);
@@ -236,10 +237,10 @@ void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {
 
 /// Y − x for the vertices of X up to `newest`.
 void copies_of_y(SceneBuilder& scene, int newest) {
-  const std::vector<Vector2d>& x = scene.positioned.x().world;
-  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
+  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
   if (scene.view.kind == ViewKind::world) {
-    for (const Vector2d& vertex : y) scene.link(x[newest], vertex);
+    for (const Vector2d& vertex : y) scene.link(in_space(x[newest]), in_space(vertex));
     scene.disk("cloud.current", scene.at(x[newest]), kSimplexRadius);
     return;
   }
@@ -252,10 +253,10 @@ void copies_of_y(SceneBuilder& scene, int newest) {
 /// Y, and −X at each of its vertices.
 void slid_mirror_image(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world) return mirror_image(scene, false);
-  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
   copy(scene, y, 1.0, Vector2d::Zero(), "cloud.row");
   for (const Vector2d& vertex : y)
-    copy(scene, scene.positioned.x().world, -1.0, vertex, "shape.x.copy");
+    copy(scene, in_plane(scene.positioned.x().world), -1.0, vertex, "shape.x.copy");
 }
 
 }  // namespace

@@ -8,14 +8,14 @@ EffectKey MinkowskiCloud::key(const LessonRun&, const Frame& frame) { return {fr
 
 MinkowskiCloud::Value MinkowskiCloud::compute(EffectGraph&, const LessonRun& run,
                                               const Frame& frame) {
-  return minkowski_cloud(run.run(frame).x().world, run.run(frame).y().world);
+  return minkowski_cloud(in_plane(run.run(frame).x().world), in_plane(run.run(frame).y().world));
 }
 
 EffectKey MinkowskiHull::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
 MinkowskiHull::Value MinkowskiHull::compute(EffectGraph&, const LessonRun& run,
                                             const Frame& frame) {
-  return minkowski_hull(run.run(frame).x().world, run.run(frame).y().world);
+  return minkowski_hull(in_plane(run.run(frame).x().world), in_plane(run.run(frame).y().world));
 }
 
 const EffectInfo effect_infos::kMinkowskiCloud =

@@ -9,8 +9,8 @@ namespace gjkscope::captions {
 namespace {
 
 void first_pair(const Story& story, FrameText& text) {
-  const Eigen::Vector2d& a = story.positioned.x().world[0];
-  const Eigen::Vector2d& b = story.positioned.y().world[0];
+  const Eigen::Vector2d a = in_plane(story.positioned.x().world[0]);
+  const Eigen::Vector2d b = in_plane(story.positioned.y().world[0]);
   text.caption =
       fmt::format("{} = {} − {} = {}.", story.run.pair_name({0, 0}), story.numbers.point(b),
                   story.numbers.point(a), story.numbers.point(b - a));

@@ -20,7 +20,7 @@ constexpr std::array<PlaceholderInfo, 1> kValues = {
     {{"n", "segments of each outline that the frame is about"}}};
 
 /// Measured once for all runs with the same [growth]: a lesson is run anew for each change of it.
-std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const RunIn<2>&,
+std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const PositionedRun&,
                                                  const AlgorithmTrace*) {
   static std::mutex mutex;
   static std::pair<LessonGrowth, std::shared_ptr<const AlgorithmTrace>> last;
@@ -67,7 +67,7 @@ double GeneralGrowthTrace::answer(std::string_view name) const {
   return name == "pairs" ? samples.back().pairs() : samples.back().boxes;
 }
 
-Json GeneralGrowthTrace::json(const Lesson&, const RunIn<2>&) const {
+Json GeneralGrowthTrace::json(const Lesson&, const PositionedRun&) const {
   Json out = {{"sizes", Json::array()}};
   for (const Sample& sample : samples) {
     Json size = {{"segments", sample.segments}, {"runs", sample.runs},
@@ -80,7 +80,7 @@ Json GeneralGrowthTrace::json(const Lesson&, const RunIn<2>&) const {
   return out;
 }
 
-std::string GeneralGrowthTrace::text(const Lesson&, const RunIn<2>&) const {
+std::string GeneralGrowthTrace::text(const Lesson&, const PositionedRun&) const {
   std::string out = "\ngeneral-growth\n";
   for (const Sample& sample : samples) {
     std::string counts =

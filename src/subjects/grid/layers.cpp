@@ -56,8 +56,12 @@ void grid(SceneBuilder& scene) {
   const auto line = [&](double value, const Point& a, const Point& b) {
     scene.add(value == 0.0 ? "grid.axis" : "grid.line", Polyline{{a, b}});
   };
-  const auto x_of = [&](const PlotTick& tick) { return scene.at({tick.value, low.y()}).x(); };
-  const auto y_of = [&](const PlotTick& tick) { return scene.at({low.x(), tick.value}).y(); };
+  const auto x_of = [&](const PlotTick& tick) {
+    return scene.at(Vector2d(tick.value, low.y())).x();
+  };
+  const auto y_of = [&](const PlotTick& tick) {
+    return scene.at(Vector2d(low.x(), tick.value)).y();
+  };
   for (const PlotTick& tick : across)
     line(tick.value, {x_of(tick), area.min.y()}, {x_of(tick), area.max.y()});
   for (const PlotTick& tick : up)

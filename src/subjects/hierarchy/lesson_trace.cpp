@@ -90,8 +90,8 @@ class Told : public OutlineTrace {
             {"pairs", search_.pairs()},
             {"distance", fields::number(result.answer.distance)},
             {"overlap", result.answer.overlap},
-            {"closest_x", fields::point<2>(result.answer.a)},
-            {"closest_y", fields::point<2>(result.answer.b)}};
+            {"closest_x", fields::point(result.answer.a)},
+            {"closest_y", fields::point(result.answer.b)}};
   }
 
  private:

@@ -22,7 +22,7 @@ const Layer kEarlierPlaces{
     .effect = NumericalIssue::kName, .on = Layer::On::world, .order = 1010, .draw = earlier_places};
 
 void issue(SceneBuilder& scene) {
-  const gjk::State<double, 2>& state = scene.state;
+  const WideState& state = scene.state;
   if (state.stop == gjk::StopReason::origin_inside) {
     const std::vector<Point> triangle = {scene.vertex_at(0), scene.vertex_at(1),
                                          scene.vertex_at(2)};

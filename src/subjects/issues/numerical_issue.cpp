@@ -10,7 +10,7 @@
 namespace gjkscope {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 /// The last step of a phase; -1 where there is none.
 int last_of(const WideTrace& trace, gjk::Phase phase) {
@@ -20,11 +20,11 @@ int last_of(const WideTrace& trace, gjk::Phase phase) {
 }
 
 /// Those of Y that are farthest along d, as far as rounding can tell.
-std::vector<int> all_farthest(const std::vector<Vector2d>& vertices, const Vector2d& d) {
+std::vector<int> all_farthest(const std::vector<Vector3d>& vertices, const Vector3d& d) {
   constexpr double kEqual = 1e-6;
   double most = -HUGE_VAL;
   double least = HUGE_VAL;
-  for (const Vector2d& vertex : vertices) {
+  for (const Vector3d& vertex : vertices) {
     most = std::max(most, d.dot(vertex));
     least = std::min(least, d.dot(vertex));
   }
@@ -51,7 +51,7 @@ EffectKey NumericalIssue::key(const LessonRun&, const Frame& frame) { return {fr
 NumericalIssue::Value NumericalIssue::compute(EffectGraph& graph, const LessonRun& run,
                                               const Frame& frame) {
   const PositionedRun& positioned = run.run(frame);
-  const gjk::Result<double, 2>& result = positioned.trace.result;
+  const WideResult& result = positioned.trace.result;
   const ShapeHull::Value& hulls = graph.get<ShapeHull>(frame);
   Value value;
   const int direction = last_of(positioned.trace, gjk::Phase::direction);

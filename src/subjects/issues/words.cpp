@@ -39,7 +39,7 @@ std::string why(const Story& story) {
 void issue(const Story& story, FrameText& text) {
   const NumericalIssue::Value& issue = story.effects.get<NumericalIssue>(story.frame);
   const std::string& q = story.q;
-  const gjk::Simplex<double, 2>& simplex = story.trace.result.simplex;
+  const WideSimplex& simplex = story.trace.result.simplex;
   const std::string feature = SimplexWords(story.run, simplex).face(simplex.all());
   switch (issue.kind) {
     case IssueKind::direction:

@@ -17,6 +17,7 @@ namespace gjkscope::layers {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using namespace sizes;
 
 constexpr double kAxisOffset = 34.0;  // of an axis from the nearest vertex
@@ -26,13 +27,13 @@ constexpr double kNamedApart = 20.0;  // between feet that are both named
 /// On which side of a shape its axis has more room: 1 to the right of d on the screen, or -1. It
 /// keeps away from the other shape.
 double roomier_side(const SceneBuilder& scene, const std::vector<Point>& points,
-                    const std::vector<Vector2d>& others, const Point& across) {
+                    const std::vector<Vector3d>& others, const Point& across) {
   const Rect& area = scene.map.area();
   const auto room = [&](double side) {
     double least = HUGE_VAL;
     double offset = -HUGE_VAL;
     for (const Point& point : points) offset = std::max(offset, side * point.dot(across));
-    for (const Vector2d& other : others)
+    for (const Vector3d& other : others)
       least = std::min(least, std::abs(side * scene.at(other).dot(across) - offset - kAxisOffset));
     for (const Point& point : points) {
       const Point far = point + side * kAxisOffset * across;
@@ -45,13 +46,13 @@ double roomier_side(const SceneBuilder& scene, const std::vector<Point>& points,
 }
 
 /// A shape's axis along `d`, a line from each vertex to its foot, and the farthest foot marked.
-void axis(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const LessonShape& shape,
-          const SupportAxis::Side& side, const std::vector<Vector2d>& others, const Vector2d& d,
+void axis(SceneBuilder& scene, const std::vector<Vector3d>& vertices, const LessonShape& shape,
+          const SupportAxis::Side& side, const std::vector<Vector3d>& others, const Vector3d& d,
           const std::string& id) {
   if (vertices.size() < 2) return;
   const Point along = scene.map.direction(d);
   std::vector<Point> points;
-  for (const Vector2d& vertex : vertices) points.push_back(scene.at(vertex));
+  for (const Vector3d& vertex : vertices) points.push_back(scene.at(vertex));
   const Point right(-along.y(), along.x());
   const Point across = roomier_side(scene, points, others, right) * right;
   double offset = -HUGE_VAL;

@@ -6,13 +6,13 @@
 
 namespace gjkscope {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 namespace {
 
-SupportAxis::Side side_of(const std::vector<Vector2d>& vertices, const Vector2d& d, int farthest) {
+SupportAxis::Side side_of(const std::vector<Vector3d>& vertices, const Vector3d& d, int farthest) {
   SupportAxis::Side side{{}, farthest};
-  for (const Vector2d& vertex : vertices) side.reach.push_back(vertex.dot(d));
+  for (const Vector3d& vertex : vertices) side.reach.push_back(vertex.dot(d));
   return side;
 }
 
@@ -25,9 +25,9 @@ EffectKey SupportAxis::key(const LessonRun&, const Frame& frame) {
 SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run,
                                         const Frame& frame) {
   if (!graph.get<FrameFacts>(frame).support) return std::nullopt;
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   if (!(state.d.norm() > 0.0)) return std::nullopt;
-  const Vector2d d = state.d.normalized();
+  const Vector3d d = state.d.normalized();
   return Sides{d, side_of(run.run(frame).y().world, d, state.support.pair.y),
                side_of(run.run(frame).x().world, -d, state.support.pair.x)};
 }
@@ -53,7 +53,7 @@ TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,
   Value feet;
   const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
   if (!knows.gradual || knows.tests_reached < 0) return feet;
-  const gjk::Simplex<double, 2>& simplex = state_before(run.run(frame).trace, frame.step).simplex;
+  const WideSimplex& simplex = state_before(run.run(frame).trace, frame.step).simplex;
   const gjk::RegionTest<double>& test =
       knows.region_tests[static_cast<std::size_t>(knows.tests_reached)];
   for (const gjk::RegionTerm<double>& term : test.terms) {

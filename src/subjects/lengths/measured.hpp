@@ -16,7 +16,7 @@ struct SupportAxis {
     int farthest = 0;           ///< Index of the support point.
   };
   struct Sides {
-    Eigen::Vector2d d = Eigen::Vector2d::Zero();  ///< Of length 1; for X it is -d.
+    Eigen::Vector3d d = Eigen::Vector3d::Zero();  ///< Of length 1; for X it is -d.
     Side y;
     Side x;
   };
@@ -46,7 +46,7 @@ struct TestedFeet {
     int vertex = 0;                                ///< The coordinate's, in the simplex.
     int other = 0;                                 ///< The edge's other end.
     double value = 0.0;                            ///< The coordinate: 1 at `vertex`, 0 at `other`.
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< In the coordinates of the difference.
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< In the coordinates of the difference.
   };
   using Value = std::vector<Foot>;
   static EffectKey key(const LessonRun& run, const Frame& frame);

@@ -57,8 +57,8 @@ class Told : public AlgorithmTrace {
     const models::Answer& answer = walk_.trace.result.answer;
     out["distance"] = fields::number(answer.distance);
     out["overlap"] = answer.overlap;
-    out["closest_x"] = fields::point<2>(answer.a);
-    out["closest_y"] = fields::point<2>(answer.b);
+    out["closest_x"] = fields::point(answer.a);
+    out["closest_y"] = fields::point(answer.b);
     return out;
   }
   [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
@@ -70,8 +70,8 @@ class Told : public AlgorithmTrace {
     const models::Answer& answer = walk_.trace.result.answer;
     out += "\nlin-canny, result\n" + line("stop", name_of(walk_.trace.result.stop));
     out += line("distance", fields::number_text(lesson.scalar, answer.distance));
-    out += line("on " + lesson.x().name, fields::point_text<2>(lesson.scalar, answer.a));
-    return out + line("on " + lesson.y().name, fields::point_text<2>(lesson.scalar, answer.b));
+    out += line("on " + lesson.x().name, fields::point_text(lesson.scalar, answer.a));
+    return out + line("on " + lesson.y().name, fields::point_text(lesson.scalar, answer.b));
   }
 
  private:

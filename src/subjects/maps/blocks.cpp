@@ -46,7 +46,8 @@ std::string condition_of(const PanelBuilder& panel, const RegionOrders::Chain& c
 void numbers_of(PanelBuilder& panel) {
   panel.heading("Coordinates, the same in any order");
   for (const gjk::Face face : std::array<gjk::Face, 4>{0b011, 0b110, 0b101, 0b111}) {
-    const gjk::Barycentric<double, 2> coordinates = gjk::barycentric(panel.state.simplex, face);
+    const gjk::Barycentric<double, 2> coordinates =
+        gjk::barycentric(in_plane(panel.state.simplex), face);
     double x = panel.left;
     for (const int i : panel.words.order(face)) {
       panel.write("code", x, panel.words.coordinate(face, i), type::kCode);

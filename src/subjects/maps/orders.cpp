@@ -23,13 +23,14 @@ const RegionOrders::Chain* chain_of(const SceneBuilder& scene) {
 void short_test(SceneBuilder& scene) {
   const RegionOrders::Chain* chain = chain_of(scene);
   if (!chain || chain->whole || gjk::vertex_count(chain->region) != 2) return;
-  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const WideSimplex& simplex = scene.state.simplex;
   int opposite = 0;
   while (gjk::contains(chain->region, opposite)) ++opposite;
-  const Vector2d from = simplex.vertices[(opposite + 1) % 3].w + scene.shift;
-  const Vector2d edge = simplex.vertices[(opposite + 2) % 3].w + scene.shift - from;
+  const Vector2d from = in_plane(simplex.vertices[(opposite + 1) % 3].w) + scene.shift;
+  const Vector2d edge = in_plane(simplex.vertices[(opposite + 2) % 3].w) + scene.shift - from;
   Vector2d inwards(edge.y(), -edge.x());
-  if (inwards.dot(simplex.vertices[opposite].w + scene.shift - from) < 0.0) inwards = -inwards;
+  if (inwards.dot(in_plane(simplex.vertices[opposite].w) + scene.shift - from) < 0.0)
+    inwards = -inwards;
   std::vector<Point> points;
   for (const Vector2d& corner : clip(scene.map.visible(), {from, inwards}))
     points.push_back(scene.at(corner));

@@ -35,7 +35,7 @@ gjk::RegionTest<double> test_of(gjk::Face face, bool whole, const Coordinates<S>
 
 template <class S>
 RegionOrders::Chain chain_of(gjk::RegionOrder order, bool whole, const Coordinates<S>& coordinates,
-                             const gjk::State<double, 2>& state) {
+                             const WideState& state) {
   RegionOrders::Chain chain;
   chain.order = order;
   chain.whole = whole;
@@ -64,11 +64,12 @@ EffectKey RegionOrders::key(const LessonRun&, const Frame& frame) {
 }
 
 RegionOrders::Value RegionOrders::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   Value chains;
   if (state.simplex.count != 3) return chains;
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const gjk::Simplex<S, 2> simplex = narrowed<S>(state.simplex, run.run(frame).exponent);
+    const gjk::Simplex<S, 2> simplex =
+        narrowed_simplex<S, 2>(state.simplex, run.run(frame).exponent);
     Coordinates<S> coordinates;
     for (gjk::Face face = 1; face <= simplex.all(); ++face) {
       coordinates[face] = gjk::barycentric(simplex, face);

@@ -12,16 +12,16 @@ EffectKey SignMap::key(const LessonRun& run, const Frame& frame) {
 }
 
 SignMap::Value SignMap::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
-  const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
+  const WideSimplex& simplex = run.state(frame).simplex;
   Value regions;
   if (simplex.count != 3) return regions;
   for (gjk::Face positive = 1; positive <= simplex.all(); ++positive) {
     Region region{positive, {}};
     for (int i = 0; i < 3; ++i) {
-      const Vector2d& from = simplex.vertices[(i + 1) % 3].w;
-      const Vector2d edge = simplex.vertices[(i + 2) % 3].w - from;
+      const Vector2d from = in_plane(simplex.vertices[(i + 1) % 3].w);
+      const Vector2d edge = in_plane(simplex.vertices[(i + 2) % 3].w) - from;
       Vector2d inwards(edge.y(), -edge.x());
-      if (inwards.dot(simplex.vertices[i].w - from) < 0.0) inwards = -inwards;
+      if (inwards.dot(in_plane(simplex.vertices[i].w) - from) < 0.0) inwards = -inwards;
       region.half_planes.push_back(
           {from, gjk::contains(positive, i) ? Vector2d(-inwards) : inwards});
     }

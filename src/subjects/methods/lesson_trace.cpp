@@ -55,7 +55,8 @@ class Asking {
   Asking(MethodsTold& told, const MethodsTold* before) : told_(told), before_(before) {}
 
   void gjk(const PositionedRun& run, const Lesson& lesson) {
-    const ::gjk::Query<double, 2> query{{run.x().world}, {run.y().world}};
+    const Case world = case_of(run);
+    const ::gjk::Query<double, 2> query{{world.a}, {world.b}};
     ::gjk::Options options;
     options.start = lesson.options.start;
     const auto cold = ::gjk::distance(query, options);

@@ -95,12 +95,10 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     const Source source = merge.edges[index];
     const bool is_separating =
         (shown.is(Phase::inside) || shown.is_answer) && i == merge.separating;
-    scene.line(role_of(source), scene.at(from),
-               scene.at(from + way_of(shown, merge.corners[index], source)));
+    const Vector2d way = way_of(shown, merge.corners[index], source);
+    scene.line(role_of(source), scene.at(from), scene.at(from + way));
     if (is_separating)
-      layers::support_line(scene, scene.at(from),
-                           {way_of(shown, merge.corners[index], source).y(),
-                            -way_of(shown, merge.corners[index], source).x()},
+      layers::support_line(scene, scene.at(from), in_space(Vector2d(way.y(), -way.x())),
                            "slab.side");
   }
   for (int i = 0; i < std::min(shown.edges() + 1, static_cast<int>(merge.corners.size())); ++i)

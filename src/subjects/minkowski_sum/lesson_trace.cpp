@@ -31,7 +31,7 @@ std::string edge_of(const LessonShape& shape, const models::Ring& ring, int from
   return name(from) + name(ring.next(from));
 }
 
-std::shared_ptr<const AlgorithmTrace> run_sum(const Lesson& lesson, const RunIn<2>& run,
+std::shared_ptr<const AlgorithmTrace> run_sum(const Lesson& lesson, const PositionedRun& run,
                                               const AlgorithmTrace*) {
   const OutlinesOfRun outlines = outlines_of(lesson, run);
   const std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
@@ -82,7 +82,7 @@ Json SumTrace::step_json(const Lesson& lesson, int index) const {
   if (step.phase == Phase::edge)
     out["from"] = edge_name(lesson, merge, step.before.at, step.source);
   out["corner"] = corner_name(lesson, merge, step.after.at);
-  out["point"] = fields::point<2>(merge.at(step.after.at));
+  out["point"] = fields::point(merge.at(step.after.at));
   return out;
 }
 

@@ -53,12 +53,12 @@ void grown_obstacle(SceneBuilder& scene) {
   const std::vector<Point> grown = placed(scene, scene.effects.get<GrownObstacle>(scene.frame));
   scene.area("grown", grown);
   scene.outline(grown);
-  const gjk::Result<double, 2>& result = scene.positioned.trace.result;
+  const WideResult& result = scene.positioned.trace.result;
   const Vector2d position = scene.positioned.x().placement.translate;
   const Point p = scene.at(position);
   if (result.distance > 0.0) {
     // P of the difference, moved by where X stands.
-    const Point nearest = scene.at(result.y - result.x + position);
+    const Point nearest = scene.at(in_plane(result.y - result.x) + position);
     scene.line("closest.line", p, nearest);
     scene.disk("closest", nearest, sizes::kClosestRadius);
   }

@@ -23,8 +23,8 @@ LastPosition::Value LastPosition::compute(EffectGraph& graph, const LessonRun& r
   if (frame.run == 0) return {};
   const PositionedRun& now = run.run(frame);
   const PositionedRun& last = run.runs[frame.run - 1];
-  return Positions{last.x().world,
-                   last.y().world,
+  return Positions{in_plane(last.x().world),
+                   in_plane(last.y().world),
                    hull_corners(graph, {.run = frame.run - 1}, Eigen::Vector2d::Zero()),
                    now.x().placement.translate - last.x().placement.translate,
                    now.y().placement.translate - last.y().placement.translate,

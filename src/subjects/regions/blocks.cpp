@@ -27,7 +27,8 @@ std::string condition(const PanelBuilder& panel, const gjk::FaceList& order, int
   std::string out;
   for (const gjk::RegionTerm<double>& term : panel.words.terms(test)) {
     if (!out.empty()) out += " and ";
-    const bool has_area = gjk::barycentric(panel.state.simplex, term.face).denominator > 0.0;
+    const bool has_area =
+        gjk::barycentric(in_plane(panel.state.simplex), term.face).denominator > 0.0;
     out += has_area || gjk::vertex_count(term.face) < 3
                ? panel.words.coordinate(term.face, term.vertex) + " ≤ 0"
                : "area 0";
@@ -142,9 +143,9 @@ namespace {
 
 /// Where Q projects to on the line of an edge: on it, or beyond one of its ends.
 void ruler(PanelBuilder& panel, int from, int to) {
-  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const WideSimplex& simplex = panel.state.simplex;
   const auto face = static_cast<gjk::Face>(gjk::face_of(from) | gjk::face_of(to));
-  const auto along = gjk::barycentric(simplex, face);
+  const auto along = gjk::barycentric(in_plane(simplex), face);
   if (!(along.denominator > 0.0)) return;
   const double share = along.numerator[to] / along.denominator;
   const std::string a = panel.words.vertex(from);
@@ -152,7 +153,7 @@ void ruler(PanelBuilder& panel, int from, int to) {
   std::string name = "on " + panel.words.face(face);
   if (simplex.count == 3) {
     const int other = 3 - from - to;
-    const bool inside = gjk::barycentric(simplex, simplex.all()).numerator[other] > 0.0;
+    const bool inside = gjk::barycentric(in_plane(simplex), simplex.all()).numerator[other] > 0.0;
     name += inside ? fmt::format(", on {}'s side", panel.words.vertex(other)) : ", beyond it";
   }
   panel.write("body", panel.left, name, type::kBody);
@@ -188,7 +189,7 @@ void ruler(PanelBuilder& panel, int from, int to) {
 
 /// Q's distance from everything on a segment that can be closest.
 void candidates(PanelBuilder& panel) {
-  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const WideSimplex& simplex = panel.state.simplex;
   const Projection::Value& g = panel.effects.get<Projection>(panel.frame);
   if (!g) return;
   const auto row = [&](const std::string& name, const std::string& note, double distance,
@@ -231,7 +232,7 @@ void regions(PanelBuilder& panel) {
                 current ? type::kStrong : type::kBody);
     if (current) {
       // An edge's point by its place: weights need not be known yet.
-      const Eigen::Vector2d on_edge = panel.state.p + panel.run.run(panel.frame).x().world[0];
+      const Eigen::Vector3d on_edge = panel.state.p + panel.run.run(panel.frame).x().world[0];
       const int size = gjk::vertex_count(face);
       const std::string p = "P = " + (size == 3   ? query_name(panel.run)
                                       : size == 2 ? panel.numbers.point(on_edge)

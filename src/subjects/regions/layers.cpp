@@ -45,17 +45,17 @@ bool keeps_answer_back(const SceneBuilder& scene) {
 /// where a region on one of its sides is.
 template <class IsDrawn>
 void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
-  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const WideSimplex& simplex = scene.state.simplex;
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (int i = 0; i < simplex.count; ++i) {
     for (int j = i + 1; j < simplex.count; ++j) {
-      const Vector2d a = simplex.vertices[i].w + scene.shift;
-      const Vector2d b = simplex.vertices[j].w + scene.shift;
+      const Vector2d a = in_plane(simplex.vertices[i].w) + scene.shift;
+      const Vector2d b = in_plane(simplex.vertices[j].w) + scene.shift;
       const Vector2d edge = b - a;
       if (edge.norm() == 0.0) continue;
       Vector2d outwards = Vector2d(edge.y(), -edge.x()).normalized();
       const bool triangle = simplex.count == 3;
-      if (triangle && outwards.dot(simplex.vertices[3 - i - j].w + scene.shift - a) > 0.0)
+      if (triangle && outwards.dot(in_plane(simplex.vertices[3 - i - j].w) + scene.shift - a) > 0.0)
         outwards = -outwards;
       const auto face = static_cast<gjk::Face>(gjk::face_of(i) | gjk::face_of(j));
       for (const int vertex : {i, j}) {

@@ -47,9 +47,9 @@ EffectKey VoronoiRegions::key(const LessonRun&, const Frame& frame) {
 
 VoronoiRegions::Value VoronoiRegions::compute(EffectGraph&, const LessonRun& run,
                                               const Frame& frame) {
-  const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
+  const WideSimplex& simplex = run.state(frame).simplex;
   std::vector<Vector2d> points;
-  for (int i = 0; i < simplex.count; ++i) points.push_back(simplex.vertices[i].w);
+  for (int i = 0; i < simplex.count; ++i) points.push_back(in_plane(simplex.vertices[i].w));
   Value regions;
   for (gjk::Face face = 1; face <= simplex.all(); ++face) {
     const bool interior_of_degenerate = gjk::vertex_count(face) == 3 && signed_area(points) == 0.0;

@@ -20,7 +20,7 @@ bool names_coordinates(const Story& story) {
 
 std::string region_reason(const Story& story) {
   const gjk::Face face = story.state.region;
-  const gjk::Simplex<double, 2>& simplex = story.state.simplex;
+  const WideSimplex& simplex = story.state.simplex;
   const gjk::RegionTest<double>* won = nullptr;
   for (const auto& test : story.knows.region_tests) {
     if (test.holds) won = &test;
@@ -106,7 +106,7 @@ std::string parts_of(const Story& story, const gjk::Barycentric<double, 2>& coor
 
 void areas(const Story& story, FrameText& text) {
   const gjk::Barycentric<double, 2> coordinates =
-      gjk::barycentric(story.state.simplex, story.state.simplex.all());
+      gjk::barycentric(in_plane(story.state.simplex), story.state.simplex.all());
   const std::string whole = story.words.face(story.state.simplex.all());
   std::string negatives;
   std::string edges;
@@ -266,12 +266,13 @@ void closest(const Story& story, FrameText& text) {
 }
 
 void region_test(const Story& story, FrameText& text) {
-  const gjk::Simplex<double, 2>& simplex = story.state.simplex;
+  const WideSimplex& simplex = story.state.simplex;
   if (story.knows.tests_reached < 0) {
     text.caption = fmt::format(
         "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
     if (simplex.count == 2) {
-      const gjk::Barycentric<double, 2> weights = gjk::barycentric(simplex, simplex.all());
+      const gjk::Barycentric<double, 2> weights =
+          gjk::barycentric(in_plane(simplex), simplex.all());
       text.detail = fmt::format(
           "u = {} and v = {} are signed fractions of the length of {}. The first true test "
           "decides.",

@@ -64,7 +64,7 @@ void skins(SceneBuilder& scene) {
     if (!(radius > 0.0)) continue;
     const bool is_x = body == 0;
     const std::vector<Point> outline =
-        outline_of(scene, scene.positioned.bodies[body].world, radius);
+        outline_of(scene, in_plane(scene.positioned.bodies[body].world), radius);
     scene.area(scene.run.point_query() ? is_x ? "skin.query" : "skin"
                : is_x                  ? "skin.x"
                                        : "skin.y",

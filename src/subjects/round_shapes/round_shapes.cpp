@@ -4,22 +4,20 @@
 
 namespace gjkscope {
 
-using Eigen::Vector2d;
-
 EffectKey RoundShapes::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
 RoundShapes::Value RoundShapes::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   const double of_x = run.lesson.x().radius;
   const double of_y = run.lesson.y().radius;
   const PositionedRun& positioned = run.run(frame);
-  const gjk::Result<double, 2>& result = positioned.trace.result;
+  const WideResult& result = positioned.trace.result;
   Value answer{of_x + of_y, result.distance - (of_x + of_y), Meeting::touching, result.x, result.y};
   if (positioned.bounds.empty()) return answer;
   const auto& [lower, upper] = positioned.bounds.back();
   if (lower > answer.radii) answer.meeting = Meeting::apart;
   if (upper < answer.radii) answer.meeting = Meeting::overlapping;
   if (result.distance > 0.0) {
-    const Vector2d towards_y = (result.y - result.x).normalized();
+    const Eigen::Vector3d towards_y = (result.y - result.x).normalized();
     answer.x += of_x * towards_y;
     answer.y -= of_y * towards_y;
   }

@@ -14,9 +14,9 @@ struct RoundShapes {
     double radii = 0.0;     ///< Both, added.
     double distance = 0.0;  ///< GJK's, less the radii: negative where the shapes overlap.
     Meeting meeting = Meeting::apart;
-    Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< The point of X closest to Y; of shapes that
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();  ///< The point of X closest to Y; of shapes that
                                                   ///< overlap, the one that is deepest in Y.
-    Eigen::Vector2d y = Eigen::Vector2d::Zero();  ///< The same of Y.
+    Eigen::Vector3d y = Eigen::Vector3d::Zero();  ///< The same of Y.
   };
   /// nullptr, and nothing is asked of the graph, where no shape has a radius.
   static const Value* of(EffectGraph& graph, const LessonRun& run, const Frame& frame) {

@@ -128,7 +128,7 @@ namespace {
 
 void scan(PanelBuilder& panel) {
   static const std::vector<gjk::ScanEntry<double>> none;
-  const gjk::Record<double, 2>* record = nullptr;
+  const WideRecord* record = nullptr;
   if (panel.knows.phase == Phase::support) record = &panel.run.step(panel.frame).record;
   if (panel.knows.phase_is(Phase::stop) && panel.knows.support)
     record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
@@ -167,7 +167,7 @@ void bounds(PanelBuilder& panel) {
   // 0.
   constexpr double kRounding = 1e-12;  // of the size of Y: far less than frames show
   double size = 0.0;
-  for (const Eigen::Vector2d& vertex : positioned.y().world)
+  for (const Eigen::Vector3d& vertex : positioned.y().world)
     size = std::max(size, (vertex - positioned.y().world[0]).norm());
   const double high = bounds.upper < kRounding * size ? 0.0 : bounds.upper;
   panel.write("code.current", panel.right,

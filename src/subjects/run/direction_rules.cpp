@@ -14,19 +14,19 @@ EffectKey DirectionRules::key(const LessonRun&, const Frame& frame) {
 
 DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run,
                                               const Frame& frame) {
-  const gjk::State<double, 2>& state = run.state(frame);
+  const WideState& state = run.state(frame);
   Value built;
   if (state.simplex.count != 2) return built;
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
     // In the run's own unit, as the run built its direction.
     const int exponent = run.run(frame).exponent;
-    const gjk::Simplex<S, 2> simplex = narrowed<S, 2>(state.simplex, exponent);
-    const gjk::Vec<S, 2> p = narrowed<S, 2>(state.p * std::ldexp(1.0, -exponent));
+    const gjk::Simplex<S, 2> simplex = narrowed_simplex<S, 2>(state.simplex, exponent);
+    const gjk::Vec<S, 2> p = narrowed<S, 2>(Eigen::Vector3d(state.p * std::ldexp(1.0, -exponent)));
     const gjk::Vec<S, 2> edge = simplex.vertices[1].w - simplex.vertices[0].w;
     for (const gjk::DirectionRule rule :
          {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
       const gjk::DirectionNote<S, 2> note = gjk::search_direction(simplex, p, rule);
-      built.push_back({rule, widened(note.d) * std::ldexp(1.0, exponent),
+      built.push_back({rule, widened<S, 2>(note.d) * std::ldexp(1.0, exponent),
                        std::ldexp(widened(gjk::dot(note.d, edge)), 2 * exponent)});
     }
   });

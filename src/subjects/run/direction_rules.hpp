@@ -11,7 +11,7 @@ struct DirectionRules {
   static constexpr std::string_view kNeeds = "";
   struct Built {
     gjk::DirectionRule rule = gjk::DirectionRule::perpendicular;
-    Eigen::Vector2d d = Eigen::Vector2d::Zero();
+    Eigen::Vector3d d = Eigen::Vector3d::Zero();
     double dot_with_edge = 0.0;
   };
   /// Both rules; empty where the simplex is not a segment.

@@ -14,8 +14,8 @@ namespace {
 
 /// "0.00008": the degrees by which a direction misses being perpendicular to the simplex, with one
 /// digit.
-std::string off_by(const Story& story, const Eigen::Vector2d& d) {
-  const Eigen::Vector2d edge =
+std::string off_by(const Story& story, const Eigen::Vector3d& d) {
+  const Eigen::Vector3d edge =
       story.state.simplex.vertices[1].w - story.state.simplex.vertices[0].w;
   const double degrees =
       std::asin(std::abs(d.dot(edge)) / (d.norm() * edge.norm())) * 180.0 / std::numbers::pi;

@@ -11,7 +11,7 @@ EffectKey History::key(const LessonRun& run, const Frame& frame) {
 History::Value History::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   Value entries;
   const int now = run.state(frame).iteration;
-  for (const gjk::Step<double, 2>& step : run.run(frame).trace.steps) {
+  for (const WideStep& step : run.run(frame).trace.steps) {
     if (step.phase == gjk::Phase::drop && step.iteration < now) {
       entries.push_back({step.iteration, step.after.simplex, step.after.p});
     }

@@ -10,8 +10,8 @@ struct History {
   static constexpr std::string_view kNeeds = "";
   struct Entry {
     int iteration = 1;
-    gjk::Simplex<double, 2> simplex;
-    Eigen::Vector2d p;
+    WideSimplex simplex;
+    Eigen::Vector3d p;
   };
   using Value = std::vector<Entry>;
   static EffectKey key(const LessonRun& run, const Frame& frame);

@@ -18,6 +18,7 @@ namespace gjkscope::layers {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using namespace sizes;
 
 std::string subscript(int number) {
@@ -27,7 +28,7 @@ std::string subscript(int number) {
   return out;
 }
 
-void dropped_vertex(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex) {
+void dropped_vertex(SceneBuilder& scene, const WideVertex& vertex) {
   if (scene.shows_difference) {
     scene.disk("dropped", scene.at_difference(vertex.w), kRingRadius);
     if (!scene.run.point_query()) scene.pair_label(vertex, "dropped.label");
@@ -42,8 +43,7 @@ bool weights_untold(const SceneBuilder& scene) {
 }
 
 /// The weight that a vertex has in P, on the side away from P.
-void weight_label(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& vertex,
-                  const std::string& weight) {
+void weight_label(SceneBuilder& scene, const WideVertex& vertex, const std::string& weight) {
   const Point at = scene.at_difference(vertex.w);
   scene.out.moving_labels.push_back(
       scene.label("weight:" + scene.run.pair_name(vertex.pair), weight, "weight.label",
@@ -52,7 +52,7 @@ void weight_label(SceneBuilder& scene, const gjk::SupportPoint<double, 2>& verte
 
 }  // namespace
 
-void search_arrow(SceneBuilder& scene, const Point& from, const Vector2d& d, double length,
+void search_arrow(SceneBuilder& scene, const Point& from, const Vector3d& d, double length,
                   const std::string& text) {
   if (!(d.norm() > 0.0)) return;
   const Point along = scene.map.direction(d);
@@ -70,9 +70,10 @@ void search_direction(SceneBuilder& scene) {
                scene.arrow_length(scene.state.p), "d");
 }
 
-void support_line(SceneBuilder& scene, const Point& through, const Vector2d& d,
+void support_line(SceneBuilder& scene, const Point& through, const Vector3d& d,
                   const std::string& role) {
-  const Point across = scene.map.area().size().norm() * scene.map.direction({d.y(), -d.x()});
+  const Point across =
+      scene.map.area().size().norm() * scene.map.direction(Vector2d(d.y(), -d.x()));
   scene.line(role, through - across, through + across);
 }
 
@@ -112,12 +113,12 @@ namespace {
 
 /// In the world, the parts of both shapes whose differences are the feature that holds P.
 void chords(SceneBuilder& scene, gjk::Face face) {
-  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const WideSimplex& simplex = scene.state.simplex;
   for (int i = 0; i < simplex.count; ++i) {
     for (int j = i + 1; j < simplex.count; ++j) {
       if (!gjk::contains(face, i) || !gjk::contains(face, j)) continue;
-      const gjk::SupportPoint<double, 2>& a = simplex.vertices[i];
-      const gjk::SupportPoint<double, 2>& b = simplex.vertices[j];
+      const WideVertex& a = simplex.vertices[i];
+      const WideVertex& b = simplex.vertices[j];
       if (a.pair.x != b.pair.x)
         scene.line("simplex.edge", scene.at(scene.vertex_of_x(a)), scene.at(scene.vertex_of_x(b)));
       if (a.pair.y != b.pair.y)
@@ -129,7 +130,7 @@ void chords(SceneBuilder& scene, gjk::Face face) {
 }  // namespace
 
 void simplex(SceneBuilder& scene) {
-  const gjk::Simplex<double, 2>& simplex = scene.state.simplex;
+  const WideSimplex& simplex = scene.state.simplex;
   const gjk::Face face = shows_closest_point(scene) ? scene.state.region : gjk::Face{0};
   if (scene.shows_difference) {
     std::vector<Point> points;
@@ -152,9 +153,9 @@ void simplex(SceneBuilder& scene) {
   }
   if (scene.knows.phase_is(gjk::Phase::drop)) {
     const auto& dropped = scene.run.step(scene.frame).record.dropped;
-    for (const gjk::SupportPoint<double, 2>& vertex : dropped) dropped_vertex(scene, vertex);
+    for (const WideVertex& vertex : dropped) dropped_vertex(scene, vertex);
     if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;
-    for (const gjk::SupportPoint<double, 2>& vertex : dropped) weight_label(scene, vertex, "0");
+    for (const WideVertex& vertex : dropped) weight_label(scene, vertex, "0");
     const Numbers numbers(scene.run.lesson);
     for (int i = 0; i < simplex.count; ++i)
       weight_label(scene, simplex.vertices[i], numbers.weight(simplex.weights[i]));
@@ -203,8 +204,8 @@ void closest_point(SceneBuilder& scene) {
 
 void witness_points(SceneBuilder& scene) {
   if (!shows_closest_point(scene)) return;
-  Vector2d x = Vector2d::Zero();
-  Vector2d y = Vector2d::Zero();
+  Vector3d x = Vector3d::Zero();
+  Vector3d y = Vector3d::Zero();
   for (int i = 0; i < scene.state.simplex.count; ++i) {
     x += scene.state.simplex.weights[i] * scene.vertex_of_x(scene.state.simplex.vertices[i]);
     y += scene.state.simplex.weights[i] * scene.vertex_of_y(scene.state.simplex.vertices[i]);
@@ -242,7 +243,7 @@ void other_normal(SceneBuilder& scene) {
                                                 type::kVertex, 0.5 * (p + tip), 0.0,
                                                 Point(along.y(), -along.x())));
   if (!scene.knows.support) return;
-  const Vector2d w =
+  const Vector3d w =
       scene.positioned.y().world[other->support.y] - scene.positioned.x().world[other->support.x];
   support_line(scene, scene.at_difference(w), other->d, "support.plane.other");
   scene.diamond("support.other", scene.at_difference(w), kSupportRadius,
@@ -265,10 +266,11 @@ void asked_directions(SceneBuilder& scene) {
   const LessonQuestion& question =
       scene.run.lesson.questions[static_cast<std::size_t>(frame.question)];
   if (question.ask != asks::kSupport.name) return;
-  const Vector2d& d =
+  const Vector3d& d =
       scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
-  search_arrow(scene, scene.at(centroid(scene.positioned.y().world)), d, kPairArrow, "d");
-  search_arrow(scene, scene.at(centroid(scene.positioned.x().world)), -d, kPairArrow, "−d");
+  search_arrow(scene, scene.at(centroid(in_plane(scene.positioned.y().world))), d, kPairArrow, "d");
+  search_arrow(scene, scene.at(centroid(in_plane(scene.positioned.x().world))), -d, kPairArrow,
+               "−d");
 }
 
 }  // namespace

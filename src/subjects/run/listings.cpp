@@ -152,7 +152,7 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
     const bool holds = tests[i].holds;
     if (line.takes) {
       if (!holds) return {State::untried};
-      const Eigen::Vector2d p = panel.state.p + panel.run.run(panel.frame).x().world[0];
+      const Eigen::Vector3d p = panel.state.p + panel.run.run(panel.frame).x().world[0];
       return {State::current, {}, panel.numbers.point(p, 3)};
     }
     const bool reached = i == panel.knows.tests_reached && !(holds && has_takes);
@@ -192,13 +192,13 @@ void region_chain(PanelBuilder& panel, const Lines& lines, bool has_takes) {
 // ---------------------------------------------------------------------------------------------------
 
 /// What a step left beside its line.
-std::string value_of(const PanelBuilder& panel, const gjk::Step<double, 2>& step) {
-  const gjk::State<double, 2>& after = step.after;
+std::string value_of(const PanelBuilder& panel, const WideStep& step) {
+  const WideState& after = step.after;
   switch (step.phase) {
     case Phase::closest: {
       const bool point = panel.run.point_query();
       return panel.numbers.point(
-          point ? Eigen::Vector2d(after.p + panel.run.run(panel.frame).x().world[0]) : after.p);
+          point ? Eigen::Vector3d(after.p + panel.run.run(panel.frame).x().world[0]) : after.p);
     }
     case Phase::drop: {
       std::string dropped;
@@ -221,8 +221,8 @@ std::string value_of(const PanelBuilder& panel, const gjk::Step<double, 2>& step
 }
 
 /// The steps of the frame's iteration up to the frame's, by phase; null for phases to come.
-std::array<const gjk::Step<double, 2>*, gjk::kPhaseCount> steps_so_far(const PanelBuilder& panel) {
-  std::array<const gjk::Step<double, 2>*, gjk::kPhaseCount> steps = {};
+std::array<const WideStep*, gjk::kPhaseCount> steps_so_far(const PanelBuilder& panel) {
+  std::array<const WideStep*, gjk::kPhaseCount> steps = {};
   const auto& all = panel.run.run(panel.frame).trace.steps;
   for (int i = 0; i <= panel.frame.step; ++i) {
     if (all[i].iteration == all[panel.frame.step].iteration)
@@ -234,7 +234,7 @@ std::array<const gjk::Step<double, 2>*, gjk::kPhaseCount> steps_so_far(const Pan
 void loop(PanelBuilder& panel) {
   const auto steps = steps_so_far(panel);
   const auto step_of = [&](Phase phase) { return steps[static_cast<std::size_t>(phase)]; };
-  const gjk::Step<double, 2>* stop = step_of(Phase::stop);
+  const WideStep* stop = step_of(Phase::stop);
   bool first = true;
   // Ten lines leave room for two more blocks when they stand closer than others.
   for (const CodeLine& line : gjk_lines(panel.run)) {
@@ -242,7 +242,7 @@ void loop(PanelBuilder& panel) {
     if (first && panel.frame.step < 0) {
       view = {State::current, {}, panel.words.face(panel.state.simplex.all())};
     } else if (line.phase && step_of(*line.phase)) {
-      const gjk::Step<double, 2>& step = *step_of(*line.phase);
+      const WideStep& step = *step_of(*line.phase);
       view = {panel.knows.phase == line.phase ? State::current : State::past,
               {},
               value_of(panel, step)};
@@ -317,10 +317,10 @@ void minkowski_listing(PanelBuilder& panel) {
 
 /// Catto 2010, slides on the data structures. The vertex is the newest of the simplex.
 void structures_listing(PanelBuilder& panel) {
-  const gjk::Simplex<double, 2>& simplex = panel.state.simplex;
+  const WideSimplex& simplex = panel.state.simplex;
   const int newest = simplex.count - 1;
-  const gjk::SupportPoint<double, 2>& vertex = simplex.vertices[newest];
-  const Eigen::Vector2d point = vertex.w + panel.run.run(panel.frame).x().world[0];
+  const WideVertex& vertex = simplex.vertices[newest];
+  const Eigen::Vector3d point = vertex.w + panel.run.run(panel.frame).x().world[0];
   const bool weighed = panel.knows.phase && *panel.knows.phase != Phase::add;
   write_line(panel, "SimplexVertex", {State::past, {}, panel.words.vertex(newest)});
   write_line(panel, "  point: where it is", {State::idle, {}, panel.numbers.point(point)});

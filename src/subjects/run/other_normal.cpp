@@ -7,21 +7,21 @@
 
 namespace gjkscope {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 namespace {
 
-int farthest(const std::vector<Vector2d>& vertices, const Vector2d& d) {
-  const auto less = [&](const Vector2d& a, const Vector2d& b) { return a.dot(d) < b.dot(d); };
+int farthest(const std::vector<Vector3d>& vertices, const Vector3d& d) {
+  const auto less = [&](const Vector3d& a, const Vector3d& b) { return a.dot(d) < b.dot(d); };
   return static_cast<int>(std::max_element(vertices.begin(), vertices.end(), less) -
                           vertices.begin());
 }
 
 /// The step that chose d, of the frame's iteration; none before it.
-const gjk::Step<double, 2>* direction_step(const LessonRun& run, const Frame& frame) {
-  const std::vector<gjk::Step<double, 2>>& steps = run.run(frame).trace.steps;
+const WideStep* direction_step(const LessonRun& run, const Frame& frame) {
+  const std::vector<WideStep>& steps = run.run(frame).trace.steps;
   for (int i = frame.step; i >= 0; --i) {
-    const gjk::Step<double, 2>& step = steps[static_cast<std::size_t>(i)];
+    const WideStep& step = steps[static_cast<std::size_t>(i)];
     if (step.phase == gjk::Phase::direction) return &step;
     if (step.phase == gjk::Phase::closest) break;
   }
@@ -36,14 +36,14 @@ EffectKey OtherNormal::key(const LessonRun&, const Frame& frame) {
 
 OtherNormal::Value OtherNormal::compute(EffectGraph& graph, const LessonRun& run,
                                         const Frame& frame) {
-  const gjk::Step<double, 2>* step = direction_step(run, frame);
+  const WideStep* step = direction_step(run, frame);
   if (!graph.get<FrameFacts>(frame).direction || step == nullptr ||
       !step->record.direction.sign_is_arbitrary)
     return std::nullopt;
   Search search{-run.state(frame).d, {}, false};
   search.support = {farthest(run.run(frame).x().world, -search.d),
                     farthest(run.run(frame).y().world, search.d)};
-  const gjk::Simplex<double, 2>& simplex = run.state(frame).simplex;
+  const WideSimplex& simplex = run.state(frame).simplex;
   for (int i = 0; i < simplex.count; ++i)
     search.in_simplex |= simplex.vertices[i].pair == search.support;
   return search;

@@ -12,7 +12,7 @@ struct OtherNormal {
   static constexpr std::string_view kName = "other-normal";
   static constexpr std::string_view kNeeds = "facts";
   struct Search {
-    Eigen::Vector2d d = Eigen::Vector2d::Zero();
+    Eigen::Vector3d d = Eigen::Vector3d::Zero();
     gjk::VertexPair support;
     bool in_simplex = false;
   };

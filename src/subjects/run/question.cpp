@@ -104,15 +104,15 @@ class Asking {
 
  private:
   /// Where what is asked for happens, if not in the step that tells it.
-  [[nodiscard]] const gjk::Step<double, 2>& next_step() const {
+  [[nodiscard]] const WideStep& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];
   }
 
   const Story& story_;
   FrameText& text_;
   const LessonRun& run_;
-  const gjk::Step<double, 2>& step_;
-  const gjk::State<double, 2>& before_;
+  const WideStep& step_;
+  const WideState& before_;
   SimplexWords words_;
   FrameQuestion& asked_;
 };

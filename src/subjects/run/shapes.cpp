@@ -59,8 +59,8 @@ void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<V
 /// points. They are the same in each frame of the run, so names neither come nor go between steps.
 std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::size_t count) {
   std::vector<bool> met(count, false);
-  const auto meet = [&](const gjk::State<double, 2>& state) {
-    const auto note = [&](const gjk::SupportPoint<double, 2>& vertex) {
+  const auto meet = [&](const WideState& state) {
+    const auto note = [&](const WideVertex& vertex) {
       met[static_cast<std::size_t>(is_x ? vertex.pair.x : vertex.pair.y)] = true;
     };
     for (int i = 0; i < state.simplex.count; ++i) note(state.simplex.vertices[i]);
@@ -92,7 +92,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   const auto count_of = [](const std::vector<bool>& of) {
     return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
   };
-  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
+  const std::vector<Vector2d> world = in_plane(scene.positioned.bodies[body].world);
   std::size_t others = 0;
   for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i) {
     if (i != body)
@@ -162,7 +162,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const bool is_x = body == 0;
   const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
   const LessonShape& shape = lesson.bodies[body];
-  const std::vector<Vector2d>& world = scene.positioned.bodies[body].world;
+  const std::vector<Vector2d> world = in_plane(scene.positioned.bodies[body].world);
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   const std::vector<Point> vertices = scene.mapped(world);
   const std::vector<Point> corners = told_apart(vertices);
@@ -225,8 +225,8 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
   const auto is_one_of = [](int index, const std::vector<Vector2d>& vertices) {
     return index >= 0 && index < static_cast<int>(vertices.size());
   };
-  const std::vector<Vector2d>& x = scene.positioned.x().world;
-  const std::vector<Vector2d>& y = scene.positioned.y().world;
+  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
+  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
   if (vertex.kind == Kind::difference_vertex) {
     if (scene.view.kind != ViewKind::difference || !is_one_of(vertex.x, x) ||
         !is_one_of(vertex.y, y))
@@ -281,7 +281,7 @@ void path(SceneBuilder& scene) {
   for (std::size_t body = 0; body < path.motions.size(); ++body) {
     const Lesson& lesson = scene.run.lesson;
     if (!scene.run.point_query()) {
-      const Point middle = scene.at(centroid(scene.positioned.bodies[body].world));
+      const Point middle = scene.at(centroid(in_plane(scene.positioned.bodies[body].world)));
       const std::string& name = lesson.bodies[body].name;
       const bool moves = !path.motions[body].points.empty();
       auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
@@ -292,7 +292,7 @@ void path(SceneBuilder& scene) {
     if (path.motions[body].points.empty()) continue;
     std::vector<Point> points;
     for (const PositionedRun& run : scene.run.runs)
-      points.push_back(scene.at(centroid(run.bodies[body].world)));
+      points.push_back(scene.at(centroid(in_plane(run.bodies[body].world))));
     scene.add("path", Polyline{points});
     for (std::size_t i = 1; i < points.size(); ++i)
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});

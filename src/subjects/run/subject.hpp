@@ -70,12 +70,12 @@ void length_label(SceneBuilder& scene, const std::string& id, double length, con
 void closest_point(SceneBuilder& scene);
 void witness_points(SceneBuilder& scene);
 /// An arrow along d, and its name.
-void search_arrow(SceneBuilder& scene, const Point& from, const Eigen::Vector2d& d, double length,
+void search_arrow(SceneBuilder& scene, const Point& from, const Eigen::Vector3d& d, double length,
                   const std::string& text);
 /// The search direction at P.
 void search_direction(SceneBuilder& scene);
 /// The line through a point, normal to d.
-void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector2d& d,
+void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector3d& d,
                   const std::string& role = "support.plane");
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);

@@ -45,8 +45,7 @@ void start(const Story& story, FrameText& text) {
 }
 
 void drop(const Story& story, FrameText& text) {
-  const std::vector<gjk::SupportPoint<double, 2>>& dropped =
-      story.run.step(story.frame).record.dropped;
+  const std::vector<WideVertex>& dropped = story.run.step(story.frame).record.dropped;
   const gjk::Phase next = story.trace.steps[story.frame.step + 1].phase;
   if (dropped.empty()) {
     if (story.state.simplex.count == 1) {
@@ -88,7 +87,7 @@ void drop(const Story& story, FrameText& text) {
 }
 
 void direction(const Story& story, FrameText& text) {
-  const gjk::DirectionNote<double, 2>& note = story.run.step(story.frame).record.direction;
+  const WideDirection& note = story.run.step(story.frame).record.direction;
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = fmt::format("d = 0, because P = {}.", story.q);
     text.detail = "No direction is left to search in.";
@@ -207,7 +206,7 @@ std::string outcome(const Story& story) {
 
 /// How much farther along d the support point lies than P: a length.
 double farther_than_p(const Story& story) {
-  const gjk::State<double, 2>& state = story.state;
+  const WideState& state = story.state;
   return state.d.dot(state.support.w - state.p) / state.d.norm();
 }
 
@@ -265,7 +264,7 @@ void support(const Story& story, FrameText& text) {
     }
   }
   if (story.run.point_query()) return;
-  const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
+  const WideRecord& record = story.run.step(story.frame).record;
   text.detail += also_as_far(story.run.lesson.y(), record.scan_y, pair.y);
   text.detail += also_as_far(story.run.lesson.x(), record.scan_x, pair.x);
 }
@@ -383,7 +382,7 @@ namespace {
 /// u, v and w of the query point, signed, as long as the simplex is the one that they are about;
 /// and the weights of P, none of them negative. Both in the order of "simplex".
 void put_weights(const Story& story, FrameText& text) {
-  const gjk::Simplex<double, 2>& simplex = story.state.simplex;
+  const WideSimplex& simplex = story.state.simplex;
   const BarycentricWeights::Value& of_q = story.effects.get<BarycentricWeights>(story.frame);
   const std::vector<int> order = story.words.order(simplex.all());
   const bool measures = simplex.count > 1 && of_q.simplex.count == simplex.count &&
@@ -407,7 +406,7 @@ void run_values(const Story& story, FrameText& text) {
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
-  const gjk::Result<double, 2>& result = story.trace.result;
+  const WideResult& result = story.trace.result;
   const bool running = story.frame.step >= 0;
   put("x", story.run.lesson.x().name);
   put("y", story.run.lesson.y().name);

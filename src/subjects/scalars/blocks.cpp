@@ -42,10 +42,10 @@ int decimals_of(double value, ScalarKind scalar) {
 
 /// The length that a run knows in the frame's iteration, and at the end the one that it answers.
 double length_at(const Answer& answer, int iteration, bool ended) {
-  const gjk::Trace<double, 2>& trace = answer.run.trace;
+  const WideTrace& trace = answer.run.trace;
   if (ended) return trace.result.distance;
   double length = trace.initial.p.norm();
-  for (const gjk::Step<double, 2>& step : trace.steps) {
+  for (const WideStep& step : trace.steps) {
     if (step.iteration <= iteration) length = step.after.p.norm();
   }
   return length;
@@ -60,9 +60,9 @@ std::string relation(const PanelBuilder& panel, const Answer& answer, const Answ
     if (answer.parting == 0) return "the same steps as exact";
     return fmt::format("parts from exact in iteration {}", answer.parting);
   }
-  const gjk::Step<double, 2>* mine = support_step(answer.run, iteration);
-  const gjk::Step<double, 2>* right = support_step(exact.run, iteration);
-  const auto name = [&](const gjk::Step<double, 2>* step) {
+  const WideStep* mine = support_step(answer.run, iteration);
+  const WideStep* right = support_step(exact.run, iteration);
+  const auto name = [&](const WideStep* step) {
     return step != nullptr ? panel.run.pair_name(step->after.support.pair) : std::string("none");
   };
   if (&answer == &exact) return "support point " + name(mine);

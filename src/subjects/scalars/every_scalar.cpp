@@ -10,8 +10,8 @@ namespace {
 int parting_of(const PositionedRun& run, const PositionedRun& exact) {
   const int last = std::max(run.trace.result.iterations, exact.trace.result.iterations);
   for (int iteration = 1; iteration <= last; ++iteration) {
-    const gjk::Step<double, 2>* mine = support_step(run, iteration);
-    const gjk::Step<double, 2>* right = support_step(exact, iteration);
+    const WideStep* mine = support_step(run, iteration);
+    const WideStep* right = support_step(exact, iteration);
     if ((mine == nullptr) != (right == nullptr)) return iteration;
     if (mine != nullptr && mine->after.support.pair != right->after.support.pair) return iteration;
     const bool ends = run.trace.result.iterations == iteration;
@@ -22,8 +22,8 @@ int parting_of(const PositionedRun& run, const PositionedRun& exact) {
 
 }  // namespace
 
-const gjk::Step<double, 2>* support_step(const PositionedRun& run, int iteration) {
-  for (const gjk::Step<double, 2>& step : run.trace.steps) {
+const WideStep* support_step(const PositionedRun& run, int iteration) {
+  for (const WideStep& step : run.trace.steps) {
     if (step.iteration == iteration && step.phase == gjk::Phase::support) return &step;
   }
   return nullptr;

@@ -24,6 +24,6 @@ struct EveryScalar {
 };
 
 /// The step of an iteration in which a run asked for a support point; null where it asked for none.
-[[nodiscard]] const gjk::Step<double, 2>* support_step(const PositionedRun& run, int iteration);
+[[nodiscard]] const WideStep* support_step(const PositionedRun& run, int iteration);
 
 }  // namespace gjkscope

@@ -11,9 +11,9 @@ using namespace sizes;
 void second_run(SceneBuilder& scene) {
   if (!scene.shows_difference || !shows_closest_point(scene)) return;
   const SecondRun::Value& second = scene.effects.get<SecondRun>(scene.frame);
-  const gjk::Step<double, 2>* step = step_beside(second, scene.run, scene.frame);
+  const WideStep* step = step_beside(second, scene.run, scene.frame);
   if (!step) return;
-  const gjk::State<double, 2>& state = step->after;
+  const WideState& state = step->after;
   const std::string scalar(name_of(*scene.run.lesson.beside));
   const Point p = scene.at_difference(state.p);
   const auto name = [&](const std::string& what, const Point& anchor, double radius,

@@ -17,20 +17,20 @@ SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Fr
     options.direction_rule = gjk::DirectionRule::perpendicular;
     value.mended = run_again(first, options, run.lesson.scalar);
   }
-  const std::vector<gjk::Step<double, 2>>& steps = first.trace.steps;
+  const std::vector<WideStep>& steps = first.trace.steps;
   for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
     if (steps[i].phase != gjk::Phase::support) continue;
-    const gjk::Step<double, 2>* beside = step_beside(value, run, {frame.run, i});
+    const WideStep* beside = step_beside(value, run, {frame.run, i});
     if (!beside || beside->after.support.pair != steps[i].after.support.pair) value.parting = i;
   }
   return value;
 }
 
-const gjk::Step<double, 2>* step_beside(const SecondRun::Value& second, const LessonRun& run,
-                                        const Frame& frame) {
+const WideStep* step_beside(const SecondRun::Value& second, const LessonRun& run,
+                            const Frame& frame) {
   if (frame.step < 0) return nullptr;
-  const gjk::Step<double, 2>& step = run.step(frame);
-  for (const gjk::Step<double, 2>& beside : second.run.trace.steps) {
+  const WideStep& step = run.step(frame);
+  for (const WideStep& beside : second.run.trace.steps) {
     if (beside.phase == step.phase && beside.iteration == step.iteration) return &beside;
   }
   return nullptr;

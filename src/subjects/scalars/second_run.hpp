@@ -23,7 +23,7 @@ struct SecondRun {
 };
 
 /// The second run's step of the same iteration and phase as the frame's; null where it has none.
-[[nodiscard]] const gjk::Step<double, 2>* step_beside(const SecondRun::Value& second,
-                                                      const LessonRun& run, const Frame& frame);
+[[nodiscard]] const WideStep* step_beside(const SecondRun::Value& second, const LessonRun& run,
+                                          const Frame& frame);
 
 }  // namespace gjkscope

@@ -21,7 +21,7 @@ struct Column {
   std::string title;
   double x = 0.0;  ///< Right edge.
   const PositionedRun& run;
-  const gjk::State<double, 2>* state;  ///< Null where the run has no step beside the frame's.
+  const WideState* state;  ///< Null where the run has no step beside the frame's.
   Numbers numbers;
 };
 
@@ -53,9 +53,9 @@ std::string without_middle(std::string text, const std::function<bool(const std:
 void two_runs(PanelBuilder& panel) {
   const Lesson& lesson = panel.run.lesson;
   const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
-  const gjk::Step<double, 2>* beside = step_beside(second, panel.run, panel.frame);
+  const WideStep* beside = step_beside(second, panel.run, panel.frame);
   const PositionedRun& first = panel.run.run(panel.frame);
-  const gjk::State<double, 2>* state = panel.knows.phase ? &panel.state : nullptr;
+  const WideState* state = panel.knows.phase ? &panel.state : nullptr;
   Lesson other = lesson;
   other.scalar = *lesson.beside;
   const double half = 0.5 * (panel.right - panel.left - 62.0);
@@ -121,7 +121,7 @@ void two_runs(PanelBuilder& panel) {
   };
   // A point query's difference is the polygon seen from Q.
   const auto p = [&](const Column& column) {
-    return panel.run.point_query() ? Eigen::Vector2d(column.state->p + column.run.x().world[0])
+    return panel.run.point_query() ? Eigen::Vector3d(column.state->p + column.run.x().world[0])
                                    : column.state->p;
   };
   const auto d = [](const Column& column) { return column.state->d; };
@@ -129,7 +129,7 @@ void two_runs(PanelBuilder& panel) {
   coordinate("P.y", Phase::closest, p, 1);
   coordinate("d.x", Phase::direction, d, 0);
   coordinate("d.y", Phase::direction, d, 1);
-  row("towards", known(Phase::direction), d, [](const Column&, const Eigen::Vector2d& along) {
+  row("towards", known(Phase::direction), d, [](const Column&, const Eigen::Vector3d& along) {
     return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
   });
   const auto as_it_is = [](const Column&, const std::string& text) { return text; };

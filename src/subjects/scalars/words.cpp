@@ -12,7 +12,7 @@
 namespace gjkscope::captions {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 std::string arithmetic(ScalarKind scalar) {
   switch (scalar) {
@@ -34,7 +34,7 @@ std::string at_the_start(std::string words) {
 }
 
 /// dot(d, V) of the vertex that a scan of Y found farthest.
-double farthest(const gjk::Step<double, 2>& step) {
+double farthest(const WideStep& step) {
   double value = 0.0;
   for (const auto& entry : step.record.scan_y) {
     if (entry.index == step.after.support.pair.y) value = entry.value;
@@ -44,7 +44,7 @@ double farthest(const gjk::Step<double, 2>& step) {
 
 /// True if a run's d is perpendicular to a segment of which it found one end, and another run the
 /// other.
-bool is_tie(const gjk::State<double, 2>& state, gjk::VertexPair other) {
+bool is_tie(const WideState& state, gjk::VertexPair other) {
   const auto holds = [&](gjk::VertexPair pair) {
     return std::any_of(state.simplex.vertices.begin(),
                        state.simplex.vertices.begin() + state.simplex.count,
@@ -53,7 +53,7 @@ bool is_tie(const gjk::State<double, 2>& state, gjk::VertexPair other) {
   return state.simplex.count == 2 && holds(state.support.pair) && holds(other);
 }
 
-double degrees_between(const Vector2d& a, const Vector2d& b) {
+double degrees_between(const Vector3d& a, const Vector3d& b) {
   const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   return std::abs(angle) * 180.0 / std::numbers::pi;
 }
@@ -63,7 +63,7 @@ double degrees_between(const Vector2d& a, const Vector2d& b) {
 std::string inside(const Story& story, const SecondRun::Value& second,
                    const std::string& in_first) {
   const auto triangle = [&](const PositionedRun& run) {
-    const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
+    const WideSimplex& simplex = run.trace.result.simplex;
     return SimplexWords(story.run, simplex).face(simplex.all());
   };
   const std::string found = triangle(second.run);
@@ -82,17 +82,17 @@ std::string inside(const Story& story, const SecondRun::Value& second,
 void second_run(const Story& story, FrameText& text) {
   if (!story.shows(SecondRun::kName)) return;
   const SecondRun::Value& second = story.effects.get<SecondRun>(story.frame);
-  const gjk::Step<double, 2>* step = step_beside(second, story.run, story.frame);
+  const WideStep* step = step_beside(second, story.run, story.frame);
   if (!step) return;
   const std::string in_first = arithmetic(story.run.lesson.scalar);
   const std::string first = at_the_start(in_first);
   const std::string other = arithmetic(*story.run.lesson.beside);
-  const gjk::State<double, 2>& mine = story.state;
-  const gjk::State<double, 2>& beside = step->after;
+  const WideState& mine = story.state;
+  const WideState& beside = step->after;
   Lesson in_other = story.run.lesson;
   in_other.scalar = *story.run.lesson.beside;
   const Numbers numbers(in_other);
-  const auto point = [&](const Vector2d& v) {
+  const auto point = [&](const Vector3d& v) {
     return fmt::format("({}, {})", numbers(v.x()), numbers(v.y()));
   };
   const double degrees = degrees_between(mine.d, beside.d);
@@ -113,8 +113,8 @@ void second_run(const Story& story, FrameText& text) {
       }
       // A point query's P stands where it is in the world, as in the panel; between polygons it is
       // a difference.
-      const Vector2d p =
-          story.run.point_query() ? Vector2d(beside.p + story.positioned.x().world[0]) : beside.p;
+      const Vector3d p =
+          story.run.point_query() ? Vector3d(beside.p + story.positioned.x().world[0]) : beside.p;
       text.detail = fmt::format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(),
                                 other, point(p), numbers(away));
       return;

@@ -15,7 +15,7 @@ bool goes_around(const std::vector<int>& corners) {
 
 void shape_hull(SceneBuilder& scene) {
   const ShapeHull::Value& hulls = scene.effects.get<ShapeHull>(scene.frame);
-  const auto draw = [&](const ShapeHull::Hull& hull, const std::vector<Eigen::Vector2d>& world) {
+  const auto draw = [&](const ShapeHull::Hull& hull, const std::vector<Eigen::Vector3d>& world) {
     if (hull.inside.empty() && goes_around(hull.corners)) return;  // the shape is its own hull
     std::vector<Point> points;
     for (const int corner : hull.corners) points.push_back(scene.at(world[corner]));

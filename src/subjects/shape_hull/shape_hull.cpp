@@ -37,9 +37,9 @@ EffectKey ShapeHull::key(const LessonRun&, const Frame& frame) { return {frame.r
 
 ShapeHull::Value ShapeHull::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   const PositionedRun& positioned = run.run(frame);
-  const std::vector<Vector2d>& y = positioned.y().world;
-  const Vector2d& x = positioned.x().world[0];
-  Value value{hull_of(positioned.x().world), hull_of(y), Vector2d::Zero(),
+  const std::vector<Vector2d> y = in_plane(positioned.y().world);
+  const Vector2d x = in_plane(positioned.x().world[0]);
+  Value value{hull_of(in_plane(positioned.x().world)), hull_of(y), Vector2d::Zero(),
               std::numeric_limits<double>::infinity()};
   if (is_inside(y, x)) {
     value.outline_point = x;

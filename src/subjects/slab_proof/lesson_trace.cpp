@@ -25,7 +25,7 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the points by now"},
      {"in the slab", "vertices that lie in the slab"}}};
 
-std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const RunIn<2>& run,
+std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace*) {
   const OutlinesOfRun outlines = outlines_of(lesson, run);
   const std::optional<Refusal> refusal = refusal_of(outlines, models::Needs::convex);
@@ -34,7 +34,8 @@ std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const RunIn
     descent.result.stop = Stop::overlap;
   } else if (!refusal) {
     const gjk::VertexPair start = lesson.options.start.pairs[0];
-    descent = slab_proof::descend(run.x().world, run.y().world, start.x, start.y);
+    descent =
+        slab_proof::descend(in_plane(run.x().world), in_plane(run.y().world), start.x, start.y);
   }
   return std::make_shared<const SlabTrace>(refusal, std::move(descent));
 }
@@ -68,7 +69,7 @@ std::string_view SlabTrace::stop() const {
 
 Json SlabTrace::step_json(const Lesson& lesson, int index) const {
   const Step& step = descent.steps[static_cast<std::size_t>(index)];
-  Json out = {{"x", fields::point<2>(step.after.x)}, {"y", fields::point<2>(step.after.y)}};
+  Json out = {{"x", fields::point(step.after.x)}, {"y", fields::point(step.after.y)}};
   if (step.phase == Phase::slab) {
     out["in_the_slab"] = Json::array();
     for (const Reach& reach : step.reaches)
@@ -86,8 +87,8 @@ Json SlabTrace::result_json(const Lesson&) const {
   Json out = {{"stop", stop()}};
   if (end.stop == Stop::overlap) return out;
   out["distance"] = fields::number(end.distance());
-  out["closest_x"] = fields::point<2>(end.x);
-  out["closest_y"] = fields::point<2>(end.y);
+  out["closest_x"] = fields::point(end.x);
+  out["closest_y"] = fields::point(end.y);
   return out;
 }
 

@@ -34,9 +34,9 @@ void slab(const Story& story, const Shown& shown, FrameText& text) {
 
 void closer(const Story& story, const Shown& shown, FrameText& text) {
   const Reach& c = shown.step->towards;
+  const Body& body = c.of_x ? story.positioned.x() : story.positioned.y();
   const bool is_vertex = (c.of_x ? shown.step->after.x : shown.step->after.y) ==
-                         (c.of_x ? story.positioned.x().world
-                                 : story.positioned.y().world)[static_cast<std::size_t>(c.vertex)];
+                         in_plane(body.world[static_cast<std::size_t>(c.vertex)]);
   text.caption = fmt::format(
       "{} moves {}: the distance falls from {} to {}.", c.of_x ? "x" : "y",
       is_vertex ? "to " + shown.name(c) : "along the segment to " + shown.name(c),

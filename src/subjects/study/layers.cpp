@@ -72,7 +72,7 @@ class Inset {
     }
     for (float y = first_float(seen_.min().y()); y <= seen_.max().y(); y = next(y)) {
       for (float x = first_float(seen_.min().x()); x <= seen_.max().x(); x = next(x))
-        scene_.add("rounded.grid", Disk{map_({x, y}), 1.5});
+        scene_.add("rounded.grid", Disk{map_(Vector2d(x, y)), 1.5});
     }
   }
   void vertex(const std::string& role, const Vector2d& vertex) {
@@ -145,8 +145,8 @@ class PairPicture {
         fonts_(fonts),
         stage_(stage),
         pair_(scene.effects.get<RoundedPair>(scene.frame)),
-        x_(corners_of(pair_.exact.x().world)),
-        y_(corners_of(pair_.exact.y().world)) {
+        x_(corners_of(in_plane(pair_.exact.x().world))),
+        y_(corners_of(in_plane(pair_.exact.y().world))) {
     const Rect& card = scene.map.area();
     insets_top_ = card.max.y() - kMargin - kInsetHeight * card.size().y();
     from_afar_ = {{card.min.x(), card.min.y()}, {card.max.x(), insets_top_ + 14.0}};
@@ -227,8 +227,8 @@ class PairPicture {
     inset.outline("shape.y", y_);
     const std::string role = shown.of.of_x ? "shape.x" : "shape.y";
     if (rounds) {
-      inset.outline("rounded.x", corners_of(pair_.in_float.x().world));
-      inset.outline("rounded.y", corners_of(pair_.in_float.y().world));
+      inset.outline("rounded.x", corners_of(in_plane(pair_.in_float.x().world)));
+      inset.outline("rounded.y", corners_of(in_plane(pair_.in_float.y().world)));
       inset.move(shown.exact.vertex, shown.in_float.vertex);
       inset.vertex(shown.of.of_x ? "rounded.x.vertex" : "rounded.y.vertex", shown.in_float.vertex);
     }

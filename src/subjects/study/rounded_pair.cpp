@@ -16,7 +16,7 @@ using Vertex = RoundedPair::Vertex;
 
 /// The vertex that the closest points of a run are at: that of Y, unless only X has a single one.
 Vertex closest_vertex(const PositionedRun& run) {
-  const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
+  const WideSimplex& simplex = run.trace.result.simplex;
   const gjk::VertexPair first = simplex.vertices[0].pair;
   const auto all = [&](auto is_same) {
     return std::all_of(simplex.vertices.begin(), simplex.vertices.begin() + simplex.count,
@@ -28,9 +28,8 @@ Vertex closest_vertex(const PositionedRun& run) {
 }
 
 Gap gap_at(const PositionedRun& run, const Vertex& vertex) {
-  const std::vector<Vector2d>& own = vertex.of_x ? run.x().world : run.y().world;
-  const std::vector<Vector2d>& other = vertex.of_x ? run.y().world : run.x().world;
-  const std::vector<Vector2d> point = {own[static_cast<std::size_t>(vertex.index)]};
+  const std::vector<Vector2d> other = in_plane(vertex.of_x ? run.y().world : run.x().world);
+  const std::vector<Vector2d> point = {vertex_in_world(run, vertex)};
   const gjk::Query<double, 2> query{{point}, {other}};
   const gjk::Result<double, 2> result = gjk::distance(query);
   return {point[0], result.y, result.distance};
@@ -38,7 +37,7 @@ Gap gap_at(const PositionedRun& run, const Vertex& vertex) {
 
 /// The edge of one shape on which the run ended, and the one between two vertices of the other.
 std::vector<Vertex> facing_edges(const PositionedRun& run, const Vertex& a, const Vertex& b) {
-  const gjk::Simplex<double, 2>& simplex = run.trace.result.simplex;
+  const WideSimplex& simplex = run.trace.result.simplex;
   if (a.of_x != b.of_x || a.index == b.index || simplex.count != 2) return {};
   std::vector<Vertex> out;
   for (int i = 0; i < 2; ++i) {
@@ -80,7 +79,8 @@ RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, cons
 }
 
 Vector2d vertex_in_world(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
-  return (vertex.of_x ? run.x().world : run.y().world)[static_cast<std::size_t>(vertex.index)];
+  const Body& body = vertex.of_x ? run.x() : run.y();
+  return in_plane(body.world[static_cast<std::size_t>(vertex.index)]);
 }
 
 double spacing_of_floats(double value) {
@@ -93,7 +93,7 @@ double RoundedPair::Value::magnification() const {
   const double spacing = spacing_of_floats(ends[0].exact.vertex.lpNorm<Eigen::Infinity>());
   Eigen::AlignedBox2d seen;
   for (const auto* points : {&exact.x().world, &exact.y().world}) {
-    for (const Vector2d& point : *points) seen.extend(point);
+    for (const Vector2d& point : in_plane(*points)) seen.extend(point);
   }
   const double wanted = std::max(1.0, kShare * seen.sizes().maxCoeff() / spacing);
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));

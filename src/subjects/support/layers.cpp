@@ -7,24 +7,24 @@
 namespace gjkscope::layers {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 constexpr double kRowRadius = 9.0;
 
-Vector2d middle_of(const std::vector<Vector2d>& vertices) {
-  Vector2d middle = Vector2d::Zero();
-  for (const Vector2d& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
+Vector3d middle_of(const std::vector<Vector3d>& vertices) {
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
   return middle;
 }
 
 /// The line through a support point, normal to d, a little longer than its shape.
-void line_past(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const Point& through,
-               const Vector2d& d) {
+void line_past(SceneBuilder& scene, const std::vector<Vector3d>& vertices, const Point& through,
+               const Vector3d& d) {
   constexpr double kBeyond = 16.0;  // pixels
-  const Point across = scene.map.direction({d.y(), -d.x()});
+  const Point across = scene.map.direction(Eigen::Vector2d(d.y(), -d.x()));
   double low = 0.0;
   double high = 0.0;
-  for (const Vector2d& vertex : vertices) {
+  for (const Vector3d& vertex : vertices) {
     const double along = across.dot(scene.at(vertex) - through);
     low = std::min(low, along);
     high = std::max(high, along);
@@ -37,7 +37,7 @@ void line_past(SceneBuilder& scene, const std::vector<Vector2d>& vertices, const
 
 /// A shape of the world along d: the direction at its middle, and once its support point is found,
 /// there.
-void along(SceneBuilder& scene, const std::vector<Vector2d>& vertices, int found, const Vector2d& d,
+void along(SceneBuilder& scene, const std::vector<Vector3d>& vertices, int found, const Vector3d& d,
            const std::string& text, bool is_found) {
   if (!is_found)
     return search_arrow(scene, scene.at(middle_of(vertices)), d, sizes::kPairArrow, text);
@@ -49,14 +49,14 @@ void along(SceneBuilder& scene, const std::vector<Vector2d>& vertices, int found
 
 /// The differences that the chosen vertex of Y is in: a copy of X, turned round, standing at it.
 void row(SceneBuilder& scene, int y) {
-  for (const Vector2d& x : scene.positioned.x().world)
+  for (const Vector3d& x : scene.positioned.x().world)
     scene.disk("cloud.row", scene.at(scene.positioned.y().world[y] - x), kRowRadius);
 }
 
 }  // namespace
 
 void support_in_parts(SceneBuilder& scene) {
-  const gjk::State<double, 2>& state = scene.state;
+  const WideState& state = scene.state;
   const SupportPart reached = *support_part(scene.run, scene.frame);
   if (!scene.shows_difference) {
     along(scene, scene.positioned.y().world, state.support.pair.y, state.d, "d",

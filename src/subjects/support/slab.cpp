@@ -11,8 +11,8 @@ EffectKey BestSupport::key(const LessonRun&, const Frame& frame) {
 BestSupport::Value BestSupport::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   Value widest;
   for (int i = 0; i <= frame.step; ++i) {
-    const gjk::Step<double, 2>& step = run.run(frame).trace.steps[i];
-    const gjk::State<double, 2>& state = step.after;
+    const WideStep& step = run.run(frame).trace.steps[i];
+    const WideState& state = step.after;
     if (step.phase != gjk::Phase::support || !(state.d.norm() > 0.0)) continue;
     const double width = -state.support_value / state.d.norm();
     if (width > (widest ? widest->width : 0.0))
@@ -21,7 +21,7 @@ BestSupport::Value BestSupport::compute(EffectGraph&, const LessonRun& run, cons
   return widest;
 }
 
-bool is_found_by(const BestSupport::Strip& strip, const gjk::State<double, 2>& state) {
+bool is_found_by(const BestSupport::Strip& strip, const WideState& state) {
   return strip.support.pair == state.support.pair && strip.normal == state.d.normalized();
 }
 

@@ -14,8 +14,8 @@ struct BestSupport {
   static constexpr std::string_view kName = "best-support";
   static constexpr std::string_view kNeeds = "";
   struct Strip {
-    gjk::SupportPoint<double, 2> support;
-    Eigen::Vector2d normal;  ///< d as a unit vector: from Y to X.
+    WideVertex support;
+    Eigen::Vector3d normal;  ///< d as a unit vector: from Y to X.
     double width = 0.0;
   };
   /// Empty until a support line has X and Y on its two sides.
@@ -25,7 +25,7 @@ struct BestSupport {
 };
 
 /// True when the search that led to `state` found the strip, and no earlier one.
-[[nodiscard]] bool is_found_by(const BestSupport::Strip& strip, const gjk::State<double, 2>& state);
+[[nodiscard]] bool is_found_by(const BestSupport::Strip& strip, const WideState& state);
 
 /// The strip itself. The slab of subjects/slab_proof is between two points instead, and may hold
 /// vertices.

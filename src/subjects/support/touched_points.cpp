@@ -16,7 +16,7 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun&
   const int over = graph.get<FrameFacts>(frame).steps_over;
   const WideTrace& trace = run.run(frame).trace;
   Value touched;
-  const auto touch = [&](const gjk::SupportPoint<double, 2>& point) {
+  const auto touch = [&](const WideVertex& point) {
     const bool known = std::any_of(touched.begin(), touched.end(),
                                    [&](const auto& earlier) { return earlier.pair == point.pair; });
     if (!known) touched.push_back(point);

@@ -9,7 +9,7 @@ namespace gjkscope {
 struct TouchedPoints {
   static constexpr std::string_view kName = "touched-points";
   static constexpr std::string_view kNeeds = "facts";
-  using Value = std::vector<gjk::SupportPoint<double, 2>>;
+  using Value = std::vector<WideVertex>;
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };

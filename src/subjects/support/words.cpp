@@ -20,13 +20,13 @@ std::string behind(const LessonShape& shape, int support) {
 }
 
 /// "the largest of 5", and which vertices lie as far.
-std::string rank(const std::vector<Eigen::Vector2d>& vertices, const LessonShape& shape,
-                 int support, const Eigen::Vector2d& d) {
+std::string rank(const std::vector<Eigen::Vector3d>& vertices, const LessonShape& shape,
+                 int support, const Eigen::Vector3d& d) {
   std::vector<std::string> equal;
   const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
   constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
-    const Eigen::Vector2d& vertex = vertices[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d& vertex = vertices[static_cast<std::size_t>(i)];
     if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
       continue;
     equal.push_back(shape.vertex_names[static_cast<std::size_t>(i)] + "'s");
@@ -52,15 +52,13 @@ void support_in_parts(const Story& story, FrameText& text) {
   const std::string name = story.run.pair_name(pair);
   const std::size_t of_x = lesson.x().vertices.size();
   const std::size_t of_y = lesson.y().vertices.size();
-  const gjk::Record<double, 2>& record = story.run.step(story.frame).record;
+  const WideRecord& record = story.run.step(story.frame).record;
   const double along_y = value_of(record.scan_y, pair.y);
   const double along_x = value_of(record.scan_x, pair.x);
-  const gjk::State<double, 2>& next =
-      story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
+  const WideState& next = story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   switch (*support_part(story.run, story.frame)) {
     case SupportPart::direction: {
-      const gjk::Step<double, 2>& before =
-          story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
+      const WideStep& before = story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
       text.caption = fmt::format("d = {} {}. Which point of Z lies farthest along d?",
                                  story.numbers.point(story.state.d),
                                  before.record.direction.from_normal

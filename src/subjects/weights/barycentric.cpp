@@ -26,7 +26,8 @@ BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const Lesson
   value.simplex = run.state({frame.run, closest_step(run, frame)}).simplex;
   if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const gjk::Simplex<S, 2> simplex = narrowed<S>(value.simplex, run.run(frame).exponent);
+    const gjk::Simplex<S, 2> simplex =
+        narrowed_simplex<S, 2>(value.simplex, run.run(frame).exponent);
     const gjk::Barycentric<S, 2> coordinates = gjk::barycentric(simplex, simplex.all());
     if (!(S(0) < coordinates.denominator)) return;
     for (int i = 0; i < simplex.count; ++i) {
@@ -43,10 +44,10 @@ EffectKey BarycentricParts::key(const LessonRun& run, const Frame& frame) {
 BarycentricParts::Value BarycentricParts::compute(EffectGraph& graph, const LessonRun&,
                                                   const Frame& frame) {
   const BarycentricWeights::Value& coordinates = graph.get<BarycentricWeights>(frame);
-  const gjk::Simplex<double, 2>& simplex = coordinates.simplex;
+  const WideSimplex& simplex = coordinates.simplex;
   Value parts;
   if (coordinates.weights.empty() || simplex.count < 2) return parts;
-  Eigen::Vector2d query = Eigen::Vector2d::Zero();
+  Eigen::Vector3d query = Eigen::Vector3d::Zero();
   if (simplex.count == 2) {
     query = coordinates.weights[0] * simplex.vertices[0].w +
             coordinates.weights[1] * simplex.vertices[1].w;

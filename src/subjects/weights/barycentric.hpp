@@ -10,8 +10,8 @@ struct BarycentricWeights {
   static constexpr std::string_view kName = "barycentric-weights";
   static constexpr std::string_view kNeeds = "";
   struct Value {
-    gjk::Simplex<double, 2> simplex;  ///< The simplex that the coordinates belong to.
-    std::vector<double> weights;      ///< One a vertex; empty when the simplex is degenerate.
+    WideSimplex simplex;          ///< The simplex that the coordinates belong to.
+    std::vector<double> weights;  ///< One a vertex; empty when the simplex is degenerate.
   };
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
@@ -26,7 +26,7 @@ struct BarycentricParts {
   struct Part {
     int vertex = 0;
     double weight = 0.0;
-    std::vector<Eigen::Vector2d> points;  ///< Two for a length, three for an area.
+    std::vector<Eigen::Vector3d> points;  ///< Two for a length, three for an area.
   };
   using Value = std::vector<Part>;
   static EffectKey key(const LessonRun& run, const Frame& frame);

@@ -91,7 +91,7 @@ void linear_system(PanelBuilder& panel) {
   if (value.simplex.count != 3) return;
   panel.heading("The same as a linear system");
   const PositionedRun& positioned = panel.run.run(panel.frame);
-  const Vector2d q = positioned.x().world[0];
+  const Vector2d q = in_plane(positioned.x().world[0]);
   constexpr double kColumn = 62.0;
   panel.y -= 5.0;
   for (int column = 0; column < 3; ++column) {
@@ -105,7 +105,7 @@ void linear_system(PanelBuilder& panel) {
   for (int row = 0; row < 3; ++row) {
     double x = panel.left + 58.0;
     for (int column = 0; column < 3; ++column) {
-      const Vector2d vertex = value.simplex.vertices[column].w + q;
+      const Vector2d vertex = in_plane(value.simplex.vertices[column].w) + q;
       panel.write("code", x, row < 2 ? fixed(vertex[row], 2) : "1", type::kCode, Align::right);
       x += kColumn;
     }
@@ -195,7 +195,7 @@ void areas(PanelBuilder& panel) {
   std::vector<Vector2d> corners;
   for (int i = 0; i < 3; ++i) {
     names[i] = panel.words.vertex(i);
-    corners.push_back(value.simplex.vertices[i].w);
+    corners.push_back(in_plane(value.simplex.vertices[i].w));
   }
   double sum = 0.0;
   const auto row = [&](const std::string& from, const std::string& to, const std::string& third,

@@ -64,7 +64,7 @@ namespace {
 void unit_vector(SceneBuilder& scene) {
   const UnitVector::Value& built = scene.effects.get<UnitVector>(scene.frame);
   if (!built) return;
-  const Vector2d a = scene.state.simplex.vertices[0].w;
+  const Eigen::Vector3d& a = scene.state.simplex.vertices[0].w;
   const Point offset = kArrowOffset * upwards(scene.vertex_at(0), scene.vertex_at(1));
   const Point from = scene.at_difference(a) + offset;
   const Point to = scene.at_difference(a + built->n) + offset;

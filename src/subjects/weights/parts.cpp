@@ -35,7 +35,7 @@ void parts(SceneBuilder& scene) {
   for (const BarycentricParts::Part& part : parts) {
     if (!measures_tested_edge(scene, part)) continue;
     std::vector<Point> points;
-    for (const Vector2d& point : part.points) points.push_back(scene.at_difference(point));
+    for (const Eigen::Vector3d& point : part.points) points.push_back(scene.at_difference(point));
     const std::string hue(kRoles[part.vertex]);
     const std::string role = part.weight < 0.0 ? "area.negative" : hue;
     const std::string text = fmt::format("{} = {}", kLetters[part.vertex],

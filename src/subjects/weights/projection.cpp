@@ -5,7 +5,7 @@
 
 namespace gjkscope {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 EffectKey Projection::key(const LessonRun& run, const Frame& frame) {
   return BarycentricWeights::key(run, frame);
@@ -14,7 +14,7 @@ EffectKey Projection::key(const LessonRun& run, const Frame& frame) {
 Projection::Value Projection::compute(EffectGraph& graph, const LessonRun&, const Frame& frame) {
   const BarycentricWeights::Value& coordinates = graph.get<BarycentricWeights>(frame);
   if (coordinates.simplex.count != 2 || coordinates.weights.empty()) return std::nullopt;
-  return Vector2d(coordinates.weights[0] * coordinates.simplex.vertices[0].w +
+  return Vector3d(coordinates.weights[0] * coordinates.simplex.vertices[0].w +
                   coordinates.weights[1] * coordinates.simplex.vertices[1].w);
 }
 
@@ -25,14 +25,14 @@ EffectKey UnitVector::key(const LessonRun& run, const Frame& frame) {
 UnitVector::Value UnitVector::compute(EffectGraph& graph, const LessonRun&, const Frame& frame) {
   const Projection::Value& g = graph.get<Projection>(frame);
   if (!g) return std::nullopt;
-  const gjk::Simplex<double, 2>& simplex = graph.get<BarycentricWeights>(frame).simplex;
-  const Vector2d a = simplex.vertices[0].w;
-  const Vector2d b = simplex.vertices[1].w;
-  const Vector2d q = Vector2d::Zero();
+  const WideSimplex& simplex = graph.get<BarycentricWeights>(frame).simplex;
+  const Vector3d& a = simplex.vertices[0].w;
+  const Vector3d& b = simplex.vertices[1].w;
+  const Vector3d q = Vector3d::Zero();
   Built built;
   built.length = (b - a).norm();
   built.n = (b - a) / built.length;
-  const auto lengths = [&](const Vector2d& point) {
+  const auto lengths = [&](const Vector3d& point) {
     return Lengths{(b - point).dot(built.n), (point - a).dot(built.n)};
   };
   built.of_g = lengths(*g);

@@ -11,7 +11,7 @@ namespace gjkscope {
 struct Projection {
   static constexpr std::string_view kName = "projection";
   static constexpr std::string_view kNeeds = "barycentric-weights";
-  using Value = std::optional<Eigen::Vector2d>;
+  using Value = std::optional<Eigen::Vector3d>;
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
@@ -27,7 +27,7 @@ struct UnitVector {
     double from_a = 0.0;  ///< dot(point - A, n); divided by `length`: v.
   };
   struct Built {
-    Eigen::Vector2d n = Eigen::Vector2d::Zero();
+    Eigen::Vector3d n = Eigen::Vector3d::Zero();
     double length = 0.0;  ///< |B - A|
     Lengths of_g;
     Lengths of_q;

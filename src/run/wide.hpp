@@ -1,0 +1,64 @@
+#pragma once
+// What GJK did, as pictures, words and files read it: in doubles and in three coordinates, whatever
+// the scalar and the dimension of the run. In the plane z = 0.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gjk/gjk.hpp"
+
+namespace gjkscope {
+
+using WideVertex = gjk::SupportPoint<double, 3>;
+using WideSimplex = gjk::Simplex<double, 3>;
+using WideState = gjk::State<double, 3>;
+using WideDirection = gjk::DirectionNote<double, 3>;
+using WideRecord = gjk::Record<double, 3>;
+using WideStep = gjk::Step<double, 3>;
+using WideResult = gjk::Result<double, 3>;
+
+/// Exact for half, float and double; rounded to nearest for exact runs. Lengths are in units of
+/// 2^exponent, but for those of the result: in the world's unit, except of a run in space, and of a
+/// double run whose squares would leave the range of a double. Those are not drawn.
+struct WideTrace {
+  int dimension = 2;  ///< Of the run: 2 or 3.
+  int exponent = 0;
+  WideState initial;
+  std::vector<WideStep> steps;
+  WideResult result;
+};
+
+/// A vector of the plane, and back; a simplex of the plane.
+[[nodiscard]] inline Eigen::Vector2d in_plane(const Eigen::Vector3d& v) { return v.head<2>(); }
+[[nodiscard]] inline std::vector<Eigen::Vector2d> in_plane(
+    const std::vector<Eigen::Vector3d>& vectors) {
+  std::vector<Eigen::Vector2d> out;
+  out.reserve(vectors.size());
+  for (const Eigen::Vector3d& v : vectors) out.push_back(in_plane(v));
+  return out;
+}
+[[nodiscard]] inline gjk::Simplex<double, 2> in_plane(const WideSimplex& simplex) {
+  gjk::Simplex<double, 2> out;
+  out.count = simplex.count;
+  for (int i = 0; i < simplex.count; ++i) {
+    out.vertices[i] = {in_plane(simplex.vertices[i].w), simplex.vertices[i].pair};
+    out.weights[i] = simplex.weights[i];
+  }
+  return out;
+}
+[[nodiscard]] inline Eigen::Vector3d in_space(const Eigen::Vector2d& v) {
+  return {v.x(), v.y(), 0};
+}
+[[nodiscard]] inline Eigen::Vector3d in_space(const Eigen::Vector3d& v) { return v; }
+[[nodiscard]] inline WideVertex in_space(const gjk::SupportPoint<double, 2>& v) {
+  return {in_space(v.w), v.pair};
+}
+template <class Vector>
+[[nodiscard]] std::vector<Eigen::Vector3d> in_space(const std::vector<Vector>& vectors) {
+  std::vector<Eigen::Vector3d> out;
+  out.reserve(vectors.size());
+  for (const Vector& v : vectors) out.push_back(in_space(v));
+  return out;
+}
+
+}  // namespace gjkscope
