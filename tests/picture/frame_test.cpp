@@ -504,7 +504,7 @@ TEST(Panel, WritesConditionsInTheOrderOfTheirValues) {
   const auto row = std::find(texts.begin(), texts.end(), "uBC ≤ 0 and vCA ≤ 0");
   ASSERT_NE(row, texts.end());
   // Weights of B on BC and of A on CA by the projections, from the lesson's coordinates.
-  const Eigen::Vector2d a(-1.85, -1.05), b(1.55, -0.75), c(0.0, 1.7), q(1.0, 1.5);
+  const Eigen::Vector2d a(-1.85, -1.05), b(1.55, -0.75), c(0.0, 1.7), q(1.1, 1.2);
   const double u_bc = (c - q).dot(c - b) / (c - b).squaredNorm();
   const double v_ca = (q - c).dot(a - c) / (a - c).squaredNorm();
   EXPECT_EQ(*(row + 1), signed_fixed(u_bc, 3) + " " + signed_fixed(v_ca, 3));

@@ -23,7 +23,7 @@ std::string_view said(Claim claim) {
     case Claim::coherence:
       return "coherence is not yet exploited";
     case Claim::spheres:
-      return "Quinlan's trees of spheres are the fastest";
+      return "trees of spheres are the fastest";
   }
   return "";
 }
@@ -63,8 +63,7 @@ void claim(const Shown& shown, FrameText& text) {
     case Claim::spheres:
       text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
       text.detail = fmt::format(
-          "Circles visit {} pairs, boxes {}{}. Larsen's code of 2000, PQP, took rectangles swept "
-          "by a sphere.",
+          "Circles around segments visit {} pairs, boxes {}{}. Quinlan's tiles are not measured.",
           grouped(last.circles), grouped(last.boxes),
           times ? fmt::format(", in {} and {}", time_text(times->circles.back()),
                               time_text(times->boxes.back()))

@@ -127,12 +127,15 @@ class Telling {
     }
     text_.caption = fmt::format("{} takes the place of {}.", capitalized(shown_.name(of_x)),
                                 shown_.name(of_x, of_x ? before().a : before().b));
+    const bool overlap = shown_.walk.trace.result.stop == WalkStop::overlap;
     text_.detail =
         shown_.step->asked > 0
             ? fmt::format("Of {} edges it is the nearest. Next: the closest points again.",
                           shown_.step->asked)
-            : "While the shapes are apart each swap lowers the distance, so no pair comes twice. "
-              "Next: the closest points again.";
+        : overlap
+            ? "Next: the closest points again."
+            : "Each swap lowers the distance, so no pair comes twice. Next: the closest points "
+              "again.";
   }
 
   void answer() {

@@ -77,7 +77,9 @@ void words(const Story& story, FrameText& text) {
   } else if (shown.is_answer) {
     text.caption = fmt::format("{} differences make the outline. There are {}.", sums,
                                shown.merge.x.size() * shown.merge.y.size());
-    text.detail = "Each edge is taken once, so the work grows like m + n, not like m · n.";
+    text.detail =
+        "In the plane each edge is taken once: the work grows like m + n. For polyhedra it may "
+        "take O(n²), or O(n⁶) where they are not convex.";
   } else if (shown.step->phase == Phase::lowest) {
     text.caption = fmt::format("{} is the lowest corner.", shown.corner(shown.step->after.at));
     text.detail =

@@ -29,6 +29,7 @@ const SubjectParts subjects::run{
                {"cloud.point", "a difference y − x"},
                {"cloud.touched", "a difference that was computed"},
                {"pair.link", "joins the two vertices of a difference"},
+               {"second.right-angle", "a right angle, stretched as the view is"},
                {"history.closest", "P of an earlier iteration"},
                {"skin.origin", "as far from O as both radii"},
                {"skin.gap", "from one round shape to the other"},

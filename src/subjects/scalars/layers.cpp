@@ -8,6 +8,20 @@ namespace gjkscope::layers {
 using Eigen::Vector2d;
 using namespace sizes;
 
+namespace {
+
+/// A stretched view slants what is perpendicular: there a right angle at `p` is drawn as stretched.
+void right_angle(SceneBuilder& scene, const Point& p, const Eigen::Vector3d& d) {
+  constexpr double kSide = 16.0;
+  const Point along = kSide * scene.map.direction(d);
+  Point across = kSide * scene.map.direction(Eigen::Vector2d(-d.y(), d.x()));
+  if (across.y() > 0.0) across = -across;
+  if (std::abs(along.dot(across)) < 0.01 * kSide * kSide) return;
+  scene.add("second.right-angle", Polyline{{p + across, p + across + along, p + along}});
+}
+
+}  // namespace
+
 void second_run(SceneBuilder& scene) {
   if (!scene.shows_difference || !shows_closest_point(scene)) return;
   const SecondRun::Value& second = scene.effects.get<SecondRun>(scene.frame);
@@ -30,6 +44,7 @@ void second_run(SceneBuilder& scene) {
     const Point along = scene.map.direction(state.d);
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);
+    if (state.simplex.count == 2) right_angle(scene, p, state.d);
     // A support line may pass the tip: the name stands beside the shaft.
     name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
   }
