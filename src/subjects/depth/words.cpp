@@ -75,12 +75,18 @@ class Telling {
         "a polygon in Z.";
   }
 
+  /// The polygon is a single point, which counts as its nearest edge.
+  [[nodiscard]] bool is_point() const { return state_.edge.from == state_.edge.to; }
+
   void nearest() {
     const std::string name = edge();
     if (!(state_.edge.distance_sq > 0.0)) {
       text_.caption = fmt::format("O lies on {}: its distance is 0.", name);
-      text_.detail =
-          "So the depth is at least 0. Next: does Z reach beyond the edge, along its normal n?";
+      text_.detail = is_point()
+                         ? "A point has no normal, so n is any direction. Next: does Z reach "
+                           "beyond the point along n?"
+                         : "This proves no depth yet. Next: does Z reach beyond the edge, along "
+                           "its normal n?";
       return;
     }
     text_.caption = fmt::format("{}{} is nearest to O, at distance {}.",
@@ -120,8 +126,11 @@ class Telling {
     switch (state_.stop) {
       case StopReason::running:
         text_.caption =
-            fmt::format("{} lies {} beyond the edge: the edge is not part of Z's boundary.",
-                        support_name(), number(beyond));
+            is_point()
+                ? fmt::format("{} lies {} beyond the point: Z is more than this point.",
+                              support_name(), number(beyond))
+                : fmt::format("{} lies {} beyond the edge: the edge is not part of Z's boundary.",
+                              support_name(), number(beyond));
         text_.detail = fmt::format("Go on: {} becomes a corner of the polygon.", support_name());
         return;
       case StopReason::repeated_support:
@@ -150,6 +159,14 @@ class Telling {
       return run_.pair_name(state_.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
     };
     const int count = state_.polygon.count;
+    if (count == 2) {
+      text_.caption = fmt::format(
+          "{} joins the point: the polygon is a segment, seen from its "
+          "two sides as two edges.",
+          support_name());
+      text_.detail = "Next: which edge is nearest to O now?";
+      return;
+    }
     text_.caption =
         fmt::format("{} goes between the ends of the edge. The polygon now has {} edges.",
                     support_name(), count);

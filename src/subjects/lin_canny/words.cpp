@@ -103,7 +103,8 @@ class Telling {
       text_.detail =
           "No neighbour is closer. But the shapes overlap elsewhere, and the walk cannot see it.";
     } else {
-      text_.detail = "No other two points of the shapes are closer: stop.";
+      text_.detail =
+          "Then the slab between them is empty, so no other two points are closer: stop.";
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lesson/names.hpp"
+#include "outlines/polygon.hpp"
 #include "picture/story.hpp"
 #include "subjects/answer/subject.hpp"
 #include "subjects/regions/subject.hpp"
@@ -220,6 +221,14 @@ std::string proved(const Story& story) {
                      story.q);
 }
 
+/// Z, or the polygon of a point query: its hull where it is not convex, since GJK sees no more.
+std::string convex_set(const Story& story) {
+  const std::string name = story.set_name();
+  const bool is_convex =
+      !story.run.point_query() || gjkscope::is_convex(in_plane(story.positioned.y().world));
+  return is_convex ? name : "the hull of " + name;
+}
+
 }  // namespace
 
 void support(const Story& story, FrameText& text) {
@@ -281,7 +290,8 @@ void stop(const Story& story, FrameText& text) {
                       support, story.numbers(farther_than_p(story)));
       text.detail =
           story.knows.is_at_query
-              ? fmt::format("P = {} already, at distance 0, but GJK has not checked.", story.q)
+              ? fmt::format("P = {} already, at distance 0, but no test of this step asks that.",
+                            story.q)
           : lower > 0.0 ? proved(story)
                         : fmt::format("No line found so far separates {} from {}. P is {} from {}.",
                                       story.q, story.set_name(), story.distance(), story.q);
@@ -294,7 +304,7 @@ void stop(const Story& story, FrameText& text) {
                     support, story.set_name())
               : fmt::format(
                     "Stop: {} is already in the simplex, so no point of {} is closer to {}.",
-                    support, story.set_name(), story.q);
+                    support, convex_set(story), story.q);
       text.detail = outcome(story);
       if (lower > 0.0) {
         text.detail += fmt::format(" All of {} lies behind the dashed line.", story.set_name());
@@ -305,7 +315,7 @@ void stop(const Story& story, FrameText& text) {
                                  story.words.face(story.state.simplex.all()));
       text.detail =
           story.run.point_query()
-              ? fmt::format("So {} lies in {}: the distance is 0.", story.q, story.set_name())
+              ? fmt::format("So {} lies in {}: the distance is 0.", story.q, convex_set(story))
               : fmt::format("So {} and {} overlap: the distance is 0.", story.run.lesson.x().name,
                             story.run.lesson.y().name);
       return;
