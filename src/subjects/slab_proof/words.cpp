@@ -37,14 +37,16 @@ void closer(const Story& story, const Shown& shown, FrameText& text) {
   const Body& body = c.of_x ? story.positioned.x() : story.positioned.y();
   const bool is_vertex = (c.of_x ? shown.step->after.x : shown.step->after.y) ==
                          in_plane(body.world[static_cast<std::size_t>(c.vertex)]);
+  const std::string_view moving = c.of_x ? "x" : "y";
+  const std::string_view other = c.of_x ? "y" : "x";
   text.caption = fmt::format(
-      "{} moves {}: the distance falls from {} to {}.", c.of_x ? "x" : "y",
+      "{} moves {}: the distance falls from {} to {}.", moving,
       is_vertex ? "to " + shown.name(c) : "along the segment to " + shown.name(c),
       story.numbers(shown.step->before.distance()), story.numbers(shown.step->after.distance()));
   text.detail = fmt::format(
-      "The segment lies in {}, because {} is convex. Its point closest to {} is the new {}.",
-      (c.of_x ? shown.lesson.x() : shown.lesson.y()).name,
-      (c.of_x ? shown.lesson.x() : shown.lesson.y()).name, c.of_x ? "y" : "x", c.of_x ? "x" : "y");
+      "The segment lies in {0}, which is convex. Its end lies in the slab, so at {1} it makes less "
+      "than 90° with the way to {2} and comes closer. Its point closest to {2} is the new {1}.",
+      (c.of_x ? shown.lesson.x() : shown.lesson.y()).name, moving, other);
 }
 
 }  // namespace
