@@ -282,7 +282,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   if (!view) return;
   press_ = Press{.last = page};
   if (session_.question() && !hand_.is_on_handle(page)) press_->aim = subject;
-  // What cannot be moved moves the view.
+  // A press on anything else moves the view.
   if (!hand_.press(subject, page)) press_->view = view;
   if (is_vertex(hand_.selected)) {
     const std::size_t body = body_of(hand_.selected);

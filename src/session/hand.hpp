@@ -20,7 +20,7 @@ class Hand {
   /// Both must outlive the hand.
   Hand(Session& session, const Fonts& fonts) : session_(session), fonts_(fonts) {}
 
-  // What lies under a place
+  // Places
 
   [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
   [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
@@ -60,7 +60,7 @@ class Hand {
     std::size_t view = 0;
     Point last;
     Eigen::Vector2d start;  ///< In the view.
-    long version = 0;       ///< Of the lesson, when it was taken.
+    long version = 0;       ///< The lesson's, when it was taken.
     bool turns = false;
     bool moved = false;
   };

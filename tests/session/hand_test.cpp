@@ -24,7 +24,7 @@ using testing::shipped_lesson;
 class HandTest : public ::testing::Test {
  protected:
   void open(const std::string& id) { ASSERT_TRUE(session.open(shipped_lesson(id), "file.toml")); }
-  /// Where a point of a view is on the page.
+  /// The place of a point of a view on the page.
   [[nodiscard]] Point at(const Vector2d& point, std::size_t view = 0) const {
     const LessonPictures::ShownView shown = session.views()[view];
     return StageMap(shown.card, shown.camera)(point);
