@@ -14,6 +14,8 @@
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
 #include "paint/svg.hpp"
+#include "session/edit.hpp"
+#include "session/hit.hpp"
 #include "subjects/grid/grid.hpp"
 #include "subjects/subjects.hpp"
 #include "widgets.hpp"
@@ -23,18 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Vector2d;
-using Kind = Subject::Kind;
 
 constexpr double kMessageStays = 4.0;  // seconds; errors stay until they were read
 constexpr double kLooksBeside = 0.1;   // seconds; at what is done beside the window
 
 /// Whether there is such a vertex or shape: what was selected may have been undone.
 bool has(const Lesson& lesson, const Subject& subject) {
-  if (subject.kind == Kind::vertex_of_x)
-    return static_cast<std::size_t>(subject.x) < lesson.x().vertices.size();
-  if (subject.kind == Kind::vertex_of_y)
-    return static_cast<std::size_t>(subject.y) < lesson.y().vertices.size();
-  return subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
+  if (!is_vertex(subject)) return is_shape(subject);
+  return static_cast<std::size_t>(index_of(subject)) <
+         lesson.bodies[body_of(subject)].vertices.size();
 }
 
 }  // namespace
@@ -193,44 +192,33 @@ bool App::edit(const std::string& name, Lesson lesson) {
 void App::select_next(int by) {
   const int of_x = static_cast<int>(session_.lesson().x().vertices.size());
   const int of_y = static_cast<int>(session_.lesson().y().vertices.size());
-  Subject& selected = picture_.selected;
-  int at = selected.kind == Kind::vertex_of_x   ? selected.x
-           : selected.kind == Kind::vertex_of_y ? of_x + selected.y
-           : by > 0                             ? -1
-                                                : 0;
+  Subject& selected = picture_.hand().selected;
+  int at = by > 0 ? -1 : 0;
+  if (is_vertex(selected)) at = index_of(selected) + (body_of(selected) == 0 ? 0 : of_x);
   at = (at + by + of_x + of_y) % (of_x + of_y);
-  selected = at < of_x ? Subject{Kind::vertex_of_x, at} : Subject{Kind::vertex_of_y, -1, at - of_x};
+  selected = at < of_x ? vertex_of(0, at) : vertex_of(1, at - of_x);
 }
 
 void App::nudge(const Vector2d& pixels) {
   if (session_.is_settling()) return;
-  const Subject& selected = picture_.selected;
-  const bool of_x = selected.kind == Kind::vertex_of_x || selected.kind == Kind::shape_x;
-  const bool is_vertex = selected.kind == Kind::vertex_of_x || selected.kind == Kind::vertex_of_y;
+  const Subject& selected = picture_.hand().selected;
   const LessonPictures::ShownView view = session_.views().front();
   const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
   const Vector2d by = snaps_ ? Vector2d(picture_.grid(0).cwiseProduct(pixels))
                              : Vector2d(2.0 * units.cwiseProduct(pixels));
-  const std::size_t body = of_x ? 0 : 1;
-  session_.begin_drag(is_vertex ? "move a vertex" : "move a shape");
+  session_.begin_drag(is_vertex(selected) ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = run.bodies[body].world;
-  session_.drag([&](Lesson& lesson) {
-    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
-    const int index = of_x ? selected.x : selected.y;
-    edit::put_vertex(lesson, body, index, run.bodies[body].placement,
-                     in_plane(world[static_cast<std::size_t>(index)]) + by);
-  });
+  const int index = is_vertex(selected) ? index_of(selected) : -1;
+  session_.drag([&](Lesson& lesson) { edit::nudge(lesson, body_of(selected), index, run, by); });
   session_.end_drag();
 }
 
 void App::erase_selected() {
-  const Subject& selected = picture_.selected;
-  const bool of_x = selected.kind == Kind::vertex_of_x;
+  const Subject& selected = picture_.hand().selected;
   Lesson lesson = session_.lesson();
-  if (!edit::erase_vertex(lesson, of_x ? 0 : 1, of_x ? selected.x : selected.y))
+  if (!edit::erase_vertex(lesson, body_of(selected), index_of(selected)))
     return say("a shape keeps its last vertex");
-  if (edit("delete a vertex", std::move(lesson))) picture_.selected = {};
+  if (edit("delete a vertex", std::move(lesson))) picture_.hand().selected = {};
 }
 
 void App::step(int by) {
@@ -398,7 +386,7 @@ void App::make_commands() {
       [&] { return !session_.redo_name().empty(); });
   add("Edit", "Select the next vertex", {"Tab"}, [&] { select_next(1); });
   add("Edit", "Select the vertex before", {"Shift+Tab"}, [&] { select_next(-1); });
-  const auto has_selected = [&] { return has(session_.lesson(), picture_.selected); };
+  const auto has_selected = [&] { return has(session_.lesson(), picture_.hand().selected); };
   for (const auto& [key, by] :
        {std::pair("Right", Vector2d(1, 0)), {"Left", {-1, 0}}, {"Up", {0, 1}}, {"Down", {0, -1}}}) {
     std::string where = key;
@@ -409,10 +397,7 @@ void App::make_commands() {
   }
   add(
       "Edit", "Delete the selected vertex", {"Delete", "Backspace"}, [&] { erase_selected(); },
-      [&, has_selected] {
-        const Kind kind = picture_.selected.kind;
-        return has_selected() && (kind == Kind::vertex_of_x || kind == Kind::vertex_of_y);
-      });
+      [&, has_selected] { return has_selected() && is_vertex(picture_.hand().selected); });
   add("Edit", "Snap to round numbers", {"G"}, [&] {
     snaps_ = !snaps_;
     say(snaps_ ? "what is dragged goes to round numbers" : "what is dragged goes anywhere");
@@ -548,14 +533,14 @@ void App::make_commands() {
       lessons_over_ = false;
     } else if (asking_.has_begun()) {
       asking_.forget();
-      picture_.selected = {};
+      picture_.hand().selected = {};
     } else if (is_presenting()) {
       presenter_.turn(false);
     } else {
       welcomes_ = false;
       message_.clear();
       error_.clear();
-      picture_.selected = {};
+      picture_.hand().selected = {};
     }
   });
 }

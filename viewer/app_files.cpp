@@ -216,7 +216,7 @@ bool App::shown(bool is_shown, const std::string& name) {
   }
   error_.clear();
   say(leaves_unsaved_ ? "undo goes back to what was not saved" : "");
-  picture_.selected = {};
+  picture_.hand().selected = {};
   playing_ = false;
   keep_unsaved();
   return true;

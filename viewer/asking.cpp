@@ -56,7 +56,7 @@ std::vector<std::string> Asking::choices() {
 void Asking::answer(const std::string& choice) {
   forget();
   app_.session().grade(choice);
-  app_.picture().selected = {};
+  app_.picture().hand().selected = {};
 }
 
 void Asking::choose(const std::string& choice) {
@@ -114,16 +114,10 @@ std::optional<double> Asking::wakes_at() const {
 
 std::string Asking::name_of(const Subject& subject) const {
   const LessonRun& run = app_.session().run();
-  switch (subject.kind) {
-    case Kind::vertex_of_x:
-      return run.lesson.x().vertex_names[static_cast<std::size_t>(subject.x)];
-    case Kind::vertex_of_y:
-      return run.lesson.y().vertex_names[static_cast<std::size_t>(subject.y)];
-    case Kind::difference_vertex:
-      return run.pair_name({subject.x, subject.y});
-    default:
-      return {};
-  }
+  if (subject.kind == Kind::difference_vertex) return run.pair_name({subject.x, subject.y});
+  if (!is_vertex(subject)) return {};
+  const LessonShape& shape = run.lesson.bodies[body_of(subject)];
+  return shape.vertex_names[static_cast<std::size_t>(index_of(subject))];
 }
 
 std::optional<Subject> Asking::subject_of(const std::string& choice) const {
@@ -162,8 +156,7 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
     answer(name);
     return true;
   }
-  const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
-  if (question->pair.empty() || !is_vertex) return false;
+  if (question->pair.empty() || !is_vertex(subject)) return false;
   // The two halves come in any order.
   const std::string name = name_of(subject);
   const std::size_t half = subject.kind == Kind::vertex_of_y ? 0 : 1;
@@ -171,7 +164,7 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
     app_.say(fmt::format("{} is none of the choices", name));
     return true;
   }
-  app_.picture().selected = subject;
+  app_.picture().hand().selected = subject;
   choose_half(half, name);
   return true;
 }

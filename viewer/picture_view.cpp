@@ -6,15 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app.hpp"
 #include "imgui_vec.hpp"
 #include "outlines/polygon.hpp"
-#include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "picture/tween.hpp"
 #include "picture/words.hpp"
+#include "session/edit.hpp"
 #include "session/hit.hpp"
 
 namespace gjkscope {
@@ -23,38 +22,10 @@ namespace {
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
-constexpr double kSlack = 7.0;        // frame pixels around a point or a line that still hit it
-constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
-constexpr double kHandleAway = 30.0;  // of the rotation handle from its shape, frame pixels
-constexpr double kHandleRadius = 7.0;
-
-bool is_vertex(const Subject& subject) {
-  return subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
-}
-bool is_shape(const Subject& subject) {
-  return subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
-}
-std::size_t body_of(const Subject& subject) {
-  return subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x ? 0 : 1;
-}
-int index_of(const Subject& subject) {
-  return subject.kind == Kind::vertex_of_x ? subject.x : subject.y;
-}
-
-/// The nearest multiple of a round number. Below 1 that is divided by how many make 1: 0.3 is the
-/// double that is nearest to it, and 3 times 0.1 is not.
-double snapped(double value, double grid) {
-  if (grid == 0.0) return value;
-  const double steps = std::round(value / grid);
-  return grid < 1.0 ? steps / std::round(1.0 / grid) : steps * grid;
-}
-Vector2d snapped(const Vector2d& value, const Vector2d& grid) {
-  return {snapped(value.x(), grid.x()), snapped(value.y(), grid.y())};
-}
-
 }  // namespace
 
-PictureView::PictureView(App& app) : app_(app), session_(app.session()) {}
+PictureView::PictureView(App& app)
+    : app_(app), session_(app.session()), hand_(session_, app.fonts()) {}
 
 double PictureView::lay_out(const Rect& area, double density) {
   area_ = area;
@@ -86,74 +57,8 @@ double PictureView::lay_out(const Rect& area, double density) {
   return zoom_;
 }
 
-std::optional<std::size_t> PictureView::view_at(const Point& page) const {
-  const std::vector<LessonPictures::ShownView> views = session_.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const Rect& card = views[i].card;
-    if ((page.array() >= card.min.array()).all() && (page.array() <= card.max.array()).all())
-      return i;
-  }
-  return std::nullopt;
-}
-
-Vector2d PictureView::to_view(std::size_t view, const Point& page) const {
-  const LessonPictures::ShownView shown = session_.views()[view];
-  const Point off = page - shown.card.center();
-  return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
-                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
-}
-
-/// Beside the selected shape, in the first view of the world, where it covers no label; an empty
-/// rectangle where there is none.
-Rect PictureView::rotation_handle(std::size_t body) const {
-  const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = run.bodies[body].world;
-  if (world.size() < 2) return {};
-  for (const LessonPictures::ShownView& view : session_.views()) {
-    if (view.kind != ViewKind::world) continue;
-    const StageMap map(view.card, view.camera);
-    Rect box{map(world.front()), map(world.front())};
-    for (const Eigen::Vector3d& vertex : world) {
-      box.min = box.min.cwiseMin(map(vertex));
-      box.max = box.max.cwiseMax(map(vertex));
-    }
-    const Point middle = box.center();
-    std::optional<Rect> first;
-    for (const Point& at : {Point(middle.x(), box.min.y() - kHandleAway),
-                            Point(middle.x(), box.max.y() + kHandleAway),
-                            Point(box.max.x() + kHandleAway, middle.y()),
-                            Point(box.min.x() - kHandleAway, middle.y())}) {
-      const Point inset(kHandleRadius + 2.0, kHandleRadius + 2.0);
-      const Point center = at.cwiseMax(view.card.min + inset).cwiseMin(view.card.max - inset);
-      Rect handle{center - Point::Constant(kHandleRadius), center + Point::Constant(kHandleRadius)};
-      if (!first) first = handle;
-      const std::vector<Mark>& marks = session_.picture().marks;
-      const bool covers = std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
-        const Text* text = std::get_if<Text>(&mark.shape);
-        return text && mark.clip >= 0 && overlap(box_of(app_.fonts(), *text), handle);
-      });
-      if (!covers) return handle;
-    }
-    return *first;
-  }
-  return {};
-}
-
-std::optional<Point> PictureView::rotation_handle_at(std::size_t body) const {
-  const Rect handle = rotation_handle(body);
-  if (handle.size().x() == 0.0) return std::nullopt;
-  return to_pixel(handle.center());
-}
-
 Vector2d PictureView::grid(std::size_t view) const {
-  return app_.snaps() ? round_step(view) : Vector2d::Zero();
-}
-
-Vector2d PictureView::round_step(std::size_t view) const {
-  constexpr double kApart = 8.0;  // frame pixels
-  const LessonPictures::ShownView shown = session_.views()[view];
-  const Vector2d units = shown.camera.units_per_pixel(shown.card.size().y());
-  return {gjkscope::round_step(kApart * units.x()), gjkscope::round_step(kApart * units.y())};
+  return app_.snaps() ? hand_.round_step(view) : Vector2d::Zero();
 }
 
 Picture PictureView::picture_now() {
@@ -212,7 +117,7 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
   std::vector<Rect> rings;
   for (const Mark& mark : picture.marks) {
     const bool pointed = is_linked(mark.subject, hovered_);
-    const bool is_selected = mark.subject.kind != Kind::none && mark.subject == selected;
+    const bool is_selected = mark.subject.kind != Kind::none && mark.subject == hand_.selected;
     if (!pointed && !is_selected) continue;
     if (const Disk* disk = std::get_if<Disk>(&mark.shape)) {
       const double radius = disk->radius + (is_selected ? 7.0 : 5.0);
@@ -239,7 +144,7 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
     }
   }
   app_.asking().draw_verdicts(list);
-  // Labels stand on rings.
+  // Labels stand on rings, and the handle on all.
   Picture labels{picture.width, picture.height, picture.clips, picture.clip_corner, {}};
   for (const Mark& mark : picture.marks) {
     const Text* text = std::get_if<Text>(&mark.shape);
@@ -248,18 +153,9 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
         }))
       labels.marks.push_back(mark);
   }
+  for (Mark& mark : hand_.handle_marks()) labels.marks.push_back(std::move(mark));
   (void)paint_marks(list, labels, 0, app_.theme(), fonts,
                     {area_.min, zoom_, ImGui::GetIO().Fonts->TexID});
-  if (is_shape(selected)) {
-    const Rect handle = rotation_handle(body_of(selected));
-    if (handle.size().x() > 0.0) {
-      const ImVec2 center = vec(to_pixel(handle.center()));
-      const Color paper = app_.theme().background();
-      list.AddCircleFilled(center, static_cast<float>(zoom_ * kHandleRadius), ink);
-      list.AddCircle(center, static_cast<float>(0.5 * zoom_ * kHandleRadius),
-                     IM_COL32(paper.r, paper.g, paper.b, 255), 0, width);
-    }
-  }
   const double opacity = app_.presenter().pointer_opacity(app_.now());
   if (app_.is_presenting() && opacity > 0.0) {
     const auto alpha = static_cast<int>(std::lround(255.0 * opacity));
@@ -326,7 +222,7 @@ void PictureView::take_pointer() {
                       (pixel.array() < area_.max.array()).all();
   const bool ours = inside && !io.WantCaptureMouse && !app_.has_dialog() && app_.shows_pointer();
   const Point page = to_page(pixel);
-  if (drag_) {
+  if (press_) {
     if (io.MouseDown[0]) {
       continue_drag(page);
     } else {
@@ -334,18 +230,14 @@ void PictureView::take_pointer() {
     }
     return;
   }
-  hovered_ =
-      ours ? subject_at(session_.picture(), app_.fonts(), page, kSlack) : app_.pointed_in_panel;
+  hovered_ = ours ? hand_.subject_at(page) : app_.pointed_in_panel;
   // Not while the picture is on its way to another: it would be there at once.
-  if (!motion_) {
-    const bool is_vertex_itself = is_vertex(hovered_) || hovered_.kind == Kind::difference_vertex;
-    const Subject near = is_vertex_itself || !ours ? hovered_ : session_.vertex_near(page, kNear);
-    session_.point_at({selected, near});
-  }
+  if (!motion_)
+    session_.point_at({hand_.selected, ours ? hand_.named_at(page, hovered_) : hovered_});
   if (!ours) return;
   if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  const std::optional<std::size_t> view = view_at(page);
+  const std::optional<std::size_t> view = hand_.view_at(page);
   if (view && io.MouseWheel != 0.0f) zoom(*view, page, std::pow(1.15, -io.MouseWheel));
   if (!io.MouseClicked[0]) return;
   if (clicks_ == 2) {
@@ -362,7 +254,7 @@ std::optional<int> PictureView::frame_at(const Point& page) {
     const Box* box = mark.subject.kind == Kind::frame ? std::get_if<Box>(&mark.shape) : nullptr;
     if (!box) continue;
     const Rect& rect = box->rect;
-    if (page.y() < rect.min.y() - kSlack || page.y() > rect.max.y() + kSlack) continue;
+    if (page.y() < rect.min.y() - Hand::kSlack || page.y() > rect.max.y() + Hand::kSlack) continue;
     const double off = std::max({rect.min.x() - page.x(), page.x() - rect.max.x(), 0.0});
     if (off < least) {
       least = off;
@@ -377,7 +269,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   if (const std::optional<int> frame = frame_at(page)) {
     app_.stop_playing();
     session_.go_to(*frame);
-    drag_ = Drag{{Kind::frame, *frame}, 0, page, Vector2d::Zero()};
+    press_ = Press{.last = page, .on_timeline = true};
     return;
   }
   if (subject.kind == Kind::phase) {
@@ -386,121 +278,65 @@ void PictureView::press(const Subject& subject, const Point& page) {
     if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }
-  const std::optional<std::size_t> view = view_at(page);
+  const std::optional<std::size_t> view = hand_.view_at(page);
   if (!view) return;
-  if (is_shape(selected)) {
-    const Rect handle = rotation_handle(body_of(selected));
-    if (handle.size().x() > 0.0 && (page - handle.center()).norm() <= kHandleRadius + kSlack) {
-      drag_ = Drag{selected, *view, page, to_view(*view, page), true};
-      return;
-    }
+  press_ = Press{.last = page};
+  if (session_.question() && !hand_.is_on_handle(page)) press_->aim = subject;
+  // A press on anything else moves the view.
+  if (!hand_.press(subject, page)) press_->view = view;
+  if (is_vertex(hand_.selected)) {
+    const std::size_t body = body_of(hand_.selected);
+    if (is_convex(session_.lesson().bodies[body].vertices)) press_->convex = body;
   }
-  if (session_.question()) aim_ = Aim{subject, *view, to_view(*view, page)};
-  const Subject taken = held(subject);
-  drag_ = Drag{taken, *view, page, to_view(*view, page)};
-  drag_->was_convex =
-      is_vertex(taken) && is_convex(session_.lesson().bodies[body_of(taken)].vertices);
-  selected = is_vertex(taken) || is_shape(taken) ? taken : Subject{};
 }
 
 void PictureView::continue_drag(const Point& page) {
-  Drag& drag = *drag_;
-  if (drag.subject.kind == Kind::frame) {
-    if (const std::optional<int> frame = frame_at({page.x(), drag.last.y()}))
+  Press& press = *press_;
+  if (press.on_timeline) {
+    if (const std::optional<int> frame = frame_at({page.x(), press.last.y()}))
       session_.go_to(*frame);
     return;
   }
-  if (session_.is_settling()) return;
-  constexpr double kStill = 2.0;  // frame pixels: a click is not a drag
-  if (!drag.moved && (page - drag.last).norm() < kStill) return;
-  drag.moved = true;
-  const Vector2d before = to_view(drag.view, drag.last);
-  const Vector2d now = to_view(drag.view, page);
-  const std::size_t body = body_of(drag.subject);
-  const LessonPictures::ShownView view = session_.views()[drag.view];
-  const bool in_world = view.kind == ViewKind::world;
-
-  if (drag.turns) {
-    const PositionedRun& run = session_.run().run(session_.frame());
-    const auto& world = run.bodies[body].world;
-    const Vector2d middle = centroid(in_plane(world));
-    const Vector2d a = before - middle;
-    const Vector2d b = now - middle;
-    double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180.0 / std::numbers::pi;
-    if (app_.snaps()) {
-      constexpr double kStep = 15.0;
-      degrees = snapped(degrees, kStep);
-      if (degrees == 0.0) return;
-    }
-    if (!session_.is_dragging()) session_.begin_drag("turn a shape");
-    session_.drag([&](Lesson& lesson) { edit::turn_shape(lesson, body, degrees); });
-    drag.last = page;
+  if (!press.view) {
+    press.moved = hand_.move(page, app_.snaps()) || press.moved;
     return;
   }
-  const bool moves_point = is_vertex(drag.subject) && in_world;
-  const bool moves_shape = is_shape(drag.subject) && in_world;
-  const bool moves_difference = !in_world && (drag.subject.kind == Kind::difference ||
-                                              drag.subject.kind == Kind::difference_vertex);
-  if (!moves_point && !moves_shape && !moves_difference) {
-    // What cannot be moved moves the view.
-    Camera camera = view.camera;
-    camera.center -= now - before;
-    session_.set_camera(drag.view, camera);
-    drag.last = page;
-    return;
-  }
-  if (!session_.is_dragging())
-    session_.begin_drag(moves_point ? "move a vertex" : "move a shape", drag.view);
-  const PositionedRun& run = session_.run().run(session_.frame());
-  if (moves_point) {
-    const auto& world = run.bodies[body].world;
-    const int index = index_of(drag.subject);
-    const Vector2d to = snapped(now, grid(drag.view));
-    session_.drag([&](Lesson& lesson) {
-      if (world.size() == 1) return edit::move_shape(lesson, body, to - in_plane(world.front()));
-      edit::put_vertex(lesson, body, index, run.bodies[body].placement, to);
-    });
-  } else if (moves_difference) {
-    // Z = Y - X goes where Y goes.
-    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, now - before); });
-  } else {
-    const Vector2d by = snapped(Vector2d(now - drag.start_in_view), grid(drag.view)) -
-                        snapped(Vector2d(before - drag.start_in_view), grid(drag.view));
-    session_.drag([&](Lesson& lesson) { edit::move_shape(lesson, body, by); });
-  }
-  drag.last = page;
+  if (session_.is_settling() || (!press.moved && (page - press.last).norm() < Hand::kStill)) return;
+  press.moved = true;
+  Camera camera = session_.views()[*press.view].camera;
+  camera.center -= hand_.to_view(*press.view, page) - hand_.to_view(*press.view, press.last);
+  session_.set_camera(*press.view, camera);
+  press.last = page;
 }
 
 void PictureView::release() {
-  if (session_.is_dragging()) {
-    session_.end_drag();
-    if (!session_.problem().empty()) {
-      app_.say(session_.problem(), true);
-    } else if (drag_ && drag_->was_convex) {
-      const LessonShape& shape = session_.lesson().bodies[body_of(drag_->subject)];
-      if (!is_convex(shape.vertices)) {
-        app_.say(fmt::format(
-            "{} has a dent: GJK sees its hull, which the effect 'shape hull' shows", shape.name));
-      }
+  if (!hand_.release()) {
+    app_.say(session_.problem(), true);
+  } else if (press_ && press_->moved && press_->convex) {
+    const LessonShape& shape = session_.lesson().bodies[*press_->convex];
+    if (!is_convex(shape.vertices)) {
+      app_.say(fmt::format("{} has a dent: GJK sees its hull, which the effect 'shape hull' shows",
+                           shape.name));
     }
   }
-  drag_.reset();
-  aim_.reset();
+  press_.reset();
 }
 
 void PictureView::let_go() {
-  const std::optional<Aim> aim = drag_->moved ? std::nullopt : aim_;
+  const Press press = *press_;
   release();
-  if (aim) app_.asking().click(aim->subject, aim->view, aim->at);
+  const std::optional<std::size_t> view = hand_.view_at(press.last);
+  if (press.moved || !press.aim || !view) return;
+  app_.asking().click(*press.aim, *view, hand_.to_view(*view, press.last));
 }
 
 void PictureView::double_click(const Point& page) {
-  const std::optional<std::size_t> view = view_at(page);
+  const std::optional<std::size_t> view = hand_.view_at(page);
   if (!view || session_.views()[*view].kind != ViewKind::world) return;
   if (is_vertex(hovered_)) return;
-  const Vector2d at = to_view(*view, page);
+  const Vector2d at = hand_.to_view(*view, page);
   const LessonPictures::ShownView shown = session_.views()[*view];
-  const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
+  const double reach = 2.0 * Hand::kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
   const Lesson& shapes = session_.lesson();
   const auto of_x = edit::nearest_edge(in_plane(run.x().world), shapes.x().ranges(), at);
@@ -516,11 +352,11 @@ void PictureView::double_click(const Point& page) {
   const int index = edit::insert_vertex(lesson, body, edge->edge, run.bodies[body].placement,
                                         snapped(at, grid(*view)));
   if (!app_.edit("add a vertex", std::move(lesson))) return;
-  selected = is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};
+  hand_.selected = vertex_of(body, index);
 }
 
 void PictureView::zoom(std::size_t view, const Point& page, double factor) {
-  const Vector2d fixed = to_view(view, page);
+  const Vector2d fixed = hand_.to_view(view, page);
   Camera camera = session_.views()[view].camera;
   const double height = camera.height * factor;
   if (!(height > 1e-12 && height < 1e12)) return;

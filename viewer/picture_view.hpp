@@ -1,12 +1,11 @@
 #pragma once
-// The picture in the window: where it stands, what is under the pointer, and what a hand does to
-// it.
+// The picture in the window: where it stands, and what the pointer does there.
 
 #include <optional>
 #include <string>
 
 #include "paint/imgui_painter.hpp"
-#include "session/edit.hpp"
+#include "session/hand.hpp"
 #include "session/session.hpp"
 
 namespace gjkscope {
@@ -38,11 +37,9 @@ class PictureView {
   void release();
 
   [[nodiscard]] const Subject& hovered() const { return hovered_; }
-  Subject selected;
+  [[nodiscard]] Hand& hand() { return hand_; }
   /// The place of a mark of the subject on the window; nothing when none is in sight.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
-  /// A few pixels of a view along x and y, as a round number of its units.
-  [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
   /// The step that a hand is held to; 0 where it goes anywhere.
   [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
   /// The card of the panel, or of the last view where there is none, on the window.
@@ -52,25 +49,19 @@ class PictureView {
   /// The box on the window in which the frame lists the choices of its question; nothing without
   /// one.
   [[nodiscard]] std::optional<Rect> words_of_choices();
-  /// The place of the handle that turns a shape.
-  [[nodiscard]] std::optional<Point> rotation_handle_at(std::size_t body) const;
 
  private:
-  struct Drag {
-    Subject subject;
-    std::size_t view = 0;
-    Point last;                     ///< On the page.
-    Eigen::Vector2d start_in_view;  ///< The point at which it was taken.
-    bool turns = false;
+  /// A button that is down: it goes along the timeline, moves a view, or has the hand hold
+  /// something.
+  struct Press {
+    Point last;  ///< On the page.
+    bool on_timeline = false;
+    std::optional<std::size_t> view = std::nullopt;
     bool moved = false;
-    bool was_convex = false;  ///< The shape whose vertex it is.
-  };
-
-  /// The press of a button while a question was open: an answer, unless it becomes a drag.
-  struct Aim {
-    Subject subject;
-    std::size_t view = 0;
-    Eigen::Vector2d at;
+    /// A question was open: this is an answer, unless it becomes a drag.
+    std::optional<Subject> aim = std::nullopt;
+    /// The shape whose vertex is held, where it is convex.
+    std::optional<std::size_t> convex = std::nullopt;
   };
 
   /// What was shown when a step was taken, and when that was.
@@ -81,9 +72,6 @@ class PictureView {
 
   [[nodiscard]] Point to_page(const Point& pixel) const { return (pixel - area_.min) / zoom_; }
   [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
-  [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
-  [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
-  [[nodiscard]] Rect rotation_handle(std::size_t body) const;
   /// The frame of the timeline at this height that is nearest; nothing elsewhere.
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
   /// The session's picture, or what leads to it from the step that was shown before.
@@ -98,11 +86,11 @@ class PictureView {
 
   App& app_;
   Session& session_;
+  Hand hand_;
   Rect area_;
   double zoom_ = 1.0;
   Subject hovered_;
-  std::optional<Drag> drag_;
-  std::optional<Aim> aim_;
+  std::optional<Press> press_;
   int clicks_ = 0;
   Picture shown_;  ///< The last, of this version of the lesson and this step.
   long shown_version_ = -1;

@@ -5,6 +5,7 @@
 let held = null;
 let pointed = null;  // the mouse, on the picture
 let lit = null;  // what lights up belongs to this place
+let snaps = false;  // to round numbers; Shift does the other thing
 
 /** Where on the picture an event is, in its own pixels. */
 function placeOf(event) {
@@ -41,12 +42,16 @@ function onDown(event) {
   const touch = event.pointerType !== "mouse";
   const press = { id: event.pointerId, drags: isOverShape(event, touch ? FINGER : 14), from: placeOf(event), touch };
   held = press;
-  if (!press.drags) return;
+  if (!press.drags) {
+    // A press beside the shapes selects none.
+    if ($("stage").querySelector("[data-mark=handle]")) act({ do: "press", ...press.from });
+    return;
+  }
   $("stage").classList.add("drags");
   $("stage").setPointerCapture(event.pointerId);
   event.preventDefault();
-  ask({ do: "press", ...press.from, ...(touch && { finger: true }) }).then((answer) => {
-    if (answer?.dragging) return tell("");
+  act({ do: "press", ...press.from, ...(touch && { finger: true }) }).then(() => {
+    if (state.dragging) return tell("");
     press.drags = false;
     $("stage").classList.remove("drags");
   });
@@ -54,11 +59,16 @@ function onDown(event) {
 
 function onMove(event) {
   if (held?.drags && event.pointerId === held.id) {
-    act({ do: "move", ...placeOf(event) });
+    act({ do: "move", ...placeOf(event), ...(snaps !== event.shiftKey && { snaps: true }) });
   } else if (!held && event.pointerType === "mouse") {
     pointed = placeOf(event);
     light(pointed);
   }
+}
+
+function toggleSnaps() {
+  snaps = !snaps;
+  tell(snaps ? "What is dragged goes to round numbers." : "What is dragged goes anywhere.");
 }
 
 /** Ends a drag as if it had not been. */

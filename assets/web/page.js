@@ -224,6 +224,7 @@ const KEYS = {
   " ": play,
   u: () => act({ do: "undo" }),
   y: () => act({ do: "redo" }),
+  g: toggleSnaps,
   p: () => data.asks && predict(),
 };
 

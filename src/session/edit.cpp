@@ -24,7 +24,11 @@ using Eigen::Vector2d;
 Eigen::Matrix2d rotation(double degrees) {
   // A shape that is not turned keeps its digits.
   if (degrees == 0.0) return Eigen::Matrix2d::Identity();
-  return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
+  // Rounded from more digits, as those of poses.
+  const long double angle = degrees * std::numbers::pi / 180.0;
+  const auto c = static_cast<double>(std::cos(angle));
+  const auto s = static_cast<double>(std::sin(angle));
+  return Eigen::Matrix2d{{c, -s}, {s, c}};
 }
 
 LessonMotion* motion_of(Lesson& lesson, std::size_t body) {
@@ -87,6 +91,14 @@ void move_shape(Lesson& lesson, std::size_t body, const Vector2d& by) {
   } else {
     shape.translate += by;
   }
+}
+
+void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now,
+           const Vector2d& by) {
+  const auto& world = now.bodies[body].world;
+  if (index < 0 || world.size() == 1) return move_shape(lesson, body, by);
+  put_vertex(lesson, body, index, now.bodies[body].placement,
+             world[static_cast<std::size_t>(index)] + by);
 }
 
 void turn_shape(Lesson& lesson, std::size_t body, double degrees) {

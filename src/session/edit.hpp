@@ -26,6 +26,10 @@ void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& pl
 /// Moves a shape; where a path or a motion places it, all of that.
 void move_shape(Lesson& lesson, std::size_t body, const Eigen::Vector2d& by);
 
+/// Moves a vertex, or the shape where `index` is below 0; `now`: where the bodies are.
+void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now,
+           const Eigen::Vector2d& by);
+
 /// Turns a shape about the middle of its vertices.
 void turn_shape(Lesson& lesson, std::size_t body, double degrees);
 

@@ -11,11 +11,6 @@ namespace {
 
 using Kind = Subject::Kind;
 
-bool is_in(const Rect& rect, const Point& p, double slack = 0.0) {
-  return (p.array() >= rect.min.array() - slack).all() &&
-         (p.array() <= rect.max.array() + slack).all();
-}
-
 /// How well a mark is hit; lower is better, infinite is not at all.
 constexpr double kMiss = HUGE_VAL;
 constexpr double kLine = 1e3;
@@ -63,6 +58,11 @@ struct Aim {
 };
 
 }  // namespace
+
+bool is_in(const Rect& rect, const Point& p, double slack) {
+  return (p.array() >= rect.min.array() - slack).all() &&
+         (p.array() <= rect.max.array() + slack).all();
+}
 
 Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, double slack) {
   Subject best;
@@ -118,17 +118,7 @@ bool overlaps(const Rect& rect, const std::vector<Point>& points, bool closed) {
 }
 
 bool is_of_shapes(const Subject& subject) {
-  switch (subject.kind) {
-    case Kind::vertex_of_x:
-    case Kind::vertex_of_y:
-    case Kind::shape_x:
-    case Kind::shape_y:
-    case Kind::difference:
-    case Kind::difference_vertex:
-      return true;
-    default:
-      return false;
-  }
+  return is_vertex(subject) || is_shape(subject) || is_of_difference(subject);
 }
 
 }  // namespace

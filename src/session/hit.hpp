@@ -19,9 +19,36 @@ namespace gjkscope {
                                 const VoronoiRegions::Value& regions, const Eigen::Vector2d& p,
                                 double reach);
 
+[[nodiscard]] bool is_in(const Rect& rect, const Point& p, double slack = 0.0);
+
 /// Whether any part of a shape, or of the difference, is inside of `card`; also where no mark
 /// stands for one, and nobody can tell.
 [[nodiscard]] bool is_in_sight(const Picture& picture, const Rect& card);
+
+[[nodiscard]] inline bool is_vertex(const Subject& subject) {
+  return subject.kind == Subject::Kind::vertex_of_x || subject.kind == Subject::Kind::vertex_of_y;
+}
+[[nodiscard]] inline bool is_shape(const Subject& subject) {
+  return subject.kind == Subject::Kind::shape_x || subject.kind == Subject::Kind::shape_y;
+}
+[[nodiscard]] inline bool is_of_difference(const Subject& subject) {
+  return subject.kind == Subject::Kind::difference ||
+         subject.kind == Subject::Kind::difference_vertex;
+}
+/// The body that a vertex belongs to, or a shape is; the second one for a difference.
+[[nodiscard]] inline std::size_t body_of(const Subject& subject) {
+  const bool is_x =
+      subject.kind == Subject::Kind::vertex_of_x || subject.kind == Subject::Kind::shape_x;
+  return is_x ? 0 : 1;
+}
+[[nodiscard]] inline Subject vertex_of(std::size_t body, int index) {
+  return body == 0 ? Subject{Subject::Kind::vertex_of_x, index}
+                   : Subject{Subject::Kind::vertex_of_y, -1, index};
+}
+/// The index of a vertex in its body.
+[[nodiscard]] inline int index_of(const Subject& vertex) {
+  return body_of(vertex) == 0 ? vertex.x : vertex.y;
+}
 
 /// What a hand takes there: with a volume of a tree the shape that it bounds a part of.
 [[nodiscard]] Subject held(const Subject& subject);

@@ -13,6 +13,7 @@
 #include "lesson/save.hpp"
 #include "lesson/schema.hpp"
 #include "run/questions.hpp"
+#include "session/hit.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/subjects.hpp"
@@ -717,15 +718,13 @@ const Picture& Session::picture() {
 }
 
 void Session::point_at(const std::vector<Subject>& vertices) {
-  using Kind = Subject::Kind;
   std::vector<Subject> pointed;
   for (const Subject& vertex : vertices) {
-    const bool is_difference = vertex.kind == Kind::difference_vertex;
-    if (is_difference || vertex.kind == Kind::vertex_of_x || vertex.kind == Kind::vertex_of_y)
-      pointed.push_back(vertex);
+    const bool is_difference = vertex.kind == Subject::Kind::difference_vertex;
+    if (is_difference || is_vertex(vertex)) pointed.push_back(vertex);
     if (!is_difference) continue;
-    pointed.push_back({Kind::vertex_of_x, vertex.x});
-    pointed.push_back({Kind::vertex_of_y, -1, vertex.y});
+    pointed.push_back(vertex_of(0, vertex.x));
+    pointed.push_back(vertex_of(1, vertex.y));
   }
   if (pointed == pointed_) return;
   pointed_ = std::move(pointed);
@@ -733,31 +732,28 @@ void Session::point_at(const std::vector<Subject>& vertices) {
 }
 
 Subject Session::vertex_near(const Point& page, double reach) {
-  using Kind = Subject::Kind;
   Subject nearest;
   double least = reach;
   const PositionedRun& shapes = run().run(frame());
   const auto seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const Rect& card = seen[i].card;
-    if (!shows_shapes(seen[i].kind) || (page.array() < card.min.array()).any() ||
-        (page.array() > card.max.array()).any())
-      continue;
-    const StageMap map(card, seen[i].camera);
-    const auto consider = [&](const auto& at, const Subject& subject) {
+    if (!shows_shapes(seen[i].kind) || !is_in(seen[i].card, page)) continue;
+    const StageMap map(seen[i].card, seen[i].camera);
+    const auto consider = [&](const Eigen::Vector2d& at, const Subject& subject) {
       const double away = (map(at) - page).norm();
       if (away > least) return;
       least = away;
       nearest = subject;
     };
     if (seen[i].kind == ViewKind::world) {
-      for (int k = 0; k < static_cast<int>(shapes.x().world.size()); ++k)
-        consider(shapes.x().world[static_cast<std::size_t>(k)], {Kind::vertex_of_x, k});
-      for (int k = 0; k < static_cast<int>(shapes.y().world.size()); ++k)
-        consider(shapes.y().world[static_cast<std::size_t>(k)], {Kind::vertex_of_y, -1, k});
+      for (const std::size_t body : {0, 1}) {
+        const auto& world = shapes.bodies[body].world;
+        for (std::size_t k = 0; k < world.size(); ++k)
+          consider(world[k], vertex_of(body, static_cast<int>(k)));
+      }
     } else if (lesson_.views[i].calls_for(MinkowskiHull::kName)) {
       for (const auto& [z, pair] : effects().get<MinkowskiHull>(frame()))
-        consider(z, {Kind::difference_vertex, pair.x, pair.y});
+        consider(z, {Subject::Kind::difference_vertex, pair.x, pair.y});
     }
   }
   return nearest;

@@ -24,10 +24,12 @@ namespace {
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
-constexpr double kSlack = 7.0;              // pixels around a point or a line that still hit it
-constexpr double kFingerSlack = 24.0;       // the same under a finger, which hides what it touches
-constexpr double kNear = 24.0;              // pixels around a vertex in which its name appears
-constexpr std::size_t kMostText = 1 << 21;  // bytes of a case; as of a lesson file
+void check_length(const std::string& text, const std::string& name) {
+  constexpr std::size_t kMost = 1 << 21;  // bytes of a case; as of a lesson file
+  if (text.size() <= kMost) return;
+  throw std::runtime_error(
+      fmt::format("{}: {} bytes are too many; expected at most {}", name, text.size(), kMost));
+}
 
 }  // namespace
 
@@ -61,14 +63,6 @@ struct Player::Asked {
   [[nodiscard]] std::size_t shape() const { return text("shape") == "x" ? 0 : 1; }
 };
 
-/// What is being dragged, since where.
-struct Player::Drag {
-  Subject subject;
-  std::size_t view = 0;
-  Point last;
-  bool moved = false;
-};
-
 FileText Player::held(const Files& files, const std::filesystem::path& file) {
   const auto found = files.find(file.filename().string());
   if (found == files.end()) return {std::nullopt, "the page does not hold this file"};
@@ -79,9 +73,9 @@ Player::Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, st
     : fonts_(std::move(fonts)),
       theme_texts_(std::move(themes)),
       theme_(theme("light")),
-      session_(fonts_, [this](const std::filesystem::path& file, std::size_t) {
-        return held(files_, file);
-      }) {}
+      session_(fonts_, [this](const std::filesystem::path& file,
+                              std::size_t) { return held(files_, file); }),
+      hand_(session_, fonts_) {}
 
 Theme Player::theme(std::string_view wanted) const {
   const ThemeTexts texts = [&](std::string_view name) -> std::optional<std::string> {
@@ -106,9 +100,10 @@ std::string Player::answer(std::string_view request) {
       {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
       {"phase", [](Player& p, const Asked& a) { p.go_to_phase(a.whole("phase")); }},
       {"press", [](Player& p, const Asked& a) { p.press(a.point(), a.json.contains("finger")); }},
-      {"move", [](Player& p, const Asked& a) { p.move(a.point()); }},
-      {"release", [](Player& p, const Asked&) { p.release(); }},
-      {"cancel", [](Player& p, const Asked&) { p.cancel(); }},
+      {"move",
+       [](Player& p, const Asked& a) { p.hand_.move(a.point(), a.json.contains("snaps")); }},
+      {"release", [](Player& p, const Asked&) { p.let_go(false); }},
+      {"cancel", [](Player& p, const Asked&) { p.let_go(true); }},
       {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
@@ -168,7 +163,7 @@ std::string Player::whole_frame() const {
 /// The stage on its way from what was shown before.
 std::string Player::on_the_way(const Asked& asked) const {
   const Picture between = tween(stage_before_, stage_, asked.real("share"));
-  return dumped({{"stage", to_svg(between, fonts_, theme_, alternative_text(session_.text()))}});
+  return dumped({{"stage", stage_svg(between)}});
 }
 
 void Player::go_to_phase(int phase) {
@@ -223,6 +218,7 @@ void Player::open(const Asked& asked) {
   if (!session_.open(lesson, {})) throw std::runtime_error(session_.problem());
   files_ = std::move(files);
   opened_ = std::move(lesson);
+  hand_.selected = {};
   shows_depth_ = asked.json.contains("depth");
 }
 
@@ -235,10 +231,7 @@ void Player::replace(const Asked& asked) {
 }
 
 Lesson Player::parsed(const std::string& text, const std::string& name, const Files& files) {
-  if (text.size() > kMostText) {
-    throw std::runtime_error(fmt::format("{}: {} bytes are too many; expected at most {}", name,
-                                         text.size(), kMostText));
-  }
+  check_length(text, name);
   const FileReader reader = [&](const std::filesystem::path& file, std::size_t) {
     return held(files, file);
   };
@@ -251,10 +244,7 @@ Lesson Player::parsed(const std::string& text, const std::string& name, const Fi
 void Player::open_case(const Asked& asked) {
   const std::string text = asked.text("text");
   const std::string name = asked.text("name");
-  if (text.size() > kMostText) {
-    throw std::runtime_error(fmt::format("{}: {} bytes are too many; expected at most {}", name,
-                                         text.size(), kMostText));
-  }
+  check_length(text, name);
   const std::vector<ReadCase> cases =
       parse_cases(text, name, 2, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().value) throw std::runtime_error(to_string(cases.front().problems));
@@ -302,81 +292,18 @@ void Player::set_layout(const Asked& asked) {
   timeline_width_ = length("timeline");
 }
 
-void Player::release() {
-  session_.end_drag();
-  drag_.reset();
-  if (!session_.problem().empty()) throw std::runtime_error(session_.problem());
+void Player::let_go(bool as_it_was) {
+  if (!(as_it_was ? hand_.cancel() : hand_.release())) throw std::runtime_error(session_.problem());
 }
-
-/// Ends a drag as if it had not been.
-void Player::cancel() {
-  const bool moved = drag_ && drag_->moved;
-  release();
-  if (moved) session_.undo(Session::Cameras::as_then);
-}
-
-namespace {
-
-std::optional<std::size_t> view_at(const Session& session, const Point& p) {
-  const std::vector<LessonPictures::ShownView> views = session.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const Rect& card = views[i].card;
-    if ((p.array() >= card.min.array()).all() && (p.array() <= card.max.array()).all()) return i;
-  }
-  return std::nullopt;
-}
-
-Vector2d to_view(const LessonPictures::ShownView& view, const Point& p) {
-  const Point off = p - view.card.center();
-  return view.camera.center + view.camera.units_per_pixel(view.card.size().y())
-                                  .cwiseProduct(Vector2d(off.x(), -off.y()));
-}
-
-}  // namespace
 
 void Player::press(const Point& at, bool by_finger) {
-  drag_.reset();
-  const auto held_within = [&](double slack) {
-    return gjkscope::held(subject_at(session_.picture(), fonts_, at, slack));
-  };
-  Subject subject = held_within(2.0 * kSlack);
+  constexpr double kFingerSlack = 24.0;  // a finger hides what it touches
+  constexpr double kHandleSlack = 15.0;  // so that the handle is as large as other buttons
+  Subject subject = gjkscope::held(hand_.subject_at(at, 2.0 * Hand::kSlack));
   // Beside a shape; in it, small shapes on a phone could not be moved as a whole.
-  const auto is_area = [](Kind kind) {
-    return kind == Kind::shape_x || kind == Kind::shape_y || kind == Kind::difference;
-  };
-  if (by_finger && !is_area(subject.kind)) subject = held_within(kFingerSlack);
-  const std::optional<std::size_t> view = view_at(session_, at);
-  if (!view) return;
-  const bool in_world = session_.views()[*view].kind == ViewKind::world;
-  const bool of_shapes = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y ||
-                         subject.kind == Kind::shape_x || subject.kind == Kind::shape_y;
-  const bool of_difference =
-      subject.kind == Kind::difference || subject.kind == Kind::difference_vertex;
-  if (in_world ? of_shapes : of_difference)
-    drag_ = std::make_shared<Drag>(Drag{subject, *view, at});
-}
-
-void Player::move(const Point& at) {
-  if (!drag_) return;
-  Drag& drag = *drag_;
-  constexpr double kStill = 2.0;  // pixels: a tap is not a drag
-  if (!drag.moved && (at - drag.last).norm() < kStill) return;
-  const Subject subject = drag.subject;
-  const bool is_vertex = subject.kind == Kind::vertex_of_x || subject.kind == Kind::vertex_of_y;
-  if (!std::exchange(drag.moved, true))
-    session_.begin_drag(is_vertex ? "move a vertex" : "move a shape", drag.view);
-  const LessonPictures::ShownView view = session_.views()[drag.view];
-  const Vector2d by = to_view(view, at) - to_view(view, drag.last);
-  const bool of_x = subject.kind == Kind::vertex_of_x || subject.kind == Kind::shape_x;
-  const std::size_t body = of_x ? 0 : 1;
-  const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = run.bodies[body].world;
-  session_.drag([&](Lesson& lesson) {
-    if (!is_vertex || world.size() == 1) return edit::move_shape(lesson, body, by);
-    const int index = of_x ? subject.x : subject.y;
-    edit::put_vertex(lesson, body, index, run.bodies[body].placement, to_view(view, at));
-  });
-  drag.last = at;
+  if (by_finger && !is_shape(subject) && subject.kind != Kind::difference)
+    subject = hand_.subject_at(at, kFingerSlack);
+  hand_.press(subject, at, by_finger ? kHandleSlack : Hand::kSlack);
 }
 
 /// Refuses what a lesson file could not say, with the loader's words.
@@ -395,10 +322,6 @@ double coordinate(const std::string& text, const std::string& name) {
   throw std::runtime_error(fmt::format(
       "{}: '{}' is no number; expected one like 0.25, 1e-6 or 0x1.8p-1", name, text.substr(0, 40)));
 }
-
-}  // namespace
-
-namespace {
 
 std::runtime_error no_vertex(int index, std::size_t count) {
   return std::runtime_error(
@@ -434,15 +357,10 @@ void Player::nudge(const Asked& asked) {
   const Vector2d by = view.camera.units_per_pixel(view.card.size().y())
                           .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const PositionedRun& run = session_.run().run(session_.frame());
-  const auto& world = run.bodies[body].world;
-  if (index >= static_cast<int>(world.size())) throw no_vertex(index, world.size());
+  const std::size_t count = run.bodies[body].world.size();
+  if (index >= static_cast<int>(count)) throw no_vertex(index, count);
   Lesson lesson = session_.lesson();
-  if (index < 0 || world.size() == 1) {
-    edit::move_shape(lesson, body, by);
-  } else {
-    edit::put_vertex(lesson, body, index, run.bodies[body].placement,
-                     in_plane(world[static_cast<std::size_t>(index)]) + by);
-  }
+  edit::nudge(lesson, body, index, run, by);
   change("move", lesson);
 }
 
@@ -465,10 +383,8 @@ void Player::set_numerics(const Asked& asked) {
 /// where a hand comes near a vertex, as an SVG to lie on the stage, without which it stays.
 std::string Player::linked(const Point& at) {
   const Picture before = session_.picture();
-  const Subject pointed = subject_at(before, fonts_, at, kSlack);
-  const bool is_vertex = pointed.kind == Kind::vertex_of_x || pointed.kind == Kind::vertex_of_y ||
-                         pointed.kind == Kind::difference_vertex;
-  session_.point_at({is_vertex ? pointed : session_.vertex_near(at, kNear)});
+  const Subject pointed = hand_.is_on_handle(at) ? hand_.selected : hand_.subject_at(at);
+  session_.point_at({hand_.named_at(at, pointed)});
   Picture more = session_.picture();
   session_.point_at({});
   std::set<std::string> names;

@@ -3,14 +3,13 @@
 // that a browser needs one call, and a test can ask a native player the same.
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "picture/picture.hpp"
 #include "picture/theme.hpp"
-#include "session/session.hpp"
+#include "session/hand.hpp"
 
 namespace gjkscope {
 
@@ -28,7 +27,6 @@ class Player {
   [[nodiscard]] std::string answer(std::string_view request);
 
  private:
-  struct Drag;
   struct Asked;
   using Files = std::map<std::string, std::string>;  ///< Texts by name.
 
@@ -42,9 +40,7 @@ class Player {
   void reset();
   void restore(const Asked& asked);
   void press(const Point& at, bool by_finger);
-  void move(const Point& at);
-  void release();
-  void cancel();
+  void let_go(bool as_it_was);
   void put_vertex(const Asked& asked);
   void nudge(const Asked& asked);
   void set_numerics(const Asked& asked);
@@ -64,6 +60,7 @@ class Player {
 
   // What is shown
   [[nodiscard]] std::string shown();
+  [[nodiscard]] std::string stage_svg(Picture stage) const;
   [[nodiscard]] Picture panel(const Frame& frame, double width);
   [[nodiscard]] std::string panel_svg(const Theme& theme);
   void measure_panel();
@@ -75,6 +72,7 @@ class Player {
   Files theme_texts_;
   Theme theme_;
   Session session_;
+  Hand hand_;
   std::optional<Lesson> opened_;  ///< What "reset" goes back to.
   Files files_;                   ///< Files that the lesson names.
   Picture stage_;                 ///< As it is shown,
@@ -85,7 +83,6 @@ class Player {
   double timeline_width_ = 960.0;
   double panel_height_ = 0.0;
   long measured_ = -1;  ///< The version of the lesson whose panel was measured.
-  std::shared_ptr<Drag> drag_;
 };
 
 }  // namespace gjkscope

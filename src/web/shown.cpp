@@ -240,6 +240,12 @@ std::string Player::panel_svg(const Theme& theme) {
                 "Pseudocode and values: " + values);
 }
 
+/// The stage with the handle that turns the selected shape.
+std::string Player::stage_svg(Picture stage) const {
+  for (Mark& mark : hand_.handle_marks()) stage.marks.push_back(std::move(mark));
+  return to_svg(stage, fonts_, theme_, alternative_text(session_.text()));
+}
+
 /// The frame in the colours of paper.
 std::string Player::for_paper() {
   const Theme paper = theme("print");
@@ -266,12 +272,12 @@ std::string Player::shown() {
               {"caption", text.caption},
               {"detail", text.detail},
               {"phase", text.phase},
-              {"dragging", drag_ != nullptr},
+              {"dragging", hand_.holds()},
               {"changed", *opened_ != lesson},
               {"undo", session_.undo_name()},
               {"redo", session_.redo_name()},
               {"hulls", not_convex(run)},
-              {"stage", to_svg(stage_, fonts_, theme_, alternative_text(text))},
+              {"stage", stage_svg(stage_)},
               {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
   if (!lesson.panel.empty()) out["panel"] = panel_svg(theme_);
   if (const FrameQuestion* question = session_.question()) {

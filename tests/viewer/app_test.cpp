@@ -328,9 +328,11 @@ TEST(App, TheHandleOfASelectedShapeTurnsIt) {
   HeadlessApp window;
   window.click(window.at({Kind::shape_y}));
   EXPECT_EQ(0.0, window.session().lesson().y().rotate_degrees);
-  const std::optional<Point> handle = window.app().picture().rotation_handle_at(1);
+  PictureView& picture = window.app().picture();
+  const std::optional<Point> handle = picture.hand().handle();
   ASSERT_TRUE(handle);
-  window.drag(*handle, *handle + Point(60, 30));
+  const Point at = picture.area().min + window.session().page().zoom * *handle;
+  window.drag(at, at + Point(60, 30));
   EXPECT_LT(window.session().lesson().y().rotate_degrees, -5.0);
 }
 
@@ -980,7 +982,7 @@ TEST(App, KeysGoToPanelsOrAreCommandsButNeverBoth) {
   HeadlessApp window;
   window.key("S");
   window.key("Tab");
-  EXPECT_EQ(Kind::vertex_of_x, window.app().picture().selected.kind);
+  EXPECT_EQ(Kind::vertex_of_x, window.app().picture().hand().selected.kind);
   EXPECT_FALSE(window.app().panels_have_keys());
   window.key("F6");
   EXPECT_TRUE(window.app().panels_have_keys());

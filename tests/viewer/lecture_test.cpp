@@ -231,7 +231,7 @@ TEST(Lecture, TheVerdictAndItsReasonComeBeforeTheNextQuestion) {
   EXPECT_TRUE(std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
     return mark.role == "caption.wrong";
   })) << "on the stage";
-  EXPECT_TRUE(window.app().picture().selected == Subject{}) << "nothing stays ringed";
+  EXPECT_TRUE(window.app().picture().hand().selected == Subject{}) << "nothing stays ringed";
   // Nothing of it goes by itself.
   for (int i = 0; i < 20; ++i) window.frame(1.0);
   EXPECT_EQ(asked_at, session.index());

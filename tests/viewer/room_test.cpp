@@ -16,6 +16,7 @@
 #include "lessons.hpp"
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
+#include "session/hit.hpp"
 #include "settings.hpp"
 #include "system_fonts.hpp"
 
@@ -503,21 +504,18 @@ TEST(Room, NamesInOtherScriptsHaveFonts) {
 TEST(Room, TheHandleThatTurnsCoversNoLabel) {
   HeadlessApp window;
   Session& session = window.session();
-  const double zoom = session.page().zoom;
   for (const double by : {0.0, 0.5, 1.0, 1.5}) {
     Lesson lesson = session.lesson();
     edit::move_shape(lesson, 1, {-by, 0.0});
     ASSERT_TRUE(window.app().edit("nearer", std::move(lesson)));
-    window.app().picture().selected = {Kind::shape_y};
-    const std::optional<Point> handle = window.app().picture().rotation_handle_at(1);
-    ASSERT_TRUE(handle);
-    const Point at = (*handle - window.app().picture().area().min) / zoom;
+    window.app().picture().hand().selected = {Kind::shape_y};
+    const std::optional<Point> at = window.app().picture().hand().handle();
+    ASSERT_TRUE(at);
     for (const Mark& mark : session.picture().marks) {
       const Text* text = std::get_if<Text>(&mark.shape);
       if (!text || mark.clip < 0) continue;
       const Rect box = box_of(window.app().fonts(), *text);
-      EXPECT_FALSE((at.array() >= box.min.array()).all() && (at.array() <= box.max.array()).all())
-          << by << " " << text->text;
+      EXPECT_FALSE(is_in(box, *at)) << by << " " << text->text;
     }
   }
 }

@@ -310,6 +310,50 @@ action("in the difference a drag moves Y", async (visit, size) => {
   await close(page);
 });
 
+action("the handle of a selected shape turns it, and goes when another place is pressed", async (visit, size) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  const { touch } = SIZES[size];
+  const drag = touch ? touchPath : dragByMouse;
+  const tap = (at) => (touch ? page.touchscreen.tap(...at) : page.mouse.click(...at));
+  const middle = async (mark) => {
+    await rest(page);
+    const box = await page.locator(mark).first().boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  await toMiddle(page, "y 0");
+  const before = await state(page);
+  await tap(await middle('#stage path[data-of="Y"]'));
+  const handle = await middle('#stage [data-mark="handle"]');
+  assert.equal((await state(page)).changed, false);
+  await drag(page, handle, [40, 30]);
+  const after = await state(page);
+  assert.equal(await page.evaluate(() => state.undo), "turn a shape");
+  assert.notDeepEqual(after.outcome, before.outcome);
+  const box = await page.locator("#stage").boundingBox();
+  await tap([box.x + box.width - 8, box.y + 8]);
+  await rest(page);
+  assert.equal(await page.locator('#stage [data-mark="handle"]').count(), 0);
+  await close(page);
+});
+
+action("Shift holds a drag to round numbers, and G does it for all", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  const short = async () => (await state(page)).shapes.y.vertices[0].slice(0, 2).every((each) => each.length <= 5);
+  await toMiddle(page, "y 0");
+  const drag = async () => dragByMouse(page, await vertex(page, "y 0"), [23.7, 17.3]);
+  await drag();
+  assert.equal(await short(), false);
+  await page.keyboard.down("Shift");
+  await drag();
+  await page.keyboard.up("Shift");
+  assert.equal(await short(), true, `${(await state(page)).shapes.y.vertices[0]}`);
+  await page.locator("body").press("g");
+  assert.match(await text(page, "hint"), /round numbers/);
+  await drag();
+  assert.equal(await short(), true);
+  await close(page);
+}, ["laptop", "projector"]);
+
 action("vertices are typed as decimals and hex floats, and moved by arrow keys", async (visit) => {
   const page = await visit(url("polygons-gjk"));
   await page.click("#vertices-part summary");

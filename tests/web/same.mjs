@@ -40,6 +40,23 @@ for (const file of lessons) {
   ask({ do: "undo" });
 }
 ask({ do: "open", lesson: read("assets/web/playground.toml"), name: "playground.toml" });
+// A press in a shape selects it, a drag of its handle turns it.
+const program = await startProgram();
+program(requests.at(-1));
+const drawn = program(layouts[1]).stage;
+const corners = [...drawn.matchAll(/<circle cx="([\d.]+)" cy="([\d.]+)"[^>]*data-of="y \d+"/g)];
+const middle = (i) => corners.reduce((sum, corner) => sum + Number(corner[i]), 0) / corners.length;
+const pressed = { do: "press", x: middle(1), y: middle(2) };
+const [, cx, cy] = program(pressed).stage.match(/<circle cx="([\d.]+)" cy="([\d.]+)"[^>]*data-mark="handle"/);
+const [x, y] = [Number(cx), Number(cy)];
+ask(layouts[1]);
+ask(pressed);
+ask({ do: "release" });
+ask({ do: "press", x, y });
+for (let i = 1; i <= 10; ++i) ask({ do: "move", x: x + 7.3 * i, y: y + 4.1 * i });
+ask({ do: "move", x: x + 90, y: y + 90, snaps: true });
+ask({ do: "release" });
+ask({ do: "lesson" });
 const cases = readdirSync(`${root}/tests/hard-cases`);
 for (const file of cases) {
   const text = read(`tests/hard-cases/${file}`);
@@ -47,7 +64,6 @@ for (const file of cases) {
   ask({ do: "case", text, name: file });
 }
 
-const program = await startProgram();
 const began = performance.now();
 const answers = requests.map((request) => program(request));
 const time = performance.now() - began;

@@ -9,12 +9,13 @@
 #include <memory>
 
 #include "app.hpp"
+#include "session/edit.hpp"
+#include "session/hit.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
 namespace {
 
-using Kind = Subject::Kind;
 using Eigen::Vector2d;
 
 struct Kit {
@@ -42,7 +43,7 @@ std::string becomes(std::size_t body, std::string_view name) {
 void reshape(App& app, std::size_t body, const char* name, const std::vector<Vector2d>& unit) {
   Lesson lesson = app.session().lesson();
   edit::reshape(lesson, body, unit);
-  if (app.edit(becomes(body, name), std::move(lesson))) app.picture().selected = {};
+  if (app.edit(becomes(body, name), std::move(lesson))) app.picture().hand().selected = {};
 }
 
 void make_random_pair(App& app, std::uint64_t seed) {
@@ -51,7 +52,7 @@ void make_random_pair(App& app, std::uint64_t seed) {
   edit::make_random_pair(lesson, session.run().run(session.frame()), seed);
   if (!app.edit("random pair", std::move(lesson))) return;
   app.session().fit();  // nobody has chosen where these are looked at from
-  app.picture().selected = {};
+  app.picture().hand().selected = {};
 }
 
 /// What a shape is, and buttons that make it another one.
@@ -95,7 +96,7 @@ void draw_radius(App& app, std::size_t body) {
     ImGui::SetTooltip("the shape is all points within the radius of the polygon");
   ImGui::SameLine();
   std::optional<double> typed = edit_number(app, now, static_cast<float>(96.0 * app.ui_scale()));
-  const double step = app.picture().round_step(0).y();
+  const double step = app.picture().hand().round_step(0).y();
   for (const auto& [sign, by] : {std::pair("-", -step), {"+", step}}) {
     ImGui::SameLine();
     if (ImGui::Button(sign, ImVec2(ImGui::GetFrameHeight(), 0.0f))) typed = std::max(now + by, 0.0);
@@ -155,14 +156,13 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const int index = static_cast<int>(i);
     ImGui::PushID(index);
-    const Subject subject =
-        is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index};
+    const Subject subject = vertex_of(body, index);
     const Color ink = app.theme().style(is_x ? "shape.x.label" : "shape.y.label").fill.value();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(ink.r, ink.g, ink.b, 255));
-    if (ImGui::Selectable(shape.vertex_names[i].c_str(), app.picture().selected == subject, 0,
-                          ImVec2(name_width, 0.0f)))
-      app.picture().selected = subject;
+    if (ImGui::Selectable(shape.vertex_names[i].c_str(), app.picture().hand().selected == subject,
+                          0, ImVec2(name_width, 0.0f)))
+      app.picture().hand().selected = subject;
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) app.pointed_in_panel = subject;
     if (const std::optional<Vector2d> vertex = edit_vertex(app, shape.vertices[i], beside))

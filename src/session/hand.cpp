@@ -1,0 +1,195 @@
+#include "session/hand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "outlines/polygon.hpp"
+#include "picture/plot.hpp"
+#include "picture/scene.hpp"
+#include "picture/text_box.hpp"
+#include "session/edit.hpp"
+#include "session/hit.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector2d;
+using Kind = Subject::Kind;
+
+constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
+constexpr double kHandleAway = 30.0;  // of the handle from its shape, frame pixels
+constexpr double kHandleRadius = 7.0;
+constexpr double kDegrees = 15.0;  // a step of a shape that is turned by round numbers
+
+/// Below 1 the grid is divided by how many make 1: 0.3 is the double that is nearest to it, and 3
+/// times 0.1 is not.
+double snapped(double value, double grid) {
+  if (grid == 0.0) return value;
+  const double steps = std::round(value / grid);
+  return grid < 1.0 ? steps / std::round(1.0 / grid) : steps * grid;
+}
+
+double degrees_between(const Vector2d& a, const Vector2d& b) {
+  // Rounded from more digits: the arc tangent of a double differs from library to library.
+  const long double across = a.x() * b.y() - a.y() * b.x();
+  return static_cast<double>(std::atan2(across, static_cast<long double>(a.dot(b)))) * 180.0 /
+         std::numbers::pi;
+}
+
+}  // namespace
+
+Vector2d snapped(const Vector2d& value, const Vector2d& grid) {
+  return {snapped(value.x(), grid.x()), snapped(value.y(), grid.y())};
+}
+
+std::optional<std::size_t> Hand::view_at(const Point& page) const {
+  const std::vector<LessonPictures::ShownView> views = session_.views();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (is_in(views[i].card, page)) return i;
+  }
+  return std::nullopt;
+}
+
+Vector2d Hand::to_view(std::size_t view, const Point& page) const {
+  const LessonPictures::ShownView shown = session_.views()[view];
+  const Point off = page - shown.card.center();
+  return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
+                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
+}
+
+Subject Hand::subject_at(const Point& page, double slack) const {
+  return gjkscope::subject_at(session_.picture(), fonts_, page, slack);
+}
+
+Subject Hand::named_at(const Point& page, const Subject& pointed) const {
+  const bool is_named = is_vertex(pointed) || pointed.kind == Kind::difference_vertex;
+  return is_named ? pointed : session_.vertex_near(page, kNear);
+}
+
+Vector2d Hand::round_step(std::size_t view) const {
+  constexpr double kApart = 8.0;  // frame pixels
+  const LessonPictures::ShownView shown = session_.views()[view];
+  const Vector2d units = shown.camera.units_per_pixel(shown.card.size().y());
+  return {gjkscope::round_step(kApart * units.x()), gjkscope::round_step(kApart * units.y())};
+}
+
+std::optional<Point> Hand::handle() const {
+  if (!is_shape(selected)) return std::nullopt;
+  const auto& world = session_.run().run(session_.frame()).bodies[body_of(selected)].world;
+  const std::vector<LessonPictures::ShownView> views = session_.views();
+  const auto view = std::find_if(views.begin(), views.end(),
+                                 [](const auto& each) { return each.kind == ViewKind::world; });
+  if (world.size() < 2 || view == views.end()) return std::nullopt;
+  const StageMap map(view->card, view->camera);
+  Rect box{map(world.front()), map(world.front())};
+  for (const Vector2d& vertex : world)
+    box = {box.min.cwiseMin(map(vertex)), box.max.cwiseMax(map(vertex))};
+  const Point middle = box.center();
+  const Point inset = Point::Constant(kHandleRadius + 2.0);
+  const std::vector<Mark>& marks = session_.picture().marks;
+  std::optional<Point> first;
+  for (const Point& beside :
+       {Point(middle.x(), box.min.y() - kHandleAway), Point(middle.x(), box.max.y() + kHandleAway),
+        Point(box.max.x() + kHandleAway, middle.y()),
+        Point(box.min.x() - kHandleAway, middle.y())}) {
+    const Point at = beside.cwiseMax(view->card.min + inset).cwiseMin(view->card.max - inset);
+    const Point radius = Point::Constant(kHandleRadius);
+    const bool covers = std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      return text && mark.clip >= 0 && overlap(box_of(fonts_, *text), {at - radius, at + radius});
+    });
+    if (!covers) return at;
+    if (!first) first = at;
+  }
+  return first;
+}
+
+bool Hand::is_on_handle(const Point& page, double slack) const {
+  const std::optional<Point> at = handle();
+  return at && (page - *at).norm() <= kHandleRadius + slack;
+}
+
+std::vector<Mark> Hand::handle_marks() const {
+  const std::optional<Point> at = handle();
+  if (!at) return {};
+  return {{"handle", Disk{*at, kHandleRadius}, -1, selected},
+          {"handle.ring", Disk{*at, 0.5 * kHandleRadius}, -1, selected}};
+}
+
+bool Hand::press(const Subject& subject, const Point& page, double handle_slack) {
+  release();
+  const std::optional<std::size_t> view = view_at(page);
+  if (!view) return false;
+  Held taken{selected, *view, page, to_view(*view, page), session_.version()};
+  taken.turns = is_on_handle(page, handle_slack);
+  if (!taken.turns) {
+    taken.subject = gjkscope::held(subject);
+    const bool is_of_shapes = is_vertex(taken.subject) || is_shape(taken.subject);
+    selected = is_of_shapes ? taken.subject : Subject{};
+    const bool in_world = session_.views()[*view].kind == ViewKind::world;
+    if (!(in_world ? is_of_shapes : is_of_difference(taken.subject))) return false;
+  }
+  held_ = taken;
+  return true;
+}
+
+bool Hand::move(const Point& page, bool snaps) {
+  if (!held_ || session_.is_settling()) return false;
+  if (!held_->moved && (page - held_->last).norm() < kStill) return false;
+  if (!session_.is_dragging() && session_.version() != held_->version) {
+    // The lesson was changed otherwise, and what is held may not be there.
+    held_.reset();
+    return true;
+  }
+  Held& held = *held_;
+  held.moved = true;
+  const Vector2d before = to_view(held.view, held.last);
+  const Vector2d now = to_view(held.view, page);
+  const Vector2d grid = snaps ? round_step(held.view) : Vector2d::Zero();
+  const std::size_t body = body_of(held.subject);
+  const BodyIn<2>& shape = session_.run().run(session_.frame()).bodies[body];
+  double degrees = 0.0;
+  if (held.turns) {
+    const Vector2d middle = centroid(shape.world);
+    degrees = degrees_between(before - middle, now - middle);
+    if (snaps) degrees = snapped(degrees, kDegrees);
+    if (degrees == 0.0) return true;
+  }
+  if (!session_.is_dragging()) {
+    const char* what = is_vertex(held.subject) ? "move a vertex" : "move a shape";
+    held.turns ? session_.begin_drag("turn a shape") : session_.begin_drag(what, held.view);
+  }
+  session_.drag([&](Lesson& lesson) {
+    if (held.turns) {
+      edit::turn_shape(lesson, body, degrees);
+    } else if (is_of_difference(held.subject)) {
+      edit::move_shape(lesson, body, now - before);  // Z = Y - X goes where Y goes
+    } else if (is_shape(held.subject)) {
+      edit::move_shape(lesson, body,
+                       snapped(now - held.start, grid) - snapped(before - held.start, grid));
+    } else if (shape.world.size() == 1) {
+      edit::move_shape(lesson, body, snapped(now, grid) - shape.world.front());
+    } else {
+      edit::put_vertex(lesson, body, index_of(held.subject), shape.placement, snapped(now, grid));
+    }
+  });
+  held.last = page;
+  return true;
+}
+
+bool Hand::release() {
+  const bool was_dragging = session_.is_dragging();
+  session_.end_drag();
+  held_.reset();
+  return !was_dragging || session_.problem().empty();
+}
+
+bool Hand::cancel() {
+  const bool was_dragging = session_.is_dragging();
+  if (!release()) return false;
+  if (was_dragging) session_.undo(Session::Cameras::as_then);
+  return true;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,73 @@
+#pragma once
+// The hand on a picture: what lies under it, what it takes, and where that goes. Window and page
+// tell it where their pointers are, in frame pixels of the session's page.
+
+#include <optional>
+#include <vector>
+
+#include "session/session.hpp"
+
+namespace gjkscope {
+
+/// The nearest multiples of round numbers; 0 leaves a coordinate as it is.
+[[nodiscard]] Eigen::Vector2d snapped(const Eigen::Vector2d& value, const Eigen::Vector2d& grid);
+
+class Hand {
+ public:
+  static constexpr double kSlack = 7.0;  ///< Around a point or a line that still hit it.
+  static constexpr double kStill = 2.0;  ///< A press that goes no farther is a click.
+
+  /// Both must outlive the hand.
+  Hand(Session& session, const Fonts& fonts) : session_(session), fonts_(fonts) {}
+
+  // Places
+
+  [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
+  [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
+  [[nodiscard]] Subject subject_at(const Point& page, double slack = kSlack) const;
+  /// The vertex whose name appears: what is pointed at, or else what is near.
+  [[nodiscard]] Subject named_at(const Point& page, const Subject& pointed) const;
+  /// A few pixels of a view along x and y, as a round number of its units.
+  [[nodiscard]] Eigen::Vector2d round_step(std::size_t view) const;
+
+  // The selected shape and the handle that turns it
+
+  Subject selected;
+  /// Beside the selected shape, in the first view of the world, where it covers no label; nothing
+  /// where there is none.
+  [[nodiscard]] std::optional<Point> handle() const;
+  [[nodiscard]] bool is_on_handle(const Point& page, double slack = kSlack) const;
+  [[nodiscard]] std::vector<Mark> handle_marks() const;
+
+  // Drags
+
+  /// Takes the handle if it is there, else the subject, and selects that if it is a vertex or a
+  /// shape. False where the subject cannot be moved.
+  bool press(const Subject& subject, const Point& page, double handle_slack = kSlack);
+  /// Whether something is held.
+  [[nodiscard]] bool holds() const { return held_.has_value(); }
+  /// Moves or turns what is held; `snaps`: by round numbers. False while the press is a click.
+  bool move(const Point& page, bool snaps);
+  /// False when it was let go where no run can be shown: Session::problem says why, and all is as
+  /// it was before.
+  bool release();
+  /// Ends a drag as if it had not been. False as for release().
+  bool cancel();
+
+ private:
+  struct Held {
+    Subject subject;
+    std::size_t view = 0;
+    Point last;
+    Eigen::Vector2d start;  ///< In the view.
+    long version = 0;       ///< The lesson's, when it was taken.
+    bool turns = false;
+    bool moved = false;
+  };
+
+  Session& session_;
+  const Fonts& fonts_;
+  std::optional<Held> held_;
+};
+
+}  // namespace gjkscope
