@@ -98,7 +98,7 @@ void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now
   const auto& world = now.bodies[body].world;
   if (index < 0 || world.size() == 1) return move_shape(lesson, body, by);
   put_vertex(lesson, body, index, now.bodies[body].placement,
-             world[static_cast<std::size_t>(index)] + by);
+             in_plane(world[static_cast<std::size_t>(index)]) + by);
 }
 
 void turn_shape(Lesson& lesson, std::size_t body, double degrees) {

@@ -83,7 +83,7 @@ std::optional<Point> Hand::handle() const {
   if (world.size() < 2 || view == views.end()) return std::nullopt;
   const StageMap map(view->card, view->camera);
   Rect box{map(world.front()), map(world.front())};
-  for (const Vector2d& vertex : world)
+  for (const Eigen::Vector3d& vertex : world)
     box = {box.min.cwiseMin(map(vertex)), box.max.cwiseMax(map(vertex))};
   const Point middle = box.center();
   const Point inset = Point::Constant(kHandleRadius + 2.0);
@@ -148,10 +148,10 @@ bool Hand::move(const Point& page, bool snaps) {
   const Vector2d now = to_view(held.view, page);
   const Vector2d grid = snaps ? round_step(held.view) : Vector2d::Zero();
   const std::size_t body = body_of(held.subject);
-  const BodyIn<2>& shape = session_.run().run(session_.frame()).bodies[body];
+  const Body& shape = session_.run().run(session_.frame()).bodies[body];
   double degrees = 0.0;
   if (held.turns) {
-    const Vector2d middle = centroid(shape.world);
+    const Vector2d middle = centroid(in_plane(shape.world));
     degrees = degrees_between(before - middle, now - middle);
     if (snaps) degrees = snapped(degrees, kDegrees);
     if (degrees == 0.0) return true;
@@ -169,7 +169,7 @@ bool Hand::move(const Point& page, bool snaps) {
       edit::move_shape(lesson, body,
                        snapped(now - held.start, grid) - snapped(before - held.start, grid));
     } else if (shape.world.size() == 1) {
-      edit::move_shape(lesson, body, snapped(now, grid) - shape.world.front());
+      edit::move_shape(lesson, body, snapped(now, grid) - in_plane(shape.world.front()));
     } else {
       edit::put_vertex(lesson, body, index_of(held.subject), shape.placement, snapped(now, grid));
     }

@@ -739,7 +739,7 @@ Subject Session::vertex_near(const Point& page, double reach) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!shows_shapes(seen[i].kind) || !is_in(seen[i].card, page)) continue;
     const StageMap map(seen[i].card, seen[i].camera);
-    const auto consider = [&](const Eigen::Vector2d& at, const Subject& subject) {
+    const auto consider = [&](const auto& at, const Subject& subject) {
       const double away = (map(at) - page).norm();
       if (away > least) return;
       least = away;

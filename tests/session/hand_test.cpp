@@ -31,7 +31,7 @@ class HandTest : public ::testing::Test {
   }
   [[nodiscard]] const std::vector<Vector2d>& y() const { return session.lesson().y().vertices; }
   [[nodiscard]] Vector2d middle_of_y() const {
-    return centroid(session.run().run(session.frame()).y().world);
+    return centroid(in_plane(session.run().run(session.frame()).y().world));
   }
   /// Presses what is there, goes `by` pixels and lets go; whether something was held.
   bool drag(const Point& from, const Point& by, bool snaps = false) {
@@ -96,7 +96,8 @@ TEST_F(HandTest, AShapeMovesAsAWhole) {
 TEST_F(HandTest, TheDifferenceGoesWhereYGoes) {
   open("polygons-gjk");
   const std::vector<Vector2d> before = y();
-  const Vector2d z = middle_of_y() - centroid(session.run().run(session.frame()).x().world);
+  const Vector2d z =
+      middle_of_y() - centroid(in_plane(session.run().run(session.frame()).x().world));
   EXPECT_TRUE(drag(at(z, 1), {0.0, 20.0}));
   EXPECT_LT(y()[0].y(), before[0].y());
   EXPECT_EQ(before[0].x(), y()[0].x());
@@ -107,9 +108,9 @@ TEST_F(HandTest, ThePointOfAQueryIsAShapeOfOneVertex) {
   open("polygon-evolution");
   const Lesson before = session.lesson();
   ASSERT_EQ(1u, before.x().vertices.size());
-  const Point from = at(session.run().run(session.frame()).x().world.front());
+  const Point from = at(in_plane(session.run().run(session.frame()).x().world.front()));
   EXPECT_TRUE(drag(from, {-17.0, 9.0}));
-  const Vector2d now = session.run().run(session.frame()).x().world.front();
+  const Vector2d now = in_plane(session.run().run(session.frame()).x().world.front());
   EXPECT_LT((at(now) - from - Point(-17.0, 9.0)).norm(), 1e-9);
   EXPECT_EQ(before.y(), session.lesson().y());
   EXPECT_FALSE(hand.handle()) << "a point is not turned";

@@ -11,6 +11,7 @@
 
 #include "app.hpp"
 #include "lesson/names.hpp"
+#include "session/edit.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
