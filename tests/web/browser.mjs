@@ -157,6 +157,7 @@ action("buttons, keys, slider and ticks step", async (visit, size) => {
   assert.deepEqual(await count(page), [all, all]);
   assert.ok(await page.locator("#step").isDisabled());
   await page.locator("body").press("Home");
+  assert.deepEqual(await count(page), [1, all]);
   await page.locator("#scrub").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
