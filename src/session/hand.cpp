@@ -18,8 +18,8 @@ using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
 constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
-constexpr double kHandleAway = 30.0;  // of the handle from its shape, frame pixels
-constexpr double kHandleRadius = 7.0;
+constexpr double kHandleAway = 40.0;  // of the handle from its shape, frame pixels
+constexpr double kHandleRadius = 11.0;
 constexpr double kDegrees = 15.0;  // a step of a shape that is turned by round numbers
 
 /// Below 1 the grid is divided by how many make 1: 0.3 is the double that is nearest to it, and 3
@@ -28,6 +28,23 @@ double snapped(double value, double grid) {
   if (grid == 0.0) return value;
   const double steps = std::round(value / grid);
   return grid < 1.0 ? steps / std::round(1.0 / grid) : steps * grid;
+}
+
+/// Three quarters of a circle, clockwise, and an arrow's head.
+Polyline turning_arrow(const Point& center, double radius) {
+  constexpr int kCorners = 12;
+  const auto at = [&](double quarters, double from_center) {
+    const double angle = 0.5 * std::numbers::pi * quarters;
+    return Point(center + from_center * Point(std::cos(angle), std::sin(angle)));
+  };
+  Polyline arrow;
+  for (int i = 0; i <= kCorners; ++i) arrow.points.push_back(at(3.0 * i / kCorners, radius));
+  const Point tip = arrow.points.back();
+  for (const double side : {0.4, 1.6}) {
+    arrow.points.push_back(at(2.35, side * radius));
+    arrow.points.push_back(tip);
+  }
+  return arrow;
 }
 
 double degrees_between(const Vector2d& a, const Vector2d& b) {
@@ -114,7 +131,7 @@ std::vector<Mark> Hand::handle_marks() const {
   const std::optional<Point> at = handle();
   if (!at) return {};
   return {{"handle", Disk{*at, kHandleRadius}, -1, selected},
-          {"handle.ring", Disk{*at, 0.5 * kHandleRadius}, -1, selected}};
+          {"handle.arrow", turning_arrow(*at, 0.5 * kHandleRadius), -1, selected}};
 }
 
 bool Hand::press(const Subject& subject, const Point& page, double handle_slack) {
