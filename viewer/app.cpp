@@ -400,7 +400,7 @@ void App::make_commands() {
       [&, has_selected] { return has_selected() && is_vertex(picture_.hand().selected); });
   add("Edit", "Snap to round numbers", {"G"}, [&] {
     snaps_ = !snaps_;
-    say(snaps_ ? "what is dragged goes to round numbers" : "what is dragged goes anywhere");
+    say(snaps_ ? "drags go to round numbers" : "drags go anywhere");
   });
   add("Edit", "Copy as case", {"Ctrl+C"}, [&] {
     if (copy) copy(case_json(case_of(session_.run().run(session_.frame())), session_.lesson().id));

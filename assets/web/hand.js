@@ -68,7 +68,7 @@ function onMove(event) {
 
 function toggleSnaps() {
   snaps = !snaps;
-  tell(snaps ? "What is dragged goes to round numbers." : "What is dragged goes anywhere.");
+  tell(snaps ? "Drags go to round numbers." : "Drags go anywhere.");
 }
 
 /** Ends a drag as if it had not been. */

@@ -111,6 +111,16 @@ bool is_convex(std::span<const Vector2d> polygon) {
   return !(left && right) && std::abs(turn) < 7.0;  // once around is 2 pi, twice 4 pi
 }
 
+bool differs_from_hull(std::span<const Vector2d> outline) {
+  constexpr double kSeen = 1e-3;  // of the hull's area
+  if (is_convex(outline)) return false;
+  std::vector<Vector2d> hull;
+  for (const int corner : convex_hull(outline))
+    hull.push_back(outline[static_cast<std::size_t>(corner)]);
+  const double area = signed_area(hull);
+  return std::abs(area - std::abs(signed_area(outline))) > kSeen * area;
+}
+
 std::vector<Vector2d> clip(std::span<const Vector2d> polygon, const HalfPlane& half_plane) {
   std::vector<Vector2d> out;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

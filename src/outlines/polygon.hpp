@@ -25,6 +25,9 @@ struct HalfPlane {
 
 /// True for a polygon that turns in one direction only (collinear corners allowed) and once around.
 [[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> polygon);
+/// Whether one sees that an outline is not that of its hull: it has a dent, or crosses itself. A
+/// smooth outline whose corners are rounded has none.
+[[nodiscard]] bool differs_from_hull(std::span<const Eigen::Vector2d> outline);
 
 /// Whether a ray from `point` crosses the outline, convex or not, an odd number of times.
 [[nodiscard]] bool is_inside(std::span<const Eigen::Vector2d> outline,

@@ -30,8 +30,7 @@ struct Placement {
 /// A shape of a run.
 struct Body {
   Placement placement;
-  std::vector<Eigen::Vector3d>
-      world;  ///< Its vertices, as the run rounds them; z = 0 in the plane.
+  std::vector<Eigen::Vector3d> world;  ///< Its vertices, as the run rounds them.
 };
 
 /// One run: where the shapes stood, and what GJK did; nothing where it was not asked.

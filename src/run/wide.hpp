@@ -17,18 +17,19 @@ using WideRecord = gjk::Record<double, 3>;
 using WideStep = gjk::Step<double, 3>;
 using WideResult = gjk::Result<double, 3>;
 
-/// Exact for half, float and double; rounded to nearest for exact runs. Lengths are in units of
-/// 2^exponent, but for those of the result: in the world's unit, except of a run in space, and of a
-/// double run whose squares would leave the range of a double. Those are not drawn.
+/// A whole run. Its numbers are exact for half, float and double, and rounded to nearest for exact
+/// runs. Lengths are in units of 2^exponent; those of the result, but for its simplex, are in the
+/// world's unit.
 struct WideTrace {
-  int dimension = 2;  ///< Of the run: 2 or 3.
-  int exponent = 0;
+  int dimension = 2;  ///< 2 or 3.
+  int exponent = 0;   ///< 0 but for runs in space, and for double runs whose squares would leave
+                      ///< the range of a double. A run with another one is not drawn.
   WideState initial;
   std::vector<WideStep> steps;
   WideResult result;
 };
 
-/// A vector of the plane, and back; a simplex of the plane.
+/// Vectors, vertices and simplices of the plane as those of space, and back.
 [[nodiscard]] inline Eigen::Vector2d in_plane(const Eigen::Vector3d& v) { return v.head<2>(); }
 [[nodiscard]] inline std::vector<Eigen::Vector2d> in_plane(
     const std::vector<Eigen::Vector3d>& vectors) {

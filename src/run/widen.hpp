@@ -170,8 +170,7 @@ template <class S, int D>
   return out;
 }
 
-/// The trace in the world's unit where WideTrace says so: products in space are of up to six
-/// lengths.
+/// It stays in the run's unit in space, where products are of up to six lengths.
 template <class S, int D>
 [[nodiscard]] WideTrace widened(const gjk::Trace<S, D>& trace) {
   WideTrace out;

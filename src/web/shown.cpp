@@ -132,18 +132,6 @@ Json shape_json(const LessonShape& shape) {
   return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
 }
 
-/// Whether one sees that an outline is not that of its hull: it has a dent, or crosses itself. What
-/// rounding does to the corners of a smooth one is none.
-bool differs_from_hull(const std::vector<Vector2d>& outline) {
-  constexpr double kSeen = 1e-3;  // of the hull's area
-  if (is_convex(outline)) return false;
-  std::vector<Vector2d> hull;
-  for (const int corner : convex_hull(outline))
-    hull.push_back(outline[static_cast<std::size_t>(corner)]);
-  const double area = signed_area(hull);
-  return std::abs(area - std::abs(signed_area(outline))) > kSeen * area;
-}
-
 /// The names of shapes that GJK knows by their hulls alone.
 Json not_convex(const LessonRun& run) {
   Json names = Json::array();

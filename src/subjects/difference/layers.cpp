@@ -134,10 +134,10 @@ const Layer kDifference{.effect = {},
 namespace {
 
 /// A closed outline of a shape turned and moved: sign · vertex + offset.
-void copy(SceneBuilder& scene, const std::vector<Vector2d>& vertices, double sign,
-          const Vector2d& offset, const std::string& role) {
+void copy(SceneBuilder& scene, const std::vector<Vector3d>& vertices, double sign,
+          const Vector3d& offset, const std::string& role) {
   std::vector<Point> points;
-  for (const Vector2d& vertex : vertices) points.push_back(scene.at(sign * vertex + offset));
+  for (const Vector3d& vertex : vertices) points.push_back(scene.at(sign * vertex + offset));
   scene.add(role, Polyline{points, true});
   for (std::size_t i = 0; i < points.size(); ++i)
     scene.out.obstacles.passing.push_back({points[i], points[(i + 1) % points.size()]});
@@ -145,8 +145,8 @@ void copy(SceneBuilder& scene, const std::vector<Vector2d>& vertices, double sig
 
 /// −X, and how each vertex of X is reflected in O.
 void mirror_image(SceneBuilder& scene, bool with_ways) {
-  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
-  copy(scene, x, -1.0, Vector2d::Zero(), "shape.x.copy");
+  const std::vector<Vector3d>& x = scene.positioned.x().world;
+  copy(scene, x, -1.0, Vector3d::Zero(), "shape.x.copy");
   const Point o = scene.at(Vector2d::Zero());
   scene.cross("origin", o, kOriginRadius);
   scene.out.moving_labels.push_back(
@@ -154,7 +154,7 @@ void mirror_image(SceneBuilder& scene, bool with_ways) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Point at = scene.at(-x[i]);
     scene.disk("shape.x.vertex", at, kVertexRadius);
-    if (with_ways) scene.link(in_space(x[i]), in_space(Vector2d(-x[i])));
+    if (with_ways) scene.link(x[i], -x[i]);
     scene.out.moving_labels.push_back(scene.label("mirror:" + scene.run.lesson.x().vertex_names[i],
                                                   "−" + scene.run.lesson.x().vertex_names[i],
                                                   "shape.x.label", type::kSmallVertex, at,
@@ -223,8 +223,8 @@ void shortest_difference(SceneBuilder& scene) {
 }
 
 void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {
-  const Vector2d x = in_plane(scene.positioned.x().world[pair.x]);
-  const Vector2d y = in_plane(scene.positioned.y().world[pair.y]);
+  const Vector3d& x = scene.positioned.x().world[pair.x];
+  const Vector3d& y = scene.positioned.y().world[pair.y];
   if (scene.view.kind == ViewKind::world) {
     difference_arrow(scene, scene.at(x), scene.at(y));
     scene.disk("cloud.current", scene.at(x), kSimplexRadius);
@@ -237,26 +237,26 @@ void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {
 
 /// Y − x for the vertices of X up to `newest`.
 void copies_of_y(SceneBuilder& scene, int newest) {
-  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
-  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
+  const std::vector<Vector3d>& x = scene.positioned.x().world;
+  const std::vector<Vector3d>& y = scene.positioned.y().world;
   if (scene.view.kind == ViewKind::world) {
-    for (const Vector2d& vertex : y) scene.link(in_space(x[newest]), in_space(vertex));
+    for (const Vector3d& vertex : y) scene.link(x[newest], vertex);
     scene.disk("cloud.current", scene.at(x[newest]), kSimplexRadius);
     return;
   }
   for (int i = 0; i <= newest; ++i)
     copy(scene, y, 1.0, -x[i], i == newest ? "cloud.row" : "shape.y.copy");
-  for (const Vector2d& vertex : y)
+  for (const Vector3d& vertex : y)
     scene.disk("cloud.current", scene.at(vertex - x[newest]), kTouchedRadius);
 }
 
 /// Y, and −X at each of its vertices.
 void slid_mirror_image(SceneBuilder& scene) {
   if (scene.view.kind == ViewKind::world) return mirror_image(scene, false);
-  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
-  copy(scene, y, 1.0, Vector2d::Zero(), "cloud.row");
-  for (const Vector2d& vertex : y)
-    copy(scene, in_plane(scene.positioned.x().world), -1.0, vertex, "shape.x.copy");
+  const std::vector<Vector3d>& y = scene.positioned.y().world;
+  copy(scene, y, 1.0, Vector3d::Zero(), "cloud.row");
+  for (const Vector3d& vertex : y)
+    copy(scene, scene.positioned.x().world, -1.0, vertex, "shape.x.copy");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ void words(const Story& story, FrameText& text) {
                                shown.merge.x.size() * shown.merge.y.size());
     text.detail =
         "In the plane each edge is taken once: the work grows like m + n. For polyhedra it may "
-        "take O(n²), or O(n⁶) where they are not convex.";
+        "grow like n², or like n⁶ where they are not convex.";
   } else if (shown.step->phase == Phase::lowest) {
     text.caption = fmt::format("{} is the lowest corner.", shown.corner(shown.step->after.at));
     text.detail =

@@ -13,6 +13,7 @@ namespace gjkscope::layers {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using namespace sizes;
 
 /// Names in a view: more would hide the shapes.
@@ -92,7 +93,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   const auto count_of = [](const std::vector<bool>& of) {
     return static_cast<std::size_t>(std::count(of.begin(), of.end(), true));
   };
-  const std::vector<Vector2d> world = in_plane(scene.positioned.bodies[body].world);
+  const std::vector<Vector3d>& world = scene.positioned.bodies[body].world;
   std::size_t others = 0;
   for (std::size_t i = 0; i < scene.positioned.bodies.size(); ++i) {
     if (i != body)
@@ -222,11 +223,11 @@ void shapes(SceneBuilder& scene) {
 
 void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
   using Kind = Subject::Kind;
-  const auto is_one_of = [](int index, const std::vector<Vector2d>& vertices) {
+  const auto is_one_of = [](int index, const std::vector<Vector3d>& vertices) {
     return index >= 0 && index < static_cast<int>(vertices.size());
   };
-  const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
-  const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
+  const std::vector<Vector3d>& x = scene.positioned.x().world;
+  const std::vector<Vector3d>& y = scene.positioned.y().world;
   if (vertex.kind == Kind::difference_vertex) {
     if (scene.view.kind != ViewKind::difference || !is_one_of(vertex.x, x) ||
         !is_one_of(vertex.y, y))
@@ -239,7 +240,7 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
   }
   const bool is_x = vertex.kind == Kind::vertex_of_x;
   const int index = is_x ? vertex.x : vertex.y;
-  const std::vector<Vector2d>& world = is_x ? x : y;
+  const std::vector<Vector3d>& world = is_x ? x : y;
   // The query point has a name in each frame.
   if (scene.view.kind != ViewKind::world || !is_one_of(index, world) ||
       (is_x && scene.run.point_query()))
@@ -250,7 +251,7 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
   if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
   scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
                                                 type::kVertex, at, kSimplexRadius,
-                                                at - scene.at(centroid(world))));
+                                                at - scene.at(centroid(in_plane(world)))));
 }
 
 const Layer kShapes{.effect = {},

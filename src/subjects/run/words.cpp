@@ -223,10 +223,8 @@ std::string proved(const Story& story) {
 
 /// Z, or the polygon of a point query: its hull where it is not convex, since GJK sees no more.
 std::string convex_set(const Story& story) {
-  const std::string name = story.set_name();
-  const bool is_convex =
-      !story.run.point_query() || gjkscope::is_convex(in_plane(story.positioned.y().world));
-  return is_convex ? name : "the hull of " + name;
+  const bool is_hull = story.run.point_query() && differs_from_hull(story.run.lesson.y().vertices);
+  return is_hull ? "the hull of " + story.set_name() : story.set_name();
 }
 
 }  // namespace
