@@ -641,7 +641,8 @@ std::string App::state_json() {
       {"asked", session_.answers().size()},
       {"right", session_.right_answers()}};
   const LessonRun& run = session_.run();
-  if (run.has_gjk()) json["distance"] = run.run(frame).trace.result.distance;
+  if (const WideTrace& trace = run.run(frame).trace; !trace.is_empty())
+    json["distance"] = trace.result.distance;
   const auto vertices = [](const LessonShape& shape) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const Vector2d& vertex : shape.vertices) out.push_back({vertex.x(), vertex.y()});

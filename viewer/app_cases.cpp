@@ -153,8 +153,9 @@ const CaseNotes* App::case_notes() const {
 
 std::string App::compared_with_case() const {
   const CaseNotes* notes = case_notes();
-  if (notes == nullptr || !session_.run().has_gjk()) return "";
-  const WideResult& result = session_.run().run(session_.frame()).trace.result;
+  const WideTrace& trace = session_.run().run(session_.frame()).trace;
+  if (notes == nullptr || trace.is_empty()) return "";
+  const WideResult& result = trace.result;
   const bool overlaps = result.distance == 0.0;
   std::string text;
   if (notes->expected_overlap) {

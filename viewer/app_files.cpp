@@ -34,18 +34,16 @@ constexpr std::uintmax_t kLarge = 400'000;
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
   Expectation expect;
-  if (run.has_gjk()) {
+  if (!trace.is_empty()) {
     expect.stop = name_of(trace.result.stop);
     expect.distance = trace.result.distance;
     expect.supports.emplace();
   }
-  if (const Algorithm* algorithm = run.act->algorithm) {
-    const std::string_view stop = run.algorithm_traces.back()->stop();
-    if (!expect.stop && !stop.empty()) expect.stop = stop;
-    for (const std::string_view name : algorithm->answers) {
-      if (const double found = run.algorithm_traces.back()->answer(name); found >= 0.0)
-        expect.answers.emplace_back(name, found);
-    }
+  const AlgorithmTrace& shown = *run.algorithm_traces.back();
+  if (!expect.stop && !shown.stop().empty()) expect.stop = shown.stop();
+  for (const std::string_view name : run.act->algorithm->answers) {
+    if (const double found = shown.answer(name); found >= 0.0)
+      expect.answers.emplace_back(name, found);
   }
   for (const WideStep& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;

@@ -274,7 +274,8 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    const std::string_view phase = session_.run().phases()[static_cast<std::size_t>(subject.x)];
+    const std::string_view phase =
+        session_.run().act->algorithm->phases[static_cast<std::size_t>(subject.x)];
     if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }

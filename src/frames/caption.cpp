@@ -20,7 +20,7 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
     if (text.detail.empty()) text.detail = listed_choices(text.question->choices);
     text.phase = "question";
     text.iteration = run.answering_iteration(frame);
-  } else if (frame.step < 0 && !frame.steps_over) {
+  } else if (frame.step < 0 && act.algorithm == &kGjkAlgorithm) {
     (act.start ? act.start : captions::start)(story, text);
   } else {
     act.words(story, text);

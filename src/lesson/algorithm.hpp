@@ -1,7 +1,6 @@
 #pragma once
-// An algorithm other than GJK, as all but its own folders see it: steps with a phase and an
-// iteration, values, and what it did as JSON and as text. subjects/depth/lesson_trace.cpp is an
-// example.
+// An algorithm, as all but its own folders see it: steps with a phase and an iteration, values, and
+// what it did as JSON. run/gjk_algorithm.cpp is one, subjects/depth/lesson_trace.cpp another.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -28,10 +27,9 @@ class AlgorithmTrace {
   [[nodiscard]] virtual double answer(std::string_view name) const = 0;
   /// Why it ended: one of Algorithm::stops; empty where it has no stop reasons.
   [[nodiscard]] virtual std::string_view stop() const { return {}; }
+  /// Null where the run itself has it all.
   [[nodiscard]] virtual nlohmann::ordered_json json(const Lesson& lesson,
                                                     const PositionedRun& run) const = 0;
-  /// Lines of trace/fields.hpp, with a heading for each iteration.
-  [[nodiscard]] virtual std::string text(const Lesson& lesson, const PositionedRun& run) const = 0;
 };
 
 /// An act names the one that it shows; it runs wherever the shapes stand.
@@ -43,11 +41,15 @@ struct Algorithm {
   /// `before`: what it did in the run before, along a path; nullptr in the first.
   std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) = nullptr;
-  /// It goes on where a run of GJK ends. Others have no such run: they ask about the outlines of
-  /// the shapes, convex or not.
-  bool follows_gjk = false;
+  /// It asks about the outlines of the shapes, convex or not, and no run of GJK is made. Others are
+  /// GJK, or go on where it ends.
+  bool takes_outlines = false;
   /// The names of its stop reasons, which `expect.stop` can check where no run of GJK is made.
   std::span<const std::string_view> stops = {};
+  /// A trace as text, made of the JSON of it and of the whole document; nullptr: as run/fields.hpp
+  /// writes all.
+  std::string (*text)(const nlohmann::ordered_json& document,
+                      const nlohmann::ordered_json& trace) = nullptr;
 };
 
 }  // namespace gjkscope

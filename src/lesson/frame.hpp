@@ -2,7 +2,6 @@
 // What one frame of a lesson shows: a run, a step of it, and, where frames take a step apart, which
 // part of it.
 
-#include <optional>
 #include <string_view>
 
 namespace gjkscope {
@@ -15,14 +14,14 @@ struct StepInfo {
 };
 
 struct Frame {
-  int run = 0;    ///< Index into LessonRun::runs.
-  int step = -1;  ///< Index into the trace's steps; -1: the start, before the first phase.
+  int run = 0;  ///< Index into LessonRun::runs.
+  /// Index into the steps of the algorithm that the act shows; -1: the start, before the first
+  /// phase; one more than the last: the answer.
+  int step = -1;
 
   /// The part of its step, for acts that take steps apart, from 0 in their order; -1: all of it.
   /// The act alone knows its meaning (part_of in picture/act.hpp).
   int part = -1;
-  std::optional<int> steps_over = {};  ///< Of an algorithm that is not GJK; one more than there
-                                       ///< are: the answer.
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the
                             ///< frame before it shows; the next frame that asks nothing answers.

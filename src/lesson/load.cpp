@@ -140,9 +140,8 @@ void LessonReader::read_prose(const Field& prose) {
   lesson_.prose = reader_.text(prose, limits::kProseLength).value_or("");
   std::vector<std::string> known;
   for (const PlaceholderInfo& placeholder : kPlaceholders) known.emplace_back(placeholder.name);
-  if (const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm) {
-    for (const PlaceholderInfo& value : algorithm->values) known.emplace_back(value.name);
-  }
+  for (const PlaceholderInfo& value : vocabulary_.act(lesson_.act)->algorithm->values)
+    known.emplace_back(value.name);
   for (const ProsePart& part : prose_parts(lesson_.prose)) {
     if (part.kind == ProsePart::Kind::stray_brace) {
       problems_.add(prose.place(), fmt::format("{} holds a single '{}'", prose.label, part.text),
@@ -497,7 +496,7 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
     act_is_known_ = !granularity;
   }
   const Act& act = *vocabulary_.act(lesson_.act);
-  if (act.algorithm == nullptr || act.algorithm->follows_gjk) {
+  if (!act.algorithm->takes_outlines) {
     for (const Field& outlines : outlines_) {
       if (!outlines) continue;
       problems_.add(outlines.place(), fmt::format("'outlines' with granularity '{}'", act.name),
@@ -700,10 +699,10 @@ void LessonReader::read_questions(const Field& questions) {
 void LessonReader::read_answers(const Field& answers) {
   if (!answers) return;
   const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
-  if (algorithm == nullptr) {
+  if (algorithm->answers.empty()) {
     std::vector<const Act*> able;
     std::copy_if(vocabulary_.acts.begin(), vocabulary_.acts.end(), std::back_inserter(able),
-                 [](const Act* each) { return each->algorithm != nullptr; });
+                 [](const Act* each) { return !each->algorithm->answers.empty(); });
     problems_.add(answers.place(), fmt::format("'answer' with granularity '{}'", lesson_.act),
                   "granularity " + one_of(names_of(able)) + ", or no 'answer'");
     return;
@@ -717,7 +716,7 @@ void LessonReader::read_answers(const Field& answers) {
 
 void LessonReader::read_expect(const Table& expect, Place place) {
   const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
-  if (algorithm != nullptr && !algorithm->follows_gjk) {
+  if (algorithm->takes_outlines) {
     const std::vector<std::string> stops(algorithm->stops.begin(), algorithm->stops.end());
     std::vector<std::string_view> of_gjk = {"distance", "supports"};
     if (stops.empty()) {

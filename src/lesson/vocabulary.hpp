@@ -65,7 +65,7 @@ struct Act {
   /// where there is none. Only with `asks`.
   int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
                         const LessonQuestion& question) = nullptr;
-  /// What is shown; none: GJK.
+  /// What is shown.
   const Algorithm* algorithm = nullptr;
 
   /// Corrects what is known where a frame shows a part of its step; only of acts that take steps

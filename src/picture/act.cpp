@@ -69,19 +69,18 @@ void add_step_frames(LessonRun& run, int index,
 }
 
 void add_algorithm_frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
-  for (int i = 0; i <= (steps > 0 ? steps + 1 : 0); ++i)
-    run.frames.push_back({.run = index, .step = last, .steps_over = i});
+  for (int i = -1; i <= (steps > 0 ? steps : -1); ++i)
+    run.frames.push_back({.run = index, .step = i});
 }
 
 namespace {
 
 enum class AlgorithmPart { start, step, answer };
 AlgorithmPart part_of(const LessonRun& run, const Frame& frame) {
-  if (*frame.steps_over == 0) return AlgorithmPart::start;
-  return *frame.steps_over > run.algorithm_trace(frame).steps() ? AlgorithmPart::answer
-                                                                : AlgorithmPart::step;
+  if (frame.step < 0) return AlgorithmPart::start;
+  return frame.step < run.algorithm_trace(frame).steps() ? AlgorithmPart::step
+                                                         : AlgorithmPart::answer;
 }
 
 }  // namespace

@@ -51,8 +51,7 @@ template <class Part>
 void add_step_frames(LessonRun& run, int index,
                      bool (*shows)(const LessonRun&, int index, int step));
 /// Of an act that shows an algorithm: a frame for the start, one for each of its steps, and one for
-/// the answer; where it has no steps a single one, which says why. GJK, where it was asked, has
-/// ended.
+/// the answer; where it has no steps a single one, which says why.
 void add_algorithm_frames(LessonRun& run, int index);
 /// "iteration 2 of 4 · swap", "start", "answer · 9 of 9"; along a path the position before it.
 [[nodiscard]] std::string position_in_algorithm(const LessonRun& run, int index);
@@ -61,7 +60,7 @@ void add_algorithm_frames(LessonRun& run, int index);
 /// The last step of an algorithm that is over when a frame ends; none at the start.
 template <class Step>
 [[nodiscard]] const Step* last_step_over(const std::vector<Step>& steps, const Frame& frame) {
-  const std::size_t over = std::min(static_cast<std::size_t>(*frame.steps_over), steps.size());
+  const std::size_t over = std::min(static_cast<std::size_t>(frame.step + 1), steps.size());
   return over == 0 ? nullptr : &steps[over - 1];
 }
 /// The first step up to that of `frame` that tells what is asked for.

@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 EffectKey AlgorithmFacts::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, *frame.steps_over, -1};
+  return {frame.run, frame.step, -1};
 }
 
 const EffectInfo effect_infos::kAlgorithmFacts =

@@ -9,23 +9,24 @@ namespace gjkscope {
 
 using gjk::Phase;
 
-EffectKey FrameFacts::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey FrameFacts::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   Value facts;
-  if (frame.step < 0) return facts;
+  const int at = run.gjk_step(frame);
+  if (at < 0) return facts;
   const auto& steps = run.run(frame).trace.steps;
   const WideStep& step = run.step(frame);
   facts.phase = step.phase;
-  facts.steps_over = frame.step + 1;
+  facts.steps_over = at + 1;
   if (facts.phase_is(Phase::closest)) facts.region_tests = step.record.region_tests;
   facts.tests_reached = static_cast<int>(facts.region_tests.size()) - 1;
   // P is found by a step that measures or uses it.
   facts.closest_point = !facts.phase_is(Phase::add);
   facts.support = facts.phase_is(Phase::support) ||
-                  (facts.phase_is(Phase::stop) && steps[frame.step - 1].phase == Phase::support);
+                  (facts.phase_is(Phase::stop) && steps[at - 1].phase == Phase::support);
   facts.whole_support = facts.support;
   if (frame.part >= 0 && run.act->knows != nullptr) run.act->knows(frame, facts);
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;

@@ -31,9 +31,31 @@ using Vector = Eigen::Ref<const Eigen::VectorXd>;
 [[nodiscard]] std::string point_text(ScalarKind scalar, const Vector& point);
 /// A line of a trace: its label stands in a column of its own.
 [[nodiscard]] std::string line(std::string_view label, std::string_view text);
-/// "Y: K 1.5 (largest), L 0.5"
-[[nodiscard]] std::string scan_text(ScalarKind scalar, const std::string& shape,
-                                    const std::vector<std::string>& names,
-                                    const std::vector<gjk::ScanEntry<double>>& entries, int best);
+/// What `number` has written.
+[[nodiscard]] double double_of(const Json& number);
+
+/// The values of a trace's JSON as text.
+struct Values {
+  explicit Values(const Json& document);
+
+  [[nodiscard]] std::string number(const Json& value) const;
+  [[nodiscard]] std::string point(const Json& coordinates) const;
+  /// Any value: "[1, 2]", "yes", "at K, depth 1.5".
+  [[nodiscard]] std::string any(const Json& value) const;
+  /// "Y: K 1.5 (largest), L 0.5"
+  [[nodiscard]] std::string scan(const std::string& shape, const Json& entries, int best) const;
+  /// "no-progress: no (left 2, right 1)"
+  [[nodiscard]] std::string stop_test(const Json& test) const;
+  /// "1 to 2": `lower` and `upper` of a step or a result.
+  [[nodiscard]] std::string bounds(const Json& from) const;
+  [[nodiscard]] std::string verdict(const Json& result) const;
+
+  ScalarKind scalar;
+  std::string x;  ///< Names of the shapes.
+  std::string y;
+};
+
+/// A trace that has no text of its own: a line for each step and each value of its result.
+[[nodiscard]] std::string text(const Json& document, std::string_view name, const Json& trace);
 
 }  // namespace gjkscope::fields

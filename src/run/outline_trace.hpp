@@ -28,14 +28,12 @@ struct Refusal {
 /// "X: the outline is not convex"
 [[nodiscard]] std::string words_of(const Refusal& refusal, const Lesson& lesson);
 
-/// A trace whose text is made of its JSON.
+/// A trace with a step, and a result, in JSON.
 class OutlineTrace : public AlgorithmTrace {
  public:
-  OutlineTrace(std::string_view name, std::optional<Refusal> refused)
-      : refusal(refused), name_(name) {}
+  explicit OutlineTrace(std::optional<Refusal> refused) : refusal(refused) {}
   [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
                                             const PositionedRun& run) const final;
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun& run) const final;
 
   std::optional<Refusal> refusal;  ///< Then there are no steps.
 
@@ -43,9 +41,6 @@ class OutlineTrace : public AlgorithmTrace {
   /// What a step did, without its phase and iteration.
   [[nodiscard]] virtual fields::Json step_json(const Lesson& lesson, int step) const = 0;
   [[nodiscard]] virtual fields::Json result_json(const Lesson& lesson) const = 0;
-
- private:
-  std::string_view name_;
 };
 
 }  // namespace gjkscope

@@ -210,40 +210,27 @@ std::string why_not_drawn(const PositionedRun& run) {
   return {};
 }
 
+int LessonRun::gjk_step(const Frame& frame) const {
+  return act->algorithm == &kGjkAlgorithm ? frame.step : last_step(lesson, run(frame).trace);
+}
+
 const WideState& LessonRun::state(const Frame& frame) const {
-  return frame.step < 0 ? run(frame).trace.initial : step(frame).after;
+  return gjk_step(frame) < 0 ? run(frame).trace.initial : step(frame).after;
 }
 
 const WideStep& LessonRun::step(const Frame& frame) const {
-  return run(frame).trace.steps[frame.step];
+  return run(frame).trace.steps[gjk_step(frame)];
 }
 
 StepInfo LessonRun::info(const Frame& frame) const {
-  if (frame.steps_over) {
-    const AlgorithmTrace& trace = algorithm_trace(frame);
-    if (*frame.steps_over == 0) return {0, "start"};
-    if (*frame.steps_over <= trace.steps()) return trace.info(*frame.steps_over - 1);
-    return {trace.info(trace.steps() - 1).iteration, "answer", true};
-  }
   if (frame.step < 0) return {0, "start"};
-  const WideStep& shown = step(frame);
-  return {shown.iteration, name_of(shown.phase),
-          !shown.record.dropped.empty() || shown.after.stop != gjk::StopReason::running};
-}
-
-bool LessonRun::has_gjk() const { return act->algorithm == nullptr || act->algorithm->follows_gjk; }
-
-std::vector<std::string_view> LessonRun::phases() const {
-  if (act->algorithm != nullptr)
-    return {act->algorithm->phases.begin(), act->algorithm->phases.end()};
-  std::vector<std::string_view> names;
-  for (const auto& [name, phase] : Named<gjk::Phase>::kTable) names.push_back(name);
-  return names;
+  const AlgorithmTrace& trace = algorithm_trace(frame);
+  if (frame.step < trace.steps()) return trace.info(frame.step);
+  return {trace.info(trace.steps() - 1).iteration, "answer", true};
 }
 
 int LessonRun::answering_iteration(const Frame& frame) const {
-  if (act->algorithm != nullptr) return algorithm_trace(frame).info(frame.answering_step).iteration;
-  return run(frame).trace.steps[frame.answering_step].iteration;
+  return algorithm_trace(frame).info(frame.answering_step).iteration;
 }
 
 bool has_pair(const WideSimplex& simplex, gjk::VertexPair pair) {
@@ -252,7 +239,7 @@ bool has_pair(const WideSimplex& simplex, gjk::VertexPair pair) {
 }
 
 const DistanceBounds& LessonRun::bounds(const Frame& frame) const {
-  return run(frame).bounds[frame.step];
+  return run(frame).bounds[gjk_step(frame)];
 }
 
 std::string pair_name(const std::vector<std::string>& x_names,
@@ -284,10 +271,10 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   for (const Scenery& scenery : sceneries_of(run.lesson)) {
     const bool is_warm = run.lesson.warm_start && !run.runs.empty();
     const gjk::Options& cold = run.lesson.options;
-    run.runs.push_back(run.has_gjk() ? run_at(run.lesson, scenery,
-                                              is_warm ? warm(cold, run.runs.back().trace) : cold)
-                                     : standing_at(run.lesson, scenery));
-    if (act.algorithm == nullptr) continue;
+    run.runs.push_back(
+        act.algorithm->takes_outlines
+            ? standing_at(run.lesson, scenery)
+            : run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
     const AlgorithmTrace* before =
         run.algorithm_traces.empty() ? nullptr : run.algorithm_traces.back().get();
     run.algorithm_traces.push_back(act.algorithm->run(run.lesson, run.runs.back(), before));
@@ -360,10 +347,10 @@ std::vector<Problem> check_expectation(const LessonRun& run) {
     }
   }
   const std::string_view stop =
-      run.has_gjk() ? name_of(trace.result.stop) : run.algorithm_traces.back()->stop();
+      trace.is_empty() ? run.algorithm_traces.back()->stop() : name_of(trace.result.stop);
   if (expect.stop && *expect.stop != stop) {
     const std::string at =
-        run.has_gjk() ? fmt::format("iteration {}, ", trace.result.iterations) : std::string();
+        trace.is_empty() ? "" : fmt::format("iteration {}, ", trace.result.iterations);
     differ("expect.stop", fmt::format("{}stop: '{}'", at, stop), fmt::format("'{}'", *expect.stop));
   }
   for (const auto& [name, wanted] : expect.answers) {

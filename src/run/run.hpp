@@ -11,6 +11,7 @@
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/problem.hpp"
+#include "run/gjk_algorithm.hpp"
 #include "run/wide.hpp"
 
 namespace gjkscope {
@@ -65,34 +66,33 @@ struct LessonRun {
   Lesson lesson;
   const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
-  /// What the act's algorithm did in each run, where it has one of its own.
+  /// What the act's algorithm did in each run.
   std::vector<std::shared_ptr<const AlgorithmTrace>> algorithm_traces;
   std::vector<Frame> frames;
 
   [[nodiscard]] const PositionedRun& run(const Frame& frame) const { return runs[frame.run]; }
-  /// The state that a frame shows: after its step, or the initial one.
+  /// The step of GJK that a frame shows: its own, or the last one, which another algorithm goes on
+  /// from; -1: the start.
+  [[nodiscard]] int gjk_step(const Frame& frame) const;
+  /// The state after it, or the initial one.
   [[nodiscard]] const WideState& state(const Frame& frame) const;
-  /// The step of a frame, and what is proved by then; only where frame.step >= 0.
+  /// The step itself, and what is proved by then; only where gjk_step(frame) >= 0.
   [[nodiscard]] const WideStep& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
-  /// What the act's algorithm did in the run of a frame; only where it has one.
+  /// What the act's algorithm did in the run of a frame.
   [[nodiscard]] const AlgorithmTrace& algorithm_trace(const Frame& frame) const {
     return *algorithm_traces[static_cast<std::size_t>(frame.run)];
   }
 
-  /// The step of a frame in the algorithm that the act shows: GJK, or another.
+  /// The step of a frame in the algorithm that the act shows.
   [[nodiscard]] StepInfo info(const Frame& frame) const;
-  /// "support": the names of the phases of the algorithm that the act shows, by number.
-  [[nodiscard]] std::vector<std::string_view> phases() const;
   /// The iteration of the step that answers a frame's question.
   [[nodiscard]] int answering_iteration(const Frame& frame) const;
 
   /// Name of a vertex of the Minkowski difference: "K−C"; with a single vertex in X (a point query)
   /// that of Y's: "K".
   [[nodiscard]] std::string pair_name(gjk::VertexPair pair) const;
-  /// Whether GJK was asked.
-  [[nodiscard]] bool has_gjk() const;
   [[nodiscard]] bool point_query() const { return lesson.x().vertices.size() == 1; }
 };
 

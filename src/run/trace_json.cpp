@@ -86,7 +86,7 @@ class TraceWriter {
     out["y_turn"] = number(value.y().placement.rotate_degrees);
     out["x_world"] = points(value.x().world);
     out["y_world"] = points(value.y().world);
-    if (!traced_.has_gjk()) return out;
+    if (value.trace.is_empty()) return out;
     out["exponent"] = value.trace.exponent;
     out["initial"] = state(value.trace.initial);
     out["steps"] = Json::array();
@@ -239,9 +239,9 @@ class TraceWriter {
 
   void add_algorithm(Json& out, std::size_t index) const {
     const LessonRun* lesson = traced_.lesson_run;
-    if (lesson == nullptr || lesson->algorithm_traces.empty()) return;
-    out[std::string(lesson->act->algorithm->name)] =
-        lesson->algorithm_traces[index]->json(lesson->lesson, lesson->runs[index]);
+    if (lesson == nullptr) return;
+    Json own = lesson->algorithm_traces[index]->json(lesson->lesson, lesson->runs[index]);
+    if (!own.is_null()) out[std::string(lesson->act->algorithm->name)] = std::move(own);
   }
 
   const Traced& traced_;
@@ -250,8 +250,10 @@ class TraceWriter {
 
 }  // namespace
 
+Json trace_document(const Traced& traced) { return TraceWriter(traced).write(); }
+
 std::string trace_json(const Traced& traced) {
-  return TraceWriter(traced).write().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return trace_document(traced).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace gjkscope

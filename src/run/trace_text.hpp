@@ -1,5 +1,5 @@
 #pragma once
-// The runs of a lesson or a case as text to read.
+// The runs of a lesson or a case as text to read, made of their JSON.
 
 #include <string>
 

@@ -30,8 +30,6 @@ struct Traced {
   const LessonRun* lesson_run = nullptr;  ///< What it was made of; none of a case.
 
   [[nodiscard]] int dimension() const { return runs.front().trace.dimension; }
-  /// Whether GJK was asked.
-  [[nodiscard]] bool has_gjk() const { return lesson_run == nullptr || lesson_run->has_gjk(); }
 };
 
 /// Of a run that outlives it.

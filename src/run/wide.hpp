@@ -27,6 +27,9 @@ struct WideTrace {
   WideState initial;
   std::vector<WideStep> steps;
   WideResult result;
+
+  /// GJK was not asked.
+  [[nodiscard]] bool is_empty() const { return result.stop == gjk::StopReason::running; }
 };
 
 /// Vectors, vertices and simplices of the plane as those of space, and back.

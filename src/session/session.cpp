@@ -481,7 +481,7 @@ const Frame& Session::frame() const { return shown_->run.frames[static_cast<std:
 EffectGraph& Session::effects() { return shown_->effects; }
 
 std::vector<Session::Moment> Session::moments() const {
-  const std::vector<std::string_view> phases = run().phases();
+  const std::span<const std::string_view> phases = run().act->algorithm->phases;
   std::map<std::tuple<int, int, int>, int> steps;  // of a phase in an iteration, so far
   std::vector<Moment> list;
   for (const Frame& frame : run().frames) {
@@ -490,7 +490,8 @@ std::vector<Session::Moment> Session::moments() const {
     Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part});
     if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
     // Another run comes there in another number of steps.
-    if (frame.steps_over) now.part = steps[{now.run, now.iteration, now.phase}]++;
+    if (run().act->algorithm != &kGjkAlgorithm)
+      now.part = steps[{now.run, now.iteration, now.phase}]++;
   }
   return list;
 }
@@ -551,7 +552,7 @@ bool Session::go_to_next(std::string_view phase) {
 }
 
 std::optional<int> Session::next(Event event) const {
-  if (event != Event::run_ends && run().act->algorithm != nullptr) return std::nullopt;
+  if (event != Event::run_ends && run().act->algorithm != &kGjkAlgorithm) return std::nullopt;
   const std::vector<Frame>& frames = run().frames;
   const WideSimplex& now = run().state(frame()).simplex;
   const auto is_another = [&](const WideSimplex& later) {

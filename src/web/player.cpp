@@ -167,7 +167,7 @@ std::string Player::on_the_way(const Asked& asked) const {
 }
 
 void Player::go_to_phase(int phase) {
-  const std::vector<std::string_view> phases = session_.run().phases();
+  const std::span<const std::string_view> phases = session_.run().act->algorithm->phases;
   if (phase < 0 || phase >= static_cast<int>(phases.size())) {
     throw std::runtime_error(
         fmt::format("this run has no phase {}; expected 0 to {}", phase, phases.size() - 1));

@@ -78,13 +78,14 @@ void add_point(Json& list, const std::string& name, const Eigen::Vector3d& point
 /// Names and values, as decimals and as hex floats.
 Json numbers(const LessonRun& run, const Frame& frame) {
   const WideState& state = run.state(frame);
+  const bool is_under_way = run.gjk_step(frame) >= 0;
   Json list = Json::array();
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
     add_point(list, name, state.simplex.vertices[i].w);
-    if (frame.step >= 0) list.push_back(number("weight of " + name, state.simplex.weights[i]));
+    if (is_under_way) list.push_back(number("weight of " + name, state.simplex.weights[i]));
   }
-  if (frame.step >= 0) {
+  if (is_under_way) {
     add_point(list, "P", state.p);
     add_point(list, "d", state.d);
     list.push_back(number("lower bound", run.bounds(frame).lower));
@@ -97,7 +98,7 @@ Json numbers(const LessonRun& run, const Frame& frame) {
 Json outcome(Session& session) {
   const LessonRun& run = session.run();
   const Frame& frame = session.frame();
-  if (!run.has_gjk()) {
+  if (run.run(frame).trace.is_empty()) {
     Json list = Json::array();
     for (const std::string_view name : run.act->algorithm->answers)
       list.push_back(number(std::string(name), run.algorithm_trace(frame).answer(name)));
@@ -135,7 +136,7 @@ Json shape_json(const LessonShape& shape) {
 /// The names of shapes that GJK knows by their hulls alone.
 Json not_convex(const LessonRun& run) {
   Json names = Json::array();
-  if (!run.has_gjk()) return names;
+  if (run.act->algorithm->takes_outlines) return names;
   for (const LessonShape* shape : {&run.lesson.x(), &run.lesson.y()}) {
     if (differs_from_hull(shape->vertices)) names.push_back(shape->name);
   }

@@ -75,7 +75,7 @@ TEST(TraceJson, EveryKeyIsDocumented) {
     collect_keys(json::parse(trace(text, true).out), keys);
   }
   for (const Act* staged : registered_acts()) {
-    if (staged->algorithm == nullptr) continue;
+    if (staged->algorithm == &kGjkAlgorithm) continue;
     collect_keys(json::parse(trace_of_lesson_with(staged->name)), keys);
   }
   EXPECT_GT(keys.size(), 50u);

@@ -90,11 +90,12 @@ void claim_sound(const PositionedRun& run) {
 void claim_sound(const LessonRun& run) {
   claim(!run.runs.empty(), "there is a run");
   for (const PositionedRun& positioned : run.runs) {
-    if (run.has_gjk()) claim_sound(positioned);
+    if (!positioned.trace.is_empty()) claim_sound(positioned);
   }
   for (const Frame& frame : run.frames) {
     claim(0 <= frame.run && frame.run < static_cast<int>(run.runs.size()) && -1 <= frame.step &&
-              frame.step < static_cast<int>(run.run(frame).trace.steps.size()),
+              frame.step <= run.algorithm_trace(frame).steps() &&
+              run.gjk_step(frame) < static_cast<int>(run.run(frame).trace.steps.size()),
           "a frame shows a step");
   }
 }

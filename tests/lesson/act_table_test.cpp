@@ -48,7 +48,8 @@ const TableKind Doors::kKind = {"doors", "ways out", {}, {}, {}};
 LoadedLesson load(const std::string& act, const std::string& table) {
   static const Act kWalk{.name = "walk",
                          .meaning = "wall",
-                         .needs = {.table = &Walls::kKind, .path = PathUse::refused}};
+                         .needs = {.table = &Walls::kKind, .path = PathUse::refused},
+                         .algorithm = &kGjkAlgorithm};
   Vocabulary known = vocabulary();
   known.acts.push_back(&kWalk);
   known.keys = lesson_keys(known.acts);

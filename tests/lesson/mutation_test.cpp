@@ -221,12 +221,13 @@ std::vector<std::string> originals() {
 void expect_sound(const LessonRun& run) {
   ASSERT_FALSE(run.runs.empty());
   for (const PositionedRun& positioned : run.runs) {
-    ASSERT_EQ(positioned.trace.result.stop != gjk::StopReason::running, run.has_gjk());
+    ASSERT_EQ(positioned.trace.is_empty(), run.act->algorithm->takes_outlines);
   }
   for (const Frame& frame : run.frames) {
     ASSERT_GE(frame.run, 0);
     ASSERT_LT(frame.run, static_cast<int>(run.runs.size()));
-    ASSERT_LT(frame.step, static_cast<int>(run.run(frame).trace.steps.size()));
+    ASSERT_LE(frame.step, run.algorithm_trace(frame).steps());
+    ASSERT_LT(run.gjk_step(frame), static_cast<int>(run.run(frame).trace.steps.size()));
   }
 }
 
@@ -336,7 +337,7 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
         continue;
       }
       const Algorithm* algorithm = vocabulary().act(granularity)->algorithm;
-      if (algorithm != nullptr && !algorithm->follows_gjk) {
+      if (algorithm->takes_outlines) {
         EXPECT_FALSE(loaded.lesson) << "expects what only a run of GJK can come to";
         continue;
       }

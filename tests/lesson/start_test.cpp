@@ -72,7 +72,7 @@ TEST(Start, OfASecondRunIsThatOfTheFirstAtEachPositionOfAWarmPath) {
     if (!lesson.warm_start || lesson.beside) continue;
     lesson.beside = lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact;
     const LessonRun run = run_lesson(lesson);
-    if (!run.has_gjk()) continue;
+    if (run.act->algorithm->takes_outlines) continue;
     EffectGraph graph(run);
     for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
       ++compared;

@@ -36,7 +36,8 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     EXPECT_EQ(texts.front().phase, "start");
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       EXPECT_EQ(texts[i + 1].iteration, trace.steps[i].iteration);
-      EXPECT_EQ(texts[i + 1].phase, run.phases()[static_cast<std::size_t>(trace.steps[i].phase)]);
+      EXPECT_EQ(texts[i + 1].phase,
+                run.act->algorithm->phases[static_cast<std::size_t>(trace.steps[i].phase)]);
       EXPECT_EQ(value_of_text(texts[i + 1], "lower"), Numbers(lesson)(trace.steps[i].bounds.lower));
     }
     EXPECT_EQ(texts.back().phase, "answer");

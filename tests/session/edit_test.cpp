@@ -176,7 +176,8 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
   int told = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
-    if (run.act->algorithm != nullptr || !run.act->follows_run || lesson.table.as<LessonGrowth>())
+    if (run.act->algorithm != &kGjkAlgorithm || !run.act->follows_run ||
+        lesson.table.as<LessonGrowth>())
       continue;
     SCOPED_TRACE(lesson.id);
     const ScalarKind other =
@@ -206,7 +207,7 @@ TEST(Edit, AnyLessonTakesABoxOrSaysWhatItNeeds) {
       }
       ++taken;
       const LessonRun run = run_lesson(boxed);
-      if (run.has_gjk()) {
+      if (!run.act->algorithm->takes_outlines) {
         EXPECT_EQ(gjk::Error::none, run.runs.front().trace.result.error);
       }
     }
@@ -227,7 +228,7 @@ TEST(Edit, TheNearestEdgeIsFoundByDistance) {
 TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygon) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
-    if (!run_lesson(lesson).has_gjk()) continue;
+    if (run_lesson(lesson).act->algorithm->takes_outlines) continue;
     const Lesson told = edit::told_by(lesson, kDepthAlgorithm);
     const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);

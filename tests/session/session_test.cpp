@@ -769,8 +769,7 @@ std::vector<Lesson> lessons_of_outlines() {
   std::vector<Lesson> out;
   for (Lesson& lesson : testing::shipped_lessons()) {
     const Act* act = vocabulary().act(lesson.act);
-    if (act->algorithm != nullptr && !act->algorithm->follows_gjk &&
-        !lesson.table.as<LessonGrowth>())
+    if (act->algorithm->takes_outlines && !lesson.table.as<LessonGrowth>())
       out.push_back(std::move(lesson));
   }
   return out;

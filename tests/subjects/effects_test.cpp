@@ -59,14 +59,16 @@ TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {
   const Act halves{
       .name = "halves",
       .meaning = "half of a support step",
-      .add_frames = [](LessonRun& run, int index) {
-        const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
-        for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-          if (trace.steps[i].phase != gjk::Phase::support) continue;
-          for (const Half half : {Half::before, Half::after})
-            run.frames.push_back({.run = index, .step = i, .part = static_cast<int>(half)});
-        }
-      }};
+      .add_frames =
+          [](LessonRun& run, int index) {
+            const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+            for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
+              if (trace.steps[i].phase != gjk::Phase::support) continue;
+              for (const Half half : {Half::before, Half::after})
+                run.frames.push_back({.run = index, .step = i, .part = static_cast<int>(half)});
+            }
+          },
+      .algorithm = &kGjkAlgorithm};
   Lesson lesson = shipped_lesson("polygons-gjk");
   lesson.questions.clear();
   const LessonRun run = run_lesson(std::move(lesson), halves);

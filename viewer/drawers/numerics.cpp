@@ -200,7 +200,7 @@ ScalarKind scalar_beside(const Lesson& lesson, ScalarKind wanted) {
 /// Whether frames show steps of GJK, beside which those of another run can stand.
 bool can_tell_twice(const Session& session) {
   const Act& act = *session.run().act;
-  return act.algorithm == nullptr && act.follows_run;
+  return act.algorithm == &kGjkAlgorithm && act.follows_run;
 }
 
 void tell_twice(App& app, ScalarKind wanted) {
@@ -258,8 +258,8 @@ void draw_numerics(App& app, Beside& beside) {
   }
   ImGui::Checkbox("Hexadecimal", &app.hexadecimal);
 
-  if (!run.has_gjk()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const PositionedRun& here = run.run(session.frame());
+  if (here.trace.is_empty()) return wrapped_text("This lesson runs another algorithm than GJK.");
   const gjk::Options there = beside.options_for(run.lesson.options);
   const Beside::From from{session.version(), session.frame().run, beside.scalar, there,
                           there.start == run.lesson.options.start};
@@ -304,7 +304,7 @@ void draw_numerics(App& app, Beside& beside) {
   if (!ImGui::Button("Go there")) return;
   const auto& frames = run.frames;
   const auto shows = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
-    return frame.run == session.frame().run && frame.step >= difference->step;
+    return frame.run == session.frame().run && run.gjk_step(frame) >= difference->step;
   });
   if (shows != frames.end()) session.go_to(static_cast<int>(shows - frames.begin()));
 }

@@ -31,7 +31,7 @@ void draw_values(App& app) {
     }
     ImGui::EndTable();
   }
-  if (run.has_gjk() && run.act->algorithm == nullptr &&
+  if (run.act->algorithm == &kGjkAlgorithm &&
       depth_on_overlap(app.session().effects(), run, app.session().frame()) != nullptr &&
       ImGui::Button("Show how it is found"))
     show_depth(app);
@@ -43,6 +43,7 @@ std::vector<NamedValue> values_now(App& app) {
   const LessonRun& run = app.session().run();
   const Frame& frame = app.session().frame();
   const WideState& state = run.state(frame);
+  const bool is_under_way = run.gjk_step(frame) >= 0;
   std::vector<NamedValue> values;
   const auto text = [&](std::string name, std::string written) {
     values.push_back({std::move(name), std::move(written)});
@@ -61,21 +62,22 @@ std::vector<NamedValue> values_now(App& app) {
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
     point(name, state.simplex.vertices[i].w + origin);
-    if (frame.step >= 0) value("weight of " + name, state.simplex.weights[i]);
+    if (is_under_way) value("weight of " + name, state.simplex.weights[i]);
   }
-  if (frame.step >= 0) {
+  if (is_under_way) {
     point("P", state.p + origin);
     point("d", state.d);
     value("lower bound", run.bounds(frame).lower);
     value("upper bound", run.bounds(frame).upper);
   }
-  if (run.act->algorithm != nullptr) {
+  if (run.act->algorithm != &kGjkAlgorithm) {
     for (const auto& [name, written] : app.session().text().values) text(name, written);
     for (const std::string_view name : run.act->algorithm->answers)
       value(std::string(name) + " in the end", run.algorithm_trace(frame).answer(name));
   }
-  if (!run.has_gjk()) return values;
-  const WideResult& result = run.run(frame).trace.result;
+  const WideTrace& trace = run.run(frame).trace;
+  if (trace.is_empty()) return values;
+  const WideResult& result = trace.result;
   value("distance in the end", result.distance);
   text("stop in the end", std::string(name_of(result.stop)));
   text("verdict in the end", std::string(name_of(result.verdict)));

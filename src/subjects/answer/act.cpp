@@ -46,6 +46,7 @@ const Act kWitness{
         "the distance",
     .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
     .add_frames = witness_frames,
+    .algorithm = &kGjkAlgorithm,
     .position = witness_position,
     .tick = witness_tick,
     .words = captions::witness,

@@ -25,6 +25,7 @@ const Act kAnswer{
     .meaning = "position on the path: how the run there ends",
     .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
     .add_frames = answer_frames,
+    .algorithm = &kGjkAlgorithm,
     .position = position_on_path,
     .tick = answer_tick,
     .words = captions::answer,

@@ -203,14 +203,15 @@ void bound_steps(PanelBuilder& panel) {
   const int iterations = positioned.trace.result.iterations;
   const double x0 = panel.left + 20.0;
   const double x1 = panel.right - 148.0;
+  const int now = panel.run.gjk_step(panel.frame);
   int step = 0;
   constexpr int kShown = 8;
   for (int iteration = 1; iteration <= std::min(iterations, kShown); ++iteration) {
-    const bool is_reached = panel.frame.step >= step;
+    const bool is_reached = now >= step;
     // The last step of this iteration that the frame knows.
     int last = step;
     const auto& steps = positioned.trace.steps;
-    while (last + 1 < static_cast<int>(steps.size()) && last < panel.frame.step &&
+    while (last + 1 < static_cast<int>(steps.size()) && last < now &&
            steps[static_cast<std::size_t>(last) + 1].iteration == iteration)
       ++last;
     const DistanceBounds& bounds = positioned.bounds[static_cast<std::size_t>(last)];

@@ -38,6 +38,7 @@ const Act kTime{
               .start = 2,
               .why_no_until = "frames go through the first region tests"},
     .add_frames = time_frames,
+    .algorithm = &kGjkAlgorithm,
     .position = time_position,
     .tick = time_tick,
     .words = captions::balance,

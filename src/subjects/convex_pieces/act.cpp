@@ -42,7 +42,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   const PiecesPhase phase = question.ask == kAskPair.name ? PiecesPhase::pair : PiecesPhase::merge;
   if (!shown.is(phase)) return -1;
   if (question.at && *question.at != shown.over(phase)) return -1;
-  return *frame.steps_over - 1;
+  return frame.step;
 }
 
 const Act kAct{

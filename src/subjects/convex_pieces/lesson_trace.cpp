@@ -24,7 +24,7 @@ std::shared_ptr<const AlgorithmTrace> run_pieces(const Lesson& lesson, const Pos
 }  // namespace
 
 PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& outlines)
-    : OutlineTrace("convex-pieces", refused) {
+    : OutlineTrace(refused) {
   if (refusal) return;
   x = models::pieces_of(outlines.x);
   y = models::pieces_of(outlines.y);
@@ -92,6 +92,7 @@ const Algorithm kConvexPiecesAlgorithm{.name = "convex-pieces",
                                        .phases = kPhases,
                                        .answers = kAnswers,
                                        .values = kValues,
-                                       .run = run_pieces};
+                                       .run = run_pieces,
+                                       .takes_outlines = true};
 
 }  // namespace gjkscope

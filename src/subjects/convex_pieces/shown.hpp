@@ -17,7 +17,7 @@ struct Shown {
       : lesson(run.lesson),
         told(pieces_told(run.algorithm_trace(frame))),
         step(last_step_over(told.told, frame)),
-        is_answer(*frame.steps_over > told.steps()) {}
+        is_answer(frame.step >= told.steps()) {}
 
   const Lesson& lesson;
   const PiecesTrace& told;

@@ -13,7 +13,7 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
     : trace(*depth_trace(run, frame.run)),
       step(last_step_over(trace.steps, frame)),
       state(step == nullptr ? trace.initial : step->after),
-      is_answer(*frame.steps_over > static_cast<int>(trace.steps.size())) {}
+      is_answer(frame.step >= static_cast<int>(trace.steps.size())) {}
 
 bool Shown::is_nearest(const depth::Edge<double>& edge) const {
   return knows_edge() && edge.from == state.edge.from && edge.to == state.edge.to;
@@ -67,7 +67,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   const Shown shown(run, frame);
   if (question.ask != kAskEdge.name || !shown.is(depth::Phase::nearest)) return -1;
   if (question.at && *question.at != shown.step->iteration) return -1;
-  return shown.step->record.edges.size() > 1 && !is_tie(shown) ? *frame.steps_over - 1 : -1;
+  return shown.step->record.edges.size() > 1 && !is_tie(shown) ? frame.step : -1;
 }
 
 constexpr std::array<std::string_view, depth::kPhaseCount> kWords = {"nearest edge", "support",

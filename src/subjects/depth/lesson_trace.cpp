@@ -20,11 +20,6 @@ using fields::line;
 using fields::number;
 using fields::point;
 
-std::string corner_name(const Lesson& lesson, const depth::State<double>& state, int corner) {
-  return pair_name(lesson.x().vertex_names, lesson.y().vertex_names,
-                   state.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
-}
-
 class JsonWriter {
  public:
   JsonWriter(const Lesson& lesson, const PositionedRun& run) : lesson_(lesson), run_(run) {}
@@ -119,87 +114,50 @@ class JsonWriter {
   const PositionedRun& run_;
 };
 
-class TextWriter {
- public:
-  explicit TextWriter(const Lesson& lesson) : lesson_(lesson) {}
-
-  [[nodiscard]] std::string write(const DepthTrace& trace) const {
-    const depth::Result<double>& result = trace.result;
-    if (trace.steps.empty()) return "\ndepth\n" + line("stop", name_of(result.stop));
-    std::string out = "\ndepth\n" + line("polygon", polygon(trace.initial));
-    for (const depth::Step<double>& each : trace.steps) {
-      if (each.phase == depth::Phase::nearest)
-        out += fmt::format("\ndepth, iteration {}\n", each.iteration);
-      out += step(each);
-    }
-    out += "\ndepth, result\n" + line("stop", name_of(result.stop));
-    out += line("verdict", fmt::format("{}{}", name_of(result.verdict),
-                                       result.settled ? ", settled in exact arithmetic" : ""));
-    out += line("depth", numbers(result.depth));
-    out += line("bounds", fmt::format("{} to {}", numbers(result.lower), numbers(result.upper)));
-    out += line("move", fmt::format("{} by {}", lesson_.x().name, numbers(result.translation)));
-    out += line("on " + lesson_.x().name, numbers(result.x));
-    out += line("on " + lesson_.y().name, numbers(result.y));
-    return out;
-  }
-
- private:
-  [[nodiscard]] std::string numbers(double value) const {
-    return fields::number_text(lesson_.scalar, value);
-  }
-  [[nodiscard]] std::string numbers(const gjk::Vec<double, 2>& value) const {
-    return fields::point_text(lesson_.scalar, value);
-  }
-
-  [[nodiscard]] std::string polygon(const depth::State<double>& state) const {
+std::string text(const Json& document, const Json& trace) {
+  const fields::Values values(document);
+  const auto words = [](const Json& name) { return name.get<std::string>(); };
+  const auto corner = [&](const Json& state, const Json& index) {
+    return words(state["corners"][index.get<std::size_t>()]["name"]);
+  };
+  const auto polygon = [&](const Json& state) {
     std::vector<std::string> names;
-    for (const depth::Edge<double>& each : edges_in_order(state.polygon))
-      names.push_back(corner_name(lesson_, state, each.from));
+    for (const Json& index : state["polygon"]) names.push_back(corner(state, index));
     return fmt::format("{}", fmt::join(names, " "));
-  }
-
-  [[nodiscard]] std::string scan(const LessonShape& shape,
-                                 const std::vector<gjk::ScanEntry<double>>& entries,
-                                 int best) const {
-    return fields::scan_text(lesson_.scalar, shape.name, shape.vertex_names, entries, best);
-  }
-
-  [[nodiscard]] std::string stop_test(const depth::StopTest<double>& test) const {
-    if (!test.tried) return fmt::format("{}: not tried", name_of(test.reason));
-    return fmt::format("{}: {} (left {}, right {})", name_of(test.reason),
-                       test.holds ? "yes" : "no", numbers(test.left), numbers(test.right));
-  }
-
-  [[nodiscard]] std::string step(const depth::Step<double>& step) const {
-    const depth::State<double>& after = step.after;
-    std::string out;
-    switch (step.phase) {
-      case depth::Phase::nearest:
-        return line("nearest", fmt::format("{} {}, distance^2 = {}, n = {}",
-                                           corner_name(lesson_, after, after.edge.from),
-                                           corner_name(lesson_, after, after.edge.to),
-                                           numbers(after.edge.distance_sq), numbers(after.n)));
-      case depth::Phase::support:
-        out += line("scan", scan(lesson_.y(), step.record.scan_y, after.support.pair.y));
-        out += line("", scan(lesson_.x(), step.record.scan_x, after.support.pair.x));
-        return out +
-               line("support", fmt::format("{} = {}",
-                                           pair_name(lesson_.x().vertex_names,
-                                                     lesson_.y().vertex_names, after.support.pair),
-                                           numbers(after.support.w)));
-      case depth::Phase::stop:
-        for (const depth::StopTest<double>& test : step.record.stop_tests)
-          out += line("stop?", stop_test(test));
-        return out + line("bounds", fmt::format("{} to {}", numbers(step.bounds.lower),
-                                                numbers(step.bounds.upper)));
-      case depth::Phase::expand:
-        return line("expand", fmt::format("polygon {}", polygon(after)));
+  };
+  const Json& result = trace["result"];
+  if (trace["steps"].empty()) return "\ndepth\n" + line("stop", words(result["stop"]));
+  std::string out = "\ndepth\n" + line("polygon", polygon(trace["initial"]));
+  for (const Json& step : trace["steps"]) {
+    const Json& after = step["after"];
+    const std::string phase = words(step["phase"]);
+    if (phase == "nearest") {
+      const Json& ends = after["edge"]["corners"];
+      out += fmt::format("\ndepth, iteration {}\n", step["iteration"].get<int>());
+      out += line("nearest",
+                  fmt::format("{} {}, distance^2 = {}, n = {}", corner(after, ends[0]),
+                              corner(after, ends[1]), values.number(after["edge"]["distance_sq"]),
+                              values.point(after["n"])));
+    } else if (phase == "support") {
+      const Json& support = step["support"];
+      out += line("scan", values.scan(values.y, step["scan_y"], support["pair"][1]));
+      out += line("", values.scan(values.x, step["scan_x"], support["pair"][0]));
+      out += line("support", words(support["name"]) + " = " + values.point(support["w"]));
+    } else if (phase == "stop") {
+      for (const Json& test : step["stop_tests"]) out += line("stop?", values.stop_test(test));
+      out += line("bounds", values.bounds(step));
+    } else {
+      out += line("expand", "polygon " + polygon(after));
     }
-    return out;
   }
-
-  const Lesson& lesson_;
-};
+  out += "\ndepth, result\n" + line("stop", words(result["stop"]));
+  out += line("verdict", values.verdict(result));
+  out += line("depth", values.number(result["depth"]));
+  out += line("bounds", values.bounds(result));
+  out += line("move", fmt::format("{} by {}", values.x, values.point(result["translation"])));
+  out += line("on " + values.x, values.point(result["contact_x"]));
+  return out + line("on " + values.y, values.point(result["contact_y"]));
+}
 
 class Told : public AlgorithmTrace {
  public:
@@ -215,9 +173,6 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] double answer(std::string_view) const override { return trace_.result.depth; }
   [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun& run) const override {
     return JsonWriter(lesson, run).write(trace_);
-  }
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
-    return TextWriter(lesson).write(trace_);
   }
 
  private:
@@ -247,7 +202,7 @@ const Algorithm kDepthAlgorithm{.name = "depth",
                                 .answers = kAnswers,
                                 .values = kValues,
                                 .run = run_depth,
-                                .follows_gjk = true};
+                                .text = text};
 
 const DepthTrace* depth_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kDepthAlgorithm) return nullptr;

@@ -71,6 +71,7 @@ const Act kPairs{
         "most 8 vertices in each shape",
     .needs = {.most_vertices = kMostVertices},
     .add_frames = pairs_frames,
+    .algorithm = &kGjkAlgorithm,
     .position = pairs_position,
     .tick = pairs_tick,
     .words = captions::pairs,

@@ -80,22 +80,11 @@ Json GeneralGrowthTrace::json(const Lesson&, const PositionedRun&) const {
   return out;
 }
 
-std::string GeneralGrowthTrace::text(const Lesson&, const PositionedRun&) const {
-  std::string out = "\ngeneral-growth\n";
-  for (const Sample& sample : samples) {
-    std::string counts =
-        fmt::format("boxes {:.1f}, circles {:.1f}, remembered {:.1f}, collide {:.1f}", sample.boxes,
-                    sample.circles, sample.remembered, sample.collide);
-    if (sample.pieces >= 0.0) counts += fmt::format(", pieces {:.1f}", sample.pieces);
-    out += fields::line(fmt::format("n {}", sample.segments), counts);
-  }
-  return out;
-}
-
 const Algorithm kGeneralGrowthAlgorithm{.name = "general-growth",
                                         .phases = kPhases,
                                         .answers = kAnswers,
                                         .values = kValues,
-                                        .run = run_growth};
+                                        .run = run_growth,
+                                        .takes_outlines = true};
 
 }  // namespace gjkscope

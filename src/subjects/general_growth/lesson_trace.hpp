@@ -29,7 +29,6 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
   [[nodiscard]] double answer(std::string_view name) const override;
   [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
                                             const PositionedRun& run) const override;
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun& run) const override;
 
   /// Whether the largest outlines bear it out: by the times where there are some, else by counts.
   [[nodiscard]] bool agrees(Claim claim) const;

@@ -16,7 +16,7 @@ inline constexpr AskInfo kAskAgrees{
 /// What a frame is about: a size, the times of all sizes, or something that Larsen says.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
-      : told(general_growth_told(run.algorithm_trace(frame))), over(*frame.steps_over) {}
+      : told(general_growth_told(run.algorithm_trace(frame))), over(frame.step + 1) {}
 
   const GeneralGrowthTrace& told;
   int over = 0;  ///< Steps.

@@ -102,6 +102,7 @@ const Act kGrowth{
               .why_no_until = "frames show how the run ends"},
     .add_frames = growth_frames,
     .follows_run = true,
+    .algorithm = &kGjkAlgorithm,
     .position = growth_position,
     .tick = growth_tick,
     .words = growth_words,

@@ -14,7 +14,7 @@ using models::SearchStep;
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
       search(*search_told(run, frame.run)),
-      over(*frame.steps_over),
+      over(frame.step + 1),
       step(last_step_over(search.trace.steps, frame)),
       state(step == nullptr ? search.trace.start : step->after),
       is_answer(over > static_cast<int>(search.trace.steps.size())) {}
@@ -78,9 +78,7 @@ bool is_introduced(const Lesson& lesson, long visit) {
 /// search those alone that find a better candidate or are looked up, and some in between.
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
-  const auto add = [&](int over) {
-    run.frames.push_back({.run = index, .step = -1, .steps_over = over});
-  };
+  const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
   const models::SearchTrace& trace = search_told(run, index)->trace;
   add(0);
   if (trace.steps.empty()) return;
@@ -116,8 +114,7 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
   const SearchStep& bound = shown.search.trace.steps[static_cast<std::size_t>(shown.over)];
   const bool is_open =
       shown.is_distance() ? shown.state.candidate.has_value() : !shown.are_leaves();
-  return is_open && *frame.steps_over > shown.over && bound.phase == SearchPhase::bound ? shown.over
-                                                                                        : -1;
+  return is_open && frame.step >= shown.over && bound.phase == SearchPhase::bound ? shown.over : -1;
 }
 
 std::string position(const LessonRun& run, int index) {

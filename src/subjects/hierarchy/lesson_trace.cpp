@@ -33,8 +33,8 @@ constexpr int kMostTiles = 64;
 
 class Told : public OutlineTrace {
  public:
-  Told(std::string_view name, std::optional<Refusal> refused, SearchTold search)
-      : OutlineTrace(name, refused), search_(std::move(search)) {}
+  Told(std::optional<Refusal> refused, SearchTold search)
+      : OutlineTrace(refused), search_(std::move(search)) {}
 
   [[nodiscard]] const SearchTold& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }
@@ -131,15 +131,13 @@ void run_search(SearchTold& told, const models::Hierarchy<V>& tree_x,
 
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
                                                     const AlgorithmTrace* before, Goal goal) {
-  const std::string_view name =
-      (goal == Goal::collide ? kHierarchyCollide : kHierarchyDistance).name;
   SearchTold told;
   OutlinesOfRun outlines = outlines_of(lesson, run);
   const std::optional<Refusal> refused = refusal_of(outlines, models::Needs::segments);
   told.x = std::move(outlines.x);
   told.y = std::move(outlines.y);
   told.refusal = refused;
-  if (refused) return std::make_shared<const Told>(name, refused, std::move(told));
+  if (refused) return std::make_shared<const Told>(refused, std::move(told));
   told.options.goal = goal;
   // Larsen's listing descends into A first, left child first.
   told.options.nearer_first = goal == Goal::distance;
@@ -169,7 +167,7 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
       search(std::type_identity<models::Circle>{}, tiles);
       break;
   }
-  return std::make_shared<const Told>(name, std::nullopt, std::move(told));
+  return std::make_shared<const Told>(std::nullopt, std::move(told));
 }
 
 template <Goal goal>
@@ -189,6 +187,7 @@ const Algorithm kHierarchyCollide{.name = "hierarchy-collide",
                                   .answers = kCollideAnswers,
                                   .values = kValues,
                                   .run = search_for<Goal::collide>,
+                                  .takes_outlines = true,
                                   .stops = std::span(kStops).subspan(1)};
 
 const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
@@ -196,6 +195,7 @@ const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .answers = kDistanceAnswers,
                                    .values = kValues,
                                    .run = search_for<Goal::distance>,
+                                   .takes_outlines = true,
                                    .stops = std::span(kStops).subspan(1)};
 
 const SearchTold* search_told(const LessonRun& run, int index) {

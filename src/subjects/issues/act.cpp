@@ -36,6 +36,7 @@ const Act kIssues{
     .add_frames = issues_frames,
     .asks = kAsks,
     .answering_step = answering_step,
+    .algorithm = &kGjkAlgorithm,
     .position = position_on_path,
     .tick = issues_tick,
     .start = captions::issue,

@@ -18,8 +18,8 @@ SupportAxis::Side side_of(const std::vector<Vector3d>& vertices, const Vector3d&
 
 }  // namespace
 
-EffectKey SupportAxis::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey SupportAxis::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run,
@@ -32,8 +32,8 @@ SupportAxis::Value SupportAxis::compute(EffectGraph& graph, const LessonRun& run
                side_of(run.run(frame).x().world, -d, state.support.pair.x)};
 }
 
-EffectKey ClosestCircle::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey ClosestCircle::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun& run,
@@ -44,8 +44,8 @@ ClosestCircle::Value ClosestCircle::compute(EffectGraph& graph, const LessonRun&
   return run.state(frame).p.norm();
 }
 
-EffectKey TestedFeet::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey TestedFeet::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,
@@ -53,7 +53,7 @@ TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,
   Value feet;
   const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
   if (!knows.gradual || knows.tests_reached < 0) return feet;
-  const WideSimplex& simplex = state_before(run.run(frame).trace, frame.step).simplex;
+  const WideSimplex& simplex = state_before(run.run(frame).trace, run.gjk_step(frame)).simplex;
   const gjk::RegionTest<double>& test =
       knows.region_tests[static_cast<std::size_t>(knows.tests_reached)];
   for (const gjk::RegionTerm<double>& term : test.terms) {

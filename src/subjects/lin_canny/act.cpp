@@ -12,7 +12,7 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
       walk(*walk_told(run, frame.run)),
       step(last_step_over(walk.trace.steps, frame)),
       state(step == nullptr ? walk.trace.start : step->after),
-      is_answer(*frame.steps_over > static_cast<int>(walk.trace.steps.size())) {}
+      is_answer(frame.step >= static_cast<int>(walk.trace.steps.size())) {}
 
 std::vector<Border> Shown::borders(bool of_x) const {
   const models::RingFeature& at = feature(of_x);
@@ -38,7 +38,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   const Shown shown(run, frame);
   if (question.ask != kAskFeature.name || !shown.is(WalkPhase::regions)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
-  return shown.state.found.behind ? -1 : *frame.steps_over - 1;
+  return shown.state.found.behind ? -1 : frame.step;
 }
 
 const Act kAct{

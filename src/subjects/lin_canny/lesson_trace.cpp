@@ -61,18 +61,6 @@ class Told : public AlgorithmTrace {
     out["closest_y"] = fields::point(answer.b);
     return out;
   }
-  [[nodiscard]] std::string text(const Lesson& lesson, const PositionedRun&) const override {
-    std::string out = "\nlin-canny\n";
-    if (!walk_.query)
-      return out + line("stop", fmt::format("{}: {}", name_of(walk_.trace.result.stop),
-                                            models::name_of(walk_.trace.result.flaw.fault)));
-    for (int i = 0; i < steps(); ++i) out += step_text(lesson, i);
-    const models::Answer& answer = walk_.trace.result.answer;
-    out += "\nlin-canny, result\n" + line("stop", name_of(walk_.trace.result.stop));
-    out += line("distance", fields::number_text(lesson.scalar, answer.distance));
-    out += line("on " + lesson.x().name, fields::point_text(lesson.scalar, answer.a));
-    return out + line("on " + lesson.y().name, fields::point_text(lesson.scalar, answer.b));
-  }
 
  private:
   [[nodiscard]] Json step_json(const Lesson& lesson, int index) const {
@@ -97,34 +85,36 @@ class Told : public AlgorithmTrace {
     out["stop"] = name_of(step.after.stop);
     return out;
   }
-  [[nodiscard]] std::string step_text(const Lesson& lesson, int index) const {
-    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
-    const auto name = [&](bool of_x, const models::RingFeature& feature) {
-      return feature_name(lesson, *walk_.query, of_x, feature);
-    };
-    std::string out;
-    switch (step.phase) {
-      case WalkPhase::closest:
-        out = fmt::format("\nlin-canny, iteration {}\n", info(index).iteration);
-        return out + line("closest",
-                          fmt::format("{} and {}, distance = {}", name(true, step.after.a),
-                                      name(false, step.after.b),
-                                      fields::number_text(lesson.scalar, step.after.pair.high)));
-      case WalkPhase::regions:
-        for (const models::RegionTest& test : step.tests)
-          out += line("region?", fmt::format("{}{}: {}", test.behind ? "behind " : "towards ",
-                                             name(test.of_a, test.neighbour),
-                                             test.crossed ? "crossed" : "no"));
-        return out;
-      case WalkPhase::swap:
-        return line("swap",
-                    fmt::format("{} and {}", name(true, step.after.a), name(false, step.after.b)));
-    }
-    return out;
-  }
 
   WalkTold walk_;
 };
+
+std::string text(const Json& document, const Json& trace) {
+  const fields::Values values(document);
+  const auto words = [](const Json& name) { return name.get<std::string>(); };
+  std::string out = "\nlin-canny\n";
+  if (trace.contains("flaw"))
+    return out + line("stop", words(trace["stop"]) + ": " + words(trace["flaw"]));
+  for (const Json& step : trace["steps"]) {
+    const std::string phase = words(step["phase"]);
+    const std::string pair = words(step["x"]) + " and " + words(step["y"]);
+    if (phase == "closest") {
+      out += fmt::format("\nlin-canny, iteration {}\n", step["iteration"].get<int>());
+      out += line(phase, pair + ", distance = " + values.number(step["distance_high"]));
+    } else if (phase == "swap") {
+      out += line(phase, pair);
+    } else {
+      for (const Json& test : step["tests"])
+        out += line("region?",
+                    fmt::format("{}{}: {}", test["behind"] ? "behind " : "towards ",
+                                words(test["neighbour"]), test["crossed"] ? "crossed" : "no"));
+    }
+  }
+  out += "\nlin-canny, result\n" + line("stop", words(trace["stop"]));
+  out += line("distance", values.number(trace["distance"]));
+  out += line("on " + values.x, values.point(trace["closest_x"]));
+  return out + line("on " + values.y, values.point(trace["closest_y"]));
+}
 
 const WalkTold& walk_of(const AlgorithmTrace& trace) {
   return static_cast<const Told&>(trace).walk();
@@ -189,7 +179,9 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .answers = kAnswers,
                                    .values = kValues,
                                    .run = run_walk,
-                                   .stops = std::span(kStops).subspan(1)};
+                                   .takes_outlines = true,
+                                   .stops = std::span(kStops).subspan(1),
+                                   .text = text};
 
 const WalkTold* walk_told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;

@@ -35,6 +35,7 @@ const Act kMaps{
         "where they disagree; the last one for further positions of X",
     .needs = {.start = 3, .why_no_until = "frames go through the first region tests"},
     .add_frames = maps_frames,
+    .algorithm = &kGjkAlgorithm,
     .position = position_in_lesson,
     .tick = maps_tick,
     .words = captions::maps,

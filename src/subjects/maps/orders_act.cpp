@@ -39,6 +39,7 @@ const Act kOrders{
         "three chains of tests",
     .needs = {.start = 3, .why_no_until = "frames go through the first region tests"},
     .add_frames = orders_frames,
+    .algorithm = &kGjkAlgorithm,
     .knows = orders_knows,
     .position = position_in_lesson,
     .tick = orders_tick,

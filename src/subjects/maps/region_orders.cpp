@@ -59,8 +59,8 @@ RegionOrders::Chain chain_of(gjk::RegionOrder order, bool whole, const Coordinat
 
 }  // namespace
 
-EffectKey RegionOrders::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, -1};
+EffectKey RegionOrders::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
 }
 
 RegionOrders::Value RegionOrders::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {

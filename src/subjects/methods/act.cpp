@@ -16,7 +16,7 @@ const MethodsTold& told(const LessonRun& run, const Frame& frame) {
 }
 
 /// The frame after all positions, which sums up.
-bool is_sum(const Frame& frame) { return *frame.steps_over > 1; }
+bool is_sum(const Frame& frame) { return frame.step > 0; }
 
 /// Of all positions up to that of the frame.
 long total(const LessonRun& run, const Frame& frame, Method method) {
@@ -32,9 +32,9 @@ std::string iterations(long count) {
 
 void add_frames(LessonRun& run, int index) {
   const bool is_refused = methods_told(run, index)->is_refused();
-  run.frames.push_back({.run = index, .step = -1, .steps_over = is_refused ? 0 : 1});
+  run.frames.push_back({.run = index, .step = is_refused ? -1 : 0});
   const bool is_last = index + 1 == static_cast<int>(run.runs.size());
-  if (is_last && !is_refused) run.frames.push_back({.run = index, .step = -1, .steps_over = 2});
+  if (is_last && !is_refused) run.frames.push_back({.run = index, .step = 1});
 }
 
 std::string position(const LessonRun& run, int index) {

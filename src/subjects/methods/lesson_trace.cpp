@@ -19,8 +19,7 @@ constexpr std::array<PlaceholderInfo, 1> kValues = {
 
 class Told : public OutlineTrace {
  public:
-  explicit Told(MethodsTold told)
-      : OutlineTrace(kMethodsAlgorithm.name, told.refusal), told_(std::move(told)) {}
+  explicit Told(MethodsTold told) : OutlineTrace(told.refusal), told_(std::move(told)) {}
 
   [[nodiscard]] const MethodsTold& told() const { return told_; }
   [[nodiscard]] int steps() const override { return refusal ? 0 : 1; }
@@ -173,7 +172,8 @@ const Algorithm kMethodsAlgorithm{.name = "methods",
                                   .phases = kPhases,
                                   .answers = kAnswers,
                                   .values = kValues,
-                                  .run = run_methods};
+                                  .run = run_methods,
+                                  .takes_outlines = true};
 
 const MethodsTold* methods_told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;

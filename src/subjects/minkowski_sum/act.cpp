@@ -13,7 +13,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   const Shown shown(run, frame);
   if (question.ask != kAskEdge.name || !shown.is(minkowski_sum::Phase::edge)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
-  return *frame.steps_over - 1;
+  return frame.step;
 }
 
 const Act kAct{

@@ -61,7 +61,7 @@ std::string edge_name(const Lesson& lesson, const Merge& merge, const Corner& fr
 }
 
 SumTrace::SumTrace(std::optional<Refusal> refused, Merge merged)
-    : OutlineTrace("minkowski-sum", refused), merge(std::move(merged)) {}
+    : OutlineTrace(refused), merge(std::move(merged)) {}
 
 StepInfo SumTrace::info(int step) const {
   const Phase phase = merge.steps[static_cast<std::size_t>(step)].phase;
@@ -100,6 +100,7 @@ const Algorithm kMinkowskiSumAlgorithm{.name = "minkowski-sum",
                                        .phases = kPhases,
                                        .answers = kAnswers,
                                        .values = kValues,
-                                       .run = run_sum};
+                                       .run = run_sum,
+                                       .takes_outlines = true};
 
 }  // namespace gjkscope

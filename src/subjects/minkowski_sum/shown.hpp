@@ -17,7 +17,7 @@ struct Shown {
         told(sum_told(run.algorithm_trace(frame))),
         merge(told.merge),
         step(last_step_over(merge.steps, frame)),
-        is_answer(*frame.steps_over > static_cast<int>(merge.steps.size())) {}
+        is_answer(frame.step >= static_cast<int>(merge.steps.size())) {}
 
   const Lesson& lesson;
   const SumTrace& told;

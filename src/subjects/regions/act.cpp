@@ -51,6 +51,7 @@ const Act kTest{
     .add_frames = test_frames,
     .asks = kTestAsks,
     .answering_step = test_answer,
+    .algorithm = &kGjkAlgorithm,
     .knows = test_knows,
     .position = position_in_lesson,
     .tick = test_tick,

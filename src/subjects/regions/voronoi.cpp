@@ -41,8 +41,8 @@ std::vector<HalfPlane> region_of(const std::vector<Vector2d>& points, gjk::Face 
 
 }  // namespace
 
-EffectKey VoronoiRegions::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, -1};
+EffectKey VoronoiRegions::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
 }
 
 VoronoiRegions::Value VoronoiRegions::compute(EffectGraph&, const LessonRun& run,

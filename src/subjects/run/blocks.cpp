@@ -131,7 +131,7 @@ void scan(PanelBuilder& panel) {
   const WideRecord* record = nullptr;
   if (panel.knows.phase == Phase::support) record = &panel.run.step(panel.frame).record;
   if (panel.knows.phase_is(Phase::stop) && panel.knows.support)
-    record = &panel.run.run(panel.frame).trace.steps[panel.frame.step - 1].record;
+    record = &panel.run.run(panel.frame).trace.steps[panel.run.gjk_step(panel.frame) - 1].record;
   const double top = panel.y;
   if (panel.run.point_query()) {
     scan_of(panel, record ? record->scan_y : none, false, panel.left, panel.right,
@@ -159,7 +159,7 @@ namespace {
 
 void bounds(PanelBuilder& panel) {
   panel.write("heading", panel.left, "Distance lies in", type::kHeading);
-  const bool known = panel.frame.step >= 0;
+  const bool known = panel.run.gjk_step(panel.frame) >= 0;
   const DistanceBounds bounds = known ? panel.run.bounds(panel.frame) : DistanceBounds{};
   const double low = bounds.lower;
   const PositionedRun& positioned = panel.run.run(panel.frame);

@@ -8,8 +8,8 @@
 
 namespace gjkscope {
 
-EffectKey DirectionRules::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, -1};
+EffectKey DirectionRules::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
 }
 
 DirectionRules::Value DirectionRules::compute(EffectGraph&, const LessonRun& run,

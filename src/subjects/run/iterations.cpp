@@ -22,6 +22,7 @@ const Act kIteration{
     .follows_run = true,
     .asks = asks::kOfSteps,
     .answering_step = answering_step_of_run,
+    .algorithm = &kGjkAlgorithm,
     .position = position_in_run,
     .tick = tick_of_step,
     .words = captions::step,

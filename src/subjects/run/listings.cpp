@@ -145,7 +145,7 @@ Lines gjk_lines(const LessonRun& run) {
 
 /// A line of a chain of region tests. `has_takes`: other lines say what follows from a test.
 LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_takes) {
-  if (panel.frame.step < 0) return {};
+  if (panel.run.gjk_step(panel.frame) < 0) return {};
   const auto& tests = panel.knows.region_tests;
   for (int i = 0; i <= panel.knows.tests_reached; ++i) {
     if (tests[i].region != *line.region) continue;
@@ -165,7 +165,7 @@ LineView region_line(const PanelBuilder& panel, const CodeLine& line, bool has_t
 }
 
 LineView weights_line(const PanelBuilder& panel) {
-  if (panel.frame.step < 0) return {};
+  if (panel.run.gjk_step(panel.frame) < 0) return {};
   LineView line{panel.knows.gradual && panel.knows.tests_reached < 0 ? State::current
                                                                      : State::past};
   const auto& value = panel.effects.get<BarycentricWeights>(panel.frame);
@@ -183,7 +183,8 @@ void region_chain(PanelBuilder& panel, const Lines& lines, bool has_takes) {
     } else if (line.phase) {
       write_line(panel, line.text, weights_line(panel));
     } else {
-      write_line(panel, line.text, {panel.frame.step < 0 ? State::current : State::idle, {}, {}});
+      write_line(panel, line.text,
+                 {panel.run.gjk_step(panel.frame) < 0 ? State::current : State::idle, {}, {}});
     }
   }
 }
@@ -224,8 +225,9 @@ std::string value_of(const PanelBuilder& panel, const WideStep& step) {
 std::array<const WideStep*, gjk::kPhaseCount> steps_so_far(const PanelBuilder& panel) {
   std::array<const WideStep*, gjk::kPhaseCount> steps = {};
   const auto& all = panel.run.run(panel.frame).trace.steps;
-  for (int i = 0; i <= panel.frame.step; ++i) {
-    if (all[i].iteration == all[panel.frame.step].iteration)
+  const int now = panel.run.gjk_step(panel.frame);
+  for (int i = 0; i <= now; ++i) {
+    if (all[i].iteration == all[now].iteration)
       steps[static_cast<std::size_t>(all[i].phase)] = &all[i];
   }
   return steps;
@@ -239,7 +241,7 @@ void loop(PanelBuilder& panel) {
   // Ten lines leave room for two more blocks when they stand closer than others.
   for (const CodeLine& line : gjk_lines(panel.run)) {
     LineView view;
-    if (first && panel.frame.step < 0) {
+    if (first && panel.run.gjk_step(panel.frame) < 0) {
       view = {State::current, {}, panel.words.face(panel.state.simplex.all())};
     } else if (line.phase && step_of(*line.phase)) {
       const WideStep& step = *step_of(*line.phase);

@@ -20,7 +20,7 @@ int farthest(const std::vector<Vector3d>& vertices, const Vector3d& d) {
 /// The step that chose d, of the frame's iteration; none before it.
 const WideStep* direction_step(const LessonRun& run, const Frame& frame) {
   const std::vector<WideStep>& steps = run.run(frame).trace.steps;
-  for (int i = frame.step; i >= 0; --i) {
+  for (int i = run.gjk_step(frame); i >= 0; --i) {
     const WideStep& step = steps[static_cast<std::size_t>(i)];
     if (step.phase == gjk::Phase::direction) return &step;
     if (step.phase == gjk::Phase::closest) break;
@@ -30,8 +30,8 @@ const WideStep* direction_step(const LessonRun& run, const Frame& frame) {
 
 }  // namespace
 
-EffectKey OtherNormal::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey OtherNormal::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 OtherNormal::Value OtherNormal::compute(EffectGraph& graph, const LessonRun& run,

@@ -25,6 +25,7 @@ const Act kPath{
     .needs = {.path = PathUse::needed},
     .add_frames = path_frames,
     .sweeps = true,
+    .algorithm = &kGjkAlgorithm,
     .position = position_on_path,
     .tick = path_tick,
     .words = captions::step,

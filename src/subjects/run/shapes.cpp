@@ -185,7 +185,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
     }
     scene.outline(corners);
   }
-  const bool has_gjk = scene.run.has_gjk();
+  const bool has_gjk = !scene.run.act->algorithm->takes_outlines;
   const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
   const std::vector<bool> seen = in_sight(scene, vertices);
   std::vector<Named> named(world.size(), world.size() <= kMostLabels ? Named::yes : Named::no);

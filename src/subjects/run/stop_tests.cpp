@@ -79,9 +79,10 @@ void row(PanelBuilder& panel, TestMark mark, const std::string& name, const std:
 
 /// The stop phase that this frame's iteration comes to, or came to; -1 before the first iteration.
 int stop_step(const PanelBuilder& panel) {
-  if (panel.frame.step < 0) return -1;
+  const int now = panel.run.gjk_step(panel.frame);
+  if (now < 0) return -1;
   const auto& steps = panel.run.run(panel.frame).trace.steps;
-  for (int i = panel.frame.step; i < static_cast<int>(steps.size()); ++i) {
+  for (int i = now; i < static_cast<int>(steps.size()); ++i) {
     if (steps[i].phase == gjk::Phase::stop) return i;
     if (steps[i].phase == gjk::Phase::add) return i - 1;
   }
@@ -113,7 +114,7 @@ void nearer(PanelBuilder& panel, bool is_decided, const gjk::StopTest<double>* t
   const std::string name = name_of_test(panel, StopReason::not_nearer);
   const auto& steps = panel.run.run(panel.frame).trace.steps;
   std::vector<double> lengths;  // of this iteration and the one before
-  for (int i = panel.frame.step; i >= 0 && lengths.size() < 2; --i)
+  for (int i = panel.run.gjk_step(panel.frame); i >= 0 && lengths.size() < 2; --i)
     if (steps[i].phase == gjk::Phase::closest) lengths.push_back(std::sqrt(steps[i].after.p_sq));
   if (!is_decided || panel.state.stop == StopReason::origin_inside)
     return row(panel, TestMark::untried, name, "");

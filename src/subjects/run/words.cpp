@@ -415,7 +415,7 @@ void run_values(const Story& story, FrameText& text) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
   const WideResult& result = story.trace.result;
-  const bool running = story.frame.step >= 0;
+  const bool running = story.run.gjk_step(story.frame) >= 0;
   put("x", story.run.lesson.x().name);
   put("y", story.run.lesson.y().name);
   const int iteration = story.frame.question >= 0 ? story.run.answering_iteration(story.frame)

@@ -101,7 +101,7 @@ void scalars(PanelBuilder& panel) {
   const Answer& exact = answers.back();
   const int iteration = panel.run.info(panel.frame).iteration;
   const bool ended = panel.knows.has_ended;
-  const bool started = panel.frame.step >= 0;
+  const bool started = panel.run.gjk_step(panel.frame) >= 0;
   // Lengths are written in a unit that suits the right one, or the first that is not 0.
   double length = 0.0;
   if (started) {

@@ -3,6 +3,17 @@
 #include "subjects/scalars/subject.hpp"
 
 namespace gjkscope {
+namespace {
+
+/// The step of the same iteration and phase.
+const WideStep* same_step(const WideTrace& trace, const WideStep& step) {
+  for (const WideStep& each : trace.steps) {
+    if (each.phase == step.phase && each.iteration == step.iteration) return &each;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
 
@@ -20,7 +31,7 @@ SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Fr
   const std::vector<WideStep>& steps = first.trace.steps;
   for (int i = 0; i < static_cast<int>(steps.size()) && value.parting < 0; ++i) {
     if (steps[i].phase != gjk::Phase::support) continue;
-    const WideStep* beside = step_beside(value, run, {frame.run, i});
+    const WideStep* beside = same_step(value.run.trace, steps[i]);
     if (!beside || beside->after.support.pair != steps[i].after.support.pair) value.parting = i;
   }
   return value;
@@ -28,12 +39,7 @@ SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Fr
 
 const WideStep* step_beside(const SecondRun::Value& second, const LessonRun& run,
                             const Frame& frame) {
-  if (frame.step < 0) return nullptr;
-  const WideStep& step = run.step(frame);
-  for (const WideStep& beside : second.run.trace.steps) {
-    if (beside.phase == step.phase && beside.iteration == step.iteration) return &beside;
-  }
-  return nullptr;
+  return run.gjk_step(frame) < 0 ? nullptr : same_step(second.run.trace, run.step(frame));
 }
 
 const EffectInfo effect_infos::kSecondRun = effect_info<SecondRun>(

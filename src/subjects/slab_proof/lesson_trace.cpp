@@ -49,7 +49,7 @@ std::string vertex_name(const Lesson& lesson, const Reach& reach) {
 }
 
 SlabTrace::SlabTrace(std::optional<Refusal> refused, Descent descended)
-    : OutlineTrace("slab-proof", refused), descent(std::move(descended)) {}
+    : OutlineTrace(refused), descent(std::move(descended)) {}
 
 StepInfo SlabTrace::info(int index) const {
   const Step& step = descent.steps[static_cast<std::size_t>(index)];
@@ -97,6 +97,7 @@ const Algorithm kSlabProofAlgorithm{.name = "slab-proof",
                                     .answers = kAnswers,
                                     .values = kValues,
                                     .run = run_slab,
+                                    .takes_outlines = true,
                                     .stops = kStops};
 
 }  // namespace gjkscope

@@ -16,7 +16,7 @@ struct Shown {
       : lesson(run.lesson),
         told(slab_told(run.algorithm_trace(frame))),
         step(last_step_over(told.descent.steps, frame)),
-        is_answer(*frame.steps_over > told.steps()) {}
+        is_answer(frame.step >= told.steps()) {}
 
   const Lesson& lesson;
   const SlabTrace& told;

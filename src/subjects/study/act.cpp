@@ -101,6 +101,7 @@ const Act kStudy{
     .add_frames = study_frames,
     .asks = kStudyAsks,
     .answering_step = study_answer,
+    .algorithm = &kGjkAlgorithm,
     .position = position_in_lesson,
     .tick = study_tick,
     .words = captions::study,

@@ -83,6 +83,7 @@ const Act kSupport{
     .add_frames = support_frames,
     .asks = kSupportAsks,
     .answering_step = support_answer,
+    .algorithm = &kGjkAlgorithm,
     .knows = support_knows,
     .position = support_position,
     .tick = support_tick,

@@ -4,13 +4,13 @@
 
 namespace gjkscope {
 
-EffectKey BestSupport::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, -1};
+EffectKey BestSupport::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
 }
 
 BestSupport::Value BestSupport::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   Value widest;
-  for (int i = 0; i <= frame.step; ++i) {
+  for (int i = 0; i <= run.gjk_step(frame); ++i) {
     const WideStep& step = run.run(frame).trace.steps[i];
     const WideState& state = step.after;
     if (step.phase != gjk::Phase::support || !(state.d.norm() > 0.0)) continue;

@@ -7,8 +7,8 @@
 
 namespace gjkscope {
 
-EffectKey TouchedPoints::key(const LessonRun&, const Frame& frame) {
-  return {frame.run, frame.step, frame.part};
+EffectKey TouchedPoints::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
 TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun& run,

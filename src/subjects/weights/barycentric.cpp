@@ -1,5 +1,6 @@
 #include "subjects/weights/barycentric.hpp"
 
+#include "run/questions.hpp"
 #include "run/scalar.hpp"
 #include "run/widen.hpp"
 #include "subjects/weights/subject.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 /// The last closest-point step up to the frame's: its simplex still has all vertices.
 int closest_step(const LessonRun& run, const Frame& frame) {
-  int step = frame.step;
+  int step = run.gjk_step(frame);
   while (step > 0 && run.run(frame).trace.steps[step].phase != gjk::Phase::closest) --step;
   return step;
 }
@@ -23,7 +24,7 @@ EffectKey BarycentricWeights::key(const LessonRun& run, const Frame& frame) {
 BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const LessonRun& run,
                                                       const Frame& frame) {
   Value value;
-  value.simplex = run.state({frame.run, closest_step(run, frame)}).simplex;
+  value.simplex = state_before(run.run(frame).trace, closest_step(run, frame) + 1).simplex;
   if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
     const gjk::Simplex<S, 2> simplex =
