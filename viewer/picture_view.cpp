@@ -333,27 +333,17 @@ void PictureView::let_go() {
 
 void PictureView::double_click(const Point& page) {
   const std::optional<std::size_t> view = hand_.view_at(page);
-  if (!view || session_.views()[*view].kind != ViewKind::world) return;
-  if (is_vertex(hovered_)) return;
-  const Vector2d at = hand_.to_view(*view, page);
-  const LessonPictures::ShownView shown = session_.views()[*view];
-  const double reach = 2.0 * Hand::kSlack * shown.camera.height / shown.card.size().y();
-  const PositionedRun& run = session_.run().run(session_.frame());
-  const Lesson& shapes = session_.lesson();
-  const auto of_x = edit::nearest_edge(in_plane(run.x().world), shapes.x().ranges(), at);
-  const auto of_y = edit::nearest_edge(in_plane(run.y().world), shapes.y().ranges(), at);
-  const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
-  const auto& edge = is_x ? of_x : of_y;
-  if (!edge || edge->distance > reach) return session_.fit();
-  const std::size_t body = is_x ? 0 : 1;
-  if (shapes.bodies[body].vertices.size() >= edit::kMostEditable)
-    return app_.say(fmt::format("shapes of {} vertices and more are not edited vertex by vertex",
-                                edit::kMostEditable));
+  if (!view || session_.views()[*view].kind != ViewKind::world || is_vertex(hovered_)) return;
+  const std::optional<Hand::NewVertex> added = hand_.vertex_to_add(page, app_.snaps());
+  if (!added) return session_.fit();
   Lesson lesson = session_.lesson();
-  const int index = edit::insert_vertex(lesson, body, edge->edge, run.bodies[body].placement,
-                                        snapped(at, grid(*view)));
+  if (lesson.bodies[added->body].vertices.size() >= edit::kMostEditable)
+    return app_.say(edit::too_many_to_edit());
+  const int index = edit::insert_vertex(
+      lesson, added->body, added->edge,
+      session_.run().run(session_.frame()).bodies[added->body].placement, added->at);
   if (!app_.edit("add a vertex", std::move(lesson))) return;
-  hand_.selected = vertex_of(body, index);
+  hand_.selected = vertex_of(added->body, index);
 }
 
 void PictureView::zoom(std::size_t view, const Point& page, double factor) {

@@ -66,6 +66,11 @@ function onMove(event) {
   }
 }
 
+/** A double click beside an edge adds a vertex. */
+function onDoubleClick(event) {
+  act({ do: "add", ...placeOf(event), ...(snaps !== event.shiftKey && { snaps: true }) });
+}
+
 function toggleSnaps() {
   snaps = !snaps;
   tell(snaps ? "Drags go to round numbers." : "Drags go anywhere.");

@@ -35,6 +35,7 @@ function connect() {
   stage.onpointerdown = onDown;
   stage.onpointermove = onMove;
   stage.onpointerleave = onLeave;
+  stage.ondblclick = onDoubleClick;
   stage.onpointerup = stage.onpointercancel = onUp;
   // Only this keeps a page from scrolling under a finger that drags.
   stage.addEventListener("touchstart", (event) => held?.drags && event.preventDefault(), { passive: false });

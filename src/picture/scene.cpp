@@ -232,4 +232,31 @@ Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
   return camera;
 }
 
+void SceneBuilder::search_arrow(const Point& from, const Eigen::Vector3d& d, double length,
+                                const std::string& text) {
+  if (!(d.norm() > 0.0)) return;
+  const Point along = map.direction(d);
+  const Point tip = from + length * along;
+  arrow("direction", from, tip);
+  // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
+  constexpr double kNamed = 0.6;  // of the arrow
+  out.moving_labels.push_back(label("arrow:" + text, text, "direction.label", type::kVertex,
+                                    from + kNamed * (tip - from), 0.0,
+                                    Point(along.y(), -along.x())));
+}
+
+void SceneBuilder::support_line(const Point& through, const Eigen::Vector3d& d,
+                                const std::string& role) {
+  const Point across = map.area().size().norm() * map.direction(Eigen::Vector2d(d.y(), -d.x()));
+  line(role, through - across, through + across);
+}
+
+void SceneBuilder::length_label(const std::string& id, double length, const Point& from,
+                                const Point& to) {
+  if ((to - from).norm() < 1.0) return;
+  out.moving_labels.push_back(label(id, Numbers(run.lesson)(length), "distance.label",
+                                    type::kSmallVertex, 0.5 * (from + to), 2.0,
+                                    Point(from.y() - to.y(), to.x() - from.x())));
+}
+
 }  // namespace gjkscope

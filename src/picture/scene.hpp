@@ -164,6 +164,14 @@ struct SceneBuilder {
   }
   /// Of a search direction that starts at `p`, a point of the difference.
   [[nodiscard]] double arrow_length(const Eigen::Vector3d& p) const;
+  /// An arrow along d, and its name.
+  void search_arrow(const Point& from, const Eigen::Vector3d& d, double length,
+                    const std::string& text);
+  /// The line through a point, normal to d.
+  void support_line(const Point& through, const Eigen::Vector3d& d,
+                    const std::string& role = "support.plane");
+  /// A length beside the line that it is the length of; none within a pixel.
+  void length_label(const std::string& id, double length, const Point& from, const Point& to);
 
   [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }
   /// Elsewhere frames are about the vertices that P needs.

@@ -31,6 +31,12 @@ std::string Story::p_is() const {
   return "P = " + words.combination(state.region, numbers);
 }
 
+std::string Story::closest_features() const {
+  const WideSimplex& simplex = trace.result.simplex;
+  return fmt::format("{} of {} and {} of {}", feature_name(run, simplex, true), run.lesson.x().name,
+                     feature_name(run, simplex, false), run.lesson.y().name);
+}
+
 std::string Story::edge_name(gjk::Face face) const {
   return run.point_query() ? words.face(face) : "the " + words.kind_and_face(face);
 }

@@ -24,6 +24,8 @@ struct Story {
   [[nodiscard]] std::string simplex_name() const;
   /// "P = 0.3 B + 0.7 C"
   [[nodiscard]] std::string p_is() const;
+  /// "vertex K of Y and edge CD of X": those whose differences hold P at the end of a run.
+  [[nodiscard]] std::string closest_features() const;
   [[nodiscard]] std::string edge_name(gjk::Face face) const;
   [[nodiscard]] std::string edge_words() const { return edge_name(state.simplex.all()); }
   [[nodiscard]] std::string weight(const gjk::RegionTerm<double>& term) const;

@@ -28,10 +28,11 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   facts.support = facts.phase_is(Phase::support) ||
                   (facts.phase_is(Phase::stop) && steps[at - 1].phase == Phase::support);
   facts.whole_support = facts.support;
+  facts.has_ended = step.after.stop != gjk::StopReason::running;
+  facts.distance = facts.has_ended;
   if (frame.part >= 0 && run.act->knows != nullptr) run.act->knows(frame, facts);
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;
   facts.direction = facts.phase_is(Phase::direction) || facts.support;
-  facts.has_ended = step.after.stop != gjk::StopReason::running;
   facts.support_calls = static_cast<int>(
       std::count_if(steps.begin(), steps.begin() + facts.steps_over,
                     [](const auto& each) { return each.phase == Phase::support; }));

@@ -15,6 +15,7 @@ struct KnownFacts {
   bool support = false;             ///< The support point along d.
   bool whole_support = false;       ///< The same, and the frame has put it together.
   bool has_ended = false;           ///< The step ends the run.
+  bool distance = false;            ///< The answer, the length between the closest points.
   std::span<const gjk::RegionTest<double>> region_tests;  ///< Of a closest-point step.
   bool gradual = false;                                   ///< Frames show them one by one.
   int tests_reached = -1;                                 ///< Index of the last one shown.

@@ -134,6 +134,23 @@ std::vector<Mark> Hand::handle_marks() const {
           {"handle.arrow", turning_arrow(*at, 0.5 * kHandleRadius), -1, selected}};
 }
 
+std::optional<Hand::NewVertex> Hand::vertex_to_add(const Point& page, bool snaps) const {
+  const std::optional<std::size_t> view = view_at(page);
+  if (!view || session_.views()[*view].kind != ViewKind::world) return std::nullopt;
+  const Vector2d at = to_view(*view, page);
+  const LessonPictures::ShownView shown = session_.views()[*view];
+  const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
+  const PositionedRun& run = session_.run().run(session_.frame());
+  const Lesson& shapes = session_.lesson();
+  const auto of_x = edit::nearest_edge(in_plane(run.x().world), shapes.x().ranges(), at);
+  const auto of_y = edit::nearest_edge(in_plane(run.y().world), shapes.y().ranges(), at);
+  const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
+  const auto& edge = is_x ? of_x : of_y;
+  if (!edge || edge->distance > reach) return std::nullopt;
+  const Vector2d grid = snaps ? round_step(*view) : Vector2d::Zero();
+  return NewVertex{is_x ? std::size_t{0} : 1, edge->edge, snapped(at, grid)};
+}
+
 bool Hand::press(const Subject& subject, const Point& page, double handle_slack) {
   release();
   const std::optional<std::size_t> view = view_at(page);

@@ -39,6 +39,16 @@ class Hand {
   [[nodiscard]] bool is_on_handle(const Point& page, double slack = kSlack) const;
   [[nodiscard]] std::vector<Mark> handle_marks() const;
 
+  // A new vertex
+
+  struct NewVertex {
+    std::size_t body = 0;
+    int edge = 0;        ///< It comes after this vertex.
+    Eigen::Vector2d at;  ///< In the world.
+  };
+  /// The one that a double click adds beside an edge of X or Y in the world; nothing elsewhere.
+  [[nodiscard]] std::optional<NewVertex> vertex_to_add(const Point& page, bool snaps) const;
+
   // Drags
 
   /// Takes the handle if it is there, else the subject, and selects that if it is a vertex or a

@@ -105,6 +105,7 @@ std::string Player::answer(std::string_view request) {
       {"release", [](Player& p, const Asked&) { p.let_go(false); }},
       {"cancel", [](Player& p, const Asked&) { p.let_go(true); }},
       {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
+      {"add", [](Player& p, const Asked& a) { p.add_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
       {"undo", [](Player& p, const Asked&) { p.session_.undo(Session::Cameras::as_then); }},
@@ -345,6 +346,20 @@ void Player::put_vertex(const Asked& asked) {
       vertex[axis] = coordinate(asked.text(key), fmt::format("{} of {}", key, name));
   }
   change("type a value", lesson);
+}
+
+/// What a double click does: beside an edge it adds a vertex, elsewhere nothing.
+void Player::add_vertex(const Asked& asked) {
+  const auto added = hand_.vertex_to_add(asked.point(), asked.json.contains("snaps"));
+  if (!added || is_vertex(hand_.subject_at(asked.point()))) return;
+  Lesson lesson = session_.lesson();
+  if (lesson.bodies[added->body].vertices.size() >= edit::kMostEditable)
+    throw std::runtime_error(edit::too_many_to_edit());
+  const int index = edit::insert_vertex(
+      lesson, added->body, added->edge,
+      session_.run().run(session_.frame()).bodies[added->body].placement, added->at);
+  change("add a vertex", lesson);
+  hand_.selected = vertex_of(added->body, index);
 }
 
 /// Moves a vertex, or the shape where `index` is -1, by pixels of the first view of the world: what

@@ -42,6 +42,7 @@ class Player {
   void press(const Point& at, bool by_finger);
   void let_go(bool as_it_was);
   void put_vertex(const Asked& asked);
+  void add_vertex(const Asked& asked);
   void nudge(const Asked& asked);
   void set_numerics(const Asked& asked);
   [[nodiscard]] std::string linked(const Point& at);

@@ -229,8 +229,16 @@ std::string Player::panel_svg(const Theme& theme) {
                 "Pseudocode and values: " + values);
 }
 
-/// The stage with the handle that turns the selected shape.
+/// The stage with a ring around the selected vertex, or the handle that turns the selected shape.
 std::string Player::stage_svg(Picture stage) const {
+  constexpr double kAround = 7.0;
+  const std::size_t count = is_vertex(hand_.selected) ? stage.marks.size() : 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Disk* disk = std::get_if<Disk>(&stage.marks[i].shape);
+    if (disk == nullptr || stage.marks[i].subject != hand_.selected) continue;
+    const Disk ring{disk->center, disk->radius + kAround};
+    stage.marks.push_back({"selected", ring, stage.marks[i].clip, {}});
+  }
   for (Mark& mark : hand_.handle_marks()) stage.marks.push_back(std::move(mark));
   return to_svg(stage, fonts_, theme_, alternative_text(session_.text()));
 }

@@ -6,7 +6,7 @@
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
 #include "run/facts.hpp"
-#include "subjects/regions/subject.hpp"
+#include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {

@@ -12,8 +12,8 @@
 #include "lessons.hpp"
 #include "picture/text_box.hpp"
 #include "run/facts.hpp"
+#include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
-#include "subjects/support/subject.hpp"
 
 namespace gjkscope {
 namespace linked_test {

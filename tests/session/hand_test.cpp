@@ -55,6 +55,20 @@ TEST_F(HandTest, PlacesOfAViewAndOfThePageAreTheSame) {
   EXPECT_FALSE(hand.view_at({-1.0, -1.0}));
 }
 
+TEST_F(HandTest, BesideAnEdgeThereIsAVertexToAdd) {
+  open("polygons-gjk");
+  const std::vector<Eigen::Vector3d>& world = session.run().run(session.frame()).y().world;
+  const Vector2d middle = 0.5 * (in_plane(world[0]) + in_plane(world[1]));
+  const auto added = hand.vertex_to_add(at(middle), false);
+  ASSERT_TRUE(added);
+  EXPECT_EQ(added->body, 1u);
+  EXPECT_EQ(added->edge, 0);
+  EXPECT_LT((added->at - middle).norm(), 1e-9);
+  EXPECT_FALSE(hand.vertex_to_add(at(middle_of_y()), false)) << "far from all edges";
+  EXPECT_FALSE(hand.vertex_to_add(at(middle, 1), false))
+      << "the difference has no edges of its own";
+}
+
 TEST_F(HandTest, AVertexGoesWhereTheHandGoes) {
   open("polygons-gjk");
   const std::vector<Vector2d> before = y();

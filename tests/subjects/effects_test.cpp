@@ -14,11 +14,11 @@
 #include "subjects/run/direction_rules.hpp"
 #include "subjects/run/history.hpp"
 #include "subjects/run/other_normal.hpp"
+#include "subjects/run/subject.hpp"
 #include "subjects/scalars/every_scalar.hpp"
 #include "subjects/scalars/second_run.hpp"
 #include "subjects/shape_hull/shape_hull.hpp"
 #include "subjects/subjects.hpp"
-#include "subjects/support/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope {

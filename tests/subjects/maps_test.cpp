@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "subjects/maps/region_orders.hpp"
-#include "subjects/maps/sign_map.hpp"
+#include "subjects/regions/region_orders.hpp"
+#include "subjects/regions/sign_map.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/weights/barycentric.hpp"
 

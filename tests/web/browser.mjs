@@ -337,6 +337,20 @@ action("the handle of a selected shape turns it, and goes when another place is 
   await close(page);
 });
 
+action("a double click beside an edge adds a vertex there, with a ring around it", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=17"));
+  await toMiddle(page, "y 0");
+  const before = await state(page);
+  const [from, to] = [await vertex(page, "y 0"), await vertex(page, "y 1")];
+  await page.mouse.dblclick((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
+  await rest(page);
+  const after = await state(page);
+  assert.equal(await page.evaluate(() => state.undo), "add a vertex");
+  assert.equal(after.shapes.y.vertices.length, before.shapes.y.vertices.length + 1);
+  assert.ok(await page.locator('#stage [data-mark="selected"]').count() > 0);
+  await close(page);
+});
+
 action("Shift holds a drag to round numbers, and G does it for all", async (visit) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
   const short = async () => (await state(page)).shapes.y.vertices[0].slice(0, 2).every((each) => each.length <= 5);

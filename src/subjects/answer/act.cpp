@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "run/facts.hpp"
 #include "subjects/answer/subject.hpp"
 
 namespace gjkscope::acts {
@@ -37,6 +38,10 @@ Tick witness_tick(const LessonRun& run, const Frame& frame) {
           .event = *part == distance};
 }
 
+void witness_knows(const Frame& frame, KnownFacts& facts) {
+  facts.distance = facts.has_ended && frame.part == static_cast<int>(WitnessPart::distance);
+}
+
 }  // namespace
 
 const Act kWitness{
@@ -47,6 +52,7 @@ const Act kWitness{
     .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
     .add_frames = witness_frames,
     .algorithm = &kGjkAlgorithm,
+    .knows = witness_knows,
     .position = witness_position,
     .tick = witness_tick,
     .words = captions::witness,

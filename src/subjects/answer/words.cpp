@@ -14,13 +14,6 @@ namespace gjkscope::captions {
 
 using Eigen::Vector2d;
 
-std::string closest_features(const Story& story) {
-  const WideSimplex& simplex = story.trace.result.simplex;
-  const Lesson& lesson = story.run.lesson;
-  return fmt::format("{} of {} and {} of {}", feature_name(story.run, simplex, true),
-                     lesson.x().name, feature_name(story.run, simplex, false), lesson.y().name);
-}
-
 namespace {
 
 /// Where P lies on Z.
@@ -77,7 +70,7 @@ void warm_start(const Story& story, FrameText& text) {
         starts, count);
   }
   text.detail = result.distance > 0.0
-                    ? fmt::format("Closest are {}, {} apart.", closest_features(story),
+                    ? fmt::format("Closest are {}, {} apart.", story.closest_features(),
                                   story.numbers(result.distance))
                     : fmt::format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
                                   story.run.lesson.y().name);
@@ -206,7 +199,8 @@ void answer(const Story& story, FrameText& text) {
       "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
       is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,
       story.numbers(story.trace.result.distance));
-  text.detail = fmt::format("Closest are {}, so P {}.", closest_features(story), place_of_p(story));
+  text.detail =
+      fmt::format("Closest are {}, so P {}.", story.closest_features(), place_of_p(story));
 }
 
 void witness(const Story& story, FrameText& text) {
@@ -239,7 +233,7 @@ void witness(const Story& story, FrameText& text) {
                       story.numbers.point(result.y), story.numbers.point(result.x),
                       story.numbers.point(result.y - result.x), story.numbers(result.distance));
       text.detail = fmt::format("Closest are {}: the two letters of each difference say which.",
-                                closest_features(story));
+                                story.closest_features());
   }
 }
 

@@ -55,7 +55,7 @@ void pair_line(SceneBuilder& scene, const std::string& role, const std::string& 
   const Point y = scene.at(run.y);
   scene.line(role, x, y);
   for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
-  layers::length_label(scene, id, run.distance, x, y);
+  scene.length_label(id, run.distance, x, y);
 }
 
 void box(SceneBuilder& scene, const std::vector<Vector2d>& points) {

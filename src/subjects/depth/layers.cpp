@@ -55,12 +55,12 @@ void nearest(SceneBuilder& scene, const Shown& shown) {
   const Vector2d touching = foot(shown.state, shown.state.edge);
   const double radius = (scene.at(touching) - scene.at(Vector2d::Zero())).norm();
   if (radius > kOriginRadius) scene.disk("depth.inside", scene.at(Vector2d::Zero()), radius);
-  layers::search_arrow(scene, scene.at(touching), in_space(shown.state.n), kShortArrow + 18.0, "n");
+  scene.search_arrow(scene.at(touching), in_space(shown.state.n), kShortArrow + 18.0, "n");
 }
 
 void in_difference(SceneBuilder& scene, const Shown& shown) {
   if (shown.knows_support())
-    layers::support_line(scene, scene.at(shown.state.support.w), in_space(shown.state.n));
+    scene.support_line(scene.at(shown.state.support.w), in_space(shown.state.n));
   polygon(scene, shown);
   if (shown.is_answer) {
     const Vector2d t = shown.trace.result.translation;
@@ -104,10 +104,10 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
     }
   }
   if (!shown.knows_support()) return;
-  layers::search_arrow(scene, scene.at(scene.vertex_of_y(in_space(shown.state.support))),
-                       in_space(shown.state.n), kOutwardArrow, "n");
-  layers::search_arrow(scene, scene.at(scene.vertex_of_x(in_space(shown.state.support))),
-                       in_space(Vector2d(-shown.state.n)), kOutwardArrow, "−n");
+  scene.search_arrow(scene.at(scene.vertex_of_y(in_space(shown.state.support))),
+                     in_space(shown.state.n), kOutwardArrow, "n");
+  scene.search_arrow(scene.at(scene.vertex_of_x(in_space(shown.state.support))),
+                     in_space(Vector2d(-shown.state.n)), kOutwardArrow, "−n");
   scene.simplex_vertex(in_space(shown.state.support), "support");
 }
 

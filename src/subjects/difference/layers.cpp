@@ -7,8 +7,6 @@
 #include "subjects/difference/act.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/difference/subject.hpp"
-#include "subjects/run/subject.hpp"
-#include "subjects/support/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -25,7 +23,8 @@ void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
 
 /// Z is what GJK does without while a run is followed, and known once it is built.
 bool hull_is_ghost(const SceneBuilder& scene) {
-  return scene.run.act->follows_run || support_part(scene.run, scene.frame).has_value();
+  const bool is_part_of_search = scene.frame.part >= 0 && scene.knows.phase_is(gjk::Phase::support);
+  return scene.run.act->follows_run || is_part_of_search;
 }
 
 /// Disks of the differences: smaller where they stand close together. A dense cloud has one disk in
@@ -219,7 +218,7 @@ void shortest_difference(SceneBuilder& scene) {
   scene.line("closest.line", from, to);
   if (in_world) scene.disk("closest", from, kClosestRadius);
   scene.disk("closest", to, kClosestRadius);
-  if (result.distance > 0.0) length_label(scene, "distance", result.distance, from, to);
+  if (result.distance > 0.0) scene.length_label("distance", result.distance, from, to);
 }
 
 void newest_pair(SceneBuilder& scene, gjk::VertexPair pair) {

@@ -35,7 +35,7 @@ void example(SceneBuilder& scene, const Shown& shown) {
   const Point y = map(sample.answer.b);
   scene.line("closest.line", x, y);
   for (const Point& point : {x, y}) scene.disk("closest", point, kClosestRadius);
-  layers::length_label(scene, "distance", sample.answer.distance, x, y);
+  scene.length_label("distance", sample.answer.distance, x, y);
 }
 
 PlotSeries series(const Shown& shown, PlotStyle style, std::string name, double Sample::*counted) {

@@ -153,7 +153,7 @@ class Stage {
   void gap() {
     const auto [of_x, of_y] = gap_of(shown_.node(true).volume, shown_.node(false).volume);
     scene_.line("gap.exact", scene_.at(of_x), scene_.at(of_y));
-    layers::length_label(scene_, "gap", shown_.state.pair.bound, scene_.at(of_x), scene_.at(of_y));
+    scene_.length_label("gap", shown_.state.pair.bound, scene_.at(of_x), scene_.at(of_y));
   }
 
   void children() {

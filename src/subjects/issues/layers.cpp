@@ -33,7 +33,7 @@ void issue(SceneBuilder& scene) {
   stage_step(scene);
   const NumericalIssue::Value& issue = scene.effects.get<NumericalIssue>(scene.frame);
   if (scene.frame.step >= 0 && issue.kind == NumericalIssue::Kind::direction)
-    search_arrow(scene, scene.at_difference(state.p), state.d, sizes::kShortArrow, "d");
+    scene.search_arrow(scene.at_difference(state.p), state.d, sizes::kShortArrow, "d");
 }
 
 }  // namespace gjkscope::layers

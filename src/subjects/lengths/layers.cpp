@@ -11,7 +11,7 @@
 #include "run/facts.hpp"
 #include "subjects/lengths/measured.hpp"
 #include "subjects/lengths/subject.hpp"
-#include "subjects/support/subject.hpp"
+#include "subjects/run/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {

@@ -67,7 +67,7 @@ void stage(SceneBuilder& scene) {
     const Point of_y = scene.at(shown.walk.truth->b);
     scene.line("gap.exact", of_x, of_y);
     for (const Point& point : {of_x, of_y}) scene.disk("closest", point, kClosestRadius);
-    layers::length_label(scene, "truth", shown.walk.truth->distance, of_x, of_y);
+    scene.length_label("truth", shown.walk.truth->distance, of_x, of_y);
   }
   const models::Answer closest = shown.closest();
   const Point x = scene.at(closest.a);
@@ -85,7 +85,7 @@ void stage(SceneBuilder& scene) {
     name("x", x, y);
     name("y", y, x);
   }
-  layers::length_label(scene, "distance", closest.distance, x, y);
+  scene.length_label("distance", closest.distance, x, y);
 }
 
 }  // namespace gjkscope::walks

@@ -152,7 +152,7 @@ void stage(SceneBuilder& scene) {
   const Point y = scene.at(at.answer.b);
   scene.line("closest.line", x, y);
   for (const Point& point : {x, y}) scene.disk("closest", point, sizes::kClosestRadius);
-  layers::length_label(scene, "distance", at.answer.distance, x, y);
+  scene.length_label("distance", at.answer.distance, x, y);
 }
 
 /// What each method counts, position by position.

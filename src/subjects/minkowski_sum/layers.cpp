@@ -98,8 +98,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     const Vector2d way = way_of(shown, merge.corners[index], source);
     scene.line(role_of(source), scene.at(from), scene.at(from + way));
     if (is_separating)
-      layers::support_line(scene, scene.at(from), in_space(Vector2d(way.y(), -way.x())),
-                           "slab.side");
+      scene.support_line(scene.at(from), in_space(Vector2d(way.y(), -way.x())), "slab.side");
   }
   for (int i = 0; i < std::min(shown.edges() + 1, static_cast<int>(merge.corners.size())); ++i)
     corner_mark(merge.corners[static_cast<std::size_t>(i)]);

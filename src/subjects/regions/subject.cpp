@@ -5,10 +5,12 @@
 namespace gjkscope {
 
 const SubjectParts subjects::regions{
-    .acts = {&acts::kTest},
-    .blocks = {&blocks::kTests, &blocks::kRegions},
-    .layers = {&layers::kRegions},
-    .effects = {&effect_infos::kVoronoiRegions},
+    .acts = {&acts::kMaps, &acts::kOrders},
+    .blocks = {&blocks::kSigns, &blocks::kOrders},
+    .layers = {&layers::kRegions, &layers::kSigns, &layers::kMapDifference, &layers::kShortTest,
+               &layers::kWrongPoint},
+    .effects = {&effect_infos::kVoronoiRegions, &effect_infos::kRegionOrders,
+                &effect_infos::kSignMap, &effect_infos::kMapDifference},
 };
 
 }  // namespace gjkscope

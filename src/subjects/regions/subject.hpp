@@ -1,5 +1,6 @@
 #pragma once
-// Voronoi regions, and the region tests one by one: what the files of this folder define.
+// Voronoi regions, the other map of the plane around a triangle, and the order of region tests:
+// what the files of this folder define.
 
 #include "picture/act.hpp"
 #include "picture/block.hpp"
@@ -8,42 +9,36 @@
 
 namespace gjkscope {
 
-/// The number of region tests of a closest-point step that have been tried; 0: its numbers are
-/// shown.
-[[nodiscard]] std::optional<int> tried_tests(const LessonRun& run, const Frame& frame);
-
 namespace acts {
-extern const Act kTest;
+extern const Act kMaps;
+extern const Act kOrders;
 }  // namespace acts
 
 namespace blocks {
-
-extern const Block kTests;
-extern const Block kRegions;
-
-/// `misleads`: a test that holds, and takes the wrong point.
-enum class TestMark { untried, fails, holds, misleads };
-/// At the left of the current row.
-void test_mark(PanelBuilder& panel, TestMark mark);
-/// One row of a chain of tests: mark, region, condition and numbers.
-void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
-              const std::string& condition, const std::string& values);
-
+extern const Block kSigns;
+extern const Block kOrders;
 }  // namespace blocks
 
 namespace layers {
 extern const Layer kRegions;
+extern const Layer kSigns;
+extern const Layer kMapDifference;
+extern const Layer kShortTest;
+extern const Layer kWrongPoint;
 }  // namespace layers
 
 namespace captions {
 
-void closest(const Story& story, FrameText& text);
-void region_test(const Story& story, FrameText& text);
+void maps(const Story& story, FrameText& text);
+void orders(const Story& story, FrameText& text);
 
 }  // namespace captions
 
 namespace effect_infos {
 extern const EffectInfo kVoronoiRegions;
+extern const EffectInfo kRegionOrders;
+extern const EffectInfo kSignMap;
+extern const EffectInfo kMapDifference;
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -3,312 +3,158 @@
 #include <algorithm>
 
 #include "picture/story.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
-#include "subjects/weights/projection.hpp"
-#include "subjects/weights/subject.hpp"
 
 namespace gjkscope::captions {
 namespace {
 
-/// True in lessons on the region tests. Elsewhere weights are those of P.
-bool names_coordinates(const Story& story) {
-  const Lesson& lesson = story.run.lesson;
-  return story.run.point_query() &&
-         (lesson.has_block(blocks::kTests.name) || lesson.has_block(blocks::kWeights.name));
+std::string feature(const Story& story, gjk::Face face) {
+  return gjk::vertex_count(face) == 3 ? "the interior" : story.words.kind_and_face(face);
 }
 
-std::string region_reason(const Story& story) {
-  const gjk::Face face = story.state.region;
-  const WideSimplex& simplex = story.state.simplex;
-  const gjk::RegionTest<double>* won = nullptr;
-  for (const auto& test : story.knows.region_tests) {
-    if (test.holds) won = &test;
+/// Vertices of positive weight: what the signs alone would take for the closest feature.
+gjk::Face by_signs(const Story& story) {
+  const std::vector<double>& weights = story.effects.get<BarycentricWeights>(story.frame).weights;
+  gjk::Face face = 0;
+  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+    if (weights[i] > 0.0) face = static_cast<gjk::Face>(face | gjk::face_of(i));
   }
-  if (simplex.count == 1)
-    return fmt::format("S is the single point {0}, so P = {0}.", story.words.vertex(0));
-  if (!won)
-    return fmt::format("Rounding makes every test false. The nearest candidate is the {}.",
-                       story.words.kind_and_face(face));
-  if (gjk::vertex_count(face) == 3)
-    return fmt::format("{} lies inside {}: all three weights are positive.", story.q,
-                       story.words.face(face));
-  if (gjk::vertex_count(face) == 1) {
-    const std::string vertex = story.words.face(face);
-    if (simplex.count == 2) {
-      const gjk::RegionTerm<double>& term = won->terms[0];
-      return fmt::format(
-          "{} lies in the Voronoi region of {}: the weight of {} is {}, not positive.", story.q,
-          vertex, story.words.vertex(term.vertex), story.weight(term));
-    }
-    const std::vector<gjk::RegionTerm<double>> terms = story.words.terms(*won);
-    return fmt::format(
-        "{0} lies in the Voronoi region of {1}: on the lines of both edges at {1} it projects "
-        "beyond "
-        "{1} ({2} = {3}, {4} = {5}).",
-        story.q, vertex, story.words.coordinate(terms[0].face, terms[0].vertex),
-        story.weight(terms[0]), story.words.coordinate(terms[1].face, terms[1].vertex),
-        story.weight(terms[1]));
-  }
-  if (simplex.count == 2)
-    return fmt::format("{} projects between the ends of {}: both weights are positive.", story.q,
-                       story.edge_name(face));
-  for (const gjk::RegionTerm<double>& term : won->terms) {
-    if (term.wants_positive) continue;
-    if (term.denominator == 0.0) {
-      return fmt::format(
-          "{} lies in the region of {}: {} has area 0 and no weights, so no point lies inside. {} "
-          "projects onto {}.",
-          story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
-          story.edge_name(face));
-    }
-    if (term.numerator == 0.0) {
-      return fmt::format(
-          "{} lies on {}: {} has weight 0 in the triangle, the other two are positive.", story.q,
-          story.edge_name(face), story.words.vertex(term.vertex));
-    }
-    if (names_coordinates(story)) {
-      const std::vector<int> ends = story.words.order(face);
-      return fmt::format(
-          "{0} lies in the region of {1}: it lies beyond {1}, since {2} = {3} < 0, and "
-          "projects between {4} and {5}.",
-          story.q, story.edge_name(face), story.words.coordinate(term.face, term.vertex),
-          story.weight(term), story.words.vertex(ends[0]), story.words.vertex(ends[1]));
-    }
-    const std::vector<int> ends = story.words.order(face);
-    return fmt::format(
-        "{} lies beyond {}, seen from {} (area fraction {} < 0), and projects between {}.", story.q,
-        story.edge_name(face), story.words.vertex(term.vertex), story.weight(term),
-        story.run.point_query()
-            ? fmt::format("{} and {}", story.words.vertex(ends[0]), story.words.vertex(ends[1]))
-            : "its ends");
-  }
-  return {};
+  return face;
 }
 
-/// A lesson that shows the areas is told by them.
-bool tells_areas(const Story& story) {
-  return story.state.simplex.count == 3 && story.run.act->sweeps &&
-         story.shows(BarycentricParts::kName);
-}
-
-/// "QCA", "QCA and QAB": the parts whose weights have this sign.
-std::string parts_of(const Story& story, const gjk::Barycentric<double, 2>& coordinates,
-                     bool negative) {
+/// "w = −0.2 alone is negative", "u = −0.1 and w = −0.2 are negative".
+std::string negatives(const Story& story) {
+  const std::vector<double>& weights = story.effects.get<BarycentricWeights>(story.frame).weights;
   std::string out;
-  for (int i = 0; i < 3; ++i) {
-    if ((coordinates.numerator[i] < 0.0) != negative) continue;
-    const gjk::Face rest = story.state.simplex.all() & ~gjk::face_of(i);
-    out += (out.empty() ? "" : " and ") + story.q + story.words.face(rest);
-  }
-  return out;
-}
-
-void areas(const Story& story, FrameText& text) {
-  const gjk::Barycentric<double, 2> coordinates =
-      gjk::barycentric(in_plane(story.state.simplex), story.state.simplex.all());
-  const std::string whole = story.words.face(story.state.simplex.all());
-  std::string negatives;
-  std::string edges;
-  std::string sum;
   int count = 0;
-  std::vector<std::string> terms;
-  for (int i = 0; i < 3; ++i) {
-    const double weight = coordinates.numerator[i] / coordinates.denominator;
-    const std::string number = story.numbers.weight(weight);
-    terms.push_back(number);
-    sum += sum.empty() ? number : weight < 0.0 ? " − " + fixed(-weight, 3) : " + " + number;
-    if (weight >= 0.0) continue;
-    const std::string edge =
-        story.words.face(static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(i)));
-    negatives += fmt::format("{}{} = area({}{}) / area({}) = {}", count > 0 ? " and " : "",
-                             "uvw"[i], story.q, edge, whole, number);
-    edges += (count > 0 ? " and " : "") + edge;
+  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+    if (weights[i] > 0.0) continue;
+    out += fmt::format("{}{} = {}", count > 0 ? " and " : "", "uvw"[i],
+                       story.numbers.weight(weights[i]));
     ++count;
   }
-  sum += adds_up(terms, "1") ? " = 1" : " = 1 before rounding";
-  if (count == 0) {
-    text.caption = fmt::format("{} lies inside: all three areas are positive and together fill {}.",
-                               story.q, whole);
-    text.detail = fmt::format("u + v + w = {}. The linear system says the same: uA + vB + wC = {}.",
-                              sum, story.q);
-    return;
-  }
-  text.caption = fmt::format("{} {} negative: {} lies beyond {}.", negatives,
-                             count == 1 ? "is" : "are", story.q, edges);
-  text.detail = fmt::format("{} {} negative: {} {} larger than {} by exactly that much. So {}.",
-                            parts_of(story, coordinates, true), count == 1 ? "counts" : "count",
-                            parts_of(story, coordinates, false), count == 1 ? "together are" : "is",
-                            whole, sum);
+  return count == 0 ? "no coordinate is negative"
+                    : out + (count == 1 ? " is negative" : " are negative");
 }
 
-/// A lesson that shows no weights is told by features: weights may be new to its reader.
-bool tells_features(const Story& story) {
-  const Lesson& lesson = story.run.lesson;
-  return story.state.simplex.count == 3 && story.run.act->sweeps &&
-         !lesson.has_block(blocks::kWeights.name);
+std::string edge_opposite(const Story& story, int vertex) {
+  return story.words.face(
+      static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(vertex)));
 }
 
-/// The region of the next position; 0 after the last one.
-gjk::Face next_region(const Story& story) {
-  const auto next = static_cast<std::size_t>(story.frame.run) + 1;
-  if (next >= story.run.runs.size() || story.run.runs[next].trace.steps.empty()) return 0;
-  return story.run.runs[next].trace.steps.front().after.region;
-}
-
-/// "AB and CA": the edges of a triangle that end at a vertex.
-std::string edges_at(const Story& story, gjk::Face vertex) {
-  std::string out;
-  for (const gjk::Face edge : {gjk::Face{0b011}, gjk::Face{0b110}, gjk::Face{0b101}}) {
-    if ((edge & vertex) != 0) out += (out.empty() ? "" : " and ") + story.words.face(edge);
-  }
-  return out;
-}
-
-void features(const Story& story, FrameText& text) {
-  const gjk::Face face = story.state.region;
-  const std::string name = story.words.face(face);
-  switch (gjk::vertex_count(face)) {
-    case 1:
-      text.caption = fmt::format(
-          "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
-          story.q, name);
-      text.detail = fmt::format(
-          "Every other point of {} is farther, and the interior lies behind them. So P = {}, at "
-          "distance {}.",
-          edges_at(story, face), name, story.distance());
-      break;
-    case 2: {
-      const std::vector<int> ends = story.words.order(face);
-      text.caption = fmt::format(
-          "{0} lies in region {1}: it lies beyond {1} and projects between {2} and {3}.", story.q,
-          name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
-      text.detail = fmt::format(
-          "The projection is the closest point P, at distance {}: the triangle lies behind {}.",
-          story.distance(), name);
-      break;
-    }
-    default:
-      text.caption = fmt::format("{} lies inside {}: it is its own closest point, P = {}.", story.q,
-                                 name, story.q);
-      text.detail = "The distance is 0.";
-  }
-  const gjk::Face next = next_region(story);
-  if (next == 0 || next == face) return;
-  text.detail += gjk::vertex_count(next) == 3
-                     ? fmt::format(" Next, {} moves inside.", story.q)
-                     : fmt::format(" Next: region {}.", story.words.face(next));
-}
-
-/// What the sign of one coordinate says about where Q is.
-std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
-  if (gjk::vertex_count(term.face) == 3) {
-    const std::string opposite =
-        story.edge_name(static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex)));
-    return term.wants_positive
-               ? fmt::format("{} lies beyond {}.", story.q, opposite)
-               : fmt::format("{} lies on the triangle's side of {}.", story.q, opposite);
-  }
-  const std::string edge = story.words.face(term.face);
-  if (term.wants_positive) return fmt::format("{} projects beyond an end of {}.", story.q, edge);
-  const gjk::Face other = static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex));
-  return fmt::format("On the line {}, {} projects to {}'s side of {}.", edge, story.q,
-                     story.words.vertex(term.vertex), story.words.face(other));
-}
-
-/// A lesson that shows where Q falls on the line through AB is told by that.
-void projection(const Story& story, FrameText& text) {
-  const std::string a = story.words.vertex(0);
-  const std::string b = story.words.vertex(1);
-  const bool between = story.state.region == story.state.simplex.all();
-  const bool before = story.state.region == 0b01;
-  const std::string end = before ? a : b;
-  text.caption =
-      between ? fmt::format(
-                    "{0} projects to G, between {1} and {2}: {0} lies in region {1}{2}, and P = G.",
-                    story.q, a, b)
-              : fmt::format("{0} projects to G, beyond {1}: {0} lies in region {1}, and P = {1}.",
-                            story.q, end);
+void negative(const Story& story, FrameText& text, int i) {
+  const std::string edge = edge_opposite(story, i);
+  text.caption = fmt::format("{} is negative in the whole half-plane beyond {}.", "uvw"[i], edge);
   text.detail = fmt::format(
-      "The distance is {}: every other point of {}{} is farther from G, and so from {}.",
-      story.distance(), a, b, story.q);
-  const gjk::Face next = next_region(story);
-  if (next == 0 || next == story.state.region) return;
-  const gjk::Face passed = between ? next : story.state.region;
-  text.detail += fmt::format(" Next, G passes {}.", story.words.face(passed));
+      "The Voronoi region of {} is only the part of it that projects onto {}.", edge, edge);
 }
 
 }  // namespace
 
-void closest(const Story& story, FrameText& text) {
-  if (tells_areas(story)) return areas(story, text);
-  if (tells_features(story)) return features(story, text);
-  if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
-  if (story.shows(Projection::kName) && story.state.simplex.count == 2 && story.run.point_query() &&
-      story.run.act->sweeps) {
-    return projection(story, text);
+void maps(const Story& story, FrameText& text) {
+  const std::string region = feature(story, story.state.region);
+  switch (*map_stage(story.run, story.frame)) {
+    case MapStage::voronoi:
+      text.caption =
+          fmt::format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
+                      story.q, region);
+      text.detail =
+          "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
+          "w.";
+      return;
+    case MapStage::interior:
+      text.caption = "Sign map: u, v and w are all positive inside the triangle.";
+      text.detail =
+          "The lines extend the edges: on each of them one of u, v and w is 0. Next: where is it "
+          "negative?";
+      return;
+    case MapStage::negative_u:
+      return negative(story, text, 0);
+    case MapStage::negative_v:
+      return negative(story, text, 1);
+    case MapStage::negative_w:
+      return negative(story, text, 2);
+    case MapStage::signs:
+      text.caption = fmt::format("The half-planes overlap: beyond {}, v and w are both negative.",
+                                 story.words.vertex(0));
+      text.detail =
+          "Three lines make seven regions again, one for each feature, but with other borders.";
+      return;
+    case MapStage::blended:
+      text.caption = "Both maps at once: they agree inside the triangle, but not outside.";
+      text.detail =
+          "Voronoi borders (dashed) are perpendicular to the edges; sign borders extend the edges.";
+      return;
+    case MapStage::difference: {
+      const gjk::Face face = by_signs(story);
+      const bool agree = face == story.state.region;
+      text.caption =
+          agree ? fmt::format("At {}, {}. The signs name {}, and it is the closest feature.",
+                              story.q, negatives(story), region)
+                : fmt::format("At {}, {}. The signs name {}, but {} is closest.", story.q,
+                              negatives(story), feature(story, face), region);
+      text.detail =
+          "Marked: where the maps disagree. The signs alone do not find the region; further tests "
+          "do.";
+      return;
+    }
   }
-  text.caption = region_reason(story);
-  if (gjk::vertex_count(story.state.region) == 3) {
-    text.detail = story.run.point_query()
-                      ? fmt::format("So P = {}, and the distance is 0.", story.q)
-                      : "So P = O and the distance is 0: the shapes overlap.";
-    return;
-  }
-  if (story.knows.is_at_query) {
-    text.detail = fmt::format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
-    return;
-  }
-  text.detail =
-      story.state.simplex.count == 1
-          ? fmt::format("Its distance from {} is {}.", story.q, story.distance())
-          : fmt::format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
 }
 
-void region_test(const Story& story, FrameText& text) {
-  const WideSimplex& simplex = story.state.simplex;
-  if (story.knows.tests_reached < 0) {
+void orders(const Story& story, FrameText& text) {
+  const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
+  if (chains.empty()) return;
+  const OrderStage stage = *order_stage(story.run, story.frame);
+  if (stage == OrderStage::numbers) {
     text.caption = fmt::format(
-        "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
-    if (simplex.count == 2) {
-      const gjk::Barycentric<double, 2> weights =
-          gjk::barycentric(in_plane(simplex), simplex.all());
-      text.detail = fmt::format(
-          "u = {} and v = {} are signed fractions of the length of {}. The first true test "
-          "decides.",
-          story.numbers.weight(weights.numerator[0] / weights.denominator),
-          story.numbers.weight(weights.numerator[1] / weights.denominator),
-          story.words.face(simplex.all()));
-    } else {
-      const std::string edge = story.words.face(0b011);
-      text.detail = fmt::format(
-          "u{0} and v{0} are the weights of {1} and {2} on the line {0}, and so on; u{3}, v{3} and "
-          "w{3} are those in the triangle.",
-          edge, story.words.vertex(0), story.words.vertex(1), story.words.face(0b111));
-    }
+        "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
+    text.detail = fmt::format(
+        "A short edge test asks for the sign of one area: for {}, {} ≤ 0. Next: vertices first.",
+        story.words.face(0b011), story.words.coordinate(story.state.simplex.all(), 2));
     return;
   }
-  const gjk::RegionTest<double>& test = story.knows.region_tests[story.knows.tests_reached];
-  if (test.holds) {
-    text.caption = region_reason(story);
-    text.detail = gjk::vertex_count(test.region) == 3
-                      ? "So P = " + story.q + ", and the distance is 0."
-                      : fmt::format("So {}, at distance {} from {}.", story.p_is(),
-                                    story.distance(), story.q);
-    return;
+  const RegionOrders::Chain& chain = chains[static_cast<std::size_t>(stage) - 1];
+  const std::string region = feature(story, chain.region);
+  const bool is_edge = gjk::vertex_count(chain.region) == 2;
+  const std::string distance = story.numbers(chain.p.norm());
+  const std::string taken = story.words.face(chain.region);
+  if (chain.error > 0.0) {
+    text.caption = fmt::format(
+        "{} first: the short test of {} is true in the whole shaded half-plane. It gives P′, wrong "
+        "by |P′ − P| = {}.",
+        chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
+        story.numbers(chain.error));
+    const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
+                                 [](double weight) { return weight < 0.0; });
+    text.detail = fmt::format(
+        "P′ {}: it is {} from {}, the triangle {}. Next: {}.",
+        off ? "is not even on " + taken : "is on the wrong edge", distance, story.q,
+        story.distance(),
+        stage == OrderStage::vertices_first_short ? "the same tests, edges first" : "whole tests");
+  } else if (stage == OrderStage::vertices_first_short) {
+    text.caption =
+        fmt::format("Vertices first: the first true test is that of {}, and it is right.", region);
+    text.detail =
+        fmt::format("P′ = P, at distance {}. {} Next: the same tests, edges first.", distance,
+                    is_edge ? "The vertices are ruled out, and here the short test is enough."
+                            : "The edges are not tested.");
+  } else if (stage == OrderStage::edges_first_short) {
+    text.caption = fmt::format(
+        "Edges first: the short test of {} is true in the shaded half-plane, and here it is right.",
+        taken);
+    text.detail =
+        fmt::format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
+  } else {
+    text.caption = fmt::format(
+        "Whole tests also ask for u, v > 0 on the edge. Edges first, they still give {}.", region);
+    text.detail = fmt::format(
+        "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
+        "The interior is left.",
+        distance);
   }
-  const std::vector<gjk::RegionTerm<double>> terms = story.words.terms(test);
-  const auto failed =
-      std::find_if(terms.begin(), terms.end(), [](const auto& term) { return !term.holds; });
-  const std::string coordinate = story.words.coordinate(failed->face, failed->vertex);
-  text.caption =
-      fmt::format("Not region {}: {} = {} is {}positive.", story.words.face(test.region),
-                  coordinate, story.signed_weight(*failed), failed->wants_positive ? "not " : "");
-  const gjk::RegionTest<double>& next = story.knows.region_tests[story.knows.tests_reached + 1];
-  const bool is_left = next.region == simplex.all();
-  text.detail = fmt::format(
-      "{} {} region {}.", where(story, *failed),
-      is_left ? "No test is left but the else:" : "Next test:", story.words.face(next.region));
 }
 
 }  // namespace gjkscope::captions

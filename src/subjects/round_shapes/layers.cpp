@@ -3,10 +3,8 @@
 #include <numbers>
 
 #include "outlines/polygon.hpp"
-#include "subjects/answer/act.hpp"
 #include "subjects/round_shapes/round_shapes.hpp"
 #include "subjects/round_shapes/subject.hpp"
-#include "subjects/run/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -89,7 +87,7 @@ void gap(SceneBuilder& scene) {
   const Point y = scene.at(round->y);
   scene.line("skin.gap", x, y);
   for (const Point& point : {x, y}) scene.disk("skin.point", point, sizes::kVertexRadius);
-  length_label(scene, "gap", round->distance, x, y);
+  scene.length_label("gap", round->distance, x, y);
 }
 
 }  // namespace
@@ -97,9 +95,7 @@ void gap(SceneBuilder& scene) {
 bool shows_gap(const SceneBuilder& scene) {
   const RoundShapes::Value* round = RoundShapes::of(scene.effects, scene.run, scene.frame);
   return round != nullptr && round->meeting == RoundShapes::Meeting::apart &&
-         scene.view.kind == ViewKind::world && scene.knows.has_ended &&
-         witness_part(scene.run, scene.frame).value_or(WitnessPart::distance) ==
-             WitnessPart::distance;
+         scene.view.kind == ViewKind::world && scene.knows.distance;
 }
 
 const Layer kSkins{.effect = {}, .on = Layer::On::world, .order = 55, .draw = skins};

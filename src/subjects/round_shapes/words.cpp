@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include "picture/story.hpp"
-#include "subjects/answer/act.hpp"
-#include "subjects/answer/subject.hpp"
 #include "subjects/round_shapes/round_shapes.hpp"
 #include "subjects/round_shapes/subject.hpp"
 
@@ -10,10 +8,7 @@ namespace gjkscope::captions {
 
 void round_shapes(const Story& story, FrameText& text) {
   const RoundShapes::Value* round = RoundShapes::of(story.effects, story.run, story.frame);
-  const bool is_told =
-      story.knows.has_ended &&
-      witness_part(story.run, story.frame).value_or(WitnessPart::distance) == WitnessPart::distance;
-  if (round == nullptr || !is_told) return;
+  if (round == nullptr || !story.knows.distance) return;
   const double distance = story.trace.result.distance;
   const LessonShape& x = story.run.lesson.x();
   const LessonShape& y = story.run.lesson.y();

@@ -6,7 +6,6 @@
 #include "run/facts.hpp"
 #include "subjects/run/direction_rules.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/support/subject.hpp"
 
 namespace gjkscope::blocks {
 namespace {

@@ -52,36 +52,16 @@ void weight_label(SceneBuilder& scene, const WideVertex& vertex, const std::stri
 
 }  // namespace
 
-void search_arrow(SceneBuilder& scene, const Point& from, const Vector3d& d, double length,
-                  const std::string& text) {
-  if (!(d.norm() > 0.0)) return;
-  const Point along = scene.map.direction(d);
-  const Point tip = from + length * along;
-  scene.arrow("direction", from, tip);
-  // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
-  constexpr double kNamed = 0.6;  // of the arrow
-  scene.out.moving_labels.push_back(scene.label("arrow:" + text, text, "direction.label",
-                                                type::kVertex, from + kNamed * (tip - from), 0.0,
-                                                Point(along.y(), -along.x())));
-}
-
 void search_direction(SceneBuilder& scene) {
-  search_arrow(scene, scene.at_difference(scene.state.p), scene.state.d,
-               scene.arrow_length(scene.state.p), "d");
-}
-
-void support_line(SceneBuilder& scene, const Point& through, const Vector3d& d,
-                  const std::string& role) {
-  const Point across =
-      scene.map.area().size().norm() * scene.map.direction(Vector2d(d.y(), -d.x()));
-  scene.line(role, through - across, through + across);
+  scene.search_arrow(scene.at_difference(scene.state.p), scene.state.d,
+                     scene.arrow_length(scene.state.p), "d");
 }
 
 void best_support_line(SceneBuilder& scene) {
   const BestSupport::Value& best = scene.effects.get<BestSupport>(scene.frame);
   if (!best) return;
   if (scene.knows.support && is_found_by(*best, scene.state)) return;
-  support_line(scene, scene.at_difference(best->support.w), best->normal, "support.best");
+  scene.support_line(scene.at_difference(best->support.w), best->normal, "support.best");
 }
 
 void history(SceneBuilder& scene) {
@@ -162,14 +142,6 @@ void simplex(SceneBuilder& scene) {
   }
 }
 
-void length_label(SceneBuilder& scene, const std::string& id, double length, const Point& from,
-                  const Point& to) {
-  if ((to - from).norm() < 1.0) return;
-  scene.out.moving_labels.push_back(
-      scene.label(id, Numbers(scene.run.lesson)(length), "distance.label", type::kSmallVertex,
-                  0.5 * (from + to), 2.0, Point(from.y() - to.y(), to.x() - from.x())));
-}
-
 namespace {
 
 /// From a closest point to the other; where the run has ended, the length is the answer.
@@ -177,7 +149,7 @@ void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   const double distance = scene.positioned.trace.result.distance;
   if (scene.knows.has_ended && distance > 0.0 && !shows_gap(scene))
-    length_label(scene, "distance", distance, from, to);
+    scene.length_label("distance", distance, from, to);
 }
 
 }  // namespace
@@ -224,7 +196,7 @@ void witness_points(SceneBuilder& scene) {
 
 void search(SceneBuilder& scene) {
   if (scene.knows.support)
-    support_line(scene, scene.at_difference(scene.state.support.w), scene.state.d);
+    scene.support_line(scene.at_difference(scene.state.support.w), scene.state.d);
   // A search that is over points nowhere.
   if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
   if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
@@ -245,7 +217,7 @@ void other_normal(SceneBuilder& scene) {
   if (!scene.knows.support) return;
   const Vector3d w =
       scene.positioned.y().world[other->support.y] - scene.positioned.x().world[other->support.x];
-  support_line(scene, scene.at_difference(w), other->d, "support.plane.other");
+  scene.support_line(scene.at_difference(w), other->d, "support.plane.other");
   scene.diamond("support.other", scene.at_difference(w), kSupportRadius,
                 subject_of(scene.run, other->support));
 }
@@ -268,9 +240,9 @@ void asked_directions(SceneBuilder& scene) {
   if (question.ask != asks::kSupport.name) return;
   const Vector3d& d =
       scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
-  search_arrow(scene, scene.at(centroid(in_plane(scene.positioned.y().world))), d, kPairArrow, "d");
-  search_arrow(scene, scene.at(centroid(in_plane(scene.positioned.x().world))), -d, kPairArrow,
-               "−d");
+  scene.search_arrow(scene.at(centroid(in_plane(scene.positioned.y().world))), d, kPairArrow, "d");
+  scene.search_arrow(scene.at(centroid(in_plane(scene.positioned.x().world))), -d, kPairArrow,
+                     "−d");
 }
 
 }  // namespace
@@ -278,17 +250,11 @@ void asked_directions(SceneBuilder& scene) {
 void search_between_shapes(SceneBuilder& scene) {
   asked_directions(scene);
   if (!scene.knows.support || scene.knows.has_ended) return;
-  search_arrow(scene, scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
-               "d");
-  search_arrow(scene, scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
-               "−d");
+  scene.search_arrow(scene.at(scene.vertex_of_y(scene.state.support)), scene.state.d, kPairArrow,
+                     "d");
+  scene.search_arrow(scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
+                     "−d");
   scene.simplex_vertex(scene.state.support, "support");
-}
-
-bool shows_closest_point(const SceneBuilder& scene) {
-  // Frames that measure weights along a path leave P out: it would lie on what they measure.
-  const bool measures = scene.run.act->sweeps && scene.shows(BarycentricParts::kName);
-  return scene.knows.closest_point && !measures;
 }
 
 bool reaches_query(const SceneBuilder& scene) {

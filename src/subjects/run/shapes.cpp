@@ -8,6 +8,7 @@
 #include "subjects/motion/motion.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/weights/projection.hpp"
+#include "subjects/weights/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "subjects/regions/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::blocks {

@@ -5,9 +5,9 @@
 namespace gjkscope {
 
 const SubjectParts subjects::run{
-    .acts = {&acts::kIteration, &acts::kPath, &acts::kPhase},
+    .acts = {&acts::kIteration, &acts::kPath, &acts::kPhase, &acts::kTest, &acts::kSupport},
     .blocks = {&blocks::kSimplex, &blocks::kScan, &blocks::kBounds, &blocks::kDirectionRules,
-               &blocks::kPseudocode, &blocks::kStopTests},
+               &blocks::kPseudocode, &blocks::kStopTests, &blocks::kTests, &blocks::kRegions},
     .listings = {&listings::kSegment, &listings::kTriangle, &listings::kStructures,
                  &listings::kSupport, &listings::kGjkPoint, &listings::kMinkowski, &listings::kGjk},
     .layers = {&layers::kOtherNormal, &layers::kShapes, &layers::kPath, &layers::kQueryPoint},

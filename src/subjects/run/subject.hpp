@@ -8,10 +8,21 @@
 
 namespace gjkscope {
 
+/// Parts of one support step: d, the support point of Y along d, that of X along -d, their
+/// difference.
+enum class SupportPart { direction, of_y, of_x, of_z };
+[[nodiscard]] std::optional<SupportPart> support_part(const LessonRun& run, const Frame& frame);
+
+/// The number of region tests of a closest-point step that have been tried; 0: its numbers are
+/// shown.
+[[nodiscard]] std::optional<int> tried_tests(const LessonRun& run, const Frame& frame);
+
 namespace acts {
 extern const Act kIteration;
 extern const Act kPath;
 extern const Act kPhase;
+extern const Act kTest;
+extern const Act kSupport;
 }  // namespace acts
 
 namespace blocks {
@@ -22,6 +33,16 @@ extern const Block kBounds;
 extern const Block kDirectionRules;
 extern const Block kPseudocode;
 extern const Block kStopTests;
+extern const Block kTests;
+extern const Block kRegions;
+
+/// `misleads`: a test that holds, and takes the wrong point.
+enum class TestMark { untried, fails, holds, misleads };
+/// At the left of the current row.
+void test_mark(PanelBuilder& panel, TestMark mark);
+/// One row of a chain of tests: mark, region, condition and numbers.
+void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
+              const std::string& condition, const std::string& values);
 
 /// What a line says of the frame's step.
 struct LineView {
@@ -64,26 +85,17 @@ void history(SceneBuilder& scene);
 void history_points(SceneBuilder& scene);
 void simplex(SceneBuilder& scene);
 void closest_line(SceneBuilder& scene);
-/// A length beside the line that it is the length of; none within a pixel.
-void length_label(SceneBuilder& scene, const std::string& id, double length, const Point& from,
-                  const Point& to);
 void closest_point(SceneBuilder& scene);
 void witness_points(SceneBuilder& scene);
-/// An arrow along d, and its name.
-void search_arrow(SceneBuilder& scene, const Point& from, const Eigen::Vector3d& d, double length,
-                  const std::string& text);
 /// The search direction at P.
 void search_direction(SceneBuilder& scene);
-/// The line through a point, normal to d.
-void support_line(SceneBuilder& scene, const Point& through, const Eigen::Vector3d& d,
-                  const std::string& role = "support.plane");
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);
 void search_between_shapes(SceneBuilder& scene);
 
-/// P and its line, but where frames measure weights along a path: it would lie on them.
-[[nodiscard]] bool shows_closest_point(const SceneBuilder& scene);
 [[nodiscard]] bool reaches_query(const SceneBuilder& scene);
+/// d, the support point of Y, that of X, their difference, one after the other.
+void support_in_parts(SceneBuilder& scene);
 /// Simplex, closest point, search direction and support point of a step.
 void stage_step(SceneBuilder& scene);
 
@@ -94,13 +106,14 @@ namespace captions {
 /// What a phase did, and why.
 void step(const Story& story, FrameText& text);
 void start(const Story& story, FrameText& text);
-/// "vertex K of Y and edge CD of X": those whose differences hold P at the end of a run.
-[[nodiscard]] std::string closest_features(const Story& story);
 /// The values of a run's step.
 void run_values(const Story& story, FrameText& text);
+void closest(const Story& story, FrameText& text);
+void region_test(const Story& story, FrameText& text);
 void drop(const Story& story, FrameText& text);
 void direction(const Story& story, FrameText& text);
 void support(const Story& story, FrameText& text);
+void support_in_parts(const Story& story, FrameText& text);
 void stop(const Story& story, FrameText& text);
 void add(const Story& story, FrameText& text);
 

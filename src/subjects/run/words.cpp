@@ -7,8 +7,6 @@
 #include "lesson/names.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
-#include "subjects/answer/subject.hpp"
-#include "subjects/regions/subject.hpp"
 #include "subjects/run/other_normal.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/scalars/subject.hpp"
@@ -199,7 +197,7 @@ std::string outcome(const Story& story) {
   if (story.knows.is_at_query) return zero_distance(story);
   const std::string answer = distance_is(story, story.numbers(story.trace.result.distance));
   if (!story.run.point_query())
-    return fmt::format("{}, between {}.", answer, closest_features(story));
+    return fmt::format("{}, between {}.", answer, story.closest_features());
   const gjk::Face all = story.state.simplex.all();
   return fmt::format("{}: P {} the {}.", answer, gjk::vertex_count(all) == 1 ? "is" : "lies on",
                      story.words.kind_and_face(all));

@@ -1,7 +1,7 @@
 #include "lesson/names.hpp"
-#include "subjects/run/subject.hpp"
 #include "subjects/scalars/second_run.hpp"
 #include "subjects/scalars/subject.hpp"
+#include "subjects/weights/subject.hpp"
 
 namespace gjkscope::layers {
 
@@ -37,7 +37,7 @@ void second_run(SceneBuilder& scene) {
                                                   radius, towards));
   };
   if (scene.knows.support) {
-    support_line(scene, scene.at_difference(state.support.w), state.d, "second.plane");
+    scene.support_line(scene.at_difference(state.support.w), state.d, "second.plane");
     scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
   }
   if (scene.knows.direction && state.d.norm() > 0.0) {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "picture/story.hpp"
-#include "subjects/run/subject.hpp"
 #include "subjects/scalars/second_run.hpp"
 #include "subjects/scalars/subject.hpp"
 

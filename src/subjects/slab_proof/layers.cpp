@@ -60,7 +60,7 @@ void stage(SceneBuilder& scene) {
   scene.line("closest.line", scene.at(now.x), scene.at(now.y));
   point(scene, "x", now.x, now.y);
   point(scene, "y", now.y, now.x);
-  layers::length_label(scene, "distance", now.distance(), scene.at(now.x), scene.at(now.y));
+  scene.length_label("distance", now.distance(), scene.at(now.x), scene.at(now.y));
 }
 
 }  // namespace gjkscope::slabs

@@ -1,5 +1,4 @@
 #include "outlines/polygon.hpp"
-#include "subjects/run/subject.hpp"
 #include "subjects/support/slab.hpp"
 #include "subjects/support/subject.hpp"
 #include "subjects/support/touched_points.hpp"
@@ -54,7 +53,7 @@ void slab(SceneBuilder& scene) {
   constexpr double kTick = 6.0;
   const Point tick = kTick * scene.map.direction(along);
   for (const Point& end : {from, to}) scene.add("slab.width", Polyline{{end - tick, end + tick}});
-  length_label(scene, "slab", strip->width, from, to);
+  scene.length_label("slab", strip->width, from, to);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 namespace gjkscope {
 
 const SubjectParts subjects::support{
-    .acts = {&acts::kSupport},
     .layers = {&layers::kTouchedPoints, &layers::kSlab},
     .effects = {&effect_infos::kBestSupport, &effect_infos::kSlab, &effect_infos::kTouchedPoints},
 };

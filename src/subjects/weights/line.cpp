@@ -1,4 +1,3 @@
-#include "subjects/run/subject.hpp"
 #include "subjects/weights/projection.hpp"
 #include "subjects/weights/subject.hpp"
 

@@ -19,6 +19,10 @@ namespace layers {
 extern const Layer kProjection;
 extern const Layer kUnitVector;
 extern const Layer kParts;
+
+/// P and its line, but where frames measure weights along a path: it would lie on them.
+[[nodiscard]] bool shows_closest_point(const SceneBuilder& scene);
+
 }  // namespace layers
 
 namespace captions {

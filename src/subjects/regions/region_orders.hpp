@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "run/graph.hpp"
-#include "subjects/maps/act.hpp"
+#include "subjects/regions/act.hpp"
 
 namespace gjkscope {
 

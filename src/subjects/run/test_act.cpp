@@ -2,7 +2,6 @@
 
 #include "run/facts.hpp"
 #include "run/questions.hpp"
-#include "subjects/regions/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::acts {

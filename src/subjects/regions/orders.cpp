@@ -1,8 +1,8 @@
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
-#include "subjects/maps/act.hpp"
-#include "subjects/maps/region_orders.hpp"
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/region_orders.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::layers {

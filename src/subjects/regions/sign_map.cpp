@@ -1,6 +1,6 @@
-#include "subjects/maps/sign_map.hpp"
+#include "subjects/regions/sign_map.hpp"
 
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/regions/voronoi.hpp"
 
 namespace gjkscope {

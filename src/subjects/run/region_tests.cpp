@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "subjects/regions/subject.hpp"
+#include "subjects/run/subject.hpp"
 #include "subjects/weights/projection.hpp"
 
 namespace gjkscope::blocks {

@@ -1,8 +1,8 @@
-#include "subjects/maps/region_orders.hpp"
+#include "subjects/regions/region_orders.hpp"
 
 #include "run/scalar.hpp"
 #include "run/widen.hpp"
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/subject.hpp"
 
 namespace gjkscope {
 namespace {

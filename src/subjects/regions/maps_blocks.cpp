@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "subjects/maps/act.hpp"
-#include "subjects/maps/region_orders.hpp"
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/run/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::blocks {

@@ -5,7 +5,7 @@
 
 #include "picture/words.hpp"
 #include "run/questions.hpp"
-#include "subjects/maps/act.hpp"
+#include "subjects/regions/act.hpp"
 #include "subjects/regions/subject.hpp"
 #include "subjects/regions/voronoi.hpp"
 #include "subjects/run/subject.hpp"

@@ -1,8 +1,7 @@
-#include "subjects/maps/act.hpp"
-
 #include <array>
 
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::acts {

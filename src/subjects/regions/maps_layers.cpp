@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "picture/words.hpp"
-#include "subjects/maps/act.hpp"
-#include "subjects/maps/sign_map.hpp"
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/sign_map.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/regions/voronoi.hpp"
 
 namespace gjkscope::layers {

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "run/facts.hpp"
-#include "subjects/maps/act.hpp"
-#include "subjects/maps/region_orders.hpp"
-#include "subjects/maps/subject.hpp"
+#include "subjects/regions/act.hpp"
+#include "subjects/regions/region_orders.hpp"
+#include "subjects/regions/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::acts {

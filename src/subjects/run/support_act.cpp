@@ -5,7 +5,6 @@
 #include "run/facts.hpp"
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/support/subject.hpp"
 
 namespace gjkscope::acts {
 namespace {

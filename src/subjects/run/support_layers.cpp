@@ -2,7 +2,6 @@
 
 #include "run/facts.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/support/subject.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -40,10 +39,10 @@ void line_past(SceneBuilder& scene, const std::vector<Vector3d>& vertices, const
 void along(SceneBuilder& scene, const std::vector<Vector3d>& vertices, int found, const Vector3d& d,
            const std::string& text, bool is_found) {
   if (!is_found)
-    return search_arrow(scene, scene.at(middle_of(vertices)), d, sizes::kPairArrow, text);
+    return scene.search_arrow(scene.at(middle_of(vertices)), d, sizes::kPairArrow, text);
   const Point point = scene.at(vertices[found]);
   line_past(scene, vertices, point, d);
-  search_arrow(scene, point, d, sizes::kPairArrow, text);
+  scene.search_arrow(point, d, sizes::kPairArrow, text);
   scene.diamond("support.vertex", point, sizes::kSupportRadius);
 }
 
@@ -71,7 +70,7 @@ void support_in_parts(SceneBuilder& scene) {
     row(scene, state.support.pair.y);
   simplex(scene);
   const bool at_end = reached == SupportPart::of_z;
-  if (at_end) support_line(scene, scene.at_difference(state.support.w), state.d);
+  if (at_end) scene.support_line(scene.at_difference(state.support.w), state.d);
   closest_line(scene);
   search_direction(scene);
   if (at_end) scene.simplex_vertex(state.support, "support");
